@@ -3201,6 +3201,10 @@
         <translation>L’en-tête annonce %1 passes, les lignes en ont %2&#x202f;; les lignes comptent.</translation>
     </message>
     <message>
+        <source>Directions: the targets descend along the list; a run in its order moves in the negative direction and is read as ↓.</source>
+        <translation>Sens&#xa0;: les points visés décroissent le long de la liste&#x202f;; une passe dans son ordre va dans le sens négatif et est lue comme ↓.</translation>
+    </message>
+    <message>
         <source>Directions: the order of the targets does not say them; odd runs are read as ↑, even ones as ↓.</source>
         <translation>Sens&#xa0;: l’ordre des points visés ne le dit pas&#x202f;; les passes impaires sont lues comme ↑, les paires comme ↓.</translation>
     </message>
@@ -4541,7 +4545,7 @@
     </message>
     <message>
         <source>Monte Carlo: %1 trials of the whole evaluation, seed %2; U is half of the shortest interval that holds 95.45 % of the results, the shift their mean less the evaluated value.</source>
-        <translation>Monte-Carlo&#xa0;: %1 tirages de l’évaluation complète, germe %2&#x202f;; U est la moitié du plus court intervalle qui contient 95,45&#xa0;% des résultats, le décalage leur moyenne moins la valeur évaluée.</translation>
+        <translation>Monte-Carlo : %1 tirages de l’évaluation complète, germe %2&#x202f;; U est la moitié du plus court intervalle qui contient 95,45&#xa0;% des résultats, le décalage leur moyenne moins la valeur évaluée.</translation>
     </message>
     <message>
         <source>The methods differ by more than 20 % for %1; reason: see the findings.</source>
@@ -4673,11 +4677,11 @@
     </message>
     <message>
         <source>Monte Carlo: %1 of %2 trials</source>
-        <translation>Monte-Carlo&#xa0;: %1 tirages sur %2</translation>
+        <translation>Monte-Carlo : %1 tirages sur %2</translation>
     </message>
     <message>
         <source>Monte Carlo: %1 trials</source>
-        <translation>Monte-Carlo&#xa0;: %1 tirages</translation>
+        <translation>Monte-Carlo : %1 tirages</translation>
     </message>
     <message>
         <source>how the uncertainty is found that decides, whatever the file says</source>
@@ -5409,7 +5413,7 @@
     </message>
     <message>
         <source>Sign: it changed between the versions of the program; read as actual − target.</source>
-        <translation>Signe&#xa0;: il a changé d’une version du programme à l’autre&#x202f;; lu comme réelle − visée.</translation>
+        <translation>Signe&#xa0;: il a changé d’une version du programme à l’autre&#x202f;; lu comme «&#xa0;réel − visé&#xa0;».</translation>
     </message>
     <message>
         <source>Columns: the headings do not say which hold readings; “%1” and those like it are read as runs.</source>
@@ -6874,6 +6878,10 @@
             <numerusform>%n écart&#xa0;: le rapport ne découle pas des données jointes.</numerusform>
             <numerusform>%n écarts&#xa0;: le rapport ne découle pas des données jointes.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>the name of a file is empty</source>
+        <translation>le nom d’un fichier est vide</translation>
     </message>
     <message>
         <source>the option %1 needs a value (%2)</source>
@@ -8380,6 +8388,26 @@
     <message>
         <source>a file of this name (%1) is a compensation table, perhaps cut off, and no measurement; if it is one, rename it, for example to .txt</source>
         <translation>un fichier de ce nom (%1) est une table de compensation, peut-être tronquée, et non une mesure&#x202f;; si c’en est une, renommez-le, par exemple en .txt</translation>
+    </message>
+    <message>
+        <source>read like the others</source>
+        <translation>lire comme les autres</translation>
+    </message>
+    <message>
+        <source>Hidden rows and columns</source>
+        <translation>Lignes et colonnes masquées</translation>
+    </message>
+    <message>
+        <source>Rows or columns of the sheet are hidden; what stands there is left out (%1 numbers).</source>
+        <translation>Des lignes ou des colonnes de la feuille sont masquées&#x202f;; leur contenu n’est pas repris (%1 nombres).</translation>
+    </message>
+    <message>
+        <source>Rows or columns of the sheet are hidden; what stands there is read like the rest (%1 numbers).</source>
+        <translation>Des lignes ou des colonnes de la feuille sont masquées&#x202f;; leur contenu est lu comme le reste (%1 nombres).</translation>
+    </message>
+    <message>
+        <source>The values of %1 formulas are not in the file and were not read; open the workbook in a spreadsheet program and save it.</source>
+        <translation>Les valeurs de %1 formules ne sont pas dans le fichier et n’ont pas été lues&#x202f;; ouvrez le classeur dans un tableur et enregistrez-le.</translation>
     </message>
 </context>
 </TS>

@@ -64,7 +64,7 @@ void take(Invocation &invocation, const Option &option, std::optional<QString> g
     const bool wantsValue = *option.value != 0;
     if (wantsValue && !given && next < words.size())
         given = words[next++];
-    if (wantsValue && !given)
+    if (wantsValue && given.value_or(QString()).isEmpty()) // empty: of a script whose variable is not set
         throw UsageError({REPORT_TEXT("report", "the option %1 needs a value (%2)"),
                           {dashed(option).toStdString(), std::string(option.value)}});
     if (!wantsValue && given)
@@ -140,6 +140,8 @@ void demandFiles(const Command &command, const Invocation &invocation) {
     if (!takesFiles && !invocation.arguments.isEmpty())
         throw UsageError(
             {REPORT_TEXT("report", "the command %1 takes no file"), {std::string(command.name)}});
+    if (invocation.arguments.contains(QString()))
+        throw UsageError({REPORT_TEXT("report", "the name of a file is empty")});
 }
 
 } // namespace

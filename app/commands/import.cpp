@@ -5,12 +5,19 @@
 #include "commands/outputfile.h"
 #include "commands/preparation.h"
 #include "commands/streams.h"
+#include "document/largepages.h"
 #include "document/savedocument.h"
+#include "document/sha256.h"
 #include "import/importmeasurement.h"
 
+#include <QFileInfo>
 #include <algorithm>
 #include <array>
 #include <future>
+#include <limits>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace palmer {
 
@@ -31,6 +38,21 @@ std::future<std::string> hashOf(const QByteArray &bytes) {
     constexpr qsizetype isLong = 1 << 20;
     return std::async(bytes.size() > isLong ? std::launch::async : std::launch::deferred,
                       [bytes] { return sha256(bytes); });
+}
+
+/// Before a long file is read. What reading it takes and gives back – bytes, text, cells, readings, JSON – is
+/// used again instead of given back to the system, which clears each page anew, and is in large pages.
+void keepMemory(qint64 fileSize) {
+#ifdef __GLIBC__
+    constexpr qint64 isLong = 4 << 20;
+    constexpr qint64 mostAtOnce = 256 << 20;
+    if (fileSize < isLong)
+        return;
+    mallopt(M_MMAP_MAX, 0);
+    mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
+    const QByteArray room(std::min(8 * fileSize, mostAtOnce), Qt::Uninitialized);
+    inLargePages(room.constData(), static_cast<std::size_t>(room.size())); // for all that will stand there
+#endif
 }
 
 /// Temperatures belong to the tests of the other files, whatever their order.
@@ -56,6 +78,7 @@ int run(const Invocation &invocation) {
     int code = done;
     for (const QString &file : invocation.arguments) {
         try {
+            keepMemory(QFileInfo(file).size());
             const QByteArray bytes = bytesFrom(file);
             std::future<std::string> hash = hashOf(bytes);
             if (auto imported = importedFrom(bytes, file, chosen, invocation))

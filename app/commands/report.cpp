@@ -19,6 +19,7 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
+#include <future>
 
 namespace palmer {
 
@@ -97,7 +98,8 @@ public:
             m_edition = asked->word;
         if (m_inputs.several) {
             m_outputs = outputsInFolder(*output, m_inputs, QStringLiteral(".pdf"));
-            if (QFileInfo(*output).exists() && !QFileInfo(*output).isDir())
+            const QFileInfo folder(*output);
+            if (!folder.isDir() && (folder.exists() || folder.suffix().toLower() == QLatin1StringView("pdf")))
                 throw UsageError(
                     {REPORT_TEXT("report", "the reports of several files go into a folder; %1 is none"),
                      {output->toStdString()}});
@@ -136,29 +138,34 @@ private:
         if (!m_inputs.several && !m_edition.empty())
             demandTestOf(*findEdition(m_edition), document);
         warnOfLength(document);
+        const auto whole = std::make_shared<const Document>(std::move(document));
+        const Originals originals =
+            m_invocation.has(QLatin1StringView(originalsOption)) ? Originals::include : Originals::leaveOut;
+        // Beside the evaluation, and packed beside the pages: of 10⁶ readings each takes longer than those.
+        std::future<QByteArray> testFile =
+            std::async(std::launch::async, [&whole, originals] { return attachedFile(*whole, originals); });
         const EvaluatedDocument evaluated =
-            simulated(evaluate(std::make_shared<const Document>(std::move(document)), nullptr, m_edition),
-                      SimulateWhich::allWithBudget, m_inputs.several ? 1 : 0, m_invocation.language);
+            simulated(evaluate(whole, nullptr, m_edition), SimulateWhich::allWithBudget,
+                      m_inputs.several ? 1 : 0, m_invocation.language);
         const QStringList languages = languagesOf(m_invocation, *evaluated.document);
         if (output == QLatin1StringView("-") && languages.size() > 1)
             throw UsageError(
                 {REPORT_TEXT("report", "standard output takes one report; choose --language"), {}});
-        const ReportOptions reportOptions{
-            QStringLiteral("Palmer " PALMER_VERSION),
-            m_selfTest,
-            m_invocation.has(QLatin1StringView(originalsOption)) ? Originals::include : Originals::leaveOut,
-            {}};
         const auto targetOf = [&](const QString &name) {
             return languages.size() > 1 ? withLanguage(output, name) : output;
         };
         for (const QString &name : languages)
             demandOutput(m_invocation, targetOf(name), {"pdf"});
+        const QByteArray results = attachedResults(evaluated);
+        const ReportOptions reportOptions{QStringLiteral("Palmer " PALMER_VERSION), m_selfTest, originals,
+                                          testFile.get()};
+        const auto attachments = ui::attachmentsOf(attachedFileName(*whole), reportOptions.testFile, results);
         std::vector<FileToSave> reports;
         for (const QString &name : languages) {
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);
             ui::writePdf(composeReport(evaluated, Language::fromName(name).value(), reportOptions), pdf,
-                         attachedResults(evaluated));
+                         attachments);
             reports.push_back({pdf.data(), targetOf(name)});
         }
         try {

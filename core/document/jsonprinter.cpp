@@ -109,11 +109,10 @@ bool JsonPrinter::printOnThisLine(std::span<const JsonMember> members, const Pla
     return false;
 }
 
-void JsonPrinter::breakAt(std::size_t place) {
-    const auto at = static_cast<qsizetype>(place);
-    m_text.insert(at, static_cast<qsizetype>(m_indent) + 1, ' ');
-    m_text[at] = '\n';
-    m_lineBegin = place + 1;
+void JsonPrinter::newLine() {
+    m_text += '\n';
+    m_lineBegin = size();
+    m_text.append(static_cast<qsizetype>(m_indent), ' ');
 }
 
 void JsonPrinter::open(char bracket) {

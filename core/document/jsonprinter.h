@@ -9,6 +9,7 @@
 #include <charconv>
 #include <concepts>
 #include <functional>
+#include <future>
 #include <span>
 #include <string>
 #include <string_view>
@@ -46,6 +47,7 @@ public:
     /// `print(i)` prints the element of an index.
     template <class Print>
     void list(std::size_t count, const Print &print);
+    /// `print(printer, i)` does; of a long list two threads print a half each, on the same lines always.
     template <class Print>
     void listOfScalars(std::size_t count, const Print &print);
 
@@ -59,11 +61,11 @@ private:
     static constexpr std::size_t lineLength = 100;
     static constexpr std::size_t indentation = 2;
     static constexpr std::size_t sampleSize = 1000;
+    static constexpr std::size_t longList = 100 * sampleSize;
 
     void append(const char *begin, const char *end) { m_text.append(begin, end - begin); }
     void append(std::string_view text) { append(text.data(), text.data() + text.size()); }
-    void newLine() { breakAt(size()); }
-    void breakAt(std::size_t place); ///< begins a line with what stands there
+    void newLine();
     void open(char bracket);
     void close(char bracket);
     [[nodiscard]] std::size_t column() const { return size() - m_lineBegin; }
@@ -71,6 +73,9 @@ private:
     bool printOnThisLine(std::span<const JsonMember> members, const Place &place);
     template <class Print>
     bool printOnThisLine(std::size_t count, const Print &print);
+    /// The elements from `first` to before `last`, with room for as many as `expected`.
+    template <class Print>
+    void scalars(std::size_t first, std::size_t last, std::size_t expected, const Print &print);
 
     QByteArray m_text; ///< grows in place, and is what is written: texts of many MB are never copied
     std::size_t m_lineBegin = 0;
@@ -97,22 +102,42 @@ void JsonPrinter::list(std::size_t count, const Print &print) {
 
 template <class Print>
 void JsonPrinter::listOfScalars(std::size_t count, const Print &print) {
-    if (printOnThisLine(count, print))
+    if (printOnThisLine(count, [&](std::size_t i) { print(*this, i); }))
         return;
     open('[');
-    const std::size_t begin = size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const std::size_t end = size();
-        if (i == sampleSize && count > 100 * sampleSize) // the others are about as long
-            expect((end - begin) * (count + count / 8) / sampleSize);
-        append(i > 0 ? ", " : "");
-        print(i);
-        if (i > 0 && column() >= lineLength) {
-            m_text.remove(static_cast<qsizetype>(end) + 1, 1); // the blank
-            breakAt(end + 1);
-        }
+    if (count <= longList) {
+        scalars(0, count, count, print);
+    } else {
+        const std::size_t middle = count / 2;
+        JsonPrinter rest(Form::lines);
+        rest.m_indent = m_indent;
+        auto printed = std::async(std::launch::async, [&] {
+            rest.newLine();
+            rest.scalars(middle, count, count - middle, print);
+        });
+        scalars(0, middle, count, print);
+        printed.get();
+        m_text += ',';
+        m_text += rest.m_text;
     }
     close(']');
+}
+
+template <class Print>
+void JsonPrinter::scalars(std::size_t first, std::size_t last, std::size_t expected, const Print &print) {
+    const std::size_t begin = size();
+    for (std::size_t i = first; i < last; ++i) {
+        const std::size_t end = size();
+        if (i == first + sampleSize && last - first >= longList / 2) // the others are about as long
+            expect((end - begin) * (expected + expected / 8) / sampleSize);
+        append(i > first ? ", " : "");
+        print(*this, i);
+        if (i > first && column() >= lineLength) { // the blank ends the line
+            m_text[static_cast<qsizetype>(end) + 1] = '\n';
+            m_text.insert(static_cast<qsizetype>(end) + 2, static_cast<qsizetype>(m_indent), ' ');
+            m_lineBegin = end + 2;
+        }
+    }
 }
 
 template <class Print>

@@ -41,10 +41,10 @@ void printTree(JsonPrinter &printer, const Json &value, const Place &place) {
     case Json::value_t::object:
         return printer.object(membersOfTree(value), place);
     case Json::value_t::array: {
-        const auto print = [&](std::size_t i) { printTree(printer, value[i], Place(place, i)); };
+        const auto print = [&](JsonPrinter &to, std::size_t i) { printTree(to, value[i], Place(place, i)); };
         if (std::all_of(value.begin(), value.end(), isScalar<Json>))
             return printer.listOfScalars(value.size(), print);
-        return printer.list(value.size(), print);
+        return printer.list(value.size(), [&](std::size_t i) { print(printer, i); });
     }
     case Json::value_t::number_float:
         return printer.number(value.template get<double>(), place);

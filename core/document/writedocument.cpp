@@ -140,11 +140,11 @@ private:
 
     template <class T>
     static void printList(JsonPrinter &printer, const auto &values, const Place &place) {
-        const auto element = [&](std::size_t i) { print(printer, values[i], Place(place, i)); };
+        const auto element = [&](JsonPrinter &to, std::size_t i) { print(to, values[i], Place(place, i)); };
         if constexpr (isScalar<T>)
             printer.listOfScalars(values.size(), element);
         else
-            printer.list(values.size(), element);
+            printer.list(values.size(), [&](std::size_t i) { element(printer, i); });
     }
 
     std::vector<JsonMember> m_members;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/circlefigure.h"
 
+#include "figures/extremes.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/paths.h"
@@ -250,9 +251,9 @@ std::optional<Interval> sectorOf(std::span<const PathProfile> profiles) {
     for (const PathProfile &profile : profiles) {
         if (profile.angles.empty())
             continue;
-        const auto [low, high] = std::ranges::minmax(profile.angles);
+        const Interval angles = extremesOf(profile.angles);
         sector =
-            sector ? Interval{std::min(sector->from, low), std::max(sector->to, high)} : Interval{low, high};
+            sector ? Interval{std::min(sector->from, angles.from), std::max(sector->to, angles.to)} : angles;
     }
     constexpr double mostOfCircle = 270;
     return sector && sector->to - sector->from <= mostOfCircle ? sector : std::nullopt;
@@ -301,8 +302,10 @@ void fillFrame(CircleFigure &figure, const Interval &sector) {
 Interval deviationsOf(std::span<const PathProfile> profiles) {
     Interval range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     for (const PathProfile &profile : profiles) {
-        for (const double deviation : profile.deviations) // of 10⁶ points: a loop without branches
-            range = {std::min(range.from, deviation), std::max(range.to, deviation)};
+        if (profile.deviations.empty())
+            continue;
+        const Interval own = extremesOf(profile.deviations);
+        range = {std::min(range.from, own.from), std::max(range.to, own.to)};
     }
     return range.from <= range.to ? range : Interval{};
 }

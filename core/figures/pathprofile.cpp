@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/pathprofile.h"
 
+#include "figures/extremes.h"
 #include "kernel/numerics/fullturn.h"
 
 #include <algorithm>
@@ -61,29 +62,40 @@ private:
         return std::max(edge, std::floor(next / m_step) * m_step);
     }
 
-    /// The first point behind `first` that reaches the edge.
+    /// The first point behind `first` that reaches the edge. Of an ordered profile by steps that double and
+    /// then halve: of 10⁶ points a few thousand angles are looked at.
     [[nodiscard]] std::size_t end(std::size_t first, double edge) const {
         const auto &angles = m_profile.angles;
         const auto before = [&](double angle) { return m_towards * angle < edge; };
-        const auto begin = angles.begin() + static_cast<std::ptrdiff_t>(first);
-        const auto found = m_profile.ordered ? std::partition_point(begin, angles.end(), before)
-                                             : std::find_if_not(begin, angles.end(), before);
-        return static_cast<std::size_t>(found - angles.begin());
+        const auto at = [&](std::size_t i) { return angles.begin() + static_cast<std::ptrdiff_t>(i); };
+        if (!m_profile.ordered)
+            return static_cast<std::size_t>(std::find_if_not(at(first), angles.end(), before) -
+                                            angles.begin());
+        std::size_t from = first;
+        std::size_t further = 1;
+        while (from + further < angles.size() && before(angles[from + further])) {
+            from += further;
+            further *= 2;
+        }
+        const std::size_t to = std::min(from + further, angles.size());
+        return static_cast<std::size_t>(std::partition_point(at(from), at(to), before) - angles.begin());
+    }
+
+    /// The first of the least and of the greatest deviations of some points, in their order.
+    [[nodiscard]] std::array<std::size_t, 2> extremes(std::size_t first, std::size_t next) const {
+        const double *const values = m_profile.deviations.data();
+        const Interval range = extremesOf({values + first, values + next});
+        const auto placeOf = [&](double value) {
+            return static_cast<std::size_t>(std::find(values + first, values + next, value) - values);
+        };
+        const std::size_t low = placeOf(range.from);
+        const std::size_t high = placeOf(range.to);
+        return {std::min(low, high), std::max(low, high)};
     }
 
     /// Puts a step behind the trace; returns the first point of the next.
     std::size_t take(std::size_t first, double edge) {
-        const auto &angles = m_profile.angles;
-        const auto &deviations = m_profile.deviations;
-        std::size_t least = first;
-        std::size_t greatest = first;
-        std::size_t next = first + 1;
-        for (; next < angles.size() && m_towards * angles[next] < edge; ++next) {
-            if (deviations[next] < deviations[least])
-                least = next;
-            if (deviations[next] > deviations[greatest])
-                greatest = next;
-        }
+        const std::size_t next = std::max(first + 1, end(first, edge));
         if (!m_open)
             m_traces.push_back(
                 {m_profile.sense, m_profile.repetition, {}, m_profile.synthetic, m_profile.layer});
@@ -94,7 +106,8 @@ private:
                 points.push_back(m_profile[i]);
             return next;
         }
-        const std::array kept{first, std::min(least, greatest), std::max(least, greatest), next - 1};
+        const auto [one, other] = extremes(first, next);
+        const std::array kept{first, one, other, next - 1};
         for (std::size_t k = 0; k < kept.size(); ++k) {
             if (k == 0 || kept[k] != kept[k - 1])
                 points.push_back(m_profile[kept[k]]);

@@ -108,6 +108,10 @@ constexpr std::array calibratedWords{
 constexpr std::array keepWords{
     ImportWord{"keep", REPORT_TEXT("report", "the numbers are right")},
 };
+constexpr std::array hiddenWords{
+    ImportWord{"read", REPORT_TEXT("report", "read like the others")},
+    ImportWord{"leave", REPORT_TEXT("report", "leave out")},
+};
 constexpr std::array leaveWords{
     ImportWord{"leave", REPORT_TEXT("report", "leave out")},
 };
@@ -118,6 +122,7 @@ constexpr std::array keys{
     ImportKey{"delimiter", REPORT_TEXT("report", "Delimiter"), ImportValue::word, delimiterWords},
     ImportKey{"decimalMark", REPORT_TEXT("report", "Decimal mark"), ImportValue::word, markWords},
     ImportKey{"sheet", REPORT_TEXT("report", "Sheet"), ImportValue::text},
+    ImportKey{"hidden", REPORT_TEXT("report", "Hidden rows and columns"), ImportValue::word, hiddenWords},
     ImportKey{"kind", REPORT_TEXT("report", "Kind"), ImportValue::word, kindWords},
     ImportKey{"columns", REPORT_TEXT("report", "Columns"), ImportValue::text},
     ImportKey{"series", REPORT_TEXT("report", "Process variable"), ImportValue::text},

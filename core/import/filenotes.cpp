@@ -139,6 +139,21 @@ bool read(const QString &line, FileNotes &notes) {
 
 } // namespace
 
+bool isLabelledValue(const CellTable &table, const TableRow &row) {
+    constexpr std::ptrdiff_t mostCells = 3; // "Temperature", "20.5", "°C"
+    const auto cells = table.cells(row);
+    if (cells.empty() || row.comment)
+        return false;
+    const auto isFilled = [](const TableCell &cell) { return cell.kind != CellKind::empty; };
+    const auto label = std::ranges::find_if(cells, isFilled);
+    if (label == cells.end() || label->kind != CellKind::text ||
+        std::ranges::count_if(cells, isFilled) > mostCells ||
+        std::ranges::count_if(cells, &TableCell::isNumber) > 1)
+        return false;
+    FileNotes notes;
+    return table.text(*label).ends_with(':') || read(QString::fromStdString(lineOf(table, row)), notes);
+}
+
 FileNotes notesOf(const CellTable &table, const TableBody &body) {
     FileNotes notes;
     std::size_t lines = 0;

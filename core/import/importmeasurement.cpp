@@ -6,6 +6,7 @@
 #include "document/edits.h"
 #include "document/filename.h"
 #include "document/savedocument.h"
+#include "document/sha256.h"
 #include "document/testfile.h"
 #include "import/doubts.h"
 #include "import/layouts/headings.h"
@@ -13,7 +14,6 @@
 #include "tables/dates.h"
 #include "tables/decodetext.h"
 
-#include <QCryptographicHash>
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
@@ -174,12 +174,6 @@ std::string wishedId(const Test &test) {
 
 std::span<const ImportFormat> importFormats() {
     return formats;
-}
-
-std::string sha256(QByteArrayView bytes) {
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    hash.addData(bytes);
-    return hash.result().toHex().toStdString();
 }
 
 namespace {

@@ -31,7 +31,4 @@ namespace palmer {
 void addImported(Document &document, Imported imported, QByteArrayView bytes, const QString &fileName,
                  bool keepBytes, const std::string &hash = {});
 
-/// SHA-256 in hexadecimal digits.
-[[nodiscard]] std::string sha256(QByteArrayView bytes);
-
 } // namespace palmer

@@ -14,11 +14,11 @@ namespace palmer {
 namespace {
 
 /// The choices a wrong guess of which would be a wrong number or direction.
-constexpr std::array<std::string_view, 24> asked{
-    "kind",          "layout",         "columns",    "directions",  "content",       "unit",
-    "positionUnit",  "timeUnit",       "sign",       "decimalMark", "axis",          "series",
-    "nominalRadius", "sheet",          "startAngle", "arc",         "motion",        "unread",
-    "large",         "correctionTo20", "spread",     "zeros",       "equalsTargets", "unequalRuns"};
+constexpr std::array<std::string_view, 25> asked{
+    "kind",       "layout",        "columns",     "directions", "content", "unit",           "positionUnit",
+    "timeUnit",   "sign",          "decimalMark", "axis",       "series",  "nominalRadius",  "sheet",
+    "startAngle", "arc",           "motion",      "unread",     "large",   "correctionTo20", "spread",
+    "zeros",      "equalsTargets", "unequalRuns", "hidden"};
 
 /// Doubts about the numbers: their answer is that they are right.
 constexpr std::array<std::string_view, 5> doubts{"large", "spread", "equalsTargets", "zeros", "unequalRuns"};

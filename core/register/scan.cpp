@@ -4,13 +4,13 @@
 
 #include "document/readdocument.h"
 #include "document/savedocument.h"
+#include "document/sha256.h"
 #include "proof/readreportpdf.h"
 #include "register/register.h"
 #include "register/storedsentence.h"
 #include "register/walk.h"
 #include "register/writer.h"
 
-#include <QCryptographicHash>
 #include <QDateTime>
 #include <atomic>
 #include <chrono>
@@ -62,8 +62,7 @@ ReadFile readFile(const ListedFile &file, const KnownSource *known) {
     result.source = sourceOf(file, SourceState::read);
     try {
         const QByteArray bytes = readBytes(file.path);
-        result.source.sha256 =
-            QString::fromLatin1(QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex());
+        result.source.sha256 = QString::fromStdString(sha256(bytes));
         if (known && known->sha256 == result.source.sha256 && known->program == program) {
             result.isSame = true;
             if (!known->error.isEmpty())

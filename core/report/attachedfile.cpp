@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/attachedfile.h"
 
+#include "document/sha256.h"
 #include "document/writedocument.h"
 #include "export/resultsjson.h"
 
-#include <QCryptographicHash>
 #include <algorithm>
 
 namespace palmer {
@@ -58,7 +58,7 @@ QByteArray attachedResults(const EvaluatedDocument &evaluated) {
 }
 
 QString fingerprint(const QByteArray &attachedFile) {
-    return QString::fromLatin1(QCryptographicHash::hash(attachedFile, QCryptographicHash::Sha256).toHex());
+    return QString::fromStdString(sha256(attachedFile));
 }
 
 QString shortFingerprint(const QString &fingerprint) {

@@ -10,11 +10,9 @@
 #include <algorithm>
 #include <array>
 #include <cstring>
+#include <future>
 #include <limits>
 #include <map>
-
-#ifdef __linux__
-#endif
 
 namespace palmer {
 
@@ -94,8 +92,40 @@ public:
             scanLine();
     }
 
+    /// The rest; false if that is more than a table can have, whose line is not known here.
+    bool scanWithinLimits() {
+        try {
+            scan(std::numeric_limits<std::size_t>::max());
+            return true;
+        } catch (const Error &) {
+            return false;
+        }
+    }
+
+    /// The lines that begin before a place.
+    void scanTo(std::size_t end) {
+        while (m_at < std::min(end, m_text.size()))
+            scanLine();
+    }
+
     /// Where the next line begins.
     [[nodiscard]] std::size_t at() const { return m_at; }
+    void beginAt(std::size_t place) { m_at = place; }
+
+    /// What another read of the lines that follow. False, and nothing taken, if that is too much.
+    bool append(const Scanner &rest) {
+        if (rows.size() + rest.rows.size() > rowLimit || cells.size() + rest.cells.size() > cellLimit)
+            return false;
+        for (TableRow row : rest.rows) {
+            row.first += static_cast<std::uint32_t>(cells.size());
+            row.line += m_line - 1;
+            rows.push_back(row);
+        }
+        cells.insert(cells.end(), rest.cells.begin(), rest.cells.end());
+        m_line += rest.m_line - 1;
+        m_at = rest.m_at;
+        return true;
+    }
 
 private:
     [[nodiscard]] bool atLineEnd() const { return m_at == m_text.size() || isLineEnd(m_text[m_at]); }
@@ -402,23 +432,38 @@ void settleForm(CellTable &table, std::string_view text, const TableOptions &opt
     table.decimalMark = {best.mark, options.decimalMark ? Origin::chosen : origin};
 }
 
-} // namespace
-
-namespace {
-
 /// Before anything is read: a line of that length is no row of a table.
 void demandLines(std::string_view text) {
     constexpr std::size_t longestLine = std::size_t(1) << 20U;
     std::size_t begin = 0;
-    for (std::size_t i = 0; i <= text.size(); ++i) {
-        if (i < text.size() && !isLineEnd(text[i]))
-            continue;
-        if (i - begin > longestLine)
+    while (text.size() - begin > longestLine) {
+        // The last end within reach: the lines before it are short enough, however many.
+        const std::size_t end = text.substr(begin, longestLine + 1).find_last_of("\r\n");
+        if (end == std::string_view::npos)
             throw Error(Error::Kind::tooLarge,
                         {REPORT_TEXT("report", "a line is longer than 1 MiB; expected a table of readings")},
                         lineAndColumn(text, begin));
-        begin = i + 1;
+        begin += end + 1;
     }
+}
+
+void makeRoom(Scanner &scanner, std::size_t rows, std::size_t cells) {
+    scanner.rows.reserve(std::min(rowLimit, rows));
+    scanner.cells.reserve(std::min(cellLimit, cells));
+    inLargePages(scanner.rows.data(), scanner.rows.capacity() * sizeof(TableRow));
+    inLargePages(scanner.cells.data(), scanner.cells.capacity() * sizeof(TableCell));
+}
+
+/// Where the second half of what is left of a long text begins, a line; nothing where it is short, or where a
+/// cell in quotation marks may go on from line to line.
+std::optional<std::size_t> secondHalf(std::string_view text, std::size_t from) {
+    constexpr std::size_t isLong = std::size_t(1) << 22U;
+    if (text.size() - from < isLong || text.find('"', from) != std::string_view::npos)
+        return {};
+    const std::size_t end = text.find_first_of("\r\n", from + (text.size() - from) / 2);
+    if (end == std::string_view::npos)
+        return {};
+    return end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
 }
 
 } // namespace
@@ -429,15 +474,25 @@ CellTable readTable(std::string text, const TableOptions &options) {
     table.m_text = std::move(text);
     settleForm(table, table.m_text, options);
     Scanner scanner(table.m_text, table.delimiter.value, table.decimalMark.value, options.comments);
-    // Exact enough for tables, whose lines are alike.
     scanner.scan(sampleRows);
     if (scanner.at() < table.m_text.size()) {
+        // Exact enough for tables, whose lines are alike.
         const std::size_t times = table.m_text.size() / scanner.at() + 1;
-        scanner.rows.reserve(std::min(rowLimit, scanner.rows.size() * times * 9 / 8));
-        scanner.cells.reserve(std::min(cellLimit, scanner.cells.size() * times * 9 / 8));
-        inLargePages(scanner.rows.data(), scanner.rows.capacity() * sizeof(TableRow));
-        inLargePages(scanner.cells.data(), scanner.cells.capacity() * sizeof(TableCell));
-        scanner.scan(std::numeric_limits<std::size_t>::max());
+        const std::size_t rows = scanner.rows.size() * times * 9 / 8;
+        const std::size_t cells = scanner.cells.size() * times * 9 / 8;
+        if (const auto middle = secondHalf(table.m_text, scanner.at())) { // two threads read a half each
+            Scanner rest(table.m_text, table.delimiter.value, table.decimalMark.value, options.comments);
+            rest.beginAt(*middle);
+            makeRoom(rest, rows / 2, cells / 2);
+            auto isRead = std::async(std::launch::async, [&rest] { return rest.scanWithinLimits(); });
+            makeRoom(scanner, rows, cells);
+            scanner.scanTo(*middle);
+            if (isRead.get())
+                scanner.append(rest);
+        } else {
+            makeRoom(scanner, rows, cells);
+        }
+        scanner.scan(std::numeric_limits<std::size_t>::max()); // and says at which line it is too much
     }
     table.m_rows = std::move(scanner.rows);
     table.m_cells = std::move(scanner.cells);

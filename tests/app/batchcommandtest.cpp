@@ -295,6 +295,9 @@ void BatchCommandTest::reportsNeverShareAFile() {
     QCOMPARE(contents(at("same/r.pdf")), before);
     write(at("file"), "x");
     QCOMPARE(runCli({"report", at("in"), "-o", at("file"), "--language", "fr"}).code, 2);
+    // The name of one PDF for several: no folder of that name.
+    QCOMPARE(runCli({"report", at("in"), "-o", at("all.pdf"), "--language", "fr"}).code, 2);
+    QVERIFY(!QFileInfo::exists(at("all.pdf")));
 }
 
 void BatchCommandTest::figuresGoIntoAFolder() {

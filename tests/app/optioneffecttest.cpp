@@ -88,6 +88,7 @@ class OptionEffectTest : public QObject {
 
 private slots:
     void initTestCase();
+    void anEmptyValueIsRefused();
     void everyOptionHasAnEffectOrIsRefused_data();
     void everyOptionHasAnEffectOrIsRefused();
     void everyChoiceOfTheImportHasAnEffectOrIsRefused_data();
@@ -235,6 +236,23 @@ QStringList OptionEffectTest::valuesOf(const QString &name) const {
     };
     const auto found = known.find(name);
     return found == known.end() ? QStringList() : found->second;
+}
+
+/// That of a script whose variable is not set: `report -o ""` must not write ".fr.pdf".
+void OptionEffectTest::anEmptyValueIsRefused() {
+    for (const auto &[command, options] : m_options) {
+        for (const OptionRow &option : options) {
+            if (option.value.isEmpty())
+                continue;
+            const CliResult result = runCli({command, "FILE", option.name, ""});
+            QCOMPARE(result.code, 2);
+            QVERIFY2(result.err.contains("the option " + option.name.toUtf8() + " needs a value"),
+                     result.err.constData());
+        }
+        const CliResult result = runCli({command, ""});
+        QVERIFY2(result.code == 2 && result.err.contains("empty") != result.err.contains("takes no file"),
+                 result.err.constData());
+    }
 }
 
 void OptionEffectTest::everyOptionHasAnEffectOrIsRefused_data() {

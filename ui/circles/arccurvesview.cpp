@@ -3,6 +3,7 @@
 #include "ui/circles/arccurvesview.h"
 
 #include "figures/circlefigure.h"
+#include "figures/extremes.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "ui/figures/style.h"
@@ -76,11 +77,12 @@ void ArcCurvesView::show(const EvaluatedDocument &evaluated, std::size_t test, c
     Interval angles{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
     Interval values = angles;
     for (const PathProfile &profile : m_profiles) {
-        for (std::size_t i = 0; i < profile.angles.size(); ++i) {
-            angles = {std::min(angles.from, profile.angles[i]), std::max(angles.to, profile.angles[i])};
-            values = {std::min(values.from, profile.deviations[i]),
-                      std::max(values.to, profile.deviations[i])};
-        }
+        if (profile.angles.empty())
+            continue;
+        const Interval ownAngles = extremesOf(profile.angles);
+        const Interval ownValues = extremesOf(profile.deviations);
+        angles = {std::min(angles.from, ownAngles.from), std::max(angles.to, ownAngles.to)};
+        values = {std::min(values.from, ownValues.from), std::max(values.to, ownValues.to)};
     }
     if (!(angles.from < angles.to))
         angles = {0, 360};

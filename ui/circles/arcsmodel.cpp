@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/circles/arcsmodel.h"
 
+#include "figures/extremes.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "ui/circles/arctexts.h"
 #include "ui/figures/style.h"
@@ -44,7 +45,7 @@ void ArcsModel::show(const EvaluatedDocument &evaluated, std::size_t test, const
                 return language.quantity(value, Quantity::angle, decimals);
             };
             const bool ascending = arc.angles.back() >= arc.angles.front();
-            const auto [low, high] = std::ranges::minmax(arc.angles);
+            const auto [low, high] = extremesOf(arc.angles);
             const double first = std::max(low, range->from);
             const double last = std::min(high, range->to);
             texts[from] = angle(ascending ? first : last);

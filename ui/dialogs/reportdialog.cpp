@@ -384,9 +384,10 @@ void ReportDialog::showDocument() {
     const bool holdsBytes = holdsOriginals(*m_model.document());
     const Originals originals =
         holdsBytes && m_originals->isChecked() ? Originals::include : Originals::leaveOut;
-    const ReportOptions options{QStringLiteral("Palmer " PALMER_VERSION), {}, originals, {}};
+    ReportOptions options{QStringLiteral("Palmer " PALMER_VERSION), {}, originals, {}};
     for (const ReportLanguage language : head.languages) {
         m_reports.push_back(composeReport(m_evaluated, Language(idOf(language)), options));
+        options.testFile = m_reports.back().testFile; // in each language the same
         Pages pages = layoutPages(m_reports.back());
         std::ranges::move(pages, std::back_inserter(m_pages));
     }
@@ -555,12 +556,16 @@ QStringList ReportDialog::saveTo(const QString &path) {
     std::vector<FileToSave> reports;
     QString file; // at hand
     try {
+        std::vector<PdfAttachment> attachments;
+        if (!m_reports.empty())
+            attachments = attachmentsOf(m_reports.front().testFileName, m_reports.front().testFile,
+                                        attachedResults(m_evaluated));
         for (std::size_t i = 0; i < m_reports.size(); ++i) {
             file = files[static_cast<qsizetype>(i)];
             demandNoTestFileName(file);
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);
-            writePdf(m_reports[i], pdf, attachedResults(m_evaluated));
+            writePdf(m_reports[i], pdf, attachments);
             reports.push_back({pdf.data(), file});
         }
         saveFiles(reports);

@@ -193,8 +193,7 @@ void FigureView::refresh() {
         return refreshCurves();
     forget();
     if (circular) {
-        m_circles->show(m_evaluated, m_test);
-        refreshCircles();
+        m_circles->show(m_evaluated, m_test); // figureChanged: refreshCircles
         mark();
         return;
     }
@@ -334,13 +333,14 @@ void FigureView::showRanges(const Interval &x, const Interval &y) {
     if (!m_whole || !m_shown)
         return;
     const std::array<Interval, 2> ranges = rangesWithin(*m_whole, x, y);
-    const bool isLarge = !isOrdinary(*m_whole);
-    // Of a large test at once what is drawn already, then what belongs to the range.
-    m_shown = withRanges(isLarge ? *m_shown : *m_whole, ranges[0], ranges[1], m_language);
+    const bool atOnce = countReadings(*m_evaluated.document->tests[m_test]) <= drawnAtOnce;
+    // Of a larger test at once what is drawn already, then what belongs to the range.
+    m_shown = atOnce ? figureIn(*m_whole, ranges, m_language)
+                     : withRanges(*m_shown, ranges[0], ranges[1], m_language);
     m_canvas->setFigure(*m_shown, m_readings);
-    if (!isLarge)
-        return;
     m_zooming.cancel();
+    if (atOnce)
+        return;
     m_zooming.start([whole = m_whole, ranges, language = m_language](
                         const Background::Job &) { return figureIn(*whole, ranges, language); },
                     [this](CurveFigure figure) {

@@ -3,6 +3,7 @@
 #include "ui/import/importassistant.h"
 
 #include "document/savedocument.h"
+#include "document/sha256.h"
 #include "figures/deviationfigure.h"
 #include "figures/driftfigure.h"
 #include "figures/linefigure.h"
@@ -48,6 +49,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int boxColumns = 6;
+constexpr int columnWidth = 72;     ///< of the recognised table, unless its heading is wider
 constexpr int drawnAtOnce = 50'000; ///< readings; the curve of more is made on a thread
 constexpr int rowHeight = 26;
 constexpr int remarksHeight = 150;
@@ -219,7 +221,7 @@ QWidget *ImportAssistant::makeMiddle() {
     m_table->setTabKeyNavigation(false);
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
-    m_table->horizontalHeader()->setDefaultSectionSize(72);
+    m_table->horizontalHeader()->setDefaultSectionSize(columnWidth);
     m_table->horizontalHeader()->setTextElideMode(Qt::ElideRight);
     m_curveCanvas->setObjectName(QStringLiteral("importCurve"));
     m_circleCanvas->setObjectName(QStringLiteral("importCircle"));
@@ -670,10 +672,12 @@ void ImportAssistant::showChoices() {
         QWidget *control = box.words ? static_cast<QWidget *>(box.words) : box.edit;
         control->setStyleSheet(guessed ? QStringLiteral("border-color: %1;").arg(unsure) : QString());
         control->setAccessibleDescription(guessed ? tr("guessed") : QString());
-        if (box.words)
+        if (box.words) {
             box.words->setCurrentIndex(box.words->findData(value));
-        else
+            box.words->setToolTip(box.words->currentText()); // in whole, where the field is too short for it
+        } else {
             box.edit->setText(value);
+        }
     }
 }
 
@@ -775,6 +779,10 @@ void ImportAssistant::showSizes() {
 void ImportAssistant::refresh() {
     m_raw.show(&m_file.imported);
     m_recognised.show(&m_file.imported);
+    constexpr int mostWidened = 100;
+    QHeaderView *const heads = m_table->horizontalHeader();
+    for (int i = 0; i < std::min(heads->count(), mostWidened); ++i)
+        heads->resizeSection(i, std::max(columnWidth, heads->sectionSizeHint(i)));
     m_columns->showColumns(m_file.imported.columns);
     showSizes();
     showChoices();

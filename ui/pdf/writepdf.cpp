@@ -3,7 +3,6 @@
 #include "ui/pdf/writepdf.h"
 
 #include "document/documenterror.h"
-#include "ui/pdf/finishpdf.h"
 #include "ui/pdf/pages.h"
 
 #include <QBuffer>
@@ -51,17 +50,6 @@ QString oneLine(QString text) {
     return text;
 }
 
-std::vector<PdfAttachment> attachmentsOf(const Report &report, const QByteArray &results) {
-    std::vector<PdfAttachment> attachments;
-    if (!report.testFile.isEmpty())
-        attachments.push_back({report.testFileName, "application/vnd.palmer+json", "/Source",
-                               QStringLiteral("Test file"), report.testFile});
-    if (!results.isEmpty())
-        attachments.push_back({QStringLiteral("results.json"), "application/json", "/Data",
-                               QStringLiteral("Results"), results});
-    return attachments;
-}
-
 PdfPlace placeOf(std::size_t page, double y) {
     return {static_cast<int>(page), y};
 }
@@ -86,12 +74,28 @@ void addNavigation(PdfProperties &properties, const Pages &pages) {
 
 } // namespace
 
+std::vector<PdfAttachment> attachmentsOf(const QString &testFileName, const QByteArray &testFile,
+                                         const QByteArray &results) {
+    std::vector<PdfAttachment> attachments;
+    if (!testFile.isEmpty())
+        attachments.push_back({testFileName, "application/vnd.palmer+json", "/Source",
+                               QStringLiteral("Test file"), testFile.size(), packed(testFile)});
+    if (!results.isEmpty())
+        attachments.push_back({QStringLiteral("results.json"), "application/json", "/Data",
+                               QStringLiteral("Results"), results.size(), packed(results)});
+    return attachments;
+}
+
 void writePdf(const Report &report, QIODevice &device, const QByteArray &results) {
+    writePdf(report, device, attachmentsOf(report.testFileName, report.testFile, results));
+}
+
+void writePdf(const Report &report, QIODevice &device, const std::vector<PdfAttachment> &attachments) {
     const Pages pages = layoutPages(report);
     PdfProperties properties;
     properties.metadata = {oneLine(report.title), oneLine(report.laboratory), report.language, report.date,
                            report.making};
-    properties.attachments = attachmentsOf(report, results);
+    properties.attachments = attachments;
     addNavigation(properties, pages);
     const QByteArray pdf = finishPdf(pagesAsPdf(pages), properties);
     if (device.write(pdf) != pdf.size())

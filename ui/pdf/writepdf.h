@@ -3,8 +3,10 @@
 #pragma once
 
 #include "report/report.h"
+#include "ui/pdf/finishpdf.h"
 
 #include <QIODevice>
+#include <vector>
 
 namespace palmer::ui {
 
@@ -14,5 +16,13 @@ namespace palmer::ui {
 /// QHashSeed::setDeterministicGlobalSeed() was called before the QApplication. Throws Error(unwritable) when
 /// the device does not take all.
 void writePdf(const Report &report, QIODevice &device, const QByteArray &results = {});
+
+/// What a report carries; it is packed from then on.
+[[nodiscard]] std::vector<PdfAttachment> attachmentsOf(const QString &testFileName,
+                                                       const QByteArray &testFile, const QByteArray &results);
+
+/// The same with files that are packed already: beside other work, and once for the reports of both
+/// languages.
+void writePdf(const Report &report, QIODevice &device, const std::vector<PdfAttachment> &attachments);
 
 } // namespace palmer::ui

@@ -146,6 +146,7 @@ private:
                                                "positions and deviations")},
                         place(section.line));
         const double first = lowest == 0 ? 0 : 1; // some count from 0
+        const bool descend = targetsDescend();
         for (const Row &row : m_rows) {
             const double index = row.target - first;
             if (index < 0 || index >= static_cast<double>(m_targets.size()))
@@ -154,7 +155,8 @@ private:
                              {count(row.target), count(static_cast<double>(m_targets.size()))}},
                             place(row.line));
             RunRows &run = m_runs[row.run];
-            const double step = run.readings.empty() ? 0 : index - run.last;
+            const double along = run.readings.empty() ? 0 : index - run.last;
+            const double step = descend ? -along : along;
             run.rises |= step > 0;
             run.falls |= step < 0;
             run.last = index;
@@ -168,20 +170,26 @@ private:
                     {count(*stated), count(static_cast<double>(m_runs.size()))}});
     }
 
+    /// A run in their order moves the axis in the negative direction.
+    [[nodiscard]] bool targetsDescend() const {
+        return m_targets.size() > 1 && std::ranges::is_sorted(m_targets, std::ranges::greater());
+    }
+
     [[nodiscard]] static bool isWhole(double value) {
         return value >= 0 && value == std::floor(value) && value < 1e9;
     }
 
     void settleDirections() {
         bool ordered = true;
-        bool anyFalls = false;
+        bool areMixed = false;
+        const bool descend = targetsDescend();
         for (const auto &[number, run] : m_runs) {
             ordered &= !(run.rises && run.falls);
-            anyFalls |= run.falls;
+            areMixed |= descend ? run.rises : run.falls; // some against the list
         }
-        const bool byOrder = ordered && anyFalls;
+        const bool byOrder = ordered && (areMixed || (m_oneDirection && descend));
         std::string found = "stated";
-        Origin origin = Origin::recognised;
+        Origin origin = descend ? Origin::guessed : Origin::recognised;
         if (!byOrder) {
             found = m_oneDirection ? "positive" : "alternating";
             origin = m_oneDirection ? Origin::recognised : Origin::guessed;
@@ -198,10 +206,14 @@ private:
             ++j;
         }
         if (choice.origin == Origin::guessed)
-            remark(RemarkGrade::assumption,
-                   {REPORT_TEXT("report", "Directions: the order of the targets does not say them; odd runs "
-                                          "are read as ↑, even ones as ↓.")},
-                   0, "directions");
+            remark(
+                RemarkGrade::assumption,
+                {byOrder
+                     ? REPORT_TEXT("report", "Directions: the targets descend along the list; a run in its "
+                                             "order moves in the negative direction and is read as ↓.")
+                     : REPORT_TEXT("report", "Directions: the order of the targets does not say them; odd "
+                                             "runs are read as ↑, even ones as ↓.")},
+                0, "directions");
     }
 
     std::vector<Pass> passesInOrder() {

@@ -3,6 +3,7 @@
 #include "import/layouts/tablebody.h"
 
 #include "document/documenterror.h"
+#include "import/filenotes.h"
 #include "import/layouts/tableheadings.h"
 #include "tables/dates.h"
 
@@ -185,6 +186,8 @@ private:
     [[nodiscard]] bool isBodyRow(const TableRow &row) const {
         const auto cells = m_table.cells(row);
         if (cells.size() <= m_firstNumber || !isNumeric(cells[m_firstNumber]) || isLoneDirection(cells))
+            return false;
+        if (m_numberColumns > 2 && isLabelledValue(m_table, row))
             return false;
         if (m_directions &&
             (cells.size() <= *m_directions || !isDirectionCell(m_table, cells[*m_directions])))

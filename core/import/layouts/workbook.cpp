@@ -6,10 +6,15 @@
 #include "document/place.h"
 #include "import/layouts/zipfile.h"
 
+#include <QDate>
+#include <QDir>
 #include <QMap>
+#include <QRegularExpression>
+#include <QTime>
 #include <QXmlStreamReader>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace palmer {
 
@@ -70,16 +75,35 @@ QString attribute(const QXmlStreamReader &xml, const char *name) {
 /// Cells of a sheet put into the table with those between them.
 class Sheet {
 public:
-    void beginRow(std::size_t line) {
+    explicit Sheet(const Choices &choices)
+        : m_leavesHidden(choices.chosen("hidden") == "leave") {}
+
+    void hideColumns(int first, int count) { m_hiddenColumns.push_back({first, count}); }
+    void beginRow(std::size_t line, bool isHidden = false) {
         m_column = 0;
         m_line = line;
         m_begun = false;
+        m_isHidden = isHidden;
+        m_numbers = 0;
+        m_emptyFormulas = 0;
+    }
+    /// A formula whose value is not in the file: a number for all that is known of it.
+    void addEmptyFormula() {
+        ++m_emptyFormulas;
+        countEmptyFormulas();
     }
     void add(int column, const QString &text, std::optional<double> number) {
         if (text.isEmpty() && !number)
             return;
         if (column < m_column)
             column = m_column; // cells without place follow one another
+        // Numbers are written as text, too.
+        const bool isNumber = number || text[0].isDigit() || text[0] == u'-';
+        if (isHiddenAt(column)) {
+            hiddenNumbers += isNumber ? 1 : 0;
+            if (m_leavesHidden)
+                return;
+        }
         if (column >= mostColumns)
             throw Error(Error::Kind::tooLarge,
                         {REPORT_TEXT("report", "more rows or cells than a table of readings can have")},
@@ -94,8 +118,9 @@ public:
             m_builder.add(*number, utf8);
         else
             m_builder.add(utf8);
-        hasNumbers |= number.has_value();
         ++m_column;
+        m_numbers += isNumber ? 1 : 0;
+        countEmptyFormulas();
     }
     [[nodiscard]] int column() const { return m_column; }
     CellTable take(const Choices &choices) {
@@ -105,14 +130,43 @@ public:
                                                 : std::optional(DecimalMark::point));
     }
 
-    bool hasNumbers = false;
+    std::size_t hiddenNumbers = 0; ///< in rows or columns that are not shown
+    std::size_t emptyFormulas = 0; ///< in rows with numbers, as those of readings
+    std::size_t emptyFormulaLine = 0;
 
 private:
+    struct Columns {
+        int first = 0;
+        int count = 0;
+    };
+
+    [[nodiscard]] bool isHiddenAt(int column) const {
+        return m_isHidden || std::ranges::any_of(m_hiddenColumns, [column](const Columns &hidden) {
+                   return column >= hidden.first && column - hidden.first < hidden.count;
+               });
+    }
+    void countEmptyFormulas() {
+        if (m_numbers == 0 || m_emptyFormulas == 0)
+            return;
+        if (emptyFormulas == 0)
+            emptyFormulaLine = m_line;
+        emptyFormulas += std::exchange(m_emptyFormulas, 0);
+    }
+
     TableBuilder m_builder;
+    std::vector<Columns> m_hiddenColumns;
+    bool m_leavesHidden;
     std::size_t m_line = 1;
     int m_column = 0;
     bool m_begun = false;
+    bool m_isHidden = false;
+    std::size_t m_numbers = 0;       ///< of the row
+    std::size_t m_emptyFormulas = 0; ///< of the row, not yet counted
 };
+
+bool isTrue(const QString &value) {
+    return value == QLatin1StringView("1") || value == QLatin1StringView("true");
+}
 
 std::optional<double> finiteNumber(const QString &text) {
     const std::string plain = text.toStdString();
@@ -142,39 +196,126 @@ int columnOf(const QString &reference) {
     return column - 1;
 }
 
-std::vector<SheetName> sheetsOfXlsx(ZipFile &zip) {
+/// What a part of the package refers to: by Id and by the last word of the Type, names from the root.
+QMap<QString, QString> relationshipsOf(ZipFile &zip, const QString &part) {
+    const qsizetype slash = part.lastIndexOf(u'/') + 1;
+    const QString folder = part.first(slash);
     QMap<QString, QString> targets;
     walk(
-        zip.member(QStringLiteral("xl/_rels/workbook.xml.rels")),
+        zip.member(folder + QLatin1StringView("_rels/") + part.sliced(slash) + QLatin1StringView(".rels")),
         [&](const QXmlStreamReader &xml) {
-            if (xml.name() == QLatin1StringView("Relationship"))
-                targets[attribute(xml, "Id")] = attribute(xml, "Target");
+            if (xml.name() != QLatin1StringView("Relationship"))
+                return;
+            const QString target = attribute(xml, "Target");
+            const QString name =
+                QDir::cleanPath(target.startsWith(u'/') ? target.sliced(1) : folder + target);
+            targets[attribute(xml, "Id")] = name;
+            targets[attribute(xml, "Type").section(u'/', -1)] = name;
         },
         [](const QXmlStreamReader &) {}, [](QStringView) {});
+    return targets;
+}
+
+/// The part of an .xlsx that lists its sheets; empty in other archives.
+QString workbookPart(ZipFile &zip) {
+    const QString usual = QStringLiteral("xl/workbook.xml");
+    if (zip.contains(usual))
+        return usual;
+    if (!zip.contains(QStringLiteral("_rels/.rels")))
+        return {};
+    const QString stated = relationshipsOf(zip, {}).value(QStringLiteral("officeDocument"));
+    const bool isBook = stated.contains(QLatin1StringView("workbook"), Qt::CaseInsensitive) &&
+                        stated.endsWith(QLatin1StringView(".xml"), Qt::CaseInsensitive);
+    return isBook && zip.contains(stated) ? stated : QString();
+}
+
+struct XlsxBook {
     std::vector<SheetName> sheets;
+    double firstDay = 0; ///< serial number of days to those since 1899-12-30
+};
+
+XlsxBook bookOf(ZipFile &zip, const QString &part, const QMap<QString, QString> &relationships) {
+    constexpr double daysTo1904 = 1462;
+    XlsxBook book;
     walk(
-        zip.member(QStringLiteral("xl/workbook.xml")),
+        zip.member(part),
         [&](const QXmlStreamReader &xml) {
-            if (xml.name() != QLatin1StringView("sheet") || sheets.size() > 10'000)
+            if (xml.name() == QLatin1StringView("workbookPr") && isTrue(attribute(xml, "date1904")))
+                book.firstDay = daysTo1904;
+            if (xml.name() != QLatin1StringView("sheet") || book.sheets.size() > 10'000)
                 return;
             // By its local name: the namespace of the strict form is another.
-            QString target = targets.value(attribute(xml, "id"));
-            if (target.startsWith(u'/'))
-                target.remove(0, 1);
-            else
-                target.prepend(QLatin1StringView("xl/"));
             const QString state = attribute(xml, "state");
-            sheets.push_back(
-                {attribute(xml, "name"), target,
+            book.sheets.push_back(
+                {attribute(xml, "name"), relationships.value(attribute(xml, "id")),
                  state == QLatin1StringView("hidden") || state == QLatin1StringView("veryHidden")});
         },
         [](const QXmlStreamReader &) {}, [](QStringView) {});
-    return sheets;
+    return book;
 }
 
-std::vector<QString> sharedStrings(ZipFile &zip) {
+/// What the number of a cell is shown as, as far as it matters.
+enum class Shown { number, time, date };
+
+/// By the code of the format, without what stands there literally: "dd/mm/yyyy", "[h]:mm:ss", "0.0 \"s\"".
+Shown shownBy(const QString &code) {
+    static const QRegularExpression literal(QStringLiteral(R"("[^"]*"|\\.|_.|\*.|\[[^\]]*[^\]hms][^\]]*\])"));
+    const QString bare = QString(code).remove(literal).toLower();
+    if (bare.contains(u'y') || bare.contains(u'd'))
+        return Shown::date;
+    return bare.contains(u'h') || bare.contains(u's') ? Shown::time : Shown::number;
+}
+
+/// The formats that every program knows by their number.
+Shown shownBy(int builtIn) {
+    const auto within = [&](int first, int last) { return builtIn >= first && builtIn <= last; };
+    if (within(14, 17) || builtIn == 22 || within(27, 31) || builtIn == 36 || within(50, 54) ||
+        within(57, 58))
+        return Shown::date;
+    return within(18, 21) || within(32, 33) || within(45, 47) ? Shown::time : Shown::number;
+}
+
+/// Of each style that cells name.
+std::vector<Shown> stylesOf(const QByteArray &bytes) {
+    std::vector<Shown> styles;
+    if (bytes.isEmpty())
+        return styles;
+    QMap<int, Shown> own;
+    bool ofCells = false;
+    walk(
+        bytes,
+        [&](const QXmlStreamReader &xml) {
+            ofCells |= xml.name() == QLatin1StringView("cellXfs");
+            const int number = attribute(xml, "numFmtId").toInt();
+            if (xml.name() == QLatin1StringView("numFmt"))
+                own[number] = shownBy(attribute(xml, "formatCode"));
+            else if (ofCells && xml.name() == QLatin1StringView("xf"))
+                styles.push_back(own.value(number, shownBy(number)));
+        },
+        [&](const QXmlStreamReader &xml) { ofCells = ofCells && xml.name() != QLatin1StringView("cellXfs"); },
+        [](QStringView) {});
+    return styles;
+}
+
+/// "2024-03-05", "2024-03-05T10:22:11", "10:22:11.5" of a serial number of days; empty where it is none.
+QString timeText(double days, Shown shown) {
+    constexpr double firstSure = 61; // before, programs disagree
+    constexpr double afterLast = 2'958'466;
+    constexpr qint64 dayLength = 86'400'000; // ms
+    if (!(days >= (shown == Shown::date ? firstSure : 0)) || !(days < (shown == Shown::date ? afterLast : 1)))
+        return {};
+    const qint64 time = std::llround(days * static_cast<double>(dayLength));
+    const QTime clock = QTime::fromMSecsSinceStartOfDay(static_cast<int>(time % dayLength));
+    const QString hours =
+        clock.toString(clock.msec() == 0 ? QStringLiteral("HH:mm:ss") : QStringLiteral("HH:mm:ss.zzz"));
+    if (shown == Shown::time)
+        return hours;
+    const QString day = QDate(1899, 12, 30).addDays(time / dayLength).toString(Qt::ISODate);
+    return time % dayLength == 0 ? day : day + u'T' + hours;
+}
+
+std::vector<QString> sharedStrings(const QByteArray &bytes) {
     std::vector<QString> strings;
-    const QByteArray bytes = zip.member(QStringLiteral("xl/sharedStrings.xml"));
     if (bytes.isEmpty())
         return strings;
     bool inText = false;
@@ -199,12 +340,45 @@ std::vector<QString> sharedStrings(ZipFile &zip) {
     return strings;
 }
 
-void readXlsxSheet(const QByteArray &bytes, const std::vector<QString> &strings, Sheet &sheet) {
+/// What the cells of all sheets refer to.
+struct XlsxCells {
+    std::vector<QString> strings;
+    std::vector<Shown> styles;
+    double firstDay = 0;
+
+    [[nodiscard]] Shown shown(qsizetype style) const {
+        return style >= 0 && style < std::ssize(styles) ? styles[static_cast<std::size_t>(style)]
+                                                        : Shown::number;
+    }
+};
+
+void hideColumns(const QXmlStreamReader &column, Sheet &sheet) {
+    const int first = attribute(column, "min").toInt();
+    const int last = attribute(column, "max").toInt();
+    if (isTrue(attribute(column, "hidden")) && first >= 1 && last >= first && last <= mostColumns)
+        sheet.hideColumns(first - 1, last - first + 1);
+}
+
+void addNumber(const QString &value, Shown shown, double firstDay, int column, Sheet &sheet) {
+    const auto number = finiteNumber(value);
+    const QString time = number && shown != Shown::number
+                             ? timeText(*number + (shown == Shown::date ? firstDay : 0), shown)
+                             : QString();
+    if (time.isEmpty())
+        sheet.add(column, value, number);
+    else
+        sheet.add(column, time, {});
+}
+
+void readXlsxSheet(const QByteArray &bytes, const XlsxCells &cells, Sheet &sheet) {
+    const std::vector<QString> &strings = cells.strings;
     std::size_t line = 0;
     QString type;
     QString reference;
     QString value;
     bool inValue = false;
+    bool isFormula = false;
+    Shown shown = Shown::number;
     walk(
         bytes,
         [&](const QXmlStreamReader &xml) {
@@ -212,12 +386,17 @@ void readXlsxSheet(const QByteArray &bytes, const std::vector<QString> &strings,
             if (name == QLatin1StringView("row")) {
                 const qulonglong stated = attribute(xml, "r").toULongLong();
                 line = stated > line && stated < 100'000'000 ? static_cast<std::size_t>(stated) : line + 1;
-                sheet.beginRow(line);
+                sheet.beginRow(line, isTrue(attribute(xml, "hidden")));
+            } else if (name == QLatin1StringView("col")) {
+                hideColumns(xml, sheet);
             } else if (name == QLatin1StringView("c")) {
                 type = attribute(xml, "t");
                 reference = attribute(xml, "r");
                 value.clear();
+                isFormula = false;
+                shown = cells.shown(attribute(xml, "s").toInt());
             }
+            isFormula |= name == QLatin1StringView("f");
             inValue = name == QLatin1StringView("v") || name == QLatin1StringView("t");
         },
         [&](const QXmlStreamReader &xml) {
@@ -230,8 +409,9 @@ void readXlsxSheet(const QByteArray &bytes, const std::vector<QString> &strings,
                 const uint index = value.toUInt(&isNumber);
                 sheet.add(column, isNumber && index < strings.size() ? strings[index] : QString(), {});
             } else if (type.isEmpty() || type == QLatin1StringView("n")) {
-                const auto number = finiteNumber(value);
-                sheet.add(column, value, number);
+                if (isFormula && value.isEmpty())
+                    sheet.addEmptyFormula();
+                addNumber(value, shown, cells.firstDay, column, sheet);
             } else {
                 sheet.add(column, value, {}); // strings, errors as #N/A, truth values
             }
@@ -265,9 +445,15 @@ private:
         QString text;
         std::optional<double> number;
         int repeats = 1;
+        QString time = {}; ///< in ISO order, whatever the cell shows
+        bool isEmptyFormula = false;
     };
 
     [[nodiscard]] bool isWanted() const { return m_index == m_wanted; }
+    [[nodiscard]] static bool isCollapsed(const QXmlStreamReader &xml) {
+        const QString visibility = attribute(xml, "visibility");
+        return visibility == QLatin1StringView("collapse") || visibility == QLatin1StringView("filter");
+    }
     [[nodiscard]] static bool isCell(QStringView name) {
         return name == QLatin1StringView("table-cell") || name == QLatin1StringView("covered-table-cell");
     }
@@ -283,9 +469,16 @@ private:
             ++m_index;
             m_names.push_back({attribute(xml, "name"), {}, m_hidden.contains(attribute(xml, "style-name"))});
             m_line = 0;
+            m_columns = 0;
+        } else if (isWanted() && name == QLatin1StringView("table-column")) {
+            const int count = std::clamp(attribute(xml, "number-columns-repeated").toInt(), 1, mostColumns);
+            if (isCollapsed(xml))
+                m_sheet.hideColumns(m_columns, count);
+            m_columns = std::min(m_columns + count, mostColumns);
         } else if (isWanted() && name == QLatin1StringView("table-row")) {
             m_rowRepeats =
                 std::clamp<std::size_t>(attribute(xml, "number-rows-repeated").toULongLong(), 1, 100'000'000);
+            m_rowHidden = isCollapsed(xml);
             m_cells.clear();
             m_column = 0;
         } else if (isWanted() && isCell(name)) {
@@ -295,6 +488,9 @@ private:
         } else if (m_inCell && m_annotation == 0 && name == QLatin1StringView("p")) {
             if (m_paragraphs++ > 0)
                 m_cell.text += u' ';
+        } else if (m_inCell && (name == QLatin1StringView("s") || name == QLatin1StringView("tab") ||
+                                name == QLatin1StringView("line-break"))) {
+            add(u" ");
         }
     }
 
@@ -305,6 +501,8 @@ private:
         if (type == QLatin1StringView("float") || type == QLatin1StringView("percentage") ||
             type == QLatin1StringView("currency"))
             m_cell.number = finiteNumber(attribute(xml, "value"));
+        m_cell.time = type == QLatin1StringView("date") ? attribute(xml, "date-value") : QString();
+        m_cell.isEmptyFormula = type.isEmpty() && !attribute(xml, "formula").isEmpty();
         m_inCell = true;
         m_paragraphs = 0;
     }
@@ -315,7 +513,10 @@ private:
         } else if (isWanted() && m_inCell && isCell(name)) {
             m_inCell = false;
             m_column = std::min(m_column + m_cell.repeats, 10'000'000);
-            if (!m_cell.text.isEmpty() || m_cell.number)
+            if (!m_cell.time.isEmpty())
+                m_cell.text = m_cell.time;
+            m_cell.isEmptyFormula &= m_cell.text.isEmpty();
+            if (!m_cell.text.isEmpty() || m_cell.number || m_cell.isEmptyFormula)
                 m_cells.push_back(m_cell);
         } else if (isWanted() && name == QLatin1StringView("table-row")) {
             if (m_cells.empty())
@@ -335,10 +536,13 @@ private:
                         {REPORT_TEXT("report", "more rows or cells than a table of readings can have")},
                         std::to_string(m_line + 1) + ":1");
         for (std::size_t i = 0; i < m_rowRepeats; ++i) {
-            m_sheet.beginRow(++m_line);
+            m_sheet.beginRow(++m_line, m_rowHidden);
             for (const OdsCell &each : m_cells) {
-                for (int k = 0; k < each.repeats; ++k)
+                for (int k = 0; k < each.repeats; ++k) {
+                    if (each.isEmptyFormula)
+                        m_sheet.addEmptyFormula();
                     m_sheet.add(each.column + k, each.text, each.number);
+                }
             }
         }
     }
@@ -359,6 +563,8 @@ private:
     std::vector<OdsCell> m_cells;
     OdsCell m_cell;
     int m_column = 0;
+    int m_columns = 0; ///< described so far
+    bool m_rowHidden = false;
     bool m_inCell = false;
     int m_paragraphs = 0;
     int m_annotation = 0;
@@ -441,13 +647,15 @@ public:
                 if (m_sheets[i].isHidden != hidden || !wanted)
                     continue;
                 ++tried;
-                Sheet sheet;
+                Sheet sheet(m_choices);
                 read(static_cast<int>(i), sheet);
-                take(i, sheet.take(m_choices));
+                take(i, sheet);
             }
         }
-        if (hasTable())
+        if (hasTable()) {
             settle();
+            remarkOnCells();
+        }
         std::ranges::stable_sort(m.sheets, {}, &ImportSheet::isHidden);
     }
 
@@ -464,7 +672,8 @@ private:
                }) >= fewRows;
     }
 
-    void take(std::size_t i, CellTable table) {
+    void take(std::size_t i, Sheet &sheet) {
+        CellTable table = sheet.take(m_choices);
         if (table.rows().empty())
             return;
         const std::size_t readings = readingsIn(table, m_choices.options());
@@ -476,6 +685,37 @@ private:
         m_best = i;
         m_most = readings;
         m.table = std::move(table);
+        m_hiddenNumbers = sheet.hiddenNumbers;
+        m_emptyFormulas = sheet.emptyFormulas;
+        m_emptyFormulaLine = sheet.emptyFormulaLine;
+    }
+
+    /// What the sheet does not show, and what stands in it only as a formula.
+    void remarkOnCells() {
+        if (m_hiddenNumbers > 0) {
+            const auto choice = m_choices.settle("hidden", "read", Origin::guessed);
+            m.remarks.push_back(
+                {choice.origin == Origin::guessed ? RemarkGrade::assumption : RemarkGrade::note,
+                 {choice.value == "leave"
+                      ? REPORT_TEXT("report", "Rows or columns of the sheet are hidden; what stands there is "
+                                              "left out (%1 numbers).")
+                      : REPORT_TEXT("report", "Rows or columns of the sheet are hidden; what stands there is "
+                                              "read like the rest (%1 numbers)."),
+                  {Number{static_cast<double>(m_hiddenNumbers), Quantity::count}}},
+                 0,
+                 0,
+                 "hidden"});
+        }
+        if (m_emptyFormulas > 0)
+            m.remarks.push_back(
+                {RemarkGrade::problem,
+                 {REPORT_TEXT("report",
+                              "The values of %1 formulas are not in the file and were not read; open "
+                              "the workbook in a spreadsheet program and save it."),
+                  {Number{static_cast<double>(m_emptyFormulas), Quantity::count}}},
+                 m_emptyFormulaLine,
+                 0,
+                 "unread"});
     }
 
     void settle() {
@@ -513,6 +753,9 @@ private:
     std::size_t m_most = 0;
     std::size_t m_measurements = 0;
     std::size_t m_tables = 0; ///< sheets with rows of numbers
+    std::size_t m_hiddenNumbers = 0;
+    std::size_t m_emptyFormulas = 0;
+    std::size_t m_emptyFormulaLine = 0;
 };
 
 } // namespace
@@ -525,14 +768,22 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
     ZipFile zip(source.bytes);
     std::vector<SheetName> sheets;
     QByteArray content;
-    std::vector<QString> strings;
-    const bool isXlsx = zip.contains("xl/workbook.xml");
+    XlsxCells cells;
+    const QString part = workbookPart(zip);
+    const bool isXlsx = !part.isEmpty();
     if (isXlsx) {
-        sheets = sheetsOfXlsx(zip);
-        strings = sharedStrings(zip);
-    } else if (zip.contains("content.xml")) {
+        const QMap<QString, QString> relationships = relationshipsOf(zip, part);
+        XlsxBook book = bookOf(zip, part, relationships);
+        sheets = std::move(book.sheets);
+        const QString folder = part.first(part.lastIndexOf(u'/') + 1);
+        const auto beside = [&](const QString &word) {
+            return zip.member(relationships.value(word, folder + word + QLatin1StringView(".xml")));
+        };
+        cells = {sharedStrings(beside(QStringLiteral("sharedStrings"))),
+                 stylesOf(beside(QStringLiteral("styles"))), book.firstDay};
+    } else if (zip.contains(QStringLiteral("content.xml"))) {
         content = zip.member(QStringLiteral("content.xml"));
-        Sheet none;
+        Sheet none(choices);
         OdsReader(-2, sheets, none).read(content);
     } else {
         throw Error(Error::Kind::format,
@@ -542,7 +793,7 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
     chooser.choose([&](int i, Sheet &sheet) {
         std::vector<SheetName> names;
         if (isXlsx)
-            readXlsxSheet(zip.member(sheets[static_cast<std::size_t>(i)].member), strings, sheet);
+            readXlsxSheet(zip.member(sheets[static_cast<std::size_t>(i)].member), cells, sheet);
         else
             OdsReader(i, names, sheet).read(content);
     });

@@ -50,13 +50,23 @@ ZipFile::~ZipFile() {
     zip_discard(static_cast<zip_t *>(m_archive));
 }
 
-bool ZipFile::contains(const char *name) const {
-    return zip_name_locate(static_cast<zip_t *>(m_archive), name, 0) >= 0;
+bool ZipFile::contains(const QString &name) const {
+    return find(name) >= 0;
+}
+
+qint64 ZipFile::find(const QString &name) const {
+    auto *archive = static_cast<zip_t *>(m_archive);
+    const QByteArray asStated = name.toUtf8();
+    const qint64 index = zip_name_locate(archive, asStated.constData(), ZIP_FL_NOCASE);
+    if (index >= 0)
+        return index;
+    const QByteArray otherSlashes = QByteArray(asStated).replace('/', '\\');
+    return zip_name_locate(archive, otherSlashes.constData(), ZIP_FL_NOCASE);
 }
 
 QByteArray ZipFile::member(const QString &name) {
     auto *archive = static_cast<zip_t *>(m_archive);
-    const zip_int64_t index = zip_name_locate(archive, name.toUtf8().constData(), 0);
+    const qint64 index = find(name);
     if (index < 0)
         return {};
     zip_stat_t stat;

@@ -17,12 +17,15 @@ public:
     ZipFile(const ZipFile &) = delete;
     ZipFile &operator=(const ZipFile &) = delete;
 
-    [[nodiscard]] bool contains(const char *name) const;
+    /// Names are compared as those of workbooks are: without regard to case, and to which slash was written.
+    [[nodiscard]] bool contains(const QString &name) const;
     /// The bytes of a member; empty where there is none. Throws Error(tooLarge) before more than 256 MiB or
     /// more than a thousand times its compressed size are unpacked; all members together stay below 512 MiB.
     [[nodiscard]] QByteArray member(const QString &name);
 
 private:
+    [[nodiscard]] qint64 find(const QString &name) const; ///< below 0: there is none
+
     void *m_archive = nullptr;
     qint64 m_unpacked = 0;
 };

@@ -234,6 +234,42 @@ private slots:
         QVERIFY(written.endsWith("}\n"));
     }
 
+    /// Two threads print a half of a long list each: nothing is lost or doubled between them, on lines as
+    /// ever.
+    void longListsAreWhole() {
+        for (const std::size_t size : {99'999U, 100'000U, 100'001U, 100'002U, 230'457U}) {
+            std::vector<double> targets;
+            for (std::size_t i = 0; i < size; ++i)
+                targets.push_back(static_cast<double>(i) / 8 + (i % 3 == 0 ? 1.0 / 70 : 0));
+            const QByteArray written = writeDocument(documentWithTargets(targets));
+            QVERIFY(std::get<PositioningMeasurement>(readDocument(written).tests[0]->measurement).targets ==
+                    targets);
+            const QByteArray inner = written.mid(written.indexOf("\"targets\": ["));
+            const QByteArrayList lines = inner.left(inner.indexOf(']')).split('\n');
+            int shortLines = 0;
+            for (qsizetype i = 1; i + 2 < lines.size(); ++i) {
+                QVERIFY2(lines[i].size() <= 100 && lines[i].endsWith(','), lines[i].constData());
+                QVERIFY2(lines[i].startsWith("        ") && lines[i][8] != ' ', lines[i].constData());
+                shortLines += lines[i].size() < 75 ? 1 : 0;
+            }
+            QVERIFY(shortLines <= 1); // where the halves meet
+            QCOMPARE(writeDocument(readDocument(written)), written);
+        }
+    }
+
+    void aLongListNamesTheNumberThatIsNotFinite() {
+        for (const std::size_t at : {70'000U, 170'000U}) {
+            std::vector<double> targets(200'000, 0.5);
+            targets[at] = std::numeric_limits<double>::quiet_NaN();
+            try {
+                (void)writeDocument(documentWithTargets(targets));
+                QFAIL("it was written");
+            } catch (const Error &error) {
+                QCOMPARE(error.place, "tests[0].targets[" + std::to_string(at) + "]");
+            }
+        }
+    }
+
     void keysAreSorted() {
         const QByteArray written = writeDocument(Document());
         QVERIFY(written.indexOf("\"extensions\"") < written.indexOf("\"format\""));

@@ -297,6 +297,25 @@ Test corrected(const Test &test, const std::function<double(double, bool)> &corr
     return result;
 }
 
+/// Between the targets straight on, beyond them as at the last: the mean of all readings, from the readings
+/// alone.
+double meanDeviation(const PositioningMeasurement &m, double position) {
+    const auto at = [&m](std::size_t target) {
+        double sum = 0;
+        for (const Run &run : m.runs)
+            sum += *run.deviations[target];
+        return sum / static_cast<double>(m.runs.size());
+    };
+    if (position <= m.targets.front())
+        return at(0);
+    for (std::size_t i = 1; i < m.targets.size(); ++i) {
+        if (position <= m.targets[i])
+            return std::lerp(at(i - 1), at(i),
+                             (position - m.targets[i - 1]) / (m.targets[i] - m.targets[i - 1]));
+    }
+    return at(m.targets.size() - 1);
+}
+
 QString refusal(const Test &test, CompensationFormat format, const CompensationOptions &form) {
     try {
         (void)writeCompensation(compensationTable(test, evaluated(test), format, form), format, form);
@@ -547,6 +566,18 @@ void CompensationTest::sinumerikReadsWhatIsWritten() {
         QVERIFY(std::abs(axis.first() - form.from.value_or(low)) < 1e-6 && // the digits that are written
                 axis.last() > form.to.value_or(high) - 1e-6 && // whole, and no step more than that takes
                 axis.last() < form.to.value_or(high) + axis.step() - 1e-6);
+        // At each point of the table the axis goes against what was measured there, less what the table has
+        // at the reference, between two of its points.
+        const double inside = std::clamp(*form.reference, axis.first(), axis.last());
+        const double below = axis.first() + std::floor((inside - axis.first()) / axis.step()) * axis.step();
+        const double atReference = std::lerp(meanDeviation(m, below), meanDeviation(m, below + axis.step()),
+                                             (inside - below) / axis.step());
+        for (int k = 0; axis.first() + k * axis.step() < axis.last() + axis.step() / 2; ++k) {
+            const double at = axis.first() + k * axis.step();
+            const double expected = atReference - meanDeviation(m, at);
+            QVERIFY2(std::abs(axis.correction(at) - expected) < 0.51e-4, // of one rounded value
+                     qPrintable(QString::number(at)));
+        }
         const Test after = corrected(test, [&](double at, bool /*up*/) { return axis.correction(at); });
         const TestEvaluation result = evaluated(after);
         if (even && !form.from) { // the points are the targets

@@ -2,12 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/pathprofile.h"
 
+#include "figures/extremes.h"
+
 #include <QTest>
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 
 using namespace palmer;
 
@@ -53,6 +56,32 @@ std::vector<std::size_t> places(const PathProfile &profile, const std::vector<Tr
         result.push_back(i); // the size: not there, or before the one kept last
     }
     return result;
+}
+
+/// As decimated() is defined, point by point.
+std::vector<TracePoint> plainlyDecimated(const PathProfile &profile, double step) {
+    const double towards = profile.angles.back() >= profile.angles.front() ? 1 : -1;
+    std::vector<TracePoint> kept;
+    for (std::size_t first = 0; first < profile.angles.size();) {
+        const double edge = (std::floor(towards * profile.angles[first] / step) + 1) * step;
+        std::set<std::size_t> places{first};
+        std::size_t least = first;
+        std::size_t greatest = first;
+        std::size_t next = first + 1;
+        for (; next < profile.angles.size() && towards * profile.angles[next] < edge; ++next) {
+            if (profile.deviations[next] < profile.deviations[least])
+                least = next;
+            if (profile.deviations[next] > profile.deviations[greatest])
+                greatest = next;
+        }
+        places.insert({least, greatest, next - 1});
+        for (std::size_t i = first; next - first <= 4 && i < next; ++i)
+            places.insert(i);
+        for (const std::size_t place : places)
+            kept.push_back(profile[place]);
+        first = next;
+    }
+    return kept;
 }
 
 } // namespace
@@ -147,6 +176,33 @@ private slots:
                 add(drawn, point);
             QVERIFY(extremes == drawn);
             QVERIFY(kept.size() <= 4 * extremes.size());
+        }
+    }
+
+    void extremesAreThoseOfAnyNumberOfValues() {
+        std::mt19937 generator(7);
+        std::normal_distribution<double> noise(0, 1);
+        for (int run = 0; run < 2000; ++run) {
+            std::vector<double> values(generator() % 21 + 1);
+            for (double &value : values)
+                value = noise(generator);
+            QCOMPARE(extremesOf(values).from, std::ranges::min(values));
+            QCOMPARE(extremesOf(values).to, std::ranges::max(values));
+        }
+    }
+
+    /// From one to some forty points a step, many of them as far out as others: the first of equals counts.
+    void isWhatAPlainLoopKeeps() {
+        std::mt19937 generator(6);
+        for (int run = 0; run < 400; ++run) {
+            const int n = static_cast<int>(generator() % 3000) + 1;
+            const double extent = run % 2 == 0 ? 300 : -300;
+            PathProfile profile = random(generator, n, -20, extent, run % 3 == 0 ? 0.5 : 0);
+            const auto parts = static_cast<double>(generator() % 4 + 1);
+            for (double &deviation : profile.deviations)
+                deviation = std::round(deviation * parts) / parts;
+            const double step = static_cast<double>(generator() % 40 + 1) / 10;
+            QVERIFY(joined(decimated(profile, step)) == plainlyDecimated(profile, step));
         }
     }
 

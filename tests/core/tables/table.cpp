@@ -4,6 +4,8 @@
 
 #include "tables/table.h"
 
+#include "document/documenterror.h"
+
 #include <QTest>
 
 #include <algorithm>
@@ -58,6 +60,10 @@ private slots:
     void takesWhatIsChosen();
     void knowsThePlaceOfACell();
     void readsBackWhatWasWritten();
+    void readsLongTextsInHalves_data();
+    void readsLongTextsInHalves();
+    void refusesTooManyRowsAtTheirLine();
+    void refusesLongLines();
     void takesCellsOneByOne();
 };
 
@@ -186,6 +192,93 @@ void TableTest::readsBackWhatWasWritten() {
         const CellTable table = readTable(text);
         QCOMPARE(picture(table), expected);
         QVERIFY(table.delimiter.origin == Origin::recognised);
+    }
+}
+
+/// Lines of many forms, 5 MB of them: two threads read a half each, unless a quotation mark stands there.
+void TableTest::readsLongTextsInHalves_data() {
+    QTest::addColumn<QByteArray>("lineEnd");
+    QTest::addColumn<QByteArray>("last");
+    for (const char *end : {"\n", "\r\n", "\r"}) {
+        const QByteArray name = end[0] == '\n' ? "LF" : end[1] == '\n' ? "CRLF" : "CR";
+        QTest::newRow(name) << QByteArray(end) << QByteArray("7;8;9");
+    }
+    QTest::newRow("no line behind the last end") << QByteArray("\n") << QByteArray();
+    QTest::newRow("quoted") << QByteArray("\n") << QByteArray("7;8;\"9\"");
+}
+
+void TableTest::readsLongTextsInHalves() {
+    QFETCH(const QByteArray, lineEnd);
+    QFETCH(const QByteArray, last);
+    std::mt19937 random(11);
+    std::string text = "a;b;c" + lineEnd.toStdString();
+    struct Line {
+        unsigned number = 0;
+        std::vector<double> values;
+    };
+    std::vector<Line> expected;
+    for (unsigned line = 2; text.size() < 5'000'000; ++line) {
+        const auto kind = static_cast<unsigned>(random() % 50);
+        std::vector<double> values;
+        if (kind == 0) {
+            text += "# a remark; 1";
+        } else if (kind > 1) {
+            for (unsigned i = 0; i < 2 + kind % 3; ++i) {
+                const auto parts = static_cast<unsigned>(random() % 100'000);
+                values.push_back(parts / 8.0);
+                text += (i > 0 ? ";" : "") + std::to_string(parts / 8) + '.' +
+                        std::to_string(1000 + parts % 8 * 125).substr(1);
+            }
+        }
+        if (kind != 1)
+            expected.push_back({line, values});
+        text += lineEnd.toStdString();
+    }
+    text += last.toStdString();
+    TableOptions options;
+    options.delimiter = Delimiter::semicolon;
+    const CellTable table = readTable(text, options);
+    QCOMPARE(table.rows().size(), expected.size() + 1 + (last.isEmpty() ? 0 : 1));
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        const TableRow &row = table.rows()[i + 1];
+        const auto cells = row.comment ? std::span<const TableCell>() : table.cells(row);
+        if (row.line != expected[i].number || row.comment != expected[i].values.empty() ||
+            !std::ranges::equal(cells, expected[i].values, {}, &TableCell::value))
+            QFAIL(qPrintable(QString::number(row.line)));
+    }
+}
+
+void TableTest::refusesTooManyRowsAtTheirLine() {
+    constexpr std::size_t most = 10'000'000;
+    std::string text(2 * most, '1');
+    for (std::size_t i = 1; i < text.size(); i += 2)
+        text[i] = '\n';
+    try {
+        (void)readTable(text + "1\n1\n");
+        QFAIL("it was read");
+    } catch (const Error &error) {
+        QCOMPARE(error.place, std::string("10000001:1"));
+    }
+}
+
+void TableTest::refusesLongLines() {
+    constexpr std::size_t most = std::size_t(1) << 20U;
+    const std::string line(most, '1');
+    const std::string beside = "1;2\n3;4\n";
+    (void)readTable(beside + line + '\n' + beside);
+    (void)readTable(line);
+    (void)readTable(beside + line + "\r\n" + line);
+    for (const std::string &text : {beside + line + "1\n" + beside, line + '1', beside + line + '1',
+                                    beside + beside + line + "\r" + line + "1\r"}) {
+        try {
+            (void)readTable(text);
+            QFAIL("it was read");
+        } catch (const Error &error) {
+            QVERIFY(error.kind == Error::Kind::tooLarge);
+            const auto before = std::count(text.begin(), text.end() - most, '\n') +
+                                std::count(text.begin(), text.end() - most, '\r');
+            QCOMPARE(error.place, std::to_string(before + 1) + ":1");
+        }
     }
 }
 

@@ -103,7 +103,7 @@ private slots:
             view.findChild<QToolButton *>(u"readingMarks"_s)->setChecked(marks);
             view.grab(); // lays it out
             auto *canvas = view.findChild<FigureCanvas *>();
-            const FigureAxis &y = view.figure()->y;
+            const FigureAxis y = view.figure()->y;
             const double top = canvas->placeOf({0, 0})->y();
             const double value = *runs[0].deviations[0];
             const double other = *runs[5].deviations[2];

@@ -4,6 +4,7 @@
 
 #include "ui/import/importassistant.h"
 
+#include "document/sha256.h"
 #include "ui/window/shownwindow.h"
 
 #include <QAbstractButton>

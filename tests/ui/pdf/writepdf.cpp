@@ -12,6 +12,7 @@
 #include <ctime>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFOutlineDocumentHelper.hh>
+#include <random>
 #include <set>
 
 using namespace palmer;
@@ -174,6 +175,8 @@ private slots:
     void saysThatTheDeviceIsFull();
     void isArchivalWithItsData_data() { addStoredDocuments(); }
     void isArchivalWithItsData();
+    void carriesFilesOfAnyLength_data();
+    void carriesFilesOfAnyLength();
     void bookmarksAndLinksLeadToTheirPages();
     void attachedNamesAreNamesOfFiles_data();
     void attachedNamesAreNamesOfFiles();
@@ -399,6 +402,37 @@ void WritePdf::isArchivalWithItsData() {
         if (object.isDictionaryOfType("/FontDescriptor"))
             QVERIFY(object.getKey("/FontFile2").isStream());
     }
+}
+
+void WritePdf::carriesFilesOfAnyLength_data() {
+    QTest::addColumn<qsizetype>("size");
+    constexpr qsizetype limit = 4'194'304; // longer ones are packed in another way, on a thread
+    QTest::newRow("one byte") << qsizetype(1);
+    QTest::newRow("short") << qsizetype(70'000);
+    QTest::newRow("the longest short one") << limit;
+    QTest::newRow("the shortest long one") << limit + 1;
+    QTest::newRow("long") << 5 * limit / 2;
+}
+
+void WritePdf::carriesFilesOfAnyLength() {
+    QFETCH(const qsizetype, size);
+    Report report = reportOf(storedDocument(u"one-direction"_s), Language::Id::french);
+    std::mt19937 random(static_cast<unsigned>(size));
+    report.testFile.resize(size);
+    for (char &c : report.testFile)
+        c = "0123456789.,-"[random() % 13];
+    const QByteArray bytes = pdfOf(report);
+    QVERIFY(pdfOf(report) == bytes);
+    QPDF pdf;
+    pdf.processMemoryFile("report", bytes.constData(), static_cast<std::size_t>(bytes.size()));
+    QPDFObjectHandle stream = pdf.getRoot().getKey("/AF").getArrayItem(0).getKey("/EF").getKey("/F");
+    QCOMPARE(stream.getDict().getKey("/Type").getName(), "/EmbeddedFile");
+    QCOMPARE(stream.getDict().getKey("/Params").getKey("/Size").getIntValue(), static_cast<long long>(size));
+    const auto content = stream.getStreamData();
+    QVERIFY(QByteArray(reinterpret_cast<const char *>(content->getBuffer()),
+                       static_cast<qsizetype>(content->getSize())) == report.testFile);
+    // 13 signs take 3.7 bits each, and packed quickly 4.3.
+    QVERIFY(stream.getRawStreamData()->getSize() < static_cast<std::size_t>(2 * size / 3 + 100));
 }
 
 void WritePdf::bookmarksAndLinksLeadToTheirPages() {

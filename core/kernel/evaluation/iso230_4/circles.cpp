@@ -49,7 +49,10 @@ std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths, const
     const bool both = wanted(CircleOf::both, ReferenceCircle::minimumZone) ||
                       wanted(CircleOf::both, ReferenceCircle::leastSquares);
     if (paths.size() == 2 && both) {
-        Points points = paths[0].points;
+        Points points;
+        for (std::vector<double> *each : {&points.x, &points.y}) // not copied a second time
+            each->reserve(paths[0].points.size() + paths[1].points.size());
+        points.append(paths[0].points.view());
         points.append(paths[1].points.view());
         const std::array groups{paths[0].points.size(), paths[1].points.size()};
         addCircles(result, wanted, CircleOf::both, points.view(), groups);

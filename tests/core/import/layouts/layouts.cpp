@@ -77,6 +77,32 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "target,run+1,run-1,temperature / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
     row("time beside", "Target (mm);Time (s);↑1 (µm);↓1 (µm)\n0;0;1;2\n100;10;3;4\n",
         "target,time,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
+    // Words for what was measured, beside which a sign says the direction.
+    for (const char *word :
+         {"Positional deviation", "Positioning error", "Écart de positionnement", "Erreur de positionnement",
+          "Écart linéaire", "Défaut de position", "Positionierabweichung", "Positionierfehler", "Wegfehler",
+          "Wegabweichung", "Istabweichung", "Lineare Abweichung", "Errore di posizionamento",
+          "Scarto di posizionamento", "Scost.", "Error de posicionamiento", "Desviación de posicionamiento",
+          "Error lineal"}) {
+        const QByteArray name(word);
+        QTest::newRow(name + " + and -")
+            << "Pos. (mm);" + name + " + 1 (µm);" + name + " - 1 (µm)\n0;1;2\n100;3;4\n200;5;7\n"
+            << "target,deviation+1,deviation-1 / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 7 / ";
+        QTest::newRow(name + " +ve and -ve")
+            << "Pos. (mm);" + name + " +ve 1 (µm);" + name + " -ve 1 (µm)\n0;1;2\n100;3;4\n200;5;7\n"
+            << "target,deviation+1,deviation-1 / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 7 / ";
+    }
+    // Labels with their values above targets that stand across.
+    for (const char *above :
+         {"Date;2024-03-05\n", "Machine;DMU 50\nDate;2024-03-05\n", "Machine;DMU 50\nSerial no;4711\n\n",
+          "Temperature;20.3;°C\n", "Temperature;20.3;°C;;\n\n", "Datum;05.03.2024\nMaschine;HERMLE\n",
+          "Order no.:;4711\nAxis;X\n"}) {
+        const QByteArray name(above);
+        QTest::newRow("above targets across: " + name.simplified())
+            << name + "Position (mm);0;100;200\n↑ 1 (µm);1.1;3;5\n↓ 1 (µm);2.1;4;6\n"
+            << "ignored,run,run,run / 0 100 200 / ↑ 1.1 3 5 / ↓ 2.1 4 6 / " +
+                   QString(name.startsWith("Temp") ? "sensor Temperature machine 20.3 / " : "");
+    }
     // One further column cancels nothing.
     for (const char *name :
          {"B",         "s",     "Min",        "Max",      "R",       "Umkehrspanne", "Écart type", "Remark",
