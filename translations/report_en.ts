@@ -11,6 +11,20 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n of %1 limits</source>
+        <translation>
+            <numerusform>%n of %1 limits</numerusform>
+            <numerusform>%n of %1 limits</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Met: %n of %1 limits.</source>
+        <translation>
+            <numerusform>Met: %n of %1 limits.</numerusform>
+            <numerusform>Met: %n of %1 limits.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>No reading at %1 (%n in all): the statistics use the readings that exist.</source>
         <translation>
             <numerusform>No reading at %1 (%n in all): the statistics use the readings that exist.</numerusform>

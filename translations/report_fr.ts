@@ -7088,12 +7088,22 @@
         <translation>Réglage&#xa0;:</translation>
     </message>
     <message>
-        <source>%1 of %2 limits</source>
-        <translation>%1 limites sur %2</translation>
+        <source>1 limit</source>
+        <translation>1 limite</translation>
     </message>
-    <message>
-        <source>Met: %1 of %2 limits.</source>
-        <translation>Respectées&#xa0;: %1 limites sur %2.</translation>
+    <message numerus="yes">
+        <source>%n of %1 limits</source>
+        <translation>
+            <numerusform>%n limite sur %1</numerusform>
+            <numerusform>%n limites sur %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Met: %n of %1 limits.</source>
+        <translation>
+            <numerusform>Respectée&#xa0;: %n limite sur %1.</numerusform>
+            <numerusform>Respectées&#xa0;: %n limites sur %1.</numerusform>
+        </translation>
     </message>
     <message>
         <source>machine in its final condition, as left</source>

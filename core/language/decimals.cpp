@@ -5,6 +5,8 @@
 #include "language/rounding.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <cmath>
 
 namespace palmer {
@@ -29,6 +31,16 @@ int decimalsOf(double value, Quantity quantity) {
     const auto last = digits.find_last_not_of('0');
     const auto point = digits.find('.');
     return point == std::string::npos || last <= point ? 0 : static_cast<int>(last - point);
+}
+
+double certain(double value) {
+    constexpr int certainDigits = 15; // every decimal of 15 digits survives the way through a double
+    std::array<char, 32> buffer{};
+    const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+                                       std::chars_format::scientific, certainDigits - 1);
+    double result = value;
+    std::from_chars(buffer.data(), written.ptr, result);
+    return result;
 }
 
 int positionDecimals(const PositioningMeasurement &measurement) {

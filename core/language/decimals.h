@@ -12,6 +12,10 @@ namespace palmer {
 /// Digits after the point that a number has, at most 9: 5.4/1000 mm is 5.4 µm, whatever the last bits say.
 [[nodiscard]] int decimalsOf(double value, Quantity quantity);
 
+/// The number without what no decimal of 15 digits has: 0.30000000000000004 is 0.3. What a report says of a
+/// stated number; readings and files keep theirs.
+[[nodiscard]] double certain(double value);
+
 /// The common decimals of target positions: those they have, at most 3 (mm) or 4 (degrees).
 [[nodiscard]] int positionDecimals(const PositioningMeasurement &measurement);
 

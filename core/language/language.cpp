@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "language/language.h"
 
+#include "language/decimals.h"
 #include "language/rounding.h"
 
 #include <QDate>
@@ -174,7 +175,7 @@ QString Language::shown(const std::string &decimal) const {
 }
 
 QString Language::quantity(double value, Quantity quantity, int decimals) const {
-    QString digits = number(value, quantity, decimals);
+    QString digits = number(decimals < 0 ? certain(value) : value, quantity, decimals);
     const QString sign = unit(quantity);
     if (sign.isEmpty() || digits == dash)
         return digits;

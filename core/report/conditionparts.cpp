@@ -4,6 +4,7 @@
 
 #include "figures/linefigure.h"
 #include "kernel/evaluation/agreedpoints.h"
+#include "language/decimals.h"
 #include "report/uncertaintyparts.h"
 #include "report/wording.h"
 
@@ -348,7 +349,7 @@ private:
                                 shown(temperatures.end, Quantity::temperature, temperatureDecimals)});
     }
     [[nodiscard]] Cell shown(std::optional<double> value, Quantity quantity, int decimals) const {
-        return {value ? m_write.language().number(*value, quantity, decimals) : QString()};
+        return {value ? m_write.language().number(certain(*value), quantity, decimals) : QString()};
     }
     [[nodiscard]] Phrase label(const Text &name, Quantity quantity) const {
         return Phrase({{m_write.text(name) + QStringLiteral("\u00A0\u00A0")},
@@ -734,7 +735,7 @@ void addCorrection(std::vector<Block> &blocks, const CircularPart &part) {
         table.columns.push_back({phraseFrom(QString::fromUtf8(factor.symbol)),
                                  write.language().unit(factor.quantity), Alignment::decimal, false, 22});
         table.rows.front().emplace_back(
-            factor.value ? write.language().number(*factor.value, factor.quantity, factor.decimals)
+            factor.value ? write.language().number(certain(*factor.value), factor.quantity, factor.decimals)
                          : QString());
     }
     table.columns.push_back({QString(), {}, Alignment::left, true, 43});
@@ -749,7 +750,7 @@ QString pointText(const Writer &write, const Point3 &point) {
     QStringList texts;
     for (std::size_t i = 0; i < point.size(); ++i)
         texts << QLatin1Char(letters[i]) + QStringLiteral("\u00A0") +
-                     (point[i] ? write.language().number(*point[i], Quantity::position)
+                     (point[i] ? write.language().number(certain(*point[i]), Quantity::position)
                                : QStringLiteral("–"));
     return texts.join(write.semicolon());
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/headparts.h"
 
+#include "language/decimals.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -145,8 +146,9 @@ QString axisText(const PositioningPart &part) {
 /// "0.00 to 1 500.41 mm"; a sign of degrees stands at each number.
 QString intervalText(const PositioningPart &part, double from, double to, int decimals) {
     const Language &language = part.write.language();
-    const QString first = part.along() == Quantity::angle ? language.quantity(from, part.along(), decimals)
-                                                          : language.number(from, part.along(), decimals);
+    const QString first = part.along() == Quantity::angle
+                              ? language.quantity(from, part.along(), decimals)
+                              : language.number(certain(from), part.along(), decimals);
     return part.write.say(REPORT_TEXT("report", "%1 to %2"),
                           {first.toStdString(), Number{to, part.along(), decimals}});
 }

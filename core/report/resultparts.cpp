@@ -7,6 +7,7 @@
 
 #include "figures/deviationfigure.h"
 #include "kernel/evaluation/conformity.h"
+#include "language/decimals.h"
 #include "report/printednumbers.h"
 #include "report/wording.h"
 
@@ -49,7 +50,7 @@ QString bandName(const TestPart &part, bool simulated) {
     QString band = simulated ? QStringLiteral("U\u00A0+\u00A02s") : QStringLiteral("U");
     if (factorIsOne(part.test))
         return band;
-    return part.write.language().number(part.test.decisionRule.guardFactor, Quantity::number) +
+    return part.write.language().number(certain(part.test.decisionRule.guardFactor), Quantity::number) +
            QStringLiteral("\u00A0") + (simulated ? u'(' + band + u')' : band);
 }
 
@@ -436,7 +437,8 @@ QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> 
 }
 
 QString notProven(const TestPart &part, const std::vector<const PrintedResult *> &results) {
-    const QString symbols = joinedSymbols(parametersOf(results));
+    const QString symbols =
+        enumerated(part.write, joinedSymbols(parametersOf(results)).split(QStringLiteral(", ")));
     const bool withoutValue =
         std::ranges::all_of(results, [](const PrintedResult *result) { return !result->parameter->value; });
     if (withoutValue)
@@ -455,8 +457,7 @@ QString notProven(const TestPart &part, const std::vector<const PrintedResult *>
             REPORT_TEXT("report", "Without the measurement uncertainty nothing is proven for %1."), symbols);
     if (part.test.decisionRule.rule == Rule::rejectionProven)
         return part.write.say(
-            REPORT_TEXT("report", "For %1 non-conformity is not proven: no ground for rejection."),
-            enumerated(part.write, symbols.split(QStringLiteral(", "))));
+            REPORT_TEXT("report", "For %1 non-conformity is not proven: no ground for rejection."), symbols);
     return part.write.say(REPORT_TEXT("report", "For %1 neither conformity nor non-conformity is proven."),
                           symbols);
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/sharedparts.h"
 
+#include "language/decimals.h"
 #include "report/circularparts.h"
 #include "report/conditionparts.h"
 #include "report/dataparts.h"
@@ -214,7 +215,7 @@ private:
                                          SensorMeasures::air};
 
     [[nodiscard]] Cell shown(std::optional<double> value, Quantity quantity, int decimals = -1) const {
-        return {value ? m_write.language().number(*value, quantity, decimals) : QString()};
+        return {value ? m_write.language().number(certain(*value), quantity, decimals) : QString()};
     }
 
     const Writer &m_write;

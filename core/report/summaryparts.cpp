@@ -326,16 +326,21 @@ Phrase limitsText(const std::vector<TestPart> &parts, const Whole &whole, const 
             whole.anyLimit
                 ? REPORT_TEXT("report", "The limits agreed do not hold for these tests: no verdict.")
                 : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
-    const auto count = [](int number) { return Number{static_cast<double>(number), Quantity::count, 0}; };
+    const bool one = whole.limits == 1;
+    const Number limits{static_cast<double>(whole.limits), Quantity::count, 0};
     if (whole.verdict == Verdict::conforms) {
         const QString met =
-            write.say(REPORT_TEXT("report", "%1 of %2 limits"), {count(whole.met), count(whole.limits)});
+            one ? write.text(REPORT_TEXT("report", "1 limit"))
+                : write.language().sentence(
+                      {REPORT_TEXT_COUNTED("report", "%n of %1 limits"), {limits}, whole.met});
         return joined({met, rule}, write.semicolon()) + u'.';
     }
     Phrase result = namedQuantities(parts, *whole.verdict);
-    result.spans.push_back(
-        {u'.' + QStringLiteral(" ") +
-         write.say(REPORT_TEXT("report", "Met: %1 of %2 limits."), {count(whole.met), count(whole.limits)})});
+    QString rest(u'.');
+    if (!one)
+        rest += u' ' + write.language().sentence(
+                           {REPORT_TEXT_COUNTED("report", "Met: %n of %1 limits."), {limits}, whole.met});
+    result.spans.push_back({rest});
     return result;
 }
 

@@ -6,6 +6,7 @@
 #include "figures/driftfigure.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/decideuncertainty.h"
+#include "language/decimals.h"
 #include "language/rounding.h"
 #include "report/printednumbers.h"
 #include "report/wording.h"
@@ -68,7 +69,9 @@ Table contributionTable(const TestPart &part) {
         {write.text(REPORT_TEXT_FOR("report", "Share", "of a budget")), QStringLiteral("%"), Alignment::right,
          false, 12},
         {QString(),
-         largest > 0 ? write.say(REPORT_TEXT("report", "0 to %1"), {Number{end, quantity}}) : QString(),
+         largest > 0
+             ? write.say(REPORT_TEXT("report", "0 to %1"), {Number{end, quantity, decimalsOf(end, quantity)}})
+             : QString(),
          Alignment::left, false, 38}};
     table.columns.back().paddingLeft = 3.2;
     for (const Contribution *contribution : bySize(contributions)) {

@@ -25,6 +25,21 @@ std::optional<double> expansion(const Conditions &conditions, std::optional<doub
     return 1e-6 * *alpha * (*theta - referenceTemperature);
 }
 
+/// The mean of what is known: a start or an end alone says, too, that it was not at 20 °C.
+std::optional<double> knownMean(const Conditions &conditions, SensorMeasures what) {
+    double sum = 0;
+    int count = 0;
+    for (const Sensor &sensor : conditions.sensors) {
+        const auto start = startTemperature(sensor);
+        const auto end = endTemperature(sensor);
+        if (sensor.measures != what || (!start && !end))
+            continue;
+        sum += start && end ? (*start + *end) / 2 : start.value_or(end.value_or(0));
+        ++count;
+    }
+    return count ? std::optional(sum / count) : std::nullopt;
+}
+
 } // namespace
 
 std::optional<double> differentialExpansion(const Conditions &conditions) {
@@ -54,7 +69,7 @@ std::optional<MeanTemperature> awayFrom20(const Conditions &conditions, double m
     for (const SensorMeasures what : {SensorMeasures::machine, SensorMeasures::instrument}) {
         if (what == SensorMeasures::instrument && conditions.expansion.instrument == 0.0)
             continue;
-        const auto theta = meanTemperature(conditions, what);
+        const auto theta = knownMean(conditions, what);
         if (theta && std::abs(*theta - referenceTemperature) > margin + rounding)
             return MeanTemperature{what, *theta};
     }

@@ -21,8 +21,9 @@ struct MeanTemperature {
     double value = 0; ///< °C
 };
 
-/// What was away from 20 °C by more than `margin` (°C; 0.05 is what does not round to 20.0): the machine,
-/// else the instrument unless its α is 0. Null: neither, or not stated.
+/// What was away from 20 °C by more than `margin` (°C; 0.05 is what does not round to 20.0), in the mean of
+/// the starts and ends that are known: the machine, else the instrument unless its α is 0. Null: neither, or
+/// unknown.
 [[nodiscard]] std::optional<MeanTemperature> awayFrom20(const Conditions &conditions, double margin = 0.05);
 
 /// Lengths of `length` mm are wrong: a correction here that was asked for and is impossible, or a temperature

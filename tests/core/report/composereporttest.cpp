@@ -13,6 +13,9 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QLocale>
 #include <QRegularExpression>
 #include <QSet>
@@ -63,6 +66,27 @@ QString text(const std::shared_ptr<const Document> &document, const Language &la
                   "\n\n" + pageText(composed);
     return all.replace(composed.fingerprint, "(64 " + digits + ')')
         .replace(shortFingerprint(composed.fingerprint), "(16 " + digits + ')');
+}
+
+/// Each number that is no whole one as the double beside it, which is what programs write that compute
+/// numbers: 0.30000000000000004.
+QJsonValue nudged(const QJsonValue &value) { // NOLINT(misc-no-recursion): as deep as the format
+    if (value.isDouble() && value.toDouble() != std::round(value.toDouble()))
+        return std::nextafter(value.toDouble(), HUGE_VAL);
+    if (value.isArray()) {
+        QJsonArray result;
+        for (const QJsonValue &one : value.toArray())
+            result.append(nudged(one));
+        return result;
+    }
+    if (value.isObject()) {
+        QJsonObject result;
+        const QJsonObject object = value.toObject();
+        for (auto each = object.begin(); each != object.end(); ++each)
+            result[each.key()] = nudged(each.value());
+        return result;
+    }
+    return value;
 }
 
 /// Where two texts begin to differ: the lines of both.
@@ -255,6 +279,47 @@ private slots:
         QVERIFY2(QFile::exists(stored), qPrintable(written.fileName() + " is not stored"));
         const QString expected = QString::fromUtf8(content(stored));
         QVERIFY2(actual == expected, qPrintable(written.fileName() + ": " + difference(actual, expected)));
+    }
+
+    void printsNoDigitsOfFloatingPoint_data() { addDocuments(); }
+    void printsNoDigitsOfFloatingPoint() {
+        QFETCH(QString, name);
+        QJsonObject root = QJsonDocument::fromJson(writeDocument(*document(name))).object();
+        root["tests"] = nudged(root["tests"]);
+        root["instruments"] = nudged(root["instruments"]);
+        const auto read = std::make_shared<const Document>(readDocument(QJsonDocument(root).toJson()));
+        static const QRegularExpression endless("[.,]\\d{9}");
+        for (const Language::Id id : both) {
+            for (const QString &line : text(read, Language(id)).split(u'\n'))
+                QVERIFY2(!endless.match(line).hasMatch(), qPrintable(line));
+        }
+    }
+
+    void countsLimitsInTheSingular() {
+        const auto summary = [](double first, double second, Language::Id id) {
+            QJsonObject root = QJsonDocument::fromJson(writeDocument(*document("two-tests"))).object();
+            QJsonArray tests = root["tests"].toArray();
+            for (qsizetype i = 0; i < tests.size(); ++i) {
+                QJsonObject test = tests[i].toObject();
+                const double limit = i == 0 ? first : i == 1 ? second : 0;
+                test.remove("limits");
+                if (limit > 0)
+                    test["limits"] = QJsonObject{{"R", QJsonObject{{"value", limit}}}};
+                tests[i] = test;
+            }
+            root["tests"] = tests;
+            return text(std::make_shared<const Document>(readDocument(QJsonDocument(root).toJson())),
+                        Language(id));
+        };
+        constexpr double wide = 1;
+        constexpr double narrow = 1e-6;
+        using enum Language::Id;
+        QVERIFY(summary(wide, 0, english).contains("met  1 limit;"));
+        QVERIFY(summary(wide, 0, french).contains("respectées  1 limite\u202F;"));
+        QVERIFY(!summary(narrow, 0, english).contains("of 1 limit"));
+        QVERIFY(summary(wide, narrow, french).contains("Respectée\u00A0: 1 limite sur 2."));
+        QVERIFY(summary(narrow, narrow, french).contains("Respectée\u00A0: 0 limite sur 2."));
+        QVERIFY(summary(wide, wide, french).contains("2 limites sur 2"));
     }
 
     void hasNoWordOfTheOtherLanguage_data() { addDocuments(); }

@@ -279,8 +279,13 @@ Sentence otherContouringFeed(const CircularCase &test) {
         contouringFeed({*specified.diameter, *specified.feed, 2 * test.measurement.nominalRadius});
     if (!feed || std::abs(*test.measurement.feed - *feed) <= (margin + 1e-12) * *feed)
         return std::nullopt;
-    return Message{REPORT_TEXT("report", "Feed %1; %2 keeps the acceleration."),
-                   {Number{*test.measurement.feed, Quantity::feed, -1}, Number{*feed, Quantity::feed, 0}}};
+    // A hundredth is to be seen: whole numbers, below 100 three digits.
+    constexpr double threeDigits = 100;
+    const int decimals =
+        *feed >= threeDigits || !(*feed > 0) ? 0 : 2 - static_cast<int>(std::floor(std::log10(*feed)));
+    return Message{
+        REPORT_TEXT("report", "Feed %1; %2 keeps the acceleration."),
+        {Number{*test.measurement.feed, Quantity::feed, -1}, Number{*feed, Quantity::feed, decimals}}};
 }
 
 bool external(const CircularCase &test) {

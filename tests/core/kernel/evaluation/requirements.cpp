@@ -741,6 +741,22 @@ void Requirements::rows_data() {
         "correctionTo20", "3.1", "unmet");
     row("machine at 20.2 °C, correction not stated", of2006, shortAxis,
         warm(20.2, CorrectionTo20::notStated, 0), "correctionTo20", "3.1", "undeclared");
+    const auto partly = [](bool start, CorrectionTo20 correction) -> Change {
+        return [=](Setup &s) {
+            Sensor &sensor = s.common().sensors[0];
+            (start ? sensor.start : sensor.end) = 25;
+            (start ? sensor.end : sensor.start).reset();
+            s.common().correctionTo20 = correction;
+        };
+    };
+    row("machine at 25 °C at the start, not corrected", of2006, shortAxis,
+        partly(true, CorrectionTo20::notApplied), "correctionTo20", "3.1", "unmet");
+    row("machine at 25 °C at the end, not stated", of2006, shortAxis,
+        partly(false, CorrectionTo20::notStated), "correctionTo20", "3.1", "undeclared");
+    row("machine at 25 °C at the start, correction impossible", of2006, shortAxis,
+        partly(true, CorrectionTo20::appliedHere), "correctionTo20", "3.1", "unmet");
+    row("machine at 25 °C at the start, corrected", of2006, shortAxis,
+        partly(true, CorrectionTo20::appliedByInstrument), "correctionTo20", "3.1", "met");
     row("machine at 20.05 °C", of2006, shortAxis, warm(20.05, CorrectionTo20::notApplied, 0),
         "correctionTo20", "3.1", "met");
     row("30 °C, coefficients that leave 0.049 µm", of2006, shortAxis,
@@ -1023,6 +1039,13 @@ void Requirements::circularRows_data() {
     row("F corrected by the instrument", warm(CorrectionTo20::appliedByInstrument, {"F"}), "correctionTo20",
         "4.1, 6 d", "met");
     row("D not corrected", warm(CorrectionTo20::notApplied, {"D"}), "correctionTo20", "4.1, 6 b", "unmet");
+    row(
+        "machine at 25 °C at the start, F not corrected",
+        [](Circle &c) {
+            c.common().sensors[0].start = 25;
+            c.common().sensors[0].end.reset();
+        },
+        "correctionTo20", "4.1, 6 d", "unmet");
     row("G needs no correction", warm(CorrectionTo20::notApplied, {"G"}), "correctionTo20", "4.1, 6 d",
         "met");
     row(

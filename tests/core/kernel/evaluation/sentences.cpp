@@ -369,6 +369,13 @@ void Sentences::ofCircles_data() {
         },
         "1000 feed; 2000 feed.0");
     row(
+        "another slow feed", "contouringFeed",
+        [](Circle &c) {
+            c.m().specified = {300, 10.2}; // 10 and 10: nobody would see why
+            c.m().feed = 10;
+        },
+        "10 feed; 10.2 feed.1");
+    row(
         "calibration", "calibrationDue", [](Circle &c) { c.bar.calibrationDate = "2026-11-21"; }, "ballbar");
 }
 
