@@ -2930,7 +2930,7 @@
     </message>
     <message>
         <source>Guard band, times U</source>
-        <translation>Bande de garde (× U)</translation>
+        <translation>Facteur de bande de garde (× U)</translation>
     </message>
     <message>
         <source>Agreed limits</source>
@@ -5081,6 +5081,10 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
 <context>
     <name>palmer::ui::RightSide</name>
     <message>
+        <source>Page</source>
+        <translation>Page</translation>
+    </message>
+    <message>
         <source>Figure</source>
         <translation>Figure</translation>
     </message>
@@ -5843,7 +5847,7 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     </message>
     <message>
         <source>Guard band, times U</source>
-        <translation>Bande de garde (× U)</translation>
+        <translation>Facteur de bande de garde (× U)</translation>
     </message>
     <message>
         <source>Annex A</source>
@@ -6152,6 +6156,18 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
 </context>
 <context>
     <name>palmer::ui::WorkBar</name>
+    <message>
+        <source>%1 of %2 trials</source>
+        <translation>%1 tirages sur %2</translation>
+    </message>
+    <message>
+        <source>%1 trials</source>
+        <translation>%1 tirages</translation>
+    </message>
+    <message>
+        <source>%1 of %2 MB</source>
+        <translation>%1 sur %2 Mo</translation>
+    </message>
     <message>
         <source>Cancel</source>
         <translation>Annuler</translation>
