@@ -3418,7 +3418,7 @@
     </message>
     <message>
         <source>Measurement errors bias %1 by more than a third of the uncertainty that the Monte Carlo simulation gives: the budget decides.</source>
-        <translation>Les erreurs de mesure décalent %1 de plus d’un tiers de l’incertitude que donne la simulation de Monte-Carlo&#xa0;: le budget décide.</translation>
+        <translation>Les erreurs de mesure décalent %1 de plus d’un tiers de l’incertitude que donne la simulation de Monte-Carlo&#xa0;: le verdict est fondé sur l’U du budget.</translation>
     </message>
     <message>
         <source>Measurement errors bias %1 by more than a third of the uncertainty that the Monte Carlo simulation gives.</source>
@@ -4198,7 +4198,7 @@
     </message>
     <message>
         <source>Complete, in working order</source>
-        <translation>Complète, en état de marche</translation>
+        <translation>Machine complète, en état de marche</translation>
     </message>
     <message>
         <source>The machine was completely assembled and in working order; guards may be absent.</source>
@@ -4214,7 +4214,7 @@
     </message>
     <message>
         <source>Unloaded</source>
-        <translation>À vide</translation>
+        <translation>Machine à vide</translation>
     </message>
     <message>
         <source>The test was made without workpiece.</source>
@@ -4403,7 +4403,7 @@
     </message>
     <message>
         <source>Limits with their edition, the uncertainty, the decision rule: then there is a verdict. It is taken from unrounded numbers.</source>
-        <translation>Les limites avec leur édition, l’incertitude, la règle de décision&#xa0;: alors il y a un verdict. Il est pris sur les nombres non arrondis.</translation>
+        <translation>Les limites avec leur édition, l’incertitude, la règle de décision&#xa0;: alors il y a un verdict. Il est établi sur les nombres non arrondis.</translation>
     </message>
     <message>
         <source>Print</source>
@@ -4553,11 +4553,11 @@
     </message>
     <message>
         <source>The U of the Monte Carlo simulation decides.</source>
-        <translation>L’U de la simulation de Monte-Carlo décide.</translation>
+        <translation>Le verdict est fondé sur l’U de la simulation de Monte-Carlo.</translation>
     </message>
     <message>
         <source>The U of the Monte Carlo simulation decides; for %1, which it shifts by more than a third of its U, that of the budget.</source>
-        <translation>L’U de la simulation de Monte-Carlo décide&#x202f;; pour %1, qu’elle décale de plus d’un tiers de son U, celle du budget.</translation>
+        <translation>Le verdict est fondé sur l’U de la simulation de Monte-Carlo&#x202f;; pour %1, qu’elle décale de plus d’un tiers de son U, sur celle du budget.</translation>
     </message>
     <message>
         <source>The budget U is used for the verdict.</source>

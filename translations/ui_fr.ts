@@ -2930,7 +2930,7 @@
     </message>
     <message>
         <source>Guard band, times U</source>
-        <translation>Bande de garde (× U)</translation>
+        <translation>Facteur de bande de garde (× U)</translation>
     </message>
     <message>
         <source>Agreed limits</source>
@@ -5100,6 +5100,10 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <source>Being computed; shown is what was before</source>
         <translation>Calcul en cours&#x202f;; affiché&#xa0;: l’état précédent</translation>
     </message>
+    <message>
+        <source>Page</source>
+        <translation>Page</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::SectionHead</name>
@@ -5843,7 +5847,7 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     </message>
     <message>
         <source>Guard band, times U</source>
-        <translation>Bande de garde (× U)</translation>
+        <translation>Facteur de bande de garde (× U)</translation>
     </message>
     <message>
         <source>Annex A</source>
@@ -6163,6 +6167,18 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Cancel reading: all stays as it was</source>
         <translation>Annuler la lecture&#xa0;: tout reste en l’état</translation>
+    </message>
+    <message>
+        <source>%1 of %2 trials</source>
+        <translation>%1 tirages sur %2</translation>
+    </message>
+    <message>
+        <source>%1 trials</source>
+        <translation>%1 tirages</translation>
+    </message>
+    <message>
+        <source>%1 of %2 MB</source>
+        <translation>%1 sur %2 Mo</translation>
     </message>
 </context>
 <context>

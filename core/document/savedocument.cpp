@@ -5,11 +5,13 @@
 #include "document/bounds.h"
 #include "document/filename.h"
 #include "document/readdocument.h"
+#include "document/readprogress.h"
 #include "document/savefiles.h"
 #include "document/writedocument.h"
 
 #include <QFile>
 #include <QFileInfo>
+#include <algorithm>
 #include <sys/stat.h>
 
 namespace palmer {
@@ -61,7 +63,11 @@ void demandReadable(qint64 size, qint64 limit) {
                     {REPORT_TEXT("report", "the file is larger than %1 MiB"), {mebibytes(limit)}});
 }
 
-QByteArray readBytes(const QString &path, qint64 limit) {
+namespace {
+
+/// In blocks, so that whoever waits sees how far it is.
+QByteArray readBlocks(const QString &path, qint64 limit, ReadProgress *progress,
+                      const std::stop_token &stop) {
     const ReachableFile there(path);
     const QFileInfo info(there.name());
     if (info.isDir())
@@ -76,11 +82,38 @@ QByteArray readBytes(const QString &path, qint64 limit) {
     if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
         refuseReading();
     // As long as it says it is: what the system makes up while it is read (/proc) says 0 and may never end.
-    QByteArray bytes = file.read(file.size());
+    const qint64 size = file.size();
+    const qint64 block = progress ? mebibyte : size;
+    if (progress) {
+        progress->unit = ReadProgress::Unit::bytes;
+        progress->done = 0;
+        progress->of = size;
+    }
+    QByteArray bytes(size, Qt::Uninitialized);
+    qint64 done = 0;
+    while (done < size && !stop.stop_requested()) {
+        const qint64 read = file.read(bytes.data() + done, std::min(block, size - done));
+        if (read <= 0)
+            break; // it is shorter now, or an error
+        done += read;
+        if (progress)
+            progress->done = done;
+    }
+    bytes.truncate(done);
     demandReadable(file.size(), limit);
     if (file.error() != QFileDevice::NoError)
         refuseReading();
     return bytes;
+}
+
+} // namespace
+
+QByteArray readBytes(const QString &path, qint64 limit) {
+    return readBlocks(path, limit, nullptr, {});
+}
+
+QByteArray readBytes(const QString &path, ReadProgress &progress, const std::stop_token &stop) {
+    return readBlocks(path, largestFile, &progress, stop);
 }
 
 bool isSameFile(const QString &path, const QString &other) {

@@ -117,12 +117,12 @@ struct Differences {
 };
 
 void takeDifference(Differences &differences, const TestEvaluation &first, const TestEvaluation &other,
-                    const std::string &id) {
+                    const std::string &id, const Language &language) {
     differences.same = false;
     const Edition &edition = *other.edition;
     const Row *row = rowOfEdition(edition, id);
     const bool scatter = row && (row->needs & palmer::scatter) != 0;
-    const QString word = QString::fromUtf8(edition.word);
+    const QString word = standardName(language, other.edition);
     const bool otherMethod = scatter && methodOf(other) != methodOf(first);
     const bool otherFactor = scatter && edition.c != first.edition->c;
     if (otherMethod)
@@ -145,7 +145,7 @@ Differences differencesOf(const std::vector<const TestEvaluation *> &columns, co
             differences.absent << standardName(language, column->edition);
         else if (column != &first && other && other->value && own && own->value &&
                  *other->value != *own->value)
-            takeDifference(differences, first, *column, id);
+            takeDifference(differences, first, *column, id, language);
     }
     return differences;
 }
@@ -157,7 +157,7 @@ QStringList reasons(const std::vector<const TestEvaluation *> &columns, const st
     const auto [same, absent, byMethod, otherwise, byFactor] = differencesOf(columns, id, language);
     QStringList sentences;
     const auto list = [](const QStringList &words) { return words.join(QStringLiteral(", ")).toStdString(); };
-    const std::string firstWord = first.edition->word;
+    const std::string firstWord = standardName(language, first.edition).toStdString();
     const bool firstByRange = methodOf(first) == DeviationMethod::range;
     if (!byMethod.isEmpty())
         sentences << language.sentence(

@@ -131,16 +131,20 @@ void StartButton::paintEvent(QPaintEvent *) {
     const QRect lower(left, top + 28, upper.width(), 20);
     if (!large)
         drawLineIcon(painter, QRect(8, top, 36, textHeight), m_icon, accent);
+    const QFont titleFont = themeFont(TextSize::head);
+    const int title = QFontMetrics(titleFont).size(Qt::TextShowMnemonic, text()).width();
     painter.setFont(themeFont(TextSize::tiny));
-    painter.setPen(token(Token::secondaryText, palette()));
-    painter.drawText(upper, Qt::AlignRight | Qt::AlignVCenter, m_shortcut);
     const int keys = painter.fontMetrics().horizontalAdvance(m_shortcut) + 8;
+    const bool above = title + keys <= upper.width(); // else the keys give way to the title
+    painter.setPen(token(Token::secondaryText, palette()));
+    painter.drawText(above ? upper : lower, Qt::AlignRight | Qt::AlignVCenter, m_shortcut);
     painter.setFont(themeFont(TextSize::small));
-    painter.drawText(lower, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(m_detail, Qt::ElideRight, lower.width()));
-    painter.setFont(themeFont(TextSize::head));
+    const QRect below = lower.adjusted(0, 0, above ? 0 : -keys, 0);
+    painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter,
+                     painter.fontMetrics().elidedText(m_detail, Qt::ElideRight, below.width()));
+    painter.setFont(titleFont);
     painter.setPen(palette().color(QPalette::WindowText));
-    const QRect room = upper.adjusted(0, 0, -keys, 0);
+    const QRect room = upper.adjusted(0, 0, above ? -keys : 0, 0);
     painter.drawText(
         room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextShowMnemonic,
         painter.fontMetrics().elidedText(text(), Qt::ElideRight, room.width(), Qt::TextShowMnemonic));

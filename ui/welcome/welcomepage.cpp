@@ -78,18 +78,21 @@ QFrame *makeCard(QWidget *parent, QLabel *title, QLabel *note, const QList<QWidg
 
 WelcomePage::WelcomePage(QWidget *parent)
     : QWidget(parent)
-    , m_subtitle(new QLabel(this))
-    , m_dropHint(new DropField(this))
-    , m_recentTitle(new QLabel(this))
-    , m_noRecent(new QLabel(this))
-    , m_examplesTitle(new QLabel(this))
-    , m_examplesNote(new QLabel(this))
-    , m_new(new StartButton(QStringLiteral("axis"), this, StartButton::Picture::deviation))
-    , m_newCircle(new StartButton(QStringLiteral("circle"), this, StartButton::Picture::circle))
-    , m_open(new StartButton(QStringLiteral("open"), this))
-    , m_import(new StartButton(QStringLiteral("imp"), this))
-    , m_recentList(new StartList(m_recent, mostRecent, this))
-    , m_examplesList(new StartList(m_examples, this)) {
+    , m_place(new QScrollArea(this))
+    , m_page(new QWidget(m_place->viewport()))
+    , m_body(new QWidget(m_page))
+    , m_subtitle(new QLabel(m_body))
+    , m_dropHint(new DropField(m_body))
+    , m_recentTitle(new QLabel(m_body))
+    , m_noRecent(new QLabel(m_body))
+    , m_examplesTitle(new QLabel(m_body))
+    , m_examplesNote(new QLabel(m_body))
+    , m_new(new StartButton(QStringLiteral("axis"), m_body, StartButton::Picture::deviation))
+    , m_newCircle(new StartButton(QStringLiteral("circle"), m_body, StartButton::Picture::circle))
+    , m_open(new StartButton(QStringLiteral("open"), m_body))
+    , m_import(new StartButton(QStringLiteral("imp"), m_body))
+    , m_recentList(new StartList(m_recent, mostRecent, m_body))
+    , m_examplesList(new StartList(m_examples, m_body)) {
     setObjectName(QStringLiteral("welcome"));
     m_new->setObjectName(QStringLiteral("welcomeNew"));
     m_newCircle->setObjectName(QStringLiteral("welcomeNewCircle"));
@@ -98,9 +101,9 @@ WelcomePage::WelcomePage(QWidget *parent)
     m_recentList->setObjectName(QStringLiteral("recentList"));
     m_examplesList->setObjectName(QStringLiteral("examplesList"));
 
-    auto *logo = new QLabel(this);
+    auto *logo = new QLabel(m_body);
     logo->setPixmap(QIcon(QStringLiteral(":/icons/palmer.svg")).pixmap(QSize(40, 40)));
-    auto *name = new QLabel(QStringLiteral("Palmer"), this);
+    auto *name = new QLabel(QStringLiteral("Palmer"), m_body);
     QFont nameFont = themeFont(TextSize::head);
     nameFont.setPointSizeF(nameFont.pointSizeF() * 1.8);
     name->setFont(nameFont);
@@ -114,7 +117,7 @@ WelcomePage::WelcomePage(QWidget *parent)
     head->setSpacing(16);
     head->addWidget(logo);
     head->addLayout(names, 1);
-    head->addWidget(new LanguageSwitch(LanguageSwitch::Names::full, this), 0, Qt::AlignVCenter);
+    head->addWidget(new LanguageSwitch(LanguageSwitch::Names::full, m_body), 0, Qt::AlignVCenter);
 
     auto *starts = new QGridLayout;
     starts->setSpacing(16);
@@ -123,7 +126,7 @@ WelcomePage::WelcomePage(QWidget *parent)
     starts->addWidget(m_open, 1, 0);
     starts->addWidget(m_import, 1, 1);
     starts->addWidget(m_dropHint, 2, 0, 1, 2);
-    starts->addWidget(makeCard(this, m_examplesTitle, m_examplesNote, {m_examplesList}), 3, 0, 1, 2);
+    starts->addWidget(makeCard(m_body, m_examplesTitle, m_examplesNote, {m_examplesList}), 3, 0, 1, 2);
     starts->setColumnStretch(0, 1);
     starts->setColumnStretch(1, 1);
     starts->setRowStretch(4, 1);
@@ -133,12 +136,11 @@ WelcomePage::WelcomePage(QWidget *parent)
     m_noRecent->setProperty("secondary", true);
     auto *lists = new QVBoxLayout;
     lists->setSpacing(16);
-    lists->addWidget(makeCard(this, m_recentTitle, nullptr, {m_noRecent, m_recentList}));
+    lists->addWidget(makeCard(m_body, m_recentTitle, nullptr, {m_noRecent, m_recentList}));
     lists->addStretch();
 
-    auto *content = new QWidget(this);
-    content->setMaximumWidth(contentWidth);
-    auto *grid = new QGridLayout(content);
+    m_body->setMaximumWidth(contentWidth);
+    auto *grid = new QGridLayout(m_body);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(24);
     grid->setVerticalSpacing(24);
@@ -150,20 +152,18 @@ WelcomePage::WelcomePage(QWidget *parent)
     grid->setColumnStretch(1, 5);
     grid->setRowStretch(1, 1);
 
-    auto *page = new QWidget(this); // on low screens higher than its place
-    auto *row = new QHBoxLayout(page);
+    auto *row = new QHBoxLayout(m_page);
     row->setContentsMargins(32, 24, 32, 16);
     row->addStretch(1);
-    row->addWidget(content, 1000);
+    row->addWidget(m_body, 1000);
     row->addStretch(1);
-    auto *place = new QScrollArea(this);
-    place->setWidget(page);
-    place->setWidgetResizable(true);
-    place->setFrameShape(QFrame::NoFrame);
-    place->setFocusPolicy(Qt::NoFocus);
+    m_place->setWidget(m_page);
+    m_place->setWidgetResizable(true);
+    m_place->setFrameShape(QFrame::NoFrame);
+    m_place->setFocusPolicy(Qt::NoFocus);
     auto *whole = new QVBoxLayout(this);
     whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(place);
+    whole->addWidget(m_place);
 
     setTabOrder(m_new, m_newCircle);
     setTabOrder(m_newCircle, m_open);

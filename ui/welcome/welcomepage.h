@@ -7,6 +7,7 @@
 #include <QWidget>
 
 class QLabel;
+class QScrollArea;
 
 namespace palmer::ui {
 
@@ -38,6 +39,10 @@ private:
 
     StartModel m_recent;
     StartModel m_examples;
+    // Parts are made in the place they keep: to move them costs the styles of all below them anew.
+    QScrollArea *m_place;
+    QWidget *m_page; ///< on low screens higher than its place
+    QWidget *m_body;
     QLabel *m_subtitle;
     QLabel *m_dropHint;
     QLabel *m_recentTitle;

@@ -79,9 +79,10 @@ constexpr int toolBarHeight = 44;
 constexpr int statusHeight = 27;
 constexpr int iconsOnlyBelow = 1180;
 
-/// Whether a file is no test file; of what cannot be read opening says why.
+/// Whether a file is no test file; of what cannot be read opening says why. Large ones are looked into while
+/// they are read.
 bool isMeasurement(const QString &path) {
-    if (isExample(path) || isTestFileName(path))
+    if (isExample(path) || isTestFileName(path) || isLargeFile(QFileInfo(path).size()))
         return false;
     try {
         return !isTestFile(readBytes(path));
@@ -533,16 +534,21 @@ void MainWindow::importFiles(const QStringList &paths) {
 void MainWindow::importNext() {
     while (!m_assistant && m_importing.isEmpty() && !m_toImport.isEmpty()) {
         const QString path = m_toImport.takeFirst();
-        readToImport([path] { return readBytes(path); }, path, QFileInfo(path).size());
+        const qint64 size = QFileInfo(path).size();
+        const auto progress = isLargeFile(size) ? m_progress : std::make_shared<ReadProgress>();
+        readToImport(
+            [path, progress](const std::stop_token &stop) { return readBytes(path, *progress, stop); }, path,
+            size);
     }
 }
 
 /// `size`: by which it is read at once or beside the window.
-void MainWindow::readToImport(const std::function<QByteArray()> &bytes, const QString &name, qint64 size) {
+void MainWindow::readToImport(const std::function<QByteArray(const std::stop_token &)> &bytes,
+                              const QString &name, qint64 size) {
     using Outcome = std::variant<MeasurementFile, Error>;
-    const auto read = [bytes, name]() -> Outcome {
+    const auto read = [bytes, name](const std::stop_token &stop) -> Outcome {
         try {
-            return readMeasurementFile(bytes(), name);
+            return readMeasurementFile(bytes(stop), name);
         } catch (const Error &error) {
             return error;
         }
@@ -554,11 +560,11 @@ void MainWindow::readToImport(const std::function<QByteArray()> &bytes, const QS
             showAssistant(std::move(std::get<MeasurementFile>(outcome)));
     };
     if (!isLargeFile(size)) {
-        show(read());
+        show(read({}));
         return;
     }
     m_importing = name;
-    m_reader.start([read](const Background::Job &) { return read(); },
+    m_reader.start([read](const Background::Job &job) { return read(job.stop()); },
                    [this, show](Outcome outcome) {
                        m_importing.clear();
                        showReading();
@@ -571,10 +577,12 @@ void MainWindow::readToImport(const std::function<QByteArray()> &bytes, const QS
 /// Says what is being read, with a bar and Cancel where it takes long.
 void MainWindow::showReading() {
     showState();
-    if (m_reading.isEmpty() && m_importing.isEmpty())
+    if (m_reading.isEmpty() && m_importing.isEmpty()) {
         m_work->end();
-    else
-        m_work->begin(m_state->text());
+        m_progress = std::make_shared<ReadProgress>(); // what was cancelled may still write to the other
+    } else {
+        m_work->begin(m_state->text(), m_progress);
+    }
 }
 
 /// Nothing that is being read comes any more.
@@ -590,7 +598,7 @@ void MainWindow::importClipboard() {
     if (m_assistant || !m_importing.isEmpty())
         return;
     QByteArray bytes = QGuiApplication::clipboard()->text().toUtf8();
-    readToImport([bytes] { return bytes; }, tr("clipboard"), bytes.size());
+    readToImport([bytes](const std::stop_token &) { return bytes; }, tr("clipboard"), bytes.size());
 }
 
 void MainWindow::showAssistant(MeasurementFile file) {
@@ -646,13 +654,24 @@ void MainWindow::openFile(const QString &path, std::optional<std::size_t> test) 
 }
 
 void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
-    using Outcome = std::variant<std::monostate, Document, OpenedReport, Error>;
-    const auto open = [path](const std::stop_token &stop) -> Outcome {
+    struct Measurement {};
+    using Outcome = std::variant<std::monostate, Document, OpenedReport, Measurement, Error>;
+    const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // simulations
+    const bool beside = mayTakeLong || isLargeFile(QFileInfo(path).size());
+    const auto progress = beside ? m_progress : std::make_shared<ReadProgress>();
+    const auto open = [path, progress](const std::stop_token &stop) -> Outcome {
         try {
-            const QByteArray bytes = readBytes(path);
+            const QByteArray bytes = readBytes(path, *progress, stop);
+            if (!isTestFile(bytes, path))
+                return Measurement();
             if (!isPdf(bytes))
                 return readDocument(bytes);
-            if (auto report = openReport(bytes, 0, stop))
+            const auto count = [&progress](const SimulationProgress &simulated) {
+                progress->unit = ReadProgress::Unit::trials;
+                progress->done = simulated.trials;
+                progress->of = simulated.of.value_or(0);
+            };
+            if (auto report = openReport(bytes, 0, stop, count))
                 return std::move(*report);
             return {}; // the window is being closed
         } catch (const Error &error) {
@@ -665,13 +684,14 @@ void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
             showError(tr("%1 cannot be opened").arg(QFileInfo(path).fileName()), path, *error);
         else if (auto *report = std::get_if<OpenedReport>(&outcome))
             window = takeReport(*report, path);
+        else if (std::holds_alternative<Measurement>(outcome))
+            importFiles({path});
         else if (auto *document = std::get_if<Document>(&outcome)) // other names: to be saved under another
             window = take(std::move(*document), isUtf8FileName(path) ? path : QString());
         if (window && test)
             window->workplace().showTest(*test);
     };
-    const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // simulations
-    if (!isLargeFile(QFileInfo(path).size()) && !mayTakeLong) {
+    if (!beside) {
         finish(open({}));
         return;
     }

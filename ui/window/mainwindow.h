@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/documenterror.h"
+#include "document/readprogress.h"
 #include "document/recovery.h"
 #include "ui/model/autosave.h"
 #include "ui/model/background.h"
@@ -96,7 +97,8 @@ private:
     void chooseFile();
     void chooseMeasurements();
     void importNext();
-    void readToImport(const std::function<QByteArray()> &bytes, const QString &name, qint64 size);
+    void readToImport(const std::function<QByteArray(const std::stop_token &)> &bytes, const QString &name,
+                      qint64 size);
     void showReading();
     void cancelReading();
     void showAssistant(MeasurementFile file);
@@ -160,6 +162,7 @@ private:
     FileWatch m_watch;
     std::unique_ptr<QLockFile> m_lock; ///< beside the file; null where there is none, or another has it
     QStringList m_reading;             ///< files being read
+    std::shared_ptr<ReadProgress> m_progress = std::make_shared<ReadProgress>();
     Background m_reader;
     QString m_reportPath; ///< of the report that the document was opened from; empty: it was not
     bool m_open = false;

@@ -4,6 +4,7 @@
 
 #include "core/document/completefile.h"
 #include "document/readdocument.h"
+#include "document/readprogress.h"
 #include "document/writedocument.h"
 
 #include <QDir>
@@ -175,6 +176,26 @@ private slots:
         }
         // What the system makes up while it is read says that it is empty.
         QCOMPARE(readBytes(QStringLiteral("/proc/self/status")), QByteArray());
+    }
+
+    void whatIsReadIsCounted() {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("large"));
+        QByteArray bytes;
+        for (int i = 0; i < 300'000; ++i)
+            bytes += QByteArray::number(i) + '\n'; // more than one block
+        saveBytes(bytes, path);
+        ReadProgress progress;
+        progress.unit = ReadProgress::Unit::trials;
+        progress.done = 5;
+        QCOMPARE(readBytes(path, progress), bytes);
+        QCOMPARE(progress.done.load(), bytes.size());
+        QCOMPARE(progress.of.load(), bytes.size());
+        QVERIFY(progress.unit == ReadProgress::Unit::bytes);
+        std::stop_source stop;
+        stop.request_stop();
+        QVERIFY(readBytes(path, progress, stop.get_token()).isEmpty());
+        QCOMPARE(progress.done.load(), 0);
     }
 
     void aPipeThatNobodyReadsIsAnError() {

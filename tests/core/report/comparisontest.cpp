@@ -71,6 +71,8 @@ private slots:
                  qPrintable(row(french, "E").reason()));
         QVERIFY2(row(french, "A").reason().contains("Pas un paramètre de VDI/DGQ 3441:1977"),
                  qPrintable(row(french, "A").reason()));
+        QVERIFY2(row(french, "A").reason().contains("dans l’ISO"), qPrintable(row(french, "A").reason()));
+        QVERIFY2(!row(french, "A").reason().contains("dans ISO"), qPrintable(row(french, "A").reason()));
     }
 
     void laterEditionsShareTheirArithmetic() {

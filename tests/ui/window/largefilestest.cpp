@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QProgressBar>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
@@ -114,6 +115,47 @@ private slots:
         bar.end(); // done at once: it never appears
         QTest::qWait(400);
         QVERIFY(!bar.isVisible());
+    }
+
+    void whatIsDoneIsCounted() {
+        const auto progress = std::make_shared<ReadProgress>();
+        WorkBar bar;
+        const auto *count = bar.findChild<QLabel *>("workCount");
+        const auto *strip = bar.findChild<QProgressBar *>();
+        bar.begin("reading", progress);
+        QTRY_VERIFY(bar.isVisible());
+        QVERIFY(!count->isVisible()); // of how much is not known yet
+        QCOMPARE(strip->maximum(), 0);
+        progress->of = 69'200'000;
+        progress->done = 17'300'000;
+        QTRY_COMPARE(count->text(), QString("17.3 of 69.2 MB"));
+        QVERIFY(count->isVisible());
+        QCOMPARE(4 * strip->value(), strip->maximum());
+        setWindowLanguage(Language::Id::french);
+        QTRY_COMPARE(count->text(), QString("17,3 sur 69,2 Mo"));
+        setWindowLanguage(Language::Id::english);
+        progress->done = 69'200'000; // all is read and not yet understood
+        QTRY_COMPARE(count->text(), QString("69.2 of 69.2 MB"));
+        QCOMPARE(strip->maximum(), 0);
+        progress->unit = ReadProgress::Unit::trials;
+        progress->of = 0;
+        progress->done = 900;
+        QTRY_COMPARE(count->text(), QString("900 trials"));
+        progress->of = 990;
+        QTRY_COMPARE(count->text(), QString("900 of 990 trials"));
+        bar.end();
+        bar.begin("importing");
+        QVERIFY(!count->isVisibleTo(&bar)); // of another work
+    }
+
+    /// Whether it is a test file is looked for beside the window, too.
+    void aLargeMeasurementThatIsOpenedIsImported() {
+        const ShownWindow shown;
+        shown.window->openFile(table());
+        QVERIFY(!assistantOf(shown)); // not yet
+        QVERIFY(shown.find<QLabel>("statusState")->text().contains("large.csv"));
+        QTRY_VERIFY(assistantOf(shown));
+        QVERIFY(!shown.window->hasDocument());
     }
 
     void cancelledMeasurementsNeverCome() {
