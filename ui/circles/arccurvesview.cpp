@@ -26,7 +26,7 @@ constexpr double left = 44;
 constexpr double right = 14;
 constexpr double top = 12;
 constexpr double bottom = 22;
-constexpr double reach = 12; ///< of the pointer, pixels
+constexpr double pointerReach = 12; ///< of the pointer, pixels
 constexpr double handleReach = 7;
 constexpr double ring = 5;
 constexpr double gripWidth = 7;
@@ -276,8 +276,8 @@ ArcCurvesView::Handle ArcCurvesView::handleAt(QPointF at) const {
 
 std::optional<ReadingPlace> ArcCurvesView::nearest(QPointF at) const {
     std::optional<ReadingPlace> found;
-    double least = reach;
-    const double window = reach * (m_angles.to - m_angles.from) / std::max(1.0, plot().width());
+    double least = pointerReach;
+    const double window = pointerReach * (m_angles.to - m_angles.from) / std::max(1.0, plot().width());
     const double middle = angleAt(at.x());
     for (std::size_t k = 0; k < m_profiles.size(); ++k) {
         const auto &angles = m_profiles[k].angles;

@@ -19,7 +19,7 @@ constexpr double side = 24;
 constexpr double head = 34;
 constexpr double foot = 46; ///< for the axis
 constexpr double tickDistance = 70;
-constexpr double radius = 2.6;
+constexpr double markRadius = 2.6;
 constexpr std::size_t mostDots = 4000; ///< beyond, they run into one another
 
 /// In the standard cycle a pass a row, in the step cycle a stop a row.
@@ -126,9 +126,10 @@ void CycleView::paintEvent(QPaintEvent *) {
         const QPointF at(x(path[i].position), y(rows[i]));
         painter.setBrush(colourOf(path[i].stop->approach, palette()));
         // A triangle that points where the axis goes: no meaning by colour alone.
-        const double tip = path[i].stop->approach == Direction::positive ? radius * 1.5 : -radius * 1.5;
-        painter.drawPolygon(QPolygonF({at + QPointF(tip, 0), at + QPointF(-tip / 2, -radius * 1.2),
-                                       at + QPointF(-tip / 2, radius * 1.2)}));
+        const double tip =
+            path[i].stop->approach == Direction::positive ? markRadius * 1.5 : -markRadius * 1.5;
+        painter.drawPolygon(QPolygonF({at + QPointF(tip, 0), at + QPointF(-tip / 2, -markRadius * 1.2),
+                                       at + QPointF(-tip / 2, markRadius * 1.2)}));
     }
 }
 
