@@ -19,7 +19,7 @@ constexpr double side = 24;
 constexpr double head = 34;
 constexpr double foot = 46; ///< for the axis
 constexpr double tickDistance = 70;
-constexpr double markRadius = 2.6;
+constexpr double arrowRadius = 2.6;
 constexpr std::size_t mostDots = 4000; ///< beyond, they run into one another
 
 /// In the standard cycle a pass a row, in the step cycle a stop a row.
@@ -127,9 +127,9 @@ void CycleView::paintEvent(QPaintEvent *) {
         painter.setBrush(colourOf(path[i].stop->approach, palette()));
         // A triangle that points where the axis goes: no meaning by colour alone.
         const double tip =
-            path[i].stop->approach == Direction::positive ? markRadius * 1.5 : -markRadius * 1.5;
-        painter.drawPolygon(QPolygonF({at + QPointF(tip, 0), at + QPointF(-tip / 2, -markRadius * 1.2),
-                                       at + QPointF(-tip / 2, markRadius * 1.2)}));
+            path[i].stop->approach == Direction::positive ? arrowRadius * 1.5 : -arrowRadius * 1.5;
+        painter.drawPolygon(QPolygonF({at + QPointF(tip, 0), at + QPointF(-tip / 2, -arrowRadius * 1.2),
+                                       at + QPointF(-tip / 2, arrowRadius * 1.2)}));
     }
 }
 
