@@ -22,8 +22,8 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double left = 44;
-constexpr double right = 14;
+constexpr double scaleRoom = 44;
+constexpr double rightRoom = 14;
 constexpr double top = 12;
 constexpr double bottom = 22;
 constexpr double pointerReach = 12; ///< of the pointer, pixels
@@ -120,7 +120,7 @@ void ArcCurvesView::setCurrentArc(std::size_t arc) {
 }
 
 QRectF ArcCurvesView::plot() const {
-    return QRectF(rect()).adjusted(left, top, -right, -bottom);
+    return QRectF(rect()).adjusted(scaleRoom, top, -rightRoom, -bottom);
 }
 
 double ArcCurvesView::xOf(double angle) const {
@@ -170,7 +170,7 @@ void ArcCurvesView::drawAxes(QPainter &painter) const {
             QPen(figureColor(tick.value == 0 ? FigureRole::zeroLine : FigureRole::grid, medium), 1));
         painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
         painter.setPen(secondary);
-        painter.drawText(QRectF(0, y - 10, left - 6, 20), Qt::AlignRight | Qt::AlignVCenter, tick.label);
+        painter.drawText(QRectF(0, y - 10, scaleRoom - 6, 20), Qt::AlignRight | Qt::AlignVCenter, tick.label);
     }
     // Where the path crosses an axis of the machine its name stands beside the angle.
     double lastRight = -1;

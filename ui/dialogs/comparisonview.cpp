@@ -14,10 +14,10 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double left = 54;
-constexpr double right = 16;
-constexpr double head = 30;
-constexpr double foot = 40;
+constexpr double roomLeft = 54;
+constexpr double roomRight = 16;
+constexpr double roomAbove = 30;
+constexpr double roomBelow = 40;
 constexpr double heavyLine = 1.6;
 constexpr double lightLine = 0.9;
 constexpr qsizetype markersOfPath = 8;
@@ -81,7 +81,7 @@ void ComparisonView::paintEvent(QPaintEvent *) {
     painter.setFont(themeFont(TextSize::tiny));
     if (m_figure.curves.empty() || m_figure.x.ticks.empty())
         return;
-    const QRectF plot(left, head, width() - left - right, height() - head - foot);
+    const QRectF plot(roomLeft, roomAbove, width() - roomLeft - roomRight, height() - roomAbove - roomBelow);
     const auto place = [&](double x, double y) {
         return QPointF(plot.left() + (x - m_figure.x.from) / (m_figure.x.to - m_figure.x.from) * plot.width(),
                        plot.bottom() -
@@ -100,7 +100,7 @@ void ComparisonView::paintEvent(QPaintEvent *) {
         painter.setPen(QPen(token(tick.value == 0 ? Token::secondaryText : Token::line, palette()), 1));
         painter.drawLine(QPointF(plot.left(), y), QPointF(plot.right(), y));
         painter.setPen(text);
-        painter.drawText(QRectF(0, y - 8, left - 6, 16), Qt::AlignRight | Qt::AlignVCenter, tick.label);
+        painter.drawText(QRectF(0, y - 8, roomLeft - 6, 16), Qt::AlignRight | Qt::AlignVCenter, tick.label);
     }
     painter.drawText(QRectF(plot.left(), height() - 20, plot.width(), 16), Qt::AlignHCenter,
                      QStringLiteral("%1 (%2)").arg(m_figure.x.quantity, m_figure.x.unit));

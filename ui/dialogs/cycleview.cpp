@@ -16,7 +16,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr double side = 24;
-constexpr double head = 34;
+constexpr double titleRoom = 34;
 constexpr double foot = 46; ///< for the axis
 constexpr double tickDistance = 70;
 constexpr double arrowRadius = 2.6;
@@ -95,17 +95,17 @@ void CycleView::paintEvent(QPaintEvent *) {
     const auto x = [&](double position) { return side + (position - lowest) / span * (width() - 2 * side); };
     const std::vector<double> rows = rowsOf(path);
     const double last = std::max(rows.back(), 1.0);
-    const auto y = [&](double atRow) { return head + atRow / last * (height() - head - foot); };
+    const auto y = [&](double atRow) { return titleRoom + atRow / last * (height() - titleRoom - foot); };
 
     painter.setFont(themeFont(TextSize::tiny));
     painter.setPen(QPen(token(Token::line, palette()), 1));
     for (const double target : m_program.targets)
-        painter.drawLine(QPointF(x(target), head - 6), QPointF(x(target), height() - foot + 10));
+        painter.drawLine(QPointF(x(target), titleRoom - 6), QPointF(x(target), height() - foot + 10));
     painter.setPen(token(Token::secondaryText, palette()));
     const Language &language = windowLanguage();
     const Quantity quantity = m_program.motion == Motion::linear ? Quantity::position : Quantity::angle;
     if (!m_program.targets.empty()) {
-        const QRectF top(0, 2, width(), head - 10);
+        const QRectF top(0, 2, width(), titleRoom - 10);
         painter.drawText(top.adjusted(side - 16, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
                          language.quantity(m_program.targets.front(), quantity, m_program.decimals));
         painter.drawText(top.adjusted(0, 0, -(side - 16), 0), Qt::AlignRight | Qt::AlignVCenter,

@@ -8,6 +8,7 @@
 #include "report/dataparts.h"
 #include "ui/dialogs/pagecolumn.h"
 #include "ui/elidedlabel.h"
+#include "ui/figures/zoomkeys.h"
 #include "ui/model/page.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/sizeonscreen.h"
@@ -49,7 +50,6 @@ constexpr int sideWidth = 304;
 constexpr int smallWidth = 132;
 constexpr double smallestScale = 0.25;
 constexpr double largestScale = 6;
-constexpr double zoomStep = 1.25;
 constexpr double screenPointsPerInch = 96.0 / 72.0; ///< pixels a point at 100 %
 
 enum LanguageButton { frenchOnly, englishOnly, bothLanguages };

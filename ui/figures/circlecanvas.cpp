@@ -19,7 +19,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double reach = 14; ///< of the pointer, pixels
+constexpr double pointerReach = 14; ///< of the pointer, pixels
 constexpr double ring = 6.5;
 constexpr double deepestZoom = 500; ///< times
 constexpr double millimetresPerPixel = 25.4 / 96;
@@ -211,12 +211,12 @@ std::optional<CircleCanvas::ProfilePoint> CircleCanvas::nearest(QPointF at) cons
     const QPointF centre = m_transform.map(0, 0);
     const QPointF way = at - centre;
     const double distance = std::hypot(way.x(), way.y());
-    if (distance < reach)
+    if (distance < pointerReach)
         return std::nullopt;
     const double direction = std::atan2(-way.y(), way.x()) * 180 / std::numbers::pi;
-    const double window = std::asin(reach / distance) * 180 / std::numbers::pi;
+    const double window = std::asin(pointerReach / distance) * 180 / std::numbers::pi;
     std::optional<ProfilePoint> found;
-    double least = reach;
+    double least = pointerReach;
     const auto look = [&](std::size_t profile, std::size_t i) {
         const QPointF away = shown(m_profiles[profile][i]) - at;
         const double far = std::hypot(away.x(), away.y());

@@ -18,7 +18,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double reach = 14; ///< of the pointer, pixels
+constexpr double pointerReach = 14; ///< of the pointer, pixels
 constexpr double ring = 6.5;
 constexpr double markWidth = 18;
 constexpr double deepestZoom = 1e-3; ///< of the whole range
@@ -110,7 +110,7 @@ std::optional<QPointF> FigureCanvas::placeOf(const ReadingPlace &reading) {
 
 std::optional<FigureReading> FigureCanvas::nearest(QPointF at) const {
     std::optional<FigureReading> found;
-    double least = reach;
+    double least = pointerReach;
     m_readings.each([&](const FigureReading &reading) {
         const QPointF away = shown(reading) - at;
         if (std::abs(away.x()) >= least || std::abs(away.y()) >= least)

@@ -26,7 +26,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double reach = 16; ///< of the pointer, pixels
+constexpr double pointerReach = 16; ///< of the pointer, pixels
 constexpr double ring = 5;
 constexpr double deepestZoom = 2000; ///< times
 constexpr double pointsPerPixel = 72.0 / 96;
@@ -220,10 +220,10 @@ void LineChart::zoomBy(int steps) {
 std::optional<LineChart::Place> LineChart::nearest(const QPointF &place) const {
     if (m_figure.lines.empty() || !chart()->plotArea().contains(place))
         return std::nullopt;
-    const double half = reach / chart()->plotArea().width() * m_range.width();
+    const double half = pointerReach / chart()->plotArea().width() * m_range.width();
     const double x = valueAt(place).x();
     std::optional<Place> found;
-    double least = reach;
+    double least = pointerReach;
     for (std::size_t k = 0; k < m_figure.lines.size(); ++k) {
         const std::vector<QPointF> &points = m_figure.lines[k].points;
         for (std::size_t i = 0; i < points.size(); ++i) {

@@ -20,7 +20,7 @@ constexpr double bottomMargin = 20; ///< for the numbers
 constexpr double laneShare = 0.25;  ///< of the height
 constexpr double dotRadius = 3.2;
 constexpr double diamondHalf = 4.4;
-constexpr double reach = 9; ///< of the pointer
+constexpr double pointerReach = 9; ///< of the pointer
 
 } // namespace
 
@@ -154,7 +154,7 @@ void TargetStripView::paintEvent(QPaintEvent *) {
 
 void TargetStripView::mouseMoveEvent(QMouseEvent *event) {
     std::optional<ReadingPlace> nearest;
-    double least = reach;
+    double least = pointerReach;
     for (std::size_t lane = 0; lane < m_strip.lanes.size(); ++lane) {
         for (std::size_t k = 0; k < m_strip.lanes[lane].readings.size(); ++k) {
             const double distance = QLineF(place(lane, k), event->position()).length();

@@ -34,7 +34,7 @@ constexpr double chosenRadius = 8;
 constexpr double capWidth = 3;
 constexpr double hatchHeight = 6;
 constexpr double hatchStep = 6;
-constexpr double reach = 9; ///< of the pointer, px
+constexpr double pointerReach = 9; ///< of the pointer, px
 constexpr int strip = 24;   ///< above the plot, for interventions
 constexpr double bandLight = 0.13;
 constexpr double bandDark = 0.20;
@@ -167,7 +167,7 @@ QPointF TrendChart::place(const QPointF &value) const {
 
 std::optional<std::size_t> TrendChart::valueAt(const QPointF &position) const {
     std::optional<std::size_t> nearest;
-    double least = reach;
+    double least = pointerReach;
     for (std::size_t i = 0; i < m_panel.values.size(); ++i) {
         const QPointF at = place({m_panel.values[i].x, m_panel.values[i].y});
         const double away = std::hypot(at.x() - position.x(), at.y() - position.y());
