@@ -16,8 +16,8 @@ namespace {
 
 constexpr double roomLeft = 54;
 constexpr double roomRight = 16;
-constexpr double roomAbove = 30;
-constexpr double roomBelow = 40;
+constexpr double plotAbove = 30;
+constexpr double plotBelow = 40;
 constexpr double heavyLine = 1.6;
 constexpr double lightLine = 0.9;
 constexpr qsizetype markersOfPath = 8;
@@ -81,7 +81,7 @@ void ComparisonView::paintEvent(QPaintEvent *) {
     painter.setFont(themeFont(TextSize::tiny));
     if (m_figure.curves.empty() || m_figure.x.ticks.empty())
         return;
-    const QRectF plot(roomLeft, roomAbove, width() - roomLeft - roomRight, height() - roomAbove - roomBelow);
+    const QRectF plot(roomLeft, plotAbove, width() - roomLeft - roomRight, height() - plotAbove - plotBelow);
     const auto place = [&](double x, double y) {
         return QPointF(plot.left() + (x - m_figure.x.from) / (m_figure.x.to - m_figure.x.from) * plot.width(),
                        plot.bottom() -

@@ -613,7 +613,7 @@ double gapBetween(const Block &above, const Block &below) {
         return beforeEnd;
     const auto *paragraph = std::get_if<Paragraph>(&below);
     if (paragraph)
-        return paragraph->size == TextSize::small ? belowTable : paragraphGap;
+        return paragraph->size == palmer::TextSize::small ? belowTable : paragraphGap;
     if (std::holds_alternative<Table>(below))
         return betweenTables;
     return sectionGap / 2;
@@ -622,7 +622,8 @@ double gapBetween(const Block &above, const Block &below) {
 bool staysBelow(const Block &block) {
     const auto *paragraph = std::get_if<Paragraph>(&block);
     return std::holds_alternative<ResultsLegend>(block) || std::holds_alternative<VerdictLine>(block) ||
-           std::holds_alternative<EndMark>(block) || (paragraph && paragraph->size == TextSize::small);
+           std::holds_alternative<EndMark>(block) ||
+           (paragraph && paragraph->size == palmer::TextSize::small);
 }
 
 bool isTitle(const Block &block) {
@@ -663,8 +664,9 @@ public:
     Strips operator()(const Paragraph &paragraph) const {
         if (paragraph.text.isEmpty())
             return {};
-        return lineStrips(TextBlock(
-            paragraph.text, paragraph.size == TextSize::small ? smallStyle : paragraphStyle, m_width));
+        return lineStrips(TextBlock(paragraph.text,
+                                    paragraph.size == palmer::TextSize::small ? smallStyle : paragraphStyle,
+                                    m_width));
     }
     Strips operator()(const KeyValues &values) const { return keyValueStrips(values, m_width); }
     Strips operator()(const Table &table) const { return tableStrips(table, m_width); }
