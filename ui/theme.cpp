@@ -128,6 +128,7 @@ QCheckBox::indicator, QListView::indicator { width: 14px; height: 14px; border: 
 QCheckBox::indicator:hover, QCheckBox::indicator:focus, QListView::indicator:hover { border-color: @accent; }
 QCheckBox::indicator:checked, QListView::indicator:checked { image: url(:/icons/check-@kind.svg); background: @selected; border-color: @accent; }
 QCheckBox::indicator:disabled { border-color: @line; }
+QListView[roomy="true"]::item { min-height: 22px; }
 QScrollBar { background: transparent; border: none; }
 QScrollBar:vertical { width: 9px; }
 QScrollBar:horizontal { height: 9px; }
@@ -140,7 +141,7 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QStatusBar { background: @window; border-top: 1px solid @line; }
 QStatusBar::item { border: none; }
 QPushButton { background: @base; color: @text; border: 1px solid @field; border-radius: 4px;
-    min-height: 26px; padding: 0 12px; }
+    min-height: 26px; padding: 0 12px; icon-size: 16px; }
 QPushButton:hover { background: @hover; }
 QPushButton:pressed, QPushButton:checked { background: @selected; border-color: @accent; }
 QPushButton:disabled { color: @disabled; border-color: @line; }
@@ -162,7 +163,7 @@ QPushButton[link="true"][bad="true"] { color: @bad; }
 QPushButton[link="true"]:hover { text-decoration: underline; }
 QPushButton[link="true"]:focus { border: 2px solid @accent; padding: 0 3px; }
 QToolButton { background: transparent; color: @text; border: 1px solid transparent; border-radius: 4px;
-    min-height: 26px; padding: 0 7px; }
+    min-height: 26px; padding: 0 7px; icon-size: 16px; }
 QToolButton[iconOnly="true"] { padding: 0 5px; min-width: 16px; }
 QToolButton:hover { background: @hover; }
 QToolButton:pressed, QToolButton:checked { background: @selected; border-color: @accent; }

@@ -242,8 +242,10 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
     m_addFile->setObjectName(QStringLiteral("addFile"));
     m_copy->setObjectName(QStringLiteral("copyComparison"));
     m_close->setObjectName(QStringLiteral("closeComparison"));
-    for (QListWidget *list : {m_editionList, m_testList})
+    for (QListWidget *list : {m_editionList, m_testList}) {
         list->setFixedWidth(listWidth);
+        list->setProperty("roomy", true);
+    }
     for (QLabel *notes : {m_editionNotes, m_testNotes}) {
         notes->setProperty("secondary", true);
         notes->setWordWrap(true);

@@ -46,7 +46,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int headHeight = 44;
-constexpr int sideWidth = 304;
+constexpr int sideWidth = 340; ///< the longest choice beside a scroll bar
 constexpr int smallWidth = 132;
 constexpr double smallestScale = 0.25;
 constexpr double largestScale = 6;

@@ -8,15 +8,19 @@
 #include "ui/elidedlabel.h"
 #include "ui/forms/decisionrulemembers.h"
 #include "ui/forms/templatebutton.h"
+#include "ui/formulatext.h"
 
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QGuiApplication>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QMessageBox>
+#include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -24,6 +28,7 @@ namespace {
 
 constexpr const char *context = "palmer::ui::LimitsPage";
 constexpr int fieldHeight = 28;
+constexpr int symbolWidth = 40;
 
 /// A member of the limit of a parameter; one that says nothing more goes.
 template <auto member>
@@ -42,9 +47,29 @@ auto ofLimit(const std::string &id) {
                      }};
 }
 
+/// A symbol with its indices, which stand lower.
+class SymbolLabel : public QWidget {
+public:
+    SymbolLabel(Formula symbol, QWidget *parent)
+        : QWidget(parent)
+        , m_symbol(std::move(symbol)) {
+        setFixedSize(symbolWidth, fieldHeight);
+    }
+
+protected:
+    void paintEvent(QPaintEvent *) override {
+        QPainter painter(this);
+        drawFormula(painter, rect(), Qt::AlignLeft | Qt::AlignVCenter, m_symbol, font(),
+                    palette().color(foregroundRole()));
+    }
+
+private:
+    Formula m_symbol;
+};
+
 struct LimitRow {
     std::string id;
-    QString symbol;
+    Formula symbol;
     Text name = {};
 };
 
@@ -53,7 +78,7 @@ std::vector<LimitRow> rowsOf(const Edition &edition, const Test &test) {
     std::vector<LimitRow> rows;
     const auto add = [&](const Term &term) {
         if (std::ranges::find(rows, term.id, &LimitRow::id) == rows.end())
-            rows.push_back({term.id, symbolFormula(term.symbol).plain(), term.name});
+            rows.push_back({term.id, symbolFormula(term.symbol), term.name});
     };
     for (const Row &row : edition.rows)
         add(row.term);
@@ -63,12 +88,12 @@ std::vector<LimitRow> rowsOf(const Edition &edition, const Test &test) {
             // F: the larger of both in size
             if (row.quantity == std::string_view("F") &&
                 std::ranges::find(rows, "F", &LimitRow::id) == rows.end())
-                rows.insert(rows.end() - 1, {"F", QStringLiteral("F")});
+                rows.insert(rows.end() - 1, {"F", formulaFrom(QStringLiteral("F"))});
         }
     }
     for (const auto &[id, limit] : test.limits) {
         if (std::ranges::find(rows, id, &LimitRow::id) == rows.end())
-            rows.push_back({id, QString::fromStdString(id)});
+            rows.push_back({id, formulaFrom(QString::fromStdString(id))});
     }
     return rows;
 }
@@ -146,13 +171,13 @@ void LimitsPage::prepare() {
         pasteLimits(0);
     })->setObjectName(QStringLiteral("pasteLimits"));
     for (const LimitRow &row : rows)
-        addLimit({nullptr, row.symbol, row.name}, row.id, m_quantity, edition->kind);
+        addLimit(row.symbol, row.name, row.id, edition->kind);
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Origin of all limits"), originOfAll());
     addStretch();
 }
 
-void LimitsPage::addLimit(const Name &of, const std::string &id, Quantity quantity, Kind kind) {
+void LimitsPage::addLimit(const Formula &symbol, const Text &name, const std::string &id, Kind kind) {
     const bool first = m_names.empty();
     beginRow();
     auto *place = new QWidget(body());
@@ -160,18 +185,22 @@ void LimitsPage::addLimit(const Name &of, const std::string &id, Quantity quanti
     label->setFixedHeight(fieldHeight);
     label->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(4);
+    row->addWidget(new SymbolLabel(symbol, place));
+    row->addWidget(label);
     auto *column = new QVBoxLayout(place);
     column->setContentsMargins(0, 0, 0, 0);
     column->addStretch(); // beside the field, not beside its label
-    column->addWidget(label);
+    column->addLayout(row);
     place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(place, 4);
-    m_names.push_back({label, of.symbol, of.name});
-    Field *limit = addNumber("limits", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Limit of %1"), quantity,
+    m_names.push_back({label, name});
+    Field *limit = addNumber("limits", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Limit of %1"), m_quantity,
                              ofLimit<&Limit::value>(id), 2);
-    limit->setLabelArgument(of.symbol);
+    limit->setLabelArgument(symbol.plain());
     limit->edit()->installEventFilter(this);
-    m_ids.push_back({id, of.symbol});
+    m_ids.push_back({id, symbol.plain()});
     m_edits.push_back(limit->edit());
     std::vector<const char *> words{QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "that of the test")};
     std::vector<std::optional<std::string>> values{std::nullopt};
@@ -233,11 +262,10 @@ void LimitsPage::refreshOthers() {
     if (m_first)
         m_first->setHeading(tr("Limit"));
     for (const Name &of : m_names) {
-        const auto labelled = [&](const QString &name) {
-            return name.isEmpty() ? of.symbol : of.symbol + QStringLiteral("   ") + name;
-        };
-        of.label->setText(labelled(of.name.empty() ? QString() : language().text(listedName(of.name))));
-        of.label->setToolTip(labelled(of.name.empty() ? QString() : language().text(of.name)));
+        if (of.name.empty())
+            continue;
+        of.label->setText(language().text(listedName(of.name)));
+        of.label->setToolTip(language().text(of.name));
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editing/limitblock.h"
+#include "report/formula.h"
 #include "ui/forms/form.h"
 
 namespace palmer::ui {
@@ -27,12 +28,12 @@ private:
     void pasteLimits(std::size_t row);
 
     /// A limit as a row of the table: what it is of, its value, edition and origin.
+    void addLimit(const Formula &symbol, const Text &name, const std::string &id, Kind kind);
+
     struct Name {
         ElidedLabel *label = nullptr;
-        QString symbol;
         Text name;
     };
-    void addLimit(const Name &of, const std::string &id, Quantity quantity, Kind kind);
 
     std::vector<Name> m_names;
     Field *m_first = nullptr;       ///< the limit below the head of its column

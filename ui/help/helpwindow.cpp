@@ -37,6 +37,7 @@ HelpWindow::HelpWindow(QWidget *parent)
     resize(900, 640);
     m_list->setObjectName(QStringLiteral("helpPages"));
     m_list->setFixedWidth(listWidth);
+    m_list->setProperty("roomy", true);
     m_browser->setObjectName(QStringLiteral("helpText"));
     m_browser->setOpenLinks(false);
     m_close->setObjectName(QStringLiteral("closeHelp"));

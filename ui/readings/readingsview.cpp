@@ -28,10 +28,11 @@ constexpr int positionWidth = 74;
 constexpr int readingWidth = 46;
 constexpr int cellMargin = 12;
 constexpr int tightMargin = 8; ///< where all that was measured fits only so
-constexpr int rowHeightTight = 22;
+constexpr int rowHeightTight = 21;
 constexpr int rowHeightNormal = 26;
 constexpr int rowHeightLow = 24;
 constexpr int rowHeightHigh = 32;
+constexpr int leastRows = 6;   ///< in sight where not all can be
 constexpr int lowWindow = 820; ///< eleven targets fit without scrolling
 constexpr int highWindow = 1000;
 
@@ -113,8 +114,9 @@ int ReadingsView::rowHeight() const {
     const int wanted = ofWindow >= highWindow                  ? rowHeightHigh
                        : ofWindow <= lowWindow && ofWindow > 0 ? rowHeightLow
                                                                : rowHeightNormal;
-    const int rows = m_model.rowCount();
+    const int all = m_model.rowCount();
     const int room = height() - 2 * frameWidth() - horizontalHeader()->height();
+    const int rows = all * rowHeightTight <= room ? all : std::min(all, leastRows);
     const bool fitsTight = rows * wanted > room && rows * rowHeightTight <= room;
     return std::max(fitsTight ? room / rows : wanted, QFontMetrics(font()).height() + 4);
 }

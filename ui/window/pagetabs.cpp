@@ -71,8 +71,9 @@ void PageTabs::paintEvent(QPaintEvent *) {
         const QRect word = area.adjusted(padding, 0, -padding, 0);
         painter.drawText(word, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextShowMnemonic, tabText(tab));
         if (count(tab) > 0) {
-            const QRect badge(area.right() - padding - badgeSize + 1, area.center().y() - badgeSize / 2 + 1,
-                              badgeSize, badgeSize);
+            const int width = painter.fontMetrics().horizontalAdvance(QString(tabText(tab)).remove(u'&'));
+            const QRect badge(word.left() + width + badgeGap, area.center().y() - badgeSize / 2 + 1,
+                              badgeSize, badgeSize); // nearer to its word than to the next
             painter.setPen(Qt::NoPen);
             painter.setBrush(token(Token::unsureGround, palette()));
             painter.drawRoundedRect(badge, badgeSize / 2.0, badgeSize / 2.0);

@@ -20,6 +20,8 @@ namespace palmer::ui {
 
 namespace {
 
+enum Tab { pageTab, figureTab, resultsTab, findingsTab, tabs };
+
 constexpr int markAfter = 150; ///< ms: what is computed faster shall not blink
 constexpr int markBelow = 36;  ///< the head of the figure
 
@@ -28,6 +30,7 @@ constexpr int markBelow = 36;  ///< the head of the figure
 RightSide::RightSide(Selection &selection, QWidget *parent)
     : QWidget(parent)
     , m_tabs(new PageTabs(this))
+    , m_column(new QVBoxLayout(this))
     , m_figure(new FigureView(selection, this))
     , m_results(new ResultsPanel(selection, this))
     , m_findings(new FindingsPanel(selection, this))
@@ -37,18 +40,20 @@ RightSide::RightSide(Selection &selection, QWidget *parent)
     setAttribute(Qt::WA_StyledBackground);
     setProperty("ground", QStringLiteral("base"));
     m_tabs->setObjectName(QStringLiteral("rightTabs"));
-    for (int i = 0; i < 3; ++i)
+    setFocusProxy(m_tabs);
+    for (int i = 0; i < tabs; ++i)
         m_tabs->addTab(QString());
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
+    m_tabs->setTabVisible(pageTab, false);
+    m_tabs->setCurrentIndex(figureTab);
+    m_column->setContentsMargins(0, 0, 0, 0);
+    m_column->setSpacing(0);
     auto *tabRow = new QHBoxLayout;
     tabRow->setContentsMargins(12, 0, 12, 0);
     tabRow->addWidget(m_tabs);
-    column->addLayout(tabRow);
-    column->addWidget(m_figure, 1);
-    column->addWidget(m_results);
-    column->addWidget(m_findings);
+    m_column->addLayout(tabRow);
+    m_column->addWidget(m_figure, 1);
+    m_column->addWidget(m_results);
+    m_column->addWidget(m_findings);
     m_mark->setObjectName(QStringLiteral("computingMark"));
     m_mark->setProperty("mark", true);
     m_mark->setAttribute(Qt::WA_TransparentForMouseEvents);
@@ -62,7 +67,11 @@ RightSide::RightSide(Selection &selection, QWidget *parent)
         m_mark->show();
     });
     m_figure->setMinimumHeight(leastFigureHeight);
-    connect(m_tabs, &QTabBar::currentChanged, this, &RightSide::arrange);
+    connect(m_tabs, &QTabBar::currentChanged, this, [this] {
+        arrange();
+        if (m_takesTurns)
+            emit turned();
+    });
     retranslate();
     arrange();
 }
@@ -70,7 +79,7 @@ RightSide::RightSide(Selection &selection, QWidget *parent)
 void RightSide::setHasResults(bool has) {
     if (std::exchange(m_hasResults, has) == has)
         return;
-    m_tabs->setTabVisible(1, has);
+    m_tabs->setTabVisible(resultsTab, has);
     arrange();
 }
 
@@ -79,6 +88,32 @@ void RightSide::setTabbed(bool tabbed) {
         return;
     m_tabbed = tabbed;
     arrange();
+}
+
+void RightSide::setTakingTurns(bool takesTurns) {
+    if (std::exchange(m_takesTurns, takesTurns) == takesTurns)
+        return;
+    m_tabs->setTabVisible(pageTab, takesTurns);
+    m_tabs->setCurrentIndex(takesTurns ? pageTab : figureTab);
+    m_column->setDirection(takesTurns ? QBoxLayout::BottomToTop : QBoxLayout::TopToBottom);
+    arrange();
+}
+
+bool RightSide::leavesToPage() const {
+    return m_takesTurns && !m_maximised && m_tabs->currentIndex() == pageTab;
+}
+
+void RightSide::turnTo(const QWidget *part) {
+    if (!m_takesTurns)
+        return;
+    if (part == m_figure)
+        m_tabs->setCurrentIndex(figureTab);
+    else if (part == m_results && m_hasResults)
+        m_tabs->setCurrentIndex(resultsTab);
+    else if (part == m_findings)
+        m_tabs->setCurrentIndex(findingsTab);
+    else if (!part)
+        m_tabs->setCurrentIndex(pageTab);
 }
 
 void RightSide::setMaximised(bool maximised) {
@@ -107,11 +142,12 @@ void RightSide::arrange() {
     const std::array<QWidget *, 3> widgets{m_figure, m_results, m_findings};
     m_tabs->setVisible(m_tabbed && !m_maximised);
     for (std::size_t i = 0; i < widgets.size(); ++i) {
-        const bool chosen = !m_tabbed || m_tabs->currentIndex() == static_cast<int>(i);
+        const bool chosen = !m_tabbed || m_tabs->currentIndex() == figureTab + static_cast<int>(i);
         const bool visible = m_maximised ? i == 0 : chosen && (i != 1 || m_hasResults);
         if (widgets[i]->isHidden() == visible) // to show it again would polish all below it, at the start too
             widgets[i]->setVisible(visible);
     }
+    setMaximumHeight(leavesToPage() ? m_tabs->sizeHint().height() : QWIDGETSIZE_MAX);
 }
 
 void RightSide::changeEvent(QEvent *event) {
@@ -123,9 +159,10 @@ void RightSide::changeEvent(QEvent *event) {
 void RightSide::retranslate() {
     m_mark->setFont(themeFont(TextSize::small));
     m_mark->setText(tr("Being computed; shown is what was before"));
-    m_tabs->setTabText(0, tr("Figure"));
-    m_tabs->setTabText(1, tr("Results"));
-    m_tabs->setTabText(2, tr("Findings"));
+    m_tabs->setTabText(pageTab, tr("Page"));
+    m_tabs->setTabText(figureTab, tr("Figure"));
+    m_tabs->setTabText(resultsTab, tr("Results"));
+    m_tabs->setTabText(findingsTab, tr("Findings"));
     m_tabs->setAccessibleName(tr("Figure, results, findings"));
 }
 

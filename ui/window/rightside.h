@@ -17,7 +17,8 @@ class ResultsPanel;
 class Selection;
 
 /// Figure, results and findings: below one another, the figure taking what is left; in a narrow window one
-/// at a time behind tabs.
+/// at a time behind tabs. Where that is so low that table and figure find no room below one another, the page
+/// of the test is one of the tabs, too, which then stand at the bottom.
 class RightSide : public QWidget {
     Q_OBJECT
 
@@ -34,11 +35,22 @@ public:
     void setHasResults(bool has);
     void setTabbed(bool tabbed);
     [[nodiscard]] bool isTabbed() const { return m_tabbed; }
+    /// The page takes turns with what is here; begins with the page.
+    void setTakingTurns(bool takesTurns);
+    [[nodiscard]] bool isTakingTurns() const { return m_takesTurns; }
+    /// It is the turn of the page: nothing but the tabs is here.
+    [[nodiscard]] bool leavesToPage() const;
+    /// Gives the turn to a part, where they take turns: figure, results or findings; null: the page.
+    void turnTo(const QWidget *part);
     /// The figure alone.
     void setMaximised(bool maximised);
     /// Marks what is shown as of before an edit; a mark that would go at once does not come.
     void setComputing(bool computing);
     [[nodiscard]] bool isComputing() const { return m_computing; }
+
+signals:
+    /// Another has its turn.
+    void turned();
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -49,6 +61,7 @@ private:
     void retranslate();
 
     QTabBar *m_tabs;
+    QVBoxLayout *m_column;
     FigureView *m_figure;
     ResultsPanel *m_results;
     FindingsPanel *m_findings;
@@ -57,6 +70,7 @@ private:
     bool m_computing = false;
     bool m_hasResults = true;
     bool m_tabbed = false;
+    bool m_takesTurns = false;
     bool m_maximised = false;
 };
 

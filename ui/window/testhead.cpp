@@ -18,6 +18,13 @@
 
 namespace palmer::ui {
 
+namespace {
+
+constexpr int usualHeight = 48;
+constexpr int lowHeight = 30;
+
+} // namespace
+
 QString testSummary(const Test &test) {
     const auto say = [](const char *text) {
         return QCoreApplication::translate("palmer::ui::TestHead", text);
@@ -67,7 +74,7 @@ TestHead::TestHead(QWidget *parent)
     m_subtitle->setObjectName(QStringLiteral("testSummary"));
     m_edition->setObjectName(QStringLiteral("edition"));
     m_set->setObjectName(QStringLiteral("setEdition"));
-    setFixedHeight(48);
+    setFixedHeight(usualHeight);
     m_title->setFont(themeFont(TextSize::title));
     m_subtitle->setFont(themeFont(TextSize::small));
     m_subtitle->setProperty("secondary", true);
@@ -136,6 +143,11 @@ void TestHead::showTitle(const QString &title, const QString &subtitle) {
                             static_cast<QWidget *>(m_set)})
         widget->hide();
     elide();
+}
+
+void TestHead::setLow(bool low) {
+    m_subtitle->setVisible(!low);
+    setFixedHeight(low ? lowHeight : usualHeight);
 }
 
 void TestHead::changeEvent(QEvent *event) {

@@ -23,6 +23,8 @@ public:
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     /// The page of the report in view instead of a test: a title alone.
     void showTitle(const QString &title, const QString &subtitle);
+    /// The title alone, where every row of the page counts.
+    void setLow(bool low);
 
 signals:
     void viewChosen(const QString &edition);

@@ -67,6 +67,8 @@ constexpr int wideShare = 42; ///< per cent of the right side in a wide window
 constexpr int foldBelow = 760 - 99;
 constexpr int noCardBelow = 640 - 99;
 constexpr int noKeysBelow = 740 - 99;
+/// Below it a page with six rows of its table and the least figure find no room under one another.
+constexpr int turnsBelow = 690 - 99;
 
 constexpr std::array testPages{Page::readings, Page::conditions,  Page::agreedPoints,
                                Page::limits,   Page::uncertainty, Page::diagnosis};
@@ -265,7 +267,11 @@ void Workplace::connectParts() {
         presentPage();
     });
     connect(&m_selection, &Selection::pageChanged, this, [this] { presentPage(); });
-    connect(&m_selection, &Selection::parameterChanged, this, [this] { presentCard(); });
+    connect(&m_selection, &Selection::parameterChanged, this, [this] {
+        if (!m_selection.parameter().isEmpty())
+            m_right->turnTo(nullptr); // which explains it
+        presentCard();
+    });
     connect(&m_selection, &Selection::readingChanged, this, [this] { presentStatus(); });
     connect(&m_selection, &Selection::hoveredChanged, this, [this] { presentStatus(); });
     connect(m_readings, &ReadingsPage::summaryChanged, this, [this](const QString &summary) {
@@ -286,6 +292,7 @@ void Workplace::connectParts() {
         if (m_detachedFigure)
             m_detachedFigure->setSynthetic(paths);
     });
+    connect(m_right, &RightSide::turned, this, &Workplace::presentTurn);
     connect(m_figure, &FigureView::said, this, &Workplace::hintChanged);
     connect(m_results, &ResultsPanel::said, this, &Workplace::hintChanged);
     connect(m_explanation, &ExplanationCard::said, this, &Workplace::hintChanged);
@@ -311,6 +318,7 @@ void Workplace::showPage(Page page) {
     if ((tabOf(page) > 0 && isDrift()) || (page == Page::diagnosis && !isCircular()))
         page = Page::readings;
     commitTyping();
+    m_right->turnTo(nullptr);
     m_selection.setPage(page);
     presentPage(); // also where it was the page already and only a tab moved
 }
@@ -320,6 +328,7 @@ void Workplace::showTest(std::size_t test) {
         return;
     const bool fromReport = isReportPage();
     commitTyping(); // while the test it belongs to is in view
+    m_right->turnTo(nullptr);
     m_selection.setTest(test);
     if (fromReport)
         showPage(Page::readings);
@@ -360,6 +369,7 @@ void Workplace::focusNextPane(bool forward) {
     for (int step = 1; step <= count; ++step) {
         const int next = ((forward ? now + step : now - step) + 2 * count) % count;
         QWidget *pane = panes.at(static_cast<std::size_t>(next));
+        m_right->turnTo(m_right->isAncestorOf(pane) ? pane : nullptr);
         if (!pane->isVisible())
             continue;
         if (pane == m_pages)
@@ -653,9 +663,20 @@ void Workplace::setFigureMaximised(bool maximised) {
         return;
     m_maximised = maximised;
     m_side->setVisible(!maximised);
-    m_centre->setVisible(!maximised);
     m_right->setMaximised(maximised);
+    presentTurn();
     presentCard();
+}
+
+/// The page, unless the figure is alone or something else has its turn.
+void Workplace::presentTurn() {
+    const bool page = !m_maximised && (!m_right->isTakingTurns() || m_right->leavesToPage());
+    if (const QWidget *focused = window()->focusWidget();
+        !page && !m_maximised && focused && m_centre->isAncestorOf(focused))
+        m_right->setFocus(); // else it would go to what comes next to what is hidden
+    m_centre->setVisible(page);
+    if (m_right->leavesToPage())
+        restoreSizes();
 }
 
 void Workplace::resizeEvent(QResizeEvent *event) {
@@ -681,6 +702,13 @@ void Workplace::arrange() {
     if (stacked != m_right->isTabbed()) {
         m_inner->setOrientation(stacked ? Qt::Vertical : Qt::Horizontal);
         m_right->setTabbed(stacked);
+        m_sizesOf.clear();
+    }
+    const bool turns = stacked && height() < turnsBelow;
+    if (turns != m_right->isTakingTurns()) {
+        m_head->setLow(turns);
+        m_right->setTakingTurns(turns);
+        presentTurn();
         m_sizesOf.clear();
     }
     restoreSizes(); // where they are others now: stacked, wide
@@ -720,6 +748,10 @@ QString Workplace::sizesKey() const {
 }
 
 void Workplace::restoreSizes() {
+    if (m_right->isTakingTurns()) {
+        m_inner->setSizes({m_inner->height(), 0}); // nothing but the tabs beside the page
+        return;
+    }
     const QString key = sizesKey();
     const bool wide = width() >= wideFrom;
     const bool known = key == m_sizesOf;
@@ -758,7 +790,7 @@ QString Workplace::navigationKey() const {
 }
 
 void Workplace::keepSizes() const {
-    if (m_maximised)
+    if (m_maximised || m_right->isTakingTurns())
         return;
     QSettings().setValue(sizesKey(), QByteArray::number(m_inner->sizes().value(1)));
     if (!m_navigation->isRail())

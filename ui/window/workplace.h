@@ -107,6 +107,7 @@ private:
     void detachFigure();
     void presentPage();
     void presentCard();
+    void presentTurn();
     void presentStatus();
     void presentCircularStatus(const CircularMeasurement &measurement);
     void arrange();

@@ -25,6 +25,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <array>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -60,6 +61,8 @@ private slots:
     void allExamplesAreInSight_data();
     void allExamplesAreInSight();
     void aDriftTestHasNoEmptyTable();
+    void pageAndFigureTakeTurnsInALowWindow_data();
+    void pageAndFigureTakeTurnsInALowWindow();
     void pointsThatDoNotApplyAreFoldedAway();
     void agreedPointsBeginWithACapital();
     void theNumberOfAnAgreementIsTypedBesideItsText();
@@ -390,7 +393,64 @@ void LayoutTest::aDriftTestHasNoEmptyTable() {
     QVERIFY(results->isVisible());
     shown.window->resize(900, 720); // below one another, behind tabs
     shown.window->workplace().showTest(1);
-    QVERIFY(!shown.find<QTabBar>("rightTabs")->isTabVisible(1));
+    QVERIFY(!shown.find<QTabBar>("rightTabs")->isTabVisible(2));
+}
+
+void LayoutTest::pageAndFigureTakeTurnsInALowWindow_data() {
+    QTest::addColumn<QString>("example");
+    QTest::addColumn<QSize>("size");
+    // What enlarged fonts leave of 1280 × 800, with the title of a window manager and without.
+    for (const QSize size : {QSize(731, 440), QSize(731, 457), QSize(900, 600)}) {
+        for (const char *example : {"iso230-2-1988-example", "rotary-axis", "iso230-4-full-circles-xy"})
+            QTest::addRow("%s, %d", example, size.height()) << examplePath(example) << size;
+    }
+}
+
+void LayoutTest::pageAndFigureTakeTurnsInALowWindow() {
+    QFETCH(const QString, example);
+    QFETCH(const QSize, size);
+    const ShownWindow shown(example, size);
+    auto *tabs = shown.find<QTabBar>("rightTabs");
+    const auto *centre = shown.find("centre");
+    const auto isWhole = [&](const char *name) { // none of it below the window
+        const auto *part = shown.find(name);
+        const QRect area(part->mapTo(shown.window, QPoint()), part->size());
+        return part->isVisible() && shown.window->centralWidget()->geometry().contains(area);
+    };
+    QCOMPARE(shown.window->size(), size);
+    QVERIFY(tabs->isVisible() && tabs->isTabVisible(0));
+    QTRY_VERIFY(isWhole("centre") && isWhole("rightTabs"));
+    if (const auto *view = shown.find<QTableView>("readings"); view->isVisible()) {
+        const auto sixth = [&] { return view->visualRect(view->model()->index(5, 0)); };
+        QTRY_VERIFY2(view->viewport()->rect().contains(sixth()),
+                     qPrintable(u"%1 of %2"_s.arg(sixth().bottom()).arg(view->viewport()->height())));
+        QVERIFY(isWhole("readings"));
+    }
+    const std::array parts{"figureView", "resultsPanel", "findingsPanel"};
+    for (int i = 0; i < 3; ++i) {
+        QVERIFY(!shown.find(parts.at(static_cast<std::size_t>(i)))->isVisible());
+        tabs->setCurrentIndex(1 + i);
+        QTRY_VERIFY(isWhole(parts.at(static_cast<std::size_t>(i))) && isWhole("rightTabs"));
+        QVERIFY(!centre->isVisible());
+        shown.window->workplace().showPage(Page::conditions); // as from a finding
+        QTRY_VERIFY(isWhole("centre"));
+        QCOMPARE(tabs->currentIndex(), 0);
+    }
+    if (!example.contains(u"230-4")) { // explained beside the page
+        tabs->setCurrentIndex(2);
+        shown.window->workplace().selection().setParameter("A");
+        QTRY_VERIFY(isWhole("explanation"));
+        shown.window->workplace().selection().setParameter({});
+    }
+    shown.window->workplace().showPage(Page::readings);
+    for (int i = 0; i < 6 && !shown.find("figureView")->isVisible(); ++i)
+        shown.window->workplace().focusNextPane(true);
+    QTRY_VERIFY(isWhole("figureView"));
+    shown.window->resize(1280, 800);
+    QTRY_VERIFY(centre->isVisible() && shown.find("resultsPanel")->isVisible());
+    QVERIFY(!tabs->isVisible());
+    shown.window->resize(size);
+    QTRY_VERIFY(isWhole("centre") && isWhole("rightTabs"));
 }
 
 void LayoutTest::pointsThatDoNotApplyAreFoldedAway() {
