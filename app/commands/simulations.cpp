@@ -5,6 +5,7 @@
 #include "commands/optionvalues.h"
 #include "commands/progressline.h"
 #include "commands/streams.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <algorithm>
 #include <limits>
@@ -57,30 +58,21 @@ void choose(Document &document, const SimulationChoices &choices) {
         return;
     for (TestPointer &test : document.tests) {
         auto chosen = std::make_shared<Test>(*test);
-        if (auto *positioning = std::get_if<PositioningMeasurement>(&chosen->measurement))
-            put(positioning->uncertainty);
-        else if (auto *circular = std::get_if<CircularMeasurement>(&chosen->measurement))
-            put(circular->uncertainty);
+        withUncertainty(*chosen, put);
         test = std::move(chosen);
     }
 }
 
 void demandEffect(const SimulationChoices &choices, const Document &document) {
-    const auto methodOfTest = [](const TestPointer &test) -> std::optional<UncertaintyMethod> {
-        if (const auto *positioning = std::get_if<PositioningMeasurement>(&test->measurement))
-            return positioning->uncertainty.method;
-        if (const auto *circular = std::get_if<CircularMeasurement>(&test->measurement))
-            return circular->uncertainty.method;
-        return {};
-    };
-    const auto simulates = [&](const TestPointer &test) {
-        return methodOfTest(test) == UncertaintyMethod::monteCarlo;
+    const auto simulates = [](const TestPointer &test) {
+        const UncertaintyMethod *method = methodOf(*test);
+        return method && *method == UncertaintyMethod::monteCarlo;
     };
     if ((choices.seed || choices.trials) && std::ranges::none_of(document.tests, simulates))
         throw UsageError(
             {REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
              {std::string(choices.seed ? "--seed" : "--trials"), std::string("--uncertainty monteCarlo")}});
-    const auto hasMethod = [&](const TestPointer &test) { return methodOfTest(test).has_value(); };
+    const auto hasMethod = [](const TestPointer &test) { return methodOf(*test) != nullptr; };
     if (choices.method && std::ranges::none_of(document.tests, hasMethod))
         throw UsageError({REPORT_TEXT("report", "--%1 has no effect here: no test of the file has a budget"),
                           {std::string("uncertainty")}});

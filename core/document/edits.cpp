@@ -25,14 +25,6 @@ bool isTaken(const Document &document, const std::string &id) {
     return std::ranges::find(document.instruments, id, &Instrument::id) != document.instruments.end();
 }
 
-template <class AnyTest>
-auto *conditionsWithin(AnyTest &test) {
-    if (auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
-        return &positioning->conditions.common;
-    auto *circular = std::get_if<CircularMeasurement>(&test.measurement);
-    return circular ? &circular->conditions.common : nullptr;
-}
-
 } // namespace
 
 void editTest(Document &document, std::size_t test, const std::function<void(Test &)> &change) {
@@ -41,14 +33,6 @@ void editTest(Document &document, std::size_t test, const std::function<void(Tes
     auto changed = std::make_shared<Test>(*document.tests[test]);
     change(*changed);
     document.tests[test] = std::move(changed);
-}
-
-Conditions *conditionsOf(Test &test) {
-    return conditionsWithin(test);
-}
-
-const Conditions *conditionsOf(const Test &test) {
-    return conditionsWithin(test);
 }
 
 std::string freeInstrumentId(const Document &document) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <cstddef>
 #include <functional>
@@ -16,10 +17,6 @@ namespace palmer {
 
 /// Lets `change` alter a copy of the test and puts the copy in its place.
 void editTest(Document &document, std::size_t test, const std::function<void(Test &)> &change);
-
-/// What positioning and circular tests state alike; null for drift tests.
-[[nodiscard]] Conditions *conditionsOf(Test &test);
-[[nodiscard]] const Conditions *conditionsOf(const Test &test);
 
 /// An id that no instrument has yet: "instrument", "instrument2", …
 [[nodiscard]] std::string freeInstrumentId(const Document &document);

@@ -8,6 +8,7 @@
 #include "kernel/evaluation/conformity.h"
 #include "kernel/evaluation/evaluatetest.h"
 #include "kernel/evaluation/positioningcase.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <algorithm>
 #include <array>
@@ -21,38 +22,50 @@ namespace {
 std::optional<double> driftRange(const Document &document, const std::string &id, Motion motion) {
     for (const TestPointer &test : document.tests) {
         const auto *drift = std::get_if<DriftMeasurement>(&test->measurement);
-        if (!drift || test->id != id || drift->deviations.empty() || drift->axis.motion != motion)
-            continue;
-        const auto [low, high] = std::ranges::minmax(drift->deviations);
-        return high - low;
+        if (drift && test->id == id && !drift->deviations.empty() && drift->axis.motion == motion)
+            return rangeOf(*drift);
     }
     return std::nullopt;
 }
 
+bool isOfAxis(const PositioningMeasurement &a, const PositioningMeasurement &b) {
+    return a.axis.name == b.axis.name && a.axis.motion == b.axis.motion;
+}
+
 /// Of a long axis a file holds two tests: the whole travel and the zone.
-bool hasOtherTest(const Document &document, const Test &test, const PositioningMeasurement &measurement) {
+bool isOtherTest(const PositioningMeasurement &a, const PositioningMeasurement &b) {
+    return isOfAxis(a, b) && isInsideZone(a) != isInsideZone(b);
+}
+
+bool isOtherTest(const auto & /*a*/, const auto & /*b*/) {
+    return false;
+}
+
+bool isRepetition(const PositioningMeasurement &a, const PositioningMeasurement &b) {
+    return isOfAxis(a, b) && isInsideZone(a) == isInsideZone(b);
+}
+
+bool isRepetition(const CircularMeasurement &a, const CircularMeasurement &b) {
+    return a.plane == b.plane && a.source == b.source;
+}
+
+bool isRepetition(const DriftMeasurement & /*a*/, const DriftMeasurement & /*b*/) {
+    return false;
+}
+
+bool hasOtherTest(const Document &document, const Test &test) {
     return std::ranges::any_of(document.tests, [&](const TestPointer &other) {
-        const auto *m = std::get_if<PositioningMeasurement>(&other->measurement);
-        return m && other.get() != &test && m->axis.name == measurement.axis.name &&
-               m->axis.motion == measurement.axis.motion && isInsideZone(*m) != isInsideZone(measurement);
+        return other.get() != &test &&
+               areOfOneKind(test, *other, [](const auto &a, const auto &b) { return isOtherTest(a, b); });
     });
 }
 
 /// Another test of the axis or plane under the edition; whole travel and zone of a long axis are no pair.
 bool isRepeated(const Document &document, const Test &test) {
-    const auto alike = [&](const TestPointer &other) {
-        if (other.get() == &test || other->edition != test.edition)
-            return false;
-        if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
-            const auto *o = std::get_if<PositioningMeasurement>(&other->measurement);
-            return o && o->axis.name == m->axis.name && o->axis.motion == m->axis.motion &&
-                   isInsideZone(*o) == isInsideZone(*m);
-        }
-        const auto *m = std::get_if<CircularMeasurement>(&test.measurement);
-        const auto *o = std::get_if<CircularMeasurement>(&other->measurement);
-        return m && o && o->plane == m->plane && o->source == m->source;
-    };
-    return std::ranges::any_of(document.tests, alike);
+    return std::ranges::any_of(document.tests, [&](const TestPointer &other) {
+        return other.get() != &test && other->edition == test.edition &&
+               areOfOneKind(test, *other, [](const auto &a, const auto &b) { return isRepetition(a, b); });
+    });
 }
 
 /// Whether there is no picture or one that can be printed. What was looked at last is remembered: it is asked
@@ -90,17 +103,9 @@ Surroundings surroundings(const Document &document, const Test &test) {
         if (found != document.instruments.end())
             result.instruments.push_back(&*found);
     }
-    std::optional<std::string> drift;
-    Motion motion = Motion::linear;
-    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
-        result.otherTestOfLongAxis = hasOtherTest(document, test, *m);
-        drift = m->uncertainty.driftTest;
-        motion = m->axis.motion;
-    } else if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement)) {
-        drift = c->uncertainty.driftTest;
-    }
-    if (drift)
-        result.environmentalVariation = driftRange(document, *drift, motion);
+    result.otherTestOfLongAxis = hasOtherTest(document, test);
+    if (const std::string *drift = driftTestOf(test))
+        result.environmentalVariation = driftRange(document, *drift, motionOf(test));
     return result;
 }
 
@@ -118,18 +123,13 @@ bool sameContent(const Surroundings &a, const Surroundings &b) {
 /// What a simulation depends on is the same; which method decides, and what was stated directly, is not part
 /// of it.
 bool sameForSimulation(const Test &a, const Test &b) {
-    if (a.measurement.index() != b.measurement.index())
-        return false;
-    const auto same = [](auto x, const auto &y) {
-        x.uncertainty.method = y.uncertainty.method;
-        x.uncertainty.expanded = y.uncertainty.expanded;
+    return areOfOneKind(a, b, [](auto x, const auto &y) {
+        if constexpr (requires { x.uncertainty; }) {
+            x.uncertainty.method = y.uncertainty.method;
+            x.uncertainty.expanded = y.uncertainty.expanded;
+        }
         return x == y;
-    };
-    if (const auto *m = std::get_if<PositioningMeasurement>(&a.measurement))
-        return same(*m, std::get<PositioningMeasurement>(b.measurement));
-    if (const auto *c = std::get_if<CircularMeasurement>(&a.measurement))
-        return same(*c, std::get<CircularMeasurement>(b.measurement));
-    return false;
+    });
 }
 
 /// Surroundings with a simulation of the test.
@@ -158,38 +158,32 @@ std::optional<std::size_t> placeIn(const EvaluatedDocument &previous, const Docu
 }
 
 /// Results of which none is known yet; their lists are as long as those of the test.
+PositioningResults unknownResults(const PositioningMeasurement &measurement) {
+    constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+    const DirectionStatistics none{0, unknown, unknown, unknown};
+    PositioningResults results;
+    results.targets.assign(measurement.targets.size(), {none, none});
+    for (const Run &run : measurement.runs)
+        ++(run.approach == Direction::positive ? results.positiveRuns : results.negativeRuns);
+    results.upward = results.positiveRuns > 0;
+    results.downward = results.negativeRuns > 0;
+    return results;
+}
+
+CircularResults unknownResults(const CircularMeasurement & /*measurement*/) {
+    return {};
+}
+
+DriftResults unknownResults(const DriftMeasurement & /*measurement*/) {
+    return {};
+}
+
 TestEvaluation withoutResults(const Test &test, const Edition *edition) {
     TestEvaluation result;
     result.edition = edition;
     result.view = edition && test.edition != edition->word;
-    if (const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement)) {
-        constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-        const DirectionStatistics none{0, unknown, unknown, unknown};
-        PositioningResults results;
-        results.targets.assign(measurement->targets.size(), {none, none});
-        for (const Run &run : measurement->runs)
-            ++(run.approach == Direction::positive ? results.positiveRuns : results.negativeRuns);
-        results.upward = results.positiveRuns > 0;
-        results.downward = results.negativeRuns > 0;
-        result.results = std::move(results);
-    } else if (std::holds_alternative<CircularMeasurement>(test.measurement)) {
-        result.results = CircularResults{};
-    } else {
-        result.results = DriftResults{};
-    }
-    return result;
-}
-
-/// Readings of a linear test, points of a circle.
-std::size_t readingsOf(const Test &test) {
-    std::size_t result = 0;
-    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
-        for (const Run &run : m->runs)
-            result += run.deviations.size();
-    } else if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement)) {
-        for (const Arc &arc : c->arcs)
-            result += arc.radialDeviations.size();
-    }
+    std::visit([&](const auto &measurement) { result.results = unknownResults(measurement); },
+               test.measurement);
     return result;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <concepts>
 #include <type_traits>
@@ -401,7 +402,7 @@ void fields(Visit &visit, T &test) {
     visit("date", test.date, date);
     visit("time", test.time, timeOfDay);
     visit("instruments", test.instruments);
-    if (!std::holds_alternative<DriftMeasurement>(test.measurement)) {
+    if (isJudged(test)) {
         visit("edition", test.edition, obligatory);
         visit("purpose", test.purpose, added);
         visit("role", test.role, added);

@@ -221,14 +221,11 @@ void check(const Test &test, const Place &place) {
         demandParameter(kind, id, Place(atLimits, id));
     const Place atUncertainty(place, "uncertainty");
     const Place atExpanded(atUncertainty, "expanded");
-    const auto demandParameters = [&](const ExpandedUncertainties &expanded) {
-        for (const auto &[id, value] : expanded)
+    withUncertainty(test, [&](const auto &inputs) {
+        for (const auto &[id, value] : inputs.expanded)
             demandParameter(kind, id, Place(atExpanded, id));
-    };
-    if (const auto *const positioning = std::get_if<PositioningMeasurement>(&test.measurement))
-        demandParameters(positioning->uncertainty.expanded);
+    });
     if (const auto *const circular = std::get_if<CircularMeasurement>(&test.measurement)) {
-        demandParameters(circular->uncertainty.expanded);
         const Place at(place, "requiredResults");
         for (std::size_t i = 0; i < circular->requiredResults.size(); ++i)
             demandParameter(kind, circular->requiredResults[i], Place(at, i));
@@ -280,11 +277,7 @@ void check(const Document &document, const Place &place) {
                 refuse(Place(atNames, k),
                        REPORT_TEXT("report", "expected the id of an instrument of this file; “%1” is none"),
                        {excerpt(test.instruments[k])});
-        std::optional<std::string> drift;
-        if (const auto *const positioning = std::get_if<PositioningMeasurement>(&test.measurement))
-            drift = positioning->uncertainty.driftTest;
-        if (const auto *const circular = std::get_if<CircularMeasurement>(&test.measurement))
-            drift = circular->uncertainty.driftTest;
+        const std::string *drift = driftTestOf(test);
         const Place atUncertainty(atTest, "uncertainty");
         if (drift && !drifts.contains(*drift))
             refuse(Place(atUncertainty, "driftTest"),

@@ -2,24 +2,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/testsofverdict.h"
 
+#include "kernel/measurement/testfacts.h"
+
 #include <algorithm>
 
 namespace palmer {
 
 namespace {
 
+bool isSameSubject(const PositioningMeasurement &a, const PositioningMeasurement &b) {
+    return a.axis.name == b.axis.name && a.axis.motion == b.axis.motion &&
+           a.zone.has_value() == b.zone.has_value();
+}
+
+bool isSameSubject(const CircularMeasurement &a, const CircularMeasurement &b) {
+    return a.plane == b.plane && a.source == b.source && a.nominalRadius == b.nominalRadius;
+}
+
+bool isSameSubject(const DriftMeasurement & /*a*/, const DriftMeasurement & /*b*/) {
+    return false;
+}
+
 bool hasSameSubject(const Test &a, const Test &b) {
-    if (a.edition != b.edition)
-        return false;
-    const auto *first = std::get_if<PositioningMeasurement>(&a.measurement);
-    const auto *second = std::get_if<PositioningMeasurement>(&b.measurement);
-    if (first && second)
-        return first->axis.name == second->axis.name && first->axis.motion == second->axis.motion &&
-               first->zone.has_value() == second->zone.has_value();
-    const auto *circle = std::get_if<CircularMeasurement>(&a.measurement);
-    const auto *other = std::get_if<CircularMeasurement>(&b.measurement);
-    return circle && other && circle->plane == other->plane && circle->source == other->source &&
-           circle->nominalRadius == other->nominalRadius;
+    return a.edition == b.edition &&
+           areOfOneKind(a, b, [](const auto &x, const auto &y) { return isSameSubject(x, y); });
 }
 
 } // namespace
@@ -28,8 +34,7 @@ bool countsForVerdict(const Document &document, std::size_t test) {
     if (document.tests[test]->role != TestRole::asFound)
         return true;
     return std::ranges::none_of(document.tests, [](const TestPointer &other) {
-        return !std::holds_alternative<DriftMeasurement>(other->measurement) &&
-               other->role != TestRole::asFound;
+        return isJudged(*other) && other->role != TestRole::asFound;
     });
 }
 

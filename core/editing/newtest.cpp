@@ -4,6 +4,7 @@
 
 #include "kernel/evaluation/iso230_2/targetcount.h"
 #include "kernel/evaluation/positioningcase.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <algorithm>
 #include <cctype>
@@ -13,35 +14,24 @@ namespace palmer {
 
 namespace {
 
-std::string nameOf(const Test &test) {
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
-        return positioning->axis.name;
-    if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
-        return circular->plane.first + circular->plane.second;
-    return std::get<DriftMeasurement>(test.measurement).axis.name;
-}
-
 bool hasTest(const Document &document, const std::string &id) {
     return std::ranges::any_of(document.tests, [&](const TestPointer &test) { return test->id == id; });
 }
 
-void forgetDriftTest(Test &test, const std::string &id) {
-    const auto forget = [&](auto &inputs) {
-        if (inputs.driftTest == id)
-            inputs.driftTest.reset();
-    };
-    if (auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
-        forget(positioning->uncertainty);
-    else if (auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
-        forget(circular->uncertainty);
+void forgetReadings(PositioningMeasurement &measurement) {
+    for (Run &run : measurement.runs)
+        std::ranges::fill(run.deviations, std::nullopt);
+    measurement.excluded.clear();
+    measurement.refused.clear();
 }
 
-std::optional<std::string> driftTestOf(const Test &test) {
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
-        return positioning->uncertainty.driftTest;
-    if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
-        return circular->uncertainty.driftTest;
-    return std::nullopt;
+void forgetReadings(CircularMeasurement &measurement) {
+    measurement.arcs.clear();
+}
+
+void forgetReadings(DriftMeasurement &measurement) {
+    measurement.times.clear();
+    measurement.deviations.clear();
 }
 
 } // namespace
@@ -120,7 +110,7 @@ std::size_t targetsWanted(const Axis &axis) {
 
 std::string freshId(const Document &document, const Test &test) {
     std::string stem;
-    for (const char c : nameOf(test)) {
+    for (const char c : axesOf(test)) {
         if (std::isalnum(static_cast<unsigned char>(c)) != 0)
             stem += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
@@ -144,18 +134,7 @@ std::size_t insertTest(Document &document, std::size_t index, Test test) {
 std::size_t duplicateTest(Document &document, std::size_t index, bool withReadings) {
     Test copy = *document.tests.at(index);
     if (!withReadings) {
-        if (auto *measurement = std::get_if<PositioningMeasurement>(&copy.measurement)) {
-            for (Run &run : measurement->runs)
-                std::ranges::fill(run.deviations, std::nullopt);
-            measurement->excluded.clear();
-            measurement->refused.clear();
-        } else if (auto *circles = std::get_if<CircularMeasurement>(&copy.measurement)) {
-            circles->arcs.clear();
-        } else {
-            auto &drift = std::get<DriftMeasurement>(copy.measurement);
-            drift.times.clear();
-            drift.deviations.clear();
-        }
+        std::visit([](auto &measurement) { forgetReadings(measurement); }, copy.measurement);
         copy.imports.clear();
         copy.date.reset();
         copy.time.reset();
@@ -169,10 +148,11 @@ void removeTest(Document &document, std::size_t index) {
     const std::string id = document.tests[index]->id;
     document.tests.erase(document.tests.begin() + static_cast<std::ptrdiff_t>(index));
     for (auto &other : document.tests) {
-        if (id.empty() || driftTestOf(*other) != id)
+        const std::string *named = driftTestOf(*other);
+        if (id.empty() || !named || *named != id)
             continue;
         auto test = std::make_shared<Test>(*other);
-        forgetDriftTest(*test, id);
+        withUncertainty(*test, [](auto &inputs) { inputs.driftTest.reset(); });
         other = std::move(test);
     }
 }

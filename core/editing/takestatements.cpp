@@ -68,11 +68,7 @@ void take(CircularMeasurement &measurement, const CircularMeasurement &from) {
 
 /// Whether they are made with the same instruments and state the same: of one kind, of axes of one motion.
 bool areAlike(const Test &test, const Test &other) {
-    if (test.measurement.index() != other.measurement.index())
-        return false;
-    const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement);
-    return !positioning ||
-           positioning->axis.motion == std::get<PositioningMeasurement>(other.measurement).axis.motion;
+    return test.measurement.index() == other.measurement.index() && motionOf(test) == motionOf(other);
 }
 
 } // namespace

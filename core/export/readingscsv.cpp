@@ -6,6 +6,7 @@
 #include "document/json.h"
 #include "export/csvwriter.h"
 #include "export/resultsjson.h"
+#include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
 
 #include <nlohmann/json.hpp>
@@ -19,7 +20,9 @@ namespace palmer {
 
 namespace {
 
-void writePositioning(CsvWriter &csv, const PositioningMeasurement &m, const TestEvaluation &evaluation) {
+using Json = nlohmann::ordered_json;
+
+void writeReadings(CsvWriter &csv, const PositioningMeasurement &m, const TestEvaluation &evaluation) {
     const std::string unit = m.axis.motion == Motion::linear ? " (mm)" : " (°)";
     if (!m.axis.name.empty())
         csv.comment("axis: " + m.axis.name);
@@ -42,21 +45,20 @@ void writePositioning(CsvWriter &csv, const PositioningMeasurement &m, const Tes
     for (const Statistic &row : statistics)
         csv.text(row.heading + unit);
     csv.endRow();
-    const auto *results = std::get_if<PositioningResults>(&evaluation.results);
+    const PositioningResults &results = resultsOf(m, evaluation);
     for (std::size_t i = 0; i < m.targets.size(); ++i) {
         csv.number(static_cast<double>(i + 1));
         csv.number(m.targets[i]);
         for (const Run &run : m.runs)
             csv.number(run.deviations[i]);
         for (const Statistic &row : statistics)
-            csv.number(results && evaluation.edition
-                           ? targetValue(row.id, results->targets[i], evaluation.edition->c)
-                           : std::nullopt);
+            csv.number(evaluation.edition ? targetValue(row.id, results.targets[i], evaluation.edition->c)
+                                          : std::nullopt);
         csv.endRow();
     }
 }
 
-void writeCircles(CsvWriter &csv, const CircularMeasurement &m) {
+void writeReadings(CsvWriter &csv, const CircularMeasurement &m, const TestEvaluation & /*evaluation*/) {
     const auto shortest = [](double value) { return QString::number(value, 'g', 15).toStdString(); };
     csv.comment("plane: " + m.plane.first + m.plane.second);
     csv.comment("R = " + shortest(m.nominalRadius) + " mm");
@@ -75,7 +77,7 @@ void writeCircles(CsvWriter &csv, const CircularMeasurement &m) {
     }
 }
 
-void writeDrift(CsvWriter &csv, const DriftMeasurement &m) {
+void writeReadings(CsvWriter &csv, const DriftMeasurement &m, const TestEvaluation & /*evaluation*/) {
     if (!m.axis.name.empty())
         csv.comment("axis: " + m.axis.name);
     csv.text("time [s]");
@@ -86,6 +88,30 @@ void writeDrift(CsvWriter &csv, const DriftMeasurement &m) {
         csv.number(m.deviations[i]);
         csv.endRow();
     }
+}
+
+Json asJson(const PositioningMeasurement &m) {
+    Json runs = Json::array();
+    for (const Run &run : m.runs) {
+        Json values = Json::array();
+        for (const auto &value : run.deviations)
+            values.push_back(value ? Json(*value) : Json(nullptr));
+        runs.push_back({{"approach", fileWord(run.approach)}, {"deviations", std::move(values)}});
+    }
+    return {{"targets", m.targets}, {"runs", std::move(runs)}};
+}
+
+Json asJson(const CircularMeasurement &m) {
+    Json arcs = Json::array();
+    for (const Arc &arc : m.arcs)
+        arcs.push_back({{"sense", fileWord(arc.sense)},
+                        {"angles", arc.angles},
+                        {"radialDeviations", arc.radialDeviations}});
+    return {{"nominalRadius", m.nominalRadius}, {"arcs", std::move(arcs)}};
+}
+
+Json asJson(const DriftMeasurement &m) {
+    return {{"times", m.times}, {"deviations", m.deviations}};
 }
 
 const char *unitWord(Quantity quantity) {
@@ -102,12 +128,8 @@ QByteArray readingsCsv(const Test &test, const TestEvaluation &evaluation, const
         csv.comment(*test.date);
     if (evaluation.edition)
         csv.comment(evaluation.edition->word);
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
-        writePositioning(csv, *positioning, evaluation);
-    else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
-        writeCircles(csv, *circular);
-    else
-        writeDrift(csv, std::get<DriftMeasurement>(test.measurement));
+    std::visit([&](const auto &measurement) { writeReadings(csv, measurement, evaluation); },
+               test.measurement);
     if (evaluation.parameters.empty())
         return csv.bytes();
     csv.endRow();
@@ -133,34 +155,10 @@ QByteArray readingsCsv(const Test &test, const TestEvaluation &evaluation, const
 
 QByteArray readingsJson(const EvaluatedDocument &evaluated, const QString &fileName,
                         const Language &language) {
-    using Json = nlohmann::ordered_json;
     Json file = Json::parse(resultsJson(evaluated, fileName, language, JsonForm::oneLine).toStdString());
     for (std::size_t i = 0; i < evaluated.document->tests.size(); ++i) {
-        const Test &test = *evaluated.document->tests[i];
-        Json readings = Json::object();
-        if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
-            readings["targets"] = m->targets;
-            readings["runs"] = Json::array();
-            for (const Run &run : m->runs) {
-                Json values = Json::array();
-                for (const auto &value : run.deviations)
-                    values.push_back(value ? Json(*value) : Json(nullptr));
-                readings["runs"].push_back(
-                    {{"approach", fileWord(run.approach)}, {"deviations", std::move(values)}});
-            }
-        } else if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement)) {
-            readings["nominalRadius"] = c->nominalRadius;
-            readings["arcs"] = Json::array();
-            for (const Arc &arc : c->arcs)
-                readings["arcs"].push_back({{"sense", fileWord(arc.sense)},
-                                            {"angles", arc.angles},
-                                            {"radialDeviations", arc.radialDeviations}});
-        } else {
-            const auto &drift = std::get<DriftMeasurement>(test.measurement);
-            readings["times"] = drift.times;
-            readings["deviations"] = drift.deviations;
-        }
-        file["tests"][i]["readings"] = std::move(readings);
+        file["tests"][i]["readings"] = std::visit([](const auto &measurement) { return asJson(measurement); },
+                                                  evaluated.document->tests[i]->measurement);
     }
     return QByteArray::fromStdString(printJson(file));
 }

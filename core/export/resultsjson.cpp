@@ -6,7 +6,9 @@
 #include "document/json.h"
 #include "export/diagnosisjson.h"
 #include "export/findingtext.h"
+#include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <nlohmann/json.hpp>
 
@@ -195,94 +197,95 @@ Json uncertainty(const UncertaintyEvaluation &evaluation) {
     return {{"method", fileWord(evaluation.method)}, {"contributions", std::move(contributions)}};
 }
 
-struct AxisOrPlane {
-    Json axis = nullptr;
-    Json plane = nullptr;
-    Json zone = nullptr; ///< agreed working zone of a long axis, [from, to]
-    CorrectionTo20 correction = CorrectionTo20::notStated;
-};
+/// Agreed working zone of a long axis, [from, to].
+Json zoneOf(const PositioningMeasurement &m) {
+    return m.zone ? Json::array({m.zone->from, m.zone->to}) : Json(nullptr);
+}
 
-AxisOrPlane axisOf(const Test &test) {
-    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
-        return {m->axis.name, nullptr, m->zone ? Json::array({m->zone->from, m->zone->to}) : Json(nullptr),
-                m->conditions.common.correctionTo20};
-    if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement))
-        return {nullptr, c->plane.first + c->plane.second, nullptr, c->conditions.common.correctionTo20};
-    return {std::get<DriftMeasurement>(test.measurement).axis.name, nullptr, nullptr,
-            CorrectionTo20::notStated};
+Json zoneOf(const auto & /*measurement*/) {
+    return nullptr;
 }
 
 /// What tests of all kinds have alike, before their own.
 Json headOf(const Test &source, const TestEvaluation &evaluation) {
-    const AxisOrPlane place = axisOf(source);
+    const bool isOfAxis = axisOf(source);
+    const Conditions *conditions = conditionsOf(source);
     const Accordance accordance = evaluation.accordance();
     const RequirementCounts counts = countRequirements(evaluation.findings);
-    return {{"title", source.title},
-            {"kind", fileWord(kindOf(source))},
-            {"id", source.id},
-            {"axis", place.axis},
-            {"plane", place.plane},
-            {"zone", place.zone},
-            {"date", source.date ? Json(*source.date) : Json(nullptr)},
-            {"edition", evaluation.edition ? Json(evaluation.edition->word) : Json(nullptr)},
-            {"view", evaluation.edition && evaluation.edition->word != source.edition},
-            {"accordance", accordanceWord(accordance)},
-            {"inAccordance", accordance == Accordance::yes  ? Json(true)
-                             : accordance == Accordance::no ? Json(false)
-                                                            : Json(nullptr)},
-            {"unmet", counts.unmet},
-            {"undeclared", counts.undeclared},
-            {"role", fileWord(source.role)},
-            {"purpose", fileWord(source.purpose)},
-            {"limits", limitsWord(evaluation.verdict)},
-            {"verdict", verdictWord(evaluation.verdict)},
-            {"correctionTo20", fileWord(place.correction)},
-            {"decisionRule", fileWord(source.decisionRule.rule)}};
+    return {
+        {"title", source.title},
+        {"kind", fileWord(kindOf(source))},
+        {"id", source.id},
+        {"axis", isOfAxis ? Json(axesOf(source)) : Json(nullptr)},
+        {"plane", isOfAxis ? Json(nullptr) : Json(axesOf(source))},
+        {"zone", std::visit([](const auto &measurement) { return zoneOf(measurement); }, source.measurement)},
+        {"date", source.date ? Json(*source.date) : Json(nullptr)},
+        {"edition", evaluation.edition ? Json(evaluation.edition->word) : Json(nullptr)},
+        {"view", evaluation.edition && evaluation.edition->word != source.edition},
+        {"accordance", accordanceWord(accordance)},
+        {"inAccordance", accordance == Accordance::yes  ? Json(true)
+                         : accordance == Accordance::no ? Json(false)
+                                                        : Json(nullptr)},
+        {"unmet", counts.unmet},
+        {"undeclared", counts.undeclared},
+        {"role", fileWord(source.role)},
+        {"purpose", fileWord(source.purpose)},
+        {"limits", limitsWord(evaluation.verdict)},
+        {"verdict", verdictWord(evaluation.verdict)},
+        {"correctionTo20", fileWord(conditions ? conditions->correctionTo20 : CorrectionTo20::notStated)},
+        {"decisionRule", fileWord(source.decisionRule.rule)}};
 }
 
-/// What tests of a kind have alone, apart from the targets.
-Json ownResults(const Test &source, const TestEvaluation &evaluation, const Language &language) {
-    Json test = Json::object();
-    if (std::holds_alternative<PositioningMeasurement>(source.measurement)) {
-        test["uncertainty"] = uncertainty(evaluation.uncertainty);
-    } else if (std::holds_alternative<CircularMeasurement>(source.measurement)) {
-        const auto &results = std::get<CircularResults>(evaluation.results);
-        test["circles"] = circles(results);
-        test["uncertainty"] = uncertainty(evaluation.uncertainty);
-        test["correction"] = number(results.correction);
-        if (Json diagnosis = diagnosisJson(source, evaluation, language); !diagnosis.is_null())
-            test["diagnosis"] = std::move(diagnosis);
-    } else if (const auto *results = std::get_if<DriftResults>(&evaluation.results)) {
-        const auto &drift = std::get<DriftMeasurement>(source.measurement);
-        test["range"] = number(results->range);
-        test["unit"] = drift.axis.motion == Motion::rotary ? "deg" : "mm";
-    }
-    return test;
+/// What tests of a kind have alone, apart from the targets and the diagnosis.
+Json ownResults(const PositioningMeasurement & /*measurement*/, const PositioningResults & /*results*/,
+                const UncertaintyEvaluation &evaluation) {
+    return {{"uncertainty", uncertainty(evaluation)}};
+}
+
+Json ownResults(const CircularMeasurement & /*measurement*/, const CircularResults &results,
+                const UncertaintyEvaluation &evaluation) {
+    return {{"circles", circles(results)},
+            {"uncertainty", uncertainty(evaluation)},
+            {"correction", number(results.correction)}};
+}
+
+Json ownResults(const DriftMeasurement &measurement, const DriftResults &results,
+                const UncertaintyEvaluation & /*evaluation*/) {
+    return {{"range", number(results.range)},
+            {"unit", measurement.axis.motion == Motion::rotary ? "deg" : "mm"}};
 }
 
 /// Target by target: of 10⁵ of them a tree takes more memory than all the rest.
-JsonMember targetsMember(const PositioningMeasurement &measurement, const TestEvaluation &evaluation) {
-    const auto &targets = std::get<PositioningResults>(evaluation.results).targets;
-    return {"targets", targets.empty(), [&](JsonPrinter &printer, const Place &place) {
-                const std::size_t begin = printer.size();
-                printer.list(targets.size(), [&](std::size_t i) {
-                    if (i == 1) // the others are about as long as the first
-                        printer.expect((printer.size() - begin) * (targets.size() + targets.size() / 8));
-                    printValue(printer, target(measurement.targets[i], targets[i], evaluation.edition->c),
-                               Place(place, i));
-                });
-            }};
+void addTargets(std::vector<JsonMember> &members, const PositioningMeasurement &measurement,
+                const PositioningResults &results, const TestEvaluation &evaluation) {
+    const auto &targets = results.targets;
+    const auto print = [&](JsonPrinter &printer, const Place &place) {
+        const std::size_t begin = printer.size();
+        printer.list(targets.size(), [&](std::size_t i) {
+            if (i == 1) // the others are about as long as the first
+                printer.expect((printer.size() - begin) * (targets.size() + targets.size() / 8));
+            printValue(printer, target(measurement.targets[i], targets[i], evaluation.edition->c),
+                       Place(place, i));
+        });
+    };
+    members.push_back({"targets", targets.empty(), print});
 }
+
+void addTargets(std::vector<JsonMember> & /*members*/, const auto & /*measurement*/, const auto & /*results*/,
+                const TestEvaluation & /*evaluation*/) {}
 
 void printTest(JsonPrinter &printer, const Place &place, const Test &source, const TestEvaluation &evaluation,
                const Language &language) {
     Json head = headOf(source, evaluation);
     head["parameters"] = parameters(evaluation, language);
-    Json own = ownResults(source, evaluation, language);
-    own["findings"] = findings(evaluation, language);
     std::vector<JsonMember> members = membersOf(head);
-    if (const auto *measurement = std::get_if<PositioningMeasurement>(&source.measurement))
-        members.push_back(targetsMember(*measurement, evaluation));
+    Json own = withResults(source, evaluation, [&](const auto &measurement, const auto &results) {
+        addTargets(members, measurement, results, evaluation);
+        return ownResults(measurement, results, evaluation.uncertainty);
+    });
+    if (Json diagnosis = diagnosisJson(source, evaluation, language); !diagnosis.is_null())
+        own["diagnosis"] = std::move(diagnosis);
+    own["findings"] = findings(evaluation, language);
     std::ranges::move(membersOf(own), std::back_inserter(members));
     printer.object(members, place);
 }

@@ -3,6 +3,7 @@
 #include "figures/budgetfigure.h"
 
 #include "figures/ticks.h"
+#include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
 
 #include <algorithm>
@@ -14,11 +15,6 @@ namespace {
 constexpr double percent = 100;
 constexpr double leastShare = 0.005; ///< below, "< 1" is printed
 constexpr double mostLengthTicks = 6;
-
-Quantity quantityOf(const Test &test) {
-    const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement);
-    return positioning ? deviationQuantity(positioning->axis) : Quantity::deviation;
-}
 
 /// The index of a symbol at the end of a name: "…, E_VE" becomes "…, E" and "VE".
 void splitIndex(Bar &bar) {
@@ -49,7 +45,7 @@ BarFigure budgetFigure(const Test &test, const TestEvaluation &evaluation, const
     const UncertaintyEvaluation &uncertainty = evaluation.uncertainty;
     if (!usesContributions(uncertainty.method))
         return figure;
-    const Quantity quantity = quantityOf(test);
+    const Quantity quantity = deviationQuantity(test);
     const double scale = unitScale(quantity, language.units());
     const auto &contributions = uncertainty.contributions;
     const Contribution *first = uncertainty.complete ? toImproveFirst(contributions) : nullptr;

@@ -3,6 +3,7 @@
 #include "figures/histogramfigure.h"
 
 #include "figures/ticks.h"
+#include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
 #include "language/rounding.h"
 
@@ -33,8 +34,7 @@ std::optional<HistogramFigure> histogramFigure(const Test &test, const TestEvalu
     if (!parameter.simulated)
         return std::nullopt;
     const SimulatedParameter &simulated = *parameter.simulated;
-    const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement);
-    const Quantity quantity = positioning ? deviationQuantity(positioning->axis) : Quantity::deviation;
+    const Quantity quantity = deviationQuantity(test);
     const double scale = unitScale(quantity, language.units());
     HistogramFigure figure;
     figure.from = simulated.histogram.from * scale;

@@ -62,7 +62,7 @@ bool equalTargets(const PositioningMeasurement &measurement, const Run &run) {
     return readings > 2 && (same || opposite);
 }
 
-void questionRuns(const PositioningMeasurement &measurement, std::vector<Remark> &remarks) {
+void question(const PositioningMeasurement &measurement, std::vector<Remark> &remarks) {
     std::vector<double> spreads;
     double largest = 0;
     for (std::size_t j = 0; j < measurement.runs.size(); ++j) {
@@ -106,20 +106,21 @@ void questionValues(const std::vector<double> &values, bool angular, std::vector
     questionSize(largest, angular, remarks);
 }
 
+void question(const CircularMeasurement &measurement, std::vector<Remark> &remarks) {
+    std::vector<double> values;
+    for (const Arc &arc : measurement.arcs)
+        values.insert(values.end(), arc.radialDeviations.begin(), arc.radialDeviations.end());
+    questionValues(values, false, remarks);
+}
+
+void question(const DriftMeasurement &measurement, std::vector<Remark> &remarks) {
+    questionValues(measurement.deviations, measurement.axis.motion == Motion::rotary, remarks);
+}
+
 } // namespace
 
 void questionNumbers(const Test &test, std::vector<Remark> &remarks) {
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement)) {
-        questionRuns(*positioning, remarks);
-    } else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement)) {
-        std::vector<double> values;
-        for (const Arc &arc : circular->arcs)
-            values.insert(values.end(), arc.radialDeviations.begin(), arc.radialDeviations.end());
-        questionValues(values, false, remarks);
-    } else {
-        const auto &drift = std::get<DriftMeasurement>(test.measurement);
-        questionValues(drift.deviations, drift.axis.motion == Motion::rotary, remarks);
-    }
+    std::visit([&](const auto &measurement) { question(measurement, remarks); }, test.measurement);
 }
 
 } // namespace palmer

@@ -5,6 +5,7 @@
 #include "document/bounds.h"
 #include "document/edits.h"
 #include "document/filename.h"
+#include "document/filewords.h"
 #include "document/savedocument.h"
 #include "document/sha256.h"
 #include "document/testfile.h"
@@ -70,7 +71,8 @@ CorrectionTo20 correctionOf(std::string_view word) {
 
 /// Whether the instrument has corrected to 20 °C is asked of every test, never assumed.
 void settleCorrection(Imported &imported, Choices &choices) {
-    if (!imported.test || std::holds_alternative<DriftMeasurement>(imported.test->measurement))
+    Conditions *conditions = imported.test ? conditionsOf(*imported.test) : nullptr;
+    if (!conditions)
         return;
     const auto choice = choices.settle("correctionTo20", "not stated", Origin::guessed);
     if (choice.value == "not stated")
@@ -82,37 +84,40 @@ void settleCorrection(Imported &imported, Choices &choices) {
              0,
              0,
              "correctionTo20"});
-    if (auto *positioning = std::get_if<PositioningMeasurement>(&imported.test->measurement))
-        positioning->conditions.common.correctionTo20 = correctionOf(choice.value);
-    else if (auto *circular = std::get_if<CircularMeasurement>(&imported.test->measurement))
-        circular->conditions.common.correctionTo20 = correctionOf(choice.value);
+    conditions->correctionTo20 = correctionOf(choice.value);
 }
 
-/// Files may hold any number; what is beyond sense is no measurement. Targets have to differ in mm, too.
+constexpr double largestNumber = 1e9; ///< mm, degrees, s
+
+bool hasSense(const std::vector<double> &values) {
+    return std::ranges::all_of(values, [](double value) { return std::abs(value) <= largestNumber; });
+}
+
+/// Targets have to differ in mm, too.
+bool hasSense(const PositioningMeasurement &measurement) {
+    const auto sensible = [](const auto &value) { return !value || std::abs(*value) <= largestNumber; };
+    return hasSense(measurement.targets) &&
+           std::ranges::adjacent_find(measurement.targets, std::ranges::greater_equal()) ==
+               measurement.targets.end() &&
+           std::ranges::all_of(measurement.runs,
+                               [&](const Run &run) { return std::ranges::all_of(run.deviations, sensible); });
+}
+
+bool hasSense(const CircularMeasurement &measurement) {
+    return measurement.nominalRadius > 0 && measurement.nominalRadius <= largestNumber &&
+           measurement.feed.value_or(0) <= largestNumber &&
+           std::ranges::all_of(measurement.arcs, [](const Arc &arc) {
+               return hasSense(arc.angles) && hasSense(arc.radialDeviations);
+           });
+}
+
+bool hasSense(const DriftMeasurement &measurement) {
+    return hasSense(measurement.times) && hasSense(measurement.deviations);
+}
+
+/// Files may hold any number; what is beyond sense is no measurement.
 void demandSense(const Test &test) {
-    constexpr double largest = 1e9; // mm, degrees, s
-    const auto sensible = [](const std::vector<double> &values) {
-        return std::ranges::all_of(values, [](double value) { return std::abs(value) <= largest; });
-    };
-    bool sense = true;
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement)) {
-        sense = sensible(positioning->targets) &&
-                std::ranges::adjacent_find(positioning->targets, std::ranges::greater_equal()) ==
-                    positioning->targets.end();
-        for (const Run &run : positioning->runs)
-            sense = sense && std::ranges::all_of(run.deviations, [](const auto &value) {
-                        return !value || std::abs(*value) <= largest;
-                    });
-    } else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement)) {
-        sense = circular->nominalRadius > 0 && circular->nominalRadius <= largest &&
-                circular->feed.value_or(0) <= largest;
-        for (const Arc &arc : circular->arcs)
-            sense = sense && sensible(arc.angles) && sensible(arc.radialDeviations);
-    } else {
-        const auto &drift = std::get<DriftMeasurement>(test.measurement);
-        sense = sensible(drift.times) && sensible(drift.deviations);
-    }
-    if (!sense)
+    if (!std::visit([](const auto &measurement) { return hasSense(measurement); }, test.measurement))
         throw Error(
             Error::Kind::content,
             {REPORT_TEXT("report",
@@ -158,13 +163,10 @@ std::string freeId(const std::string &wish, const std::vector<Named> &taken) {
 }
 
 std::string wishedId(const Test &test) {
-    std::string name;
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
-        name = positioning->axis.name.empty() ? "axis" : positioning->axis.name;
-    else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
-        name = circular->plane.first + circular->plane.second;
-    else
-        name = "drift";
+    const Kind kind = kindOf(test);
+    std::string name = kind == Kind::drift ? fileWord(kind) : axesOf(test);
+    if (name.empty() && kind == Kind::positioning)
+        name = "axis";
     for (char &c : name)
         c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
     return name;
@@ -194,12 +196,8 @@ void demandStorable(const Imported &imported) {
 /// The files of most instruments are of one kind: another choice is no choice.
 void demandKind(const Imported &imported, const Choices &choices) {
     const char *kind = "temperatures";
-    if (imported.test && std::holds_alternative<PositioningMeasurement>(imported.test->measurement))
-        kind = "positioning";
-    else if (imported.test && std::holds_alternative<CircularMeasurement>(imported.test->measurement))
-        kind = "circular";
-    else if (imported.test)
-        kind = "drift";
+    if (imported.test)
+        kind = fileWord(kindOf(*imported.test));
     if (choices.isChosen("kind") && choices.chosen("kind") != kind)
         throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
                                            {"kind", std::string(choices.chosen("kind")), kind}});
@@ -300,7 +298,7 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
     Test test = std::move(*imported.test);
     test.id = freeId(wishedId(test), document.tests);
     test.imports = {file};
-    if (std::holds_alternative<DriftMeasurement>(test.measurement)) {
+    if (!isJudged(test)) {
         test.imports.clear(); // the format keeps none for drift tests
         fill(test.remarks, file.fileName + ", SHA-256 " + file.sha256);
     }

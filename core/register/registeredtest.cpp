@@ -5,6 +5,7 @@
 #include "document/edits.h"
 #include "document/filewords.h"
 #include "document/writedocument.h"
+#include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/conditions.h"
 #include "kernel/measurement/referencetemperature.h"
 #include "kernel/uncertainty/circularbudget.h"
@@ -38,15 +39,6 @@ TestPointer withoutImportedBytes(const Test &test) {
     return copy;
 }
 
-const std::optional<std::string> &driftTestOf(const Test &test) {
-    static const std::optional<std::string> none;
-    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
-        return m->uncertainty.driftTest;
-    if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement))
-        return c->uncertainty.driftTest;
-    return none;
-}
-
 /// What the evaluation of a test rests on, and nothing else of its file.
 QString digestOf(const Document &document, const Test &test, const QString &program) {
     Document part;
@@ -54,7 +46,7 @@ QString digestOf(const Document &document, const Test &test, const QString &prog
     for (const Instrument *instrument : instrumentsOf(document, test))
         part.instruments.push_back(*instrument);
     part.tests.push_back(withoutImportedBytes(test));
-    if (const auto &drift = driftTestOf(test)) {
+    if (const std::string *drift = driftTestOf(test)) {
         const auto found =
             std::ranges::find(document.tests, *drift, [](const TestPointer &t) { return t->id; });
         if (found != document.tests.end() && (*found)->id != test.id)
@@ -92,26 +84,31 @@ private:
     QCryptographicHash m_hash{QCryptographicHash::Sha256};
 };
 
+void addReadings(Fingerprint &print, const PositioningMeasurement &m) {
+    print.add(m.targets);
+    for (const Run &run : m.runs) {
+        print.add(run.approach == Direction::positive ? 1.0 : -1.0);
+        print.add(run.deviations);
+    }
+}
+
+void addReadings(Fingerprint &print, const CircularMeasurement &c) {
+    print.add(c.nominalRadius);
+    for (const Arc &arc : c.arcs) {
+        print.add(arc.sense == Sense::clockwise ? 1.0 : -1.0);
+        print.add(arc.angles);
+        print.add(arc.radialDeviations);
+    }
+}
+
+void addReadings(Fingerprint &print, const DriftMeasurement &drift) {
+    print.add(drift.times);
+    print.add(drift.deviations);
+}
+
 QString fingerprintOf(const Test &test) {
     Fingerprint print;
-    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
-        print.add(m->targets);
-        for (const Run &run : m->runs) {
-            print.add(run.approach == Direction::positive ? 1.0 : -1.0);
-            print.add(run.deviations);
-        }
-    } else if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement)) {
-        print.add(c->nominalRadius);
-        for (const Arc &arc : c->arcs) {
-            print.add(arc.sense == Sense::clockwise ? 1.0 : -1.0);
-            print.add(arc.angles);
-            print.add(arc.radialDeviations);
-        }
-    } else {
-        const auto &drift = std::get<DriftMeasurement>(test.measurement);
-        print.add(drift.times);
-        print.add(drift.deviations);
-    }
+    std::visit([&](const auto &measurement) { addReadings(print, measurement); }, test.measurement);
     return print.result();
 }
 
@@ -248,45 +245,29 @@ std::string joined(std::initializer_list<std::string> words) {
     return result;
 }
 
-void describe(RegisteredTest &result, const PositioningMeasurement &m) {
-    result.axis = m.axis.name;
-    result.angular = m.axis.motion == Motion::rotary;
+void describe(RegisteredTest &result, const PositioningMeasurement &m, const PositioningResults &results) {
     if (m.conditions.feedMode == FeedMode::programmed)
         result.feed = m.conditions.feed;
     if (!m.targets.empty())
         result.travel = measurementTravel(m);
     result.setUp = joined({m.conditions.feedMode == FeedMode::rapid ? "rapid" : "",
                            m.cycle == Cycle::step ? "step" : "", m.zone ? "zone" : ""});
-    result.correction = m.conditions.common.correctionTo20;
-}
-
-void describe(RegisteredTest &result, const CircularMeasurement &c) {
-    result.axis = c.plane.first + c.plane.second;
-    result.feed = c.feed;
-    result.travel = c.nominalRadius;
-    result.setUp = c.source == SignalSource::feedback ? "feedback" : "";
-    result.correction = c.conditions.common.correctionTo20;
-}
-
-void describe(RegisteredTest &result, const DriftMeasurement &drift) {
-    result.axis = drift.axis.name;
-    result.angular = drift.axis.motion == Motion::rotary;
-}
-
-std::vector<CurvePoint> curveOf(const Test &test, const TestEvaluation &evaluation) {
-    const auto *m = std::get_if<PositioningMeasurement>(&test.measurement);
-    const auto *results = std::get_if<PositioningResults>(&evaluation.results);
-    std::vector<CurvePoint> curve;
-    if (!m || !results)
-        return curve;
     const auto finite = [](double value) {
         return std::isfinite(value) ? std::optional(value) : std::nullopt;
     };
-    for (std::size_t i = 0; i < std::min(m->targets.size(), results->targets.size()); ++i)
-        curve.push_back({m->targets[i], finite(results->targets[i].positive.mean),
-                         finite(results->targets[i].negative.mean)});
-    return curve;
+    for (std::size_t i = 0; i < std::min(m.targets.size(), results.targets.size()); ++i)
+        result.curve.push_back({m.targets[i], finite(results.targets[i].positive.mean),
+                                finite(results.targets[i].negative.mean)});
 }
+
+void describe(RegisteredTest &result, const CircularMeasurement &c, const CircularResults & /*results*/) {
+    result.feed = c.feed;
+    result.travel = c.nominalRadius;
+    result.setUp = c.source == SignalSource::feedback ? "feedback" : "";
+}
+
+void describe(RegisteredTest & /*result*/, const DriftMeasurement & /*drift*/,
+              const DriftResults & /*results*/) {}
 
 RegisteredResult resultOf(const Parameter &parameter) {
     RegisteredResult result;
@@ -321,7 +302,13 @@ RegisteredTest registeredTest(const EvaluatedDocument &evaluated, std::size_t in
     result.id = test.id;
     if (evaluation.edition)
         result.edition = evaluation.edition->word;
-    std::visit([&](const auto &measurement) { describe(result, measurement); }, test.measurement);
+    result.axis = axesOf(test);
+    result.angular = motionOf(test) == Motion::rotary;
+    if (const Conditions *conditions = conditionsOf(test))
+        result.correction = conditions->correctionTo20;
+    withResults(test, evaluation, [&](const auto &measurement, const auto &results) {
+        describe(result, measurement, results);
+    });
     result.date = test.date;
     result.time = test.time;
     result.purpose = test.purpose;
@@ -341,7 +328,6 @@ RegisteredTest registeredTest(const EvaluatedDocument &evaluated, std::size_t in
         sharing.share(result.results.back(), parameter);
     }
     result.parts = sharing.parts();
-    result.curve = curveOf(test, evaluation);
     return result;
 }
 

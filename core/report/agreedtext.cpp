@@ -8,24 +8,47 @@
 namespace palmer {
 namespace {
 
-QString feedText(const Test &test, const Language &language) {
-    if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
-        return circular->feed ? language.quantity(*circular->feed, Quantity::feed) : QString();
-    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-    if (!measurement)
-        return {};
-    if (measurement->conditions.feedMode == FeedMode::rapid)
+QString feedText(const PositioningMeasurement &measurement, const Language &language) {
+    const PositioningConditions &conditions = measurement.conditions;
+    const bool linear = measurement.axis.motion == Motion::linear;
+    if (conditions.feedMode == FeedMode::rapid)
         return language.text(REPORT_TEXT("report", "rapid feed"));
-    if (!measurement->conditions.feed)
-        return {};
-    const bool linear = measurement->axis.motion == Motion::linear;
-    return language.quantity(*measurement->conditions.feed, linear ? Quantity::feed : Quantity::angularFeed);
+    return conditions.feed
+               ? language.quantity(*conditions.feed, linear ? Quantity::feed : Quantity::angularFeed)
+               : QString();
 }
 
 QString fromTo(double from, double to, Quantity quantity, const Language &language) {
     const Message sentence{
         REPORT_TEXT("report", "%1 to %2"), {Number{from, quantity, -1}, Number{to, quantity, -1}}, {}};
     return language.sentence(sentence);
+}
+
+/// What only tests of the kind state.
+QString agreedText(const PositioningMeasurement &measurement, std::string_view point,
+                   const Language &language) {
+    const Quantity position = positionQuantity(measurement.axis);
+    if (point == "feed")
+        return feedText(measurement, language);
+    if (point == "gradient" && measurement.conditions.gradientPerHour)
+        return language.quantity(*measurement.conditions.gradientPerHour, Quantity::gradient);
+    if (point == "dwell" && measurement.conditions.dwell)
+        return language.quantity(*measurement.conditions.dwell, Quantity::time);
+    if (point == "zone" && measurement.zone)
+        return fromTo(measurement.zone->from, measurement.zone->to, position, language);
+    if (point == "firstLastTarget" && measurement.targets.size() > 1)
+        return fromTo(measurement.targets.front(), measurement.targets.back(), position, language);
+    return {};
+}
+
+QString agreedText(const CircularMeasurement &measurement, std::string_view point, const Language &language) {
+    return point == "feed" && measurement.feed ? language.quantity(*measurement.feed, Quantity::feed)
+                                               : QString();
+}
+
+QString agreedText(const DriftMeasurement & /*measurement*/, std::string_view /*point*/,
+                   const Language & /*language*/) {
+    return {};
 }
 
 } // namespace
@@ -40,21 +63,8 @@ QString agreedTextFromConditions(const Test &test, std::string_view point, const
         return QString::fromStdString(conditions->instrumentPosition);
     if (point == "otherAxes")
         return QString::fromStdString(conditions->otherAxes);
-    if (point == "feed")
-        return feedText(test, language);
-    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-    if (!measurement)
-        return {};
-    const Quantity position = positionQuantity(measurement->axis);
-    if (point == "gradient" && measurement->conditions.gradientPerHour)
-        return language.quantity(*measurement->conditions.gradientPerHour, Quantity::gradient);
-    if (point == "dwell" && measurement->conditions.dwell)
-        return language.quantity(*measurement->conditions.dwell, Quantity::time);
-    if (point == "zone" && measurement->zone)
-        return fromTo(measurement->zone->from, measurement->zone->to, position, language);
-    if (point == "firstLastTarget" && measurement->targets.size() > 1)
-        return fromTo(measurement->targets.front(), measurement->targets.back(), position, language);
-    return {};
+    return std::visit([&](const auto &measurement) { return agreedText(measurement, point, language); },
+                      test.measurement);
 }
 
 } // namespace palmer

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/closingparts.h"
 
+#include "language/decimals.h"
+
 #include <algorithm>
 #include <set>
 
@@ -31,7 +33,7 @@ Quantity resolutionQuantity(const Document &document, const Instrument &instrume
     for (const TestPointer &test : document.tests) {
         const auto *m = std::get_if<PositioningMeasurement>(&test->measurement);
         if (m && std::ranges::find(test->instruments, instrument.id) != test->instruments.end())
-            return m->axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+            return deviationQuantity(m->axis);
     }
     return Quantity::deviation;
 }
@@ -131,15 +133,13 @@ void addDriftTests(std::vector<Block> &blocks, const Writer &write, const Evalua
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
         const Test &test = *evaluated.document->tests[i];
         const auto *drift = std::get_if<DriftMeasurement>(&test.measurement);
-        const auto *results = std::get_if<DriftResults>(&evaluated.tests[i]->results);
-        if (!drift || !results)
+        if (!drift)
             continue;
-        const Quantity quantity =
-            drift->axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+        const auto &range = resultsOf(*drift, *evaluated.tests[i]).range;
         values.rows.push_back({joined({testName(write, test), QString::fromStdString(test.title)}),
-                               results->range ? write.say(REPORT_TEXT("report", "range of the deviations %1"),
-                                                          {Number{*results->range, quantity, 1}})
-                                              : QString()});
+                               range ? write.say(REPORT_TEXT("report", "range of the deviations %1"),
+                                                 {Number{*range, deviationQuantity(drift->axis), 1}})
+                                     : QString()});
     }
     if (values.rows.empty())
         return;

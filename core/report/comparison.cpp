@@ -6,6 +6,7 @@
 #include "figures/circlefigure.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
+#include "kernel/measurement/testfacts.h"
 #include "kernel/numerics/fullturn.h"
 #include "language/decimals.h"
 #include "report/wording.h"
@@ -241,11 +242,7 @@ ResultComparison compareEditions(const EvaluatedDocument &evaluated, std::size_t
 }
 
 bool isComparable(const Test &a, const Test &b) {
-    if (kindOf(a) != kindOf(b) || kindOf(a) == Kind::drift)
-        return false;
-    const auto *first = std::get_if<PositioningMeasurement>(&a.measurement);
-    const auto *second = std::get_if<PositioningMeasurement>(&b.measurement);
-    return !first || first->axis.motion == second->axis.motion;
+    return isJudged(a) && kindOf(a) == kindOf(b) && motionOf(a) == motionOf(b);
 }
 
 ResultComparison compareTests(const std::vector<ComparedTest> &tests, const Language &language) {
@@ -362,9 +359,8 @@ ComparisonCurve pathCurve(const Test &test, const TestEvaluation &evaluation, co
 
 void setAxes(ComparisonFigure &figure, const Test &first, const CurveRanges &ranges,
              const Language &language) {
-    const auto *measurement = std::get_if<PositioningMeasurement>(&first.measurement);
-    const bool angles = !measurement || measurement->axis.motion == Motion::rotary;
-    const bool rotary = measurement && angles;
+    const bool alongAxis = axisOf(first);
+    const bool angles = !alongAxis || motionOf(first) == Motion::rotary;
     const auto [x, y] = ranges;
     const double width = x.to > x.from ? x.to - x.from : 1;
     const double height = y.to > y.from ? y.to - y.from : 1;
@@ -372,13 +368,13 @@ void setAxes(ComparisonFigure &figure, const Test &first, const CurveRanges &ran
              angles ? TickSteps::angles : TickSteps::lengths, language);
     setRange(figure.y, y.from - valueMargin * height, y.to + valueMargin * height, mostValueTicks,
              TickSteps::values, language);
-    figure.x.quantity = language.text(measurement ? REPORT_TEXT("report", "Target position")
-                                                  : REPORT_TEXT("report", "Angle"));
+    figure.x.quantity =
+        language.text(alongAxis ? REPORT_TEXT("report", "Target position") : REPORT_TEXT("report", "Angle"));
     figure.x.unit = language.unit(angles ? Quantity::angle : Quantity::position);
     figure.x.angle = angles;
-    figure.y.quantity = language.text(measurement ? REPORT_TEXT("report", "Mean deviation")
-                                                  : REPORT_TEXT("report", "Radial deviation"));
-    figure.y.unit = language.unit(rotary ? Quantity::angularDeviation : Quantity::deviation);
+    figure.y.quantity = language.text(alongAxis ? REPORT_TEXT("report", "Mean deviation")
+                                                : REPORT_TEXT("report", "Radial deviation"));
+    figure.y.unit = language.unit(deviationQuantity(first));
 }
 
 } // namespace
@@ -392,7 +388,7 @@ ComparisonFigure comparisonFigure(const std::vector<ComparedTest> &tests, const 
         if (compared.test >= compared.evaluated.tests.size())
             continue;
         const Test &test = *compared.evaluated.document->tests[compared.test];
-        if (kindOf(test) == Kind::drift || (first && !isComparable(*first, test)))
+        if (!isJudged(test) || (first && !isComparable(*first, test)))
             continue;
         first = first ? first : &test;
         const TestEvaluation &evaluation = *compared.evaluated.tests[compared.test];

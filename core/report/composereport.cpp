@@ -184,16 +184,6 @@ private:
     std::vector<Section> m_sections;
 };
 
-/// Calls `add` with the part as that of its kind: a test with an edition is of one of two, and its results
-/// are.
-void withKind(const TestPart &part, const auto &add) {
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
-        add(PositioningPart{part, *positioning, std::get<PositioningResults>(part.evaluation.results)});
-    else
-        add(CircularPart{part, std::get<CircularMeasurement>(part.test.measurement),
-                         std::get<CircularResults>(part.evaluation.results)});
-}
-
 /// The only test, with all that belongs to it.
 void addTest(std::vector<Block> &blocks, const TestPart &part) {
     const std::size_t first = blocks.size();

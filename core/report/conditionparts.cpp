@@ -22,12 +22,6 @@ constexpr int mostTemperatureDecimals = 3;
 constexpr int correctionDecimals = 2;
 constexpr int expansionDecimals = 1;
 
-const Conditions &commonOf(const TestPart &part) {
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
-        return positioning->conditions.common;
-    return std::get<CircularMeasurement>(part.test.measurement).conditions.common;
-}
-
 QString yesNo(const Writer &write, std::optional<bool> value) {
     if (!value)
         return {};
@@ -200,8 +194,7 @@ KeyValues rowsOf(const PositioningPart &part) {
     const Writer &write = part.write;
     const PositioningConditions &conditions = part.measurement.conditions;
     const Conditions &common = conditions.common;
-    const Quantity feed =
-        part.measurement.axis.motion == Motion::linear ? Quantity::feed : Quantity::angularFeed;
+    const Quantity feed = feedQuantity(part.test);
     ConditionRows rows(write);
     addPurpose(rows, part);
     rows.add(REPORT_TEXT("report", "Warm-up"), warmUpText(write, common.warmUp));
@@ -408,11 +401,7 @@ Text sensorText(SensorMeasures what) {
 }
 
 KeyValues conditionRows(const TestPart &part) {
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
-        return rowsOf(
-            PositioningPart{part, *positioning, std::get<PositioningResults>(part.evaluation.results)});
-    return rowsOf(CircularPart{part, std::get<CircularMeasurement>(part.test.measurement),
-                               std::get<CircularResults>(part.evaluation.results)});
+    return withKind(part, [](const auto &own) { return rowsOf(own); });
 }
 
 Temperatures temperaturesOf(const Conditions &conditions, SensorMeasures what) {
@@ -420,27 +409,20 @@ Temperatures temperaturesOf(const Conditions &conditions, SensorMeasures what) {
 }
 
 bool statesTemperatures(const TestPart &part) {
-    const auto *circular = std::get_if<CircularMeasurement>(&part.test.measurement);
-    if (!circular)
-        return true;
-    const Conditions &conditions = circular->conditions.common;
-    return CircularPart{part, *circular, std::get<CircularResults>(part.evaluation.results)}.needsLength() ||
+    const Conditions &conditions = *conditionsOf(part.test);
+    return axisOf(part.test) || withKind(part, [](const auto &own) { return own.needsLength(); }) ||
            !conditions.sensors.empty() || conditions.expansion.machine || conditions.expansion.instrument;
 }
 
 QString correctionOf(const TestPart &part) {
     const Writer &write = part.write;
-    const QString correction = write.text(correctionText(commonOf(part).correctionTo20));
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
-        return positioning->axis.motion == Motion::linear ? correction : QString();
-    const CircularPart circular{part, std::get<CircularMeasurement>(part.test.measurement),
-                                std::get<CircularResults>(part.evaluation.results)};
-    return circular.needsLength() ? correction : QString();
+    const bool counts = withKind(part, [](const auto &own) { return own.needsLength(); });
+    return counts ? write.text(correctionText(conditionsOf(part.test)->correctionTo20)) : QString();
 }
 
 std::optional<Table> sensorTable(const TestPart &part) {
     const Writer &write = part.write;
-    const std::vector<Sensor> &sensors = commonOf(part).sensors;
+    const std::vector<Sensor> &sensors = conditionsOf(part.test)->sensors;
     if (!saysMore(sensors))
         return std::nullopt;
     Table table;
@@ -470,7 +452,7 @@ std::optional<Table> sensorTable(const TestPart &part) {
 void addTemperatureCurve(std::vector<Block> &blocks, const TestPart &part) {
     if (part.leavesOut(ReportPart::temperatureCurve))
         return;
-    LineFigure figure = temperatureFigure(commonOf(part).sensors, part.write.language());
+    LineFigure figure = temperatureFigure(conditionsOf(part.test)->sensors, part.write.language());
     if (figure.lines.empty())
         return;
     addHeading(blocks, figure.title);
@@ -528,12 +510,9 @@ QString agreedText(const TestPart &part, const AgreedPoint &agreed) {
     QString text = QString::fromStdString(agreed.text);
     if (!agreed.value)
         return text;
-    const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement);
-    const bool rotary = positioning && positioning->axis.motion == Motion::rotary;
     const Quantity quantity = agreed.point == "gradient" ? Quantity::gradient
                               : agreed.point != "feed"   ? Quantity::number
-                              : rotary                   ? Quantity::angularFeed
-                                                         : Quantity::feed;
+                                                         : feedQuantity(part.test);
     const QString value = part.write.language().quantity(*agreed.value, quantity);
     return text.contains(value) ? text : text.isEmpty() ? value : value + part.write.semicolon() + text;
 }

@@ -3,6 +3,7 @@
 #include "report/correctiontext.h"
 
 #include "kernel/evaluation/correctionto20.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,31 +12,34 @@ namespace palmer {
 
 namespace {
 
-struct Length {
-    const Conditions *conditions = nullptr;
-    double value = 0; ///< mm
-};
-
-Length lengthOf(const Test &test) {
-    if (const auto *circle = std::get_if<CircularMeasurement>(&test.measurement))
-        return {&circle->conditions.common, circle->nominalRadius};
-    const auto *axis = std::get_if<PositioningMeasurement>(&test.measurement);
-    if (!axis || axis->axis.motion != Motion::linear || axis->targets.empty())
-        return {};
-    const double origin = axis->conditions.referencePosition.value_or(axis->targets.front());
+/// The length that expands, mm; 0: none.
+double expandingLength(const PositioningMeasurement &measurement) {
+    if (measurement.axis.motion != Motion::linear || measurement.targets.empty())
+        return 0;
+    const double origin = measurement.conditions.referencePosition.value_or(measurement.targets.front());
     double farthest = 0;
-    for (const double target : axis->targets)
+    for (const double target : measurement.targets)
         farthest = std::max(farthest, std::abs(target - origin));
-    return {&axis->conditions.common, farthest};
+    return farthest;
+}
+
+double expandingLength(const CircularMeasurement &measurement) {
+    return measurement.nominalRadius;
+}
+
+double expandingLength(const DriftMeasurement & /*measurement*/) {
+    return 0;
 }
 
 } // namespace
 
 QString correctionSizeText(const Test &test, const Language &language) {
-    const Length length = lengthOf(test);
-    if (!length.conditions || !(length.value > 0))
+    const double length =
+        std::visit([](const auto &measurement) { return expandingLength(measurement); }, test.measurement);
+    const Conditions *conditions = conditionsOf(test);
+    if (!conditions || !(length > 0))
         return {};
-    const auto expansion = differentialExpansion(*length.conditions);
+    const auto expansion = differentialExpansion(*conditions);
     if (!expansion)
         return {};
     const auto text = [&](double value, Quantity quantity, int decimals) {
@@ -43,8 +47,8 @@ QString correctionSizeText(const Test &test, const Language &language) {
     };
     return language.sentence(
         {REPORT_TEXT_FOR("report", "%1 over %2", "the differential expansion over a length"),
-         {text(std::abs(*expansion) * length.value, Quantity::deviation, 1),
-          text(length.value, Quantity::position, -1)}});
+         {text(std::abs(*expansion) * length, Quantity::deviation, 1),
+          text(length, Quantity::position, -1)}});
 }
 
 } // namespace palmer

@@ -694,8 +694,7 @@ QString decisionText(const TestPart &part) {
 
 Table limitsTable(const TestPart &part) {
     const Writer &write = part.write;
-    const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement);
-    const Quantity quantity = positioning ? deviationQuantity(*positioning) : Quantity::deviation;
+    const Quantity quantity = deviationQuantity(part.test);
     Table table;
     table.columns = {
         {write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, 22},

@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/results.h"
 
+#include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
+#include "kernel/measurement/testfacts.h"
 #include "report/accordancetext.h"
 #include "report/diagnosisparts.h"
 #include "report/findinglines.h"
+#include "report/kindwords.h"
 #include "report/printednumbers.h"
 #include "report/resultparts.h"
 #include "report/wording.h"
@@ -38,12 +41,9 @@ public:
 
     void addResults(const Test &test, const TestEvaluation &evaluation) {
         addTitle(test, evaluation);
-        if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
-            addPositioning(test, *m, evaluation);
-        else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
-            addCircular(test, *circular, evaluation);
-        else if (const auto *drift = std::get_if<DriftMeasurement>(&test.measurement))
-            addDrift(*drift, std::get<DriftResults>(evaluation.results));
+        withResults(test, evaluation, [&](const auto &measurement, const auto &results) {
+            addOwn(test, evaluation, measurement, results);
+        });
         if (evaluation.edition)
             m_report.blocks.emplace_back(verdictLine(test, evaluation));
         addFindings(evaluation);
@@ -69,13 +69,7 @@ private:
     [[nodiscard]] QString title(const Test &test) const {
         if (!test.title.empty())
             return QString::fromStdString(test.title);
-        if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
-            return say(REPORT_TEXT("report", "Positioning test of axis %1"), {nameOr(m->axis.name)});
-        if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement))
-            return say(REPORT_TEXT("report", "Circular test in the plane %1"),
-                       {nameOr(c->plane.first + c->plane.second)});
-        return say(REPORT_TEXT("report", "Drift test of axis %1"),
-                   {nameOr(std::get<DriftMeasurement>(test.measurement).axis.name)});
+        return say(kindWords(test).listed, {nameOr(axesOf(test))});
     }
 
     [[nodiscard]] static std::string nameOr(const std::string &name) { return name.empty() ? "–" : name; }
@@ -162,15 +156,15 @@ private:
     }
 
     [[nodiscard]] QString zoneText(const PositioningMeasurement &m) const {
-        const Quantity along = m.axis.motion == Motion::linear ? Quantity::position : Quantity::angle;
+        const Quantity along = positionQuantity(m.axis);
         return say(REPORT_TEXT("report", "%1 to %2"),
                    {Number{m.zone->from, along, -1}, Number{m.zone->to, along, -1}});
     }
 
     // ---- Results ---------------------------------------------------------------------------------------
 
-    void addPositioning(const Test &test, const PositioningMeasurement &m, const TestEvaluation &evaluation) {
-        const auto &results = std::get<PositioningResults>(evaluation.results);
+    void addOwn(const Test &test, const TestEvaluation &evaluation, const PositioningMeasurement &m,
+                const PositioningResults &results) {
         m_report.blocks.emplace_back(positioningHead(test, m, evaluation, results));
         addParameters(test, evaluation, results.notCorrected);
         if (!m.targets.empty() && (results.upward || results.downward)) {
@@ -179,8 +173,8 @@ private:
         }
     }
 
-    void addCircular(const Test &test, const CircularMeasurement &m, const TestEvaluation &evaluation) {
-        const auto &results = std::get<CircularResults>(evaluation.results);
+    void addOwn(const Test &test, const TestEvaluation &evaluation, const CircularMeasurement &m,
+                const CircularResults &results) {
         const auto length = [&](double value) { return m_language.quantity(value, Quantity::position); };
         KeyValues head;
         const auto add = [&](const Text &key, const QString &value) {
@@ -219,9 +213,9 @@ private:
             m_report.blocks.push_back(std::move(block));
     }
 
-    void addDrift(const DriftMeasurement &drift, const DriftResults &results) {
-        const Quantity quantity =
-            drift.axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+    void addOwn(const Test & /*test*/, const TestEvaluation & /*evaluation*/, const DriftMeasurement &drift,
+                const DriftResults &results) {
+        const Quantity quantity = deviationQuantity(drift.axis);
         m_report.blocks.emplace_back(
             KeyValues{{{text(REPORT_TEXT("report", "Environmental variation error (max − min)")),
                         results.range ? m_language.quantity(*results.range, quantity, 2) : QString()}}});
@@ -280,9 +274,8 @@ private:
 
     [[nodiscard]] Table targetTable(const PositioningMeasurement &m, const Edition &edition,
                                     const PositioningResults &results) const {
-        const bool linear = m.axis.motion == Motion::linear;
-        const Quantity along = linear ? Quantity::position : Quantity::angle;
-        const Quantity deviation = linear ? Quantity::deviation : Quantity::angularDeviation;
+        const Quantity along = positionQuantity(m.axis);
+        const Quantity deviation = deviationQuantity(m.axis);
         const int places = positionDecimals(m.targets, along);
         const int digits = statisticDecimals(m);
         Table table;

@@ -140,12 +140,6 @@ Table conditionTable(const TestPart &part) {
     return table;
 }
 
-const Conditions &conditionsOf(const TestPart &part) {
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
-        return positioning->conditions.common;
-    return std::get<CircularMeasurement>(part.test.measurement).conditions.common;
-}
-
 /// Temperatures and what else is stated of the environment, a row a test.
 class EnvironmentOfTests {
 public:
@@ -172,23 +166,15 @@ public:
     void add(const TestPart &part) {
         if (!statesTemperatures(part))
             return;
-        const Conditions &conditions = conditionsOf(part);
+        const Conditions &conditions = *conditionsOf(part.test);
         std::vector<Cell> row{QString::number(part.number)};
         for (const SensorMeasures what : measured) {
             const Temperatures temperatures = temperaturesOf(conditions, what);
             row.push_back(shown(temperatures.start, Quantity::temperature, temperatureDecimals));
             row.push_back(shown(temperatures.end, Quantity::temperature, temperatureDecimals));
         }
-        const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement);
-        if (positioning) {
-            const PositioningConditions &own = positioning->conditions;
-            row.push_back(shown(own.airPressure, Quantity::pressure));
-            row.push_back(shown(own.airHumidity, Quantity::percent));
-            row.push_back(shown(own.gradientPerHour, Quantity::gradient));
-        } else {
-            row.insert(row.end(), 3, blankCell()); // nobody asks for them
-        }
-        const bool expands = !positioning || positioning->axis.motion == Motion::linear;
+        withKind(part, [&](const auto &own) { addAir(row, own.measurement.conditions); });
+        const bool expands = motionOf(part.test) == Motion::linear;
         row.push_back(expands ? shown(conditions.expansion.machine, Quantity::expansion, expansionDecimals)
                               : blankCell());
         row.push_back(expands ? shown(conditions.expansion.instrument, Quantity::expansion, expansionDecimals)
@@ -214,6 +200,15 @@ private:
     static constexpr std::array measured{SensorMeasures::machine, SensorMeasures::instrument,
                                          SensorMeasures::air};
 
+    void addAir(std::vector<Cell> &row, const PositioningConditions &conditions) const {
+        row.push_back(shown(conditions.airPressure, Quantity::pressure));
+        row.push_back(shown(conditions.airHumidity, Quantity::percent));
+        row.push_back(shown(conditions.gradientPerHour, Quantity::gradient));
+    }
+    static void addAir(std::vector<Cell> &row, const CircularConditions & /*conditions*/) {
+        row.insert(row.end(), 3, blankCell()); // nobody asks for them
+    }
+
     [[nodiscard]] Cell shown(std::optional<double> value, Quantity quantity, int decimals = -1) const {
         return {value ? m_write.language().number(certain(*value), quantity, decimals) : QString()};
     }
@@ -228,7 +223,7 @@ bool environmentSaysAll(const TestPart &part) {
     const auto more = [](const std::optional<double> &value) {
         return value && decimalsOf(*value, Quantity::temperature) > temperatureDecimals;
     };
-    return std::ranges::none_of(conditionsOf(part).sensors, [&](const Sensor &sensor) {
+    return std::ranges::none_of(conditionsOf(part.test)->sensors, [&](const Sensor &sensor) {
         return ++counts.at(static_cast<std::size_t>(sensor.measures)) > 1 || more(startTemperature(sensor)) ||
                more(endTemperature(sensor));
     });

@@ -5,6 +5,7 @@
 #include "document/filewords.h"
 #include "export/csvwriter.h"
 #include "export/resultsjson.h"
+#include "kernel/measurement/testfacts.h"
 #include "report/accordancetext.h"
 #include "report/plaintext.h"
 #include "report/resulttable.h"
@@ -47,15 +48,6 @@ QString fromUtf8(const std::string &text) {
     return QString::fromStdString(text);
 }
 
-/// Axis, or plane of a circle.
-std::string axisOf(const Test &test) {
-    if (const auto *circle = std::get_if<CircularMeasurement>(&test.measurement))
-        return circle->plane.first + circle->plane.second;
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
-        return positioning->axis.name;
-    return std::get<DriftMeasurement>(test.measurement).axis.name;
-}
-
 QString exact(std::optional<double> value) {
     if (!value || !std::isfinite(*value))
         return {};
@@ -79,7 +71,7 @@ QStringList headOf(const EvaluatedDocument &evaluated, std::size_t index, const 
     return {file,
             QString::number(index + 1),
             fromUtf8(evaluated.document->machine.name),
-            fromUtf8(axisOf(test)),
+            fromUtf8(axesOf(test)),
             date,
             evaluation.edition ? QString::fromUtf8(evaluation.edition->word) : QString(),
             role};

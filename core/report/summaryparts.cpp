@@ -46,13 +46,12 @@ bool isLimited(const Parameter &parameter, const ReportHead &head) {
 /// "X axis", "XY circle, R 150 mm".
 QString briefTestName(const TestPart &part) {
     const Writer &write = part.write;
-    const auto nameOr = [](const std::string &name) { return name.empty() ? std::string("–") : name; };
-    if (const auto *m = std::get_if<PositioningMeasurement>(&part.test.measurement))
-        return write.say(REPORT_TEXT("report", "%1 axis"), {nameOr(m->axis.name)});
-    const auto &circle = std::get<CircularMeasurement>(part.test.measurement);
-    return write.say(REPORT_TEXT("report", "%1 circle, R %2"),
-                     {nameOr(circle.plane.first + circle.plane.second),
-                      Number{circle.nominalRadius, Quantity::position, -1}});
+    const std::string stated = axesOf(part.test);
+    const std::string axes = stated.empty() ? "–" : stated;
+    const auto *circle = std::get_if<CircularMeasurement>(&part.test.measurement);
+    return circle ? write.say(REPORT_TEXT("report", "%1 circle, R %2"),
+                              {axes, Number{circle->nominalRadius, Quantity::position, -1}})
+                  : write.say(REPORT_TEXT("report", "%1 axis"), {axes});
 }
 
 CellNote accordanceNote(const TestPart &part) {

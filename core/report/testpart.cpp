@@ -3,6 +3,7 @@
 #include "report/testpart.h"
 
 #include "kernel/evaluation/correctionto20.h"
+#include "report/kindwords.h"
 #include "report/wording.h"
 
 #include <algorithm>
@@ -47,21 +48,13 @@ bool CircularPart::holdsAt20() const {
 }
 
 QString CircularPart::plane() const {
-    const std::string axes = measurement.plane.first + measurement.plane.second;
+    const std::string axes = axesOf(test);
     return QString::fromStdString(axes.empty() ? "–" : axes);
 }
 
 QString testName(const Writer &write, const Test &test) {
-    const auto nameOr = [](const std::string &name) {
-        return QString::fromStdString(name.empty() ? "–" : name);
-    };
-    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
-        return write.say(REPORT_TEXT("report", "Positioning test of the %1 axis"), nameOr(m->axis.name));
-    if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement))
-        return write.say(REPORT_TEXT("report", "Circular test in the %1 plane"),
-                         nameOr(c->plane.first + c->plane.second));
-    return write.say(REPORT_TEXT("report", "Drift test of the %1 axis"),
-                     nameOr(std::get<DriftMeasurement>(test.measurement).axis.name));
+    const std::string axes = axesOf(test);
+    return write.say(kindWords(test).name, {axes.empty() ? std::string("–") : axes});
 }
 
 QString joined(const QStringList &texts, const QString &separator) {

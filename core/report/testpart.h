@@ -4,6 +4,8 @@
 
 #include "document/evaluateddocument.h"
 #include "kernel/evaluation/edition.h"
+#include "kernel/evaluation/resultsof.h"
+#include "kernel/measurement/testfacts.h"
 #include "language/language.h"
 #include "report/report.h"
 
@@ -66,6 +68,8 @@ struct PositioningPart : TestPart {
 
     [[nodiscard]] Quantity along() const;
     [[nodiscard]] Quantity deviation() const;
+    /// Temperatures count: of lengths.
+    [[nodiscard]] bool needsLength() const { return measurement.axis.motion == Motion::linear; }
 };
 
 /// A circular test with its measurement at hand.
@@ -83,6 +87,15 @@ struct CircularPart : TestPart {
     /// "XY": the axes in the order of the plane.
     [[nodiscard]] QString plane() const;
 };
+
+/// What `use` makes of the part as that of its kind: a test with an edition is of one of two.
+template <class Use>
+auto withKind(const TestPart &part, Use use) {
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
+        return use(PositioningPart{part, *positioning, resultsOf(*positioning, part.evaluation)});
+    const auto &circular = std::get<CircularMeasurement>(part.test.measurement);
+    return use(CircularPart{part, circular, resultsOf(circular, part.evaluation)});
+}
 
 /// "Positioning test of the X axis".
 [[nodiscard]] QString testName(const Writer &write, const Test &test);

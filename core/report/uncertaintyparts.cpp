@@ -8,6 +8,7 @@
 #include "kernel/evaluation/decideuncertainty.h"
 #include "language/decimals.h"
 #include "language/rounding.h"
+#include "report/kindwords.h"
 #include "report/printednumbers.h"
 #include "report/wording.h"
 
@@ -20,11 +21,6 @@ namespace palmer {
 namespace {
 
 constexpr double percent = 100;
-
-Quantity deviationOf(const TestPart &part) {
-    const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement);
-    return positioning ? deviationQuantity(*positioning) : Quantity::deviation;
-}
 
 /// With a capital, and the index of E_VE set lower.
 Phrase nameOf(const Writer &write, const Contribution &contribution) {
@@ -39,11 +35,8 @@ Phrase nameOf(const Writer &write, const Contribution &contribution) {
 /// "1 500.41 mm; k = 2": what the budget is made after.
 QString budgetNote(const TestPart &part) {
     const Writer &write = part.write;
-    const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement);
-    QStringList notes;
-    notes << write.text(positioning ? REPORT_TEXT("report", "GUM, after the model of ISO 230-2:2006 Annex A")
-                                    : REPORT_TEXT("report", "GUM, contributors of ISO 230-4:2005, 4.6"));
-    if (positioning && positioning->axis.motion == Motion::linear && part.evaluation.uncertainty.length)
+    QStringList notes{write.text(kindWords(part.test).model)};
+    if (motionOf(part.test) == Motion::linear && part.evaluation.uncertainty.length)
         notes << QStringLiteral("L = ") +
                      write.quantity(part.evaluation.uncertainty.length, Quantity::position);
     notes << QStringLiteral("k = 2");
@@ -53,7 +46,7 @@ QString budgetNote(const TestPart &part) {
 Table contributionTable(const TestPart &part) {
     const Writer &write = part.write;
     const auto &contributions = part.evaluation.uncertainty.contributions;
-    const Quantity quantity = deviationOf(part);
+    const Quantity quantity = deviationQuantity(part.test);
     double largest = 0;
     for (const Contribution &contribution : contributions)
         largest = std::max(largest, contribution.expanded.value_or(0));
@@ -108,7 +101,7 @@ QString thousandthOf(Quantity quantity, const Language &language) {
 /// U of each result, a row a method; bold what decides.
 Table resultTable(const TestPart &part) {
     const Writer &write = part.write;
-    const Quantity quantity = deviationOf(part);
+    const Quantity quantity = deviationQuantity(part.test);
     const auto resolution = finestResolution(part.document(), part.test);
     Table table;
     table.unbroken = true;
@@ -118,12 +111,8 @@ Table resultTable(const TestPart &part) {
                              false,
                              56});
     const bool simulated = part.evaluation.uncertainty.simulation != nullptr;
-    const bool positioning = std::holds_alternative<PositioningMeasurement>(part.test.measurement);
     const QString factor = QStringLiteral("k\u00A0=\u00A02");
-    std::vector<Cell> budget{
-        withCoverage(write.text(positioning ? REPORT_TEXT("report", "Model of Annex A")
-                                            : REPORT_TEXT("report", "Simplified budget")),
-                     factor)};
+    std::vector<Cell> budget{withCoverage(write.text(kindWords(part.test).budget), factor)};
     std::vector<Cell> actual{
         withCoverage(write.text(REPORT_TEXT("report", "With the actual targets (ours)")), factor)};
     std::vector<Cell> monteCarlo{withCoverage(write.text(REPORT_TEXT("report", "Monte Carlo (GUM-S1)")),
@@ -172,7 +161,7 @@ Table resultTable(const TestPart &part) {
                             : Cell());
     }
     table.rows = {budget};
-    if (positioning)
+    if (axisOf(part.test)) // which has targets
         table.rows.push_back(actual);
     if (simulated) {
         table.rows.push_back(monteCarlo);
@@ -195,14 +184,10 @@ QString symbolsOf(const TestPart &part, bool (*holds)(const Parameter &)) {
 /// The drift test that E_VE is taken from; null where it is typed in.
 const Test *driftTestOf(const TestPart &part) {
     std::optional<std::string> id;
-    std::visit(
-        [&](const auto &measurement) {
-            if constexpr (requires { measurement.uncertainty.driftTest; }) {
-                if (!measurement.uncertainty.environmentalVariation)
-                    id = measurement.uncertainty.driftTest;
-            }
-        },
-        part.test.measurement);
+    withUncertainty(part.test, [&](const auto &inputs) {
+        if (!inputs.environmentalVariation)
+            id = inputs.driftTest;
+    });
     if (!id)
         return nullptr;
     const auto &tests = part.document().tests;
@@ -305,7 +290,7 @@ void addMethods(QStringList &words, const TestPart &part) {
             REPORT_TEXT("report", "With the actual targets: in place of S = %1 what the positions that rule "
                                   "really carry of it, the readings tilted by ±S over L and evaluated anew; "
                                   "an explanation, unless it is chosen to decide."),
-            {Number{*uncertainty.systematic, deviationOf(part), contributionDecimals}});
+            {Number{*uncertainty.systematic, deviationQuantity(part.test), contributionDecimals}});
     if (explained.simulated)
         words << write.say(
             REPORT_TEXT("report", "Monte Carlo: %1 trials of the whole evaluation, seed %2; U is half of the "
@@ -326,7 +311,7 @@ void addMethodsAsFor(QStringList &words, const TestPart &part, int before) {
     if (explained.actual)
         words << write.say(
             REPORT_TEXT("report", "With the actual targets: S = %1, otherwise as for test %2."),
-            {Number{*uncertainty.systematic, deviationOf(part), contributionDecimals},
+            {Number{*uncertainty.systematic, deviationQuantity(part.test), contributionDecimals},
              std::to_string(before)});
     if (explained.simulated)
         words << write.say(

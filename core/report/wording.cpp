@@ -157,10 +157,14 @@ Text senseText(Sense sense) {
 }
 
 bool notCorrected(const TestEvaluation &evaluation) {
-    if (const auto *positioning = std::get_if<PositioningResults>(&evaluation.results))
-        return positioning->notCorrected;
-    const auto *circular = std::get_if<CircularResults>(&evaluation.results);
-    return circular && circular->notCorrected;
+    return std::visit(
+        [](const auto &results) {
+            if constexpr (requires { results.notCorrected; })
+                return results.notCorrected;
+            else
+                return false;
+        },
+        evaluation.results);
 }
 
 QString arrow(Direction direction) {
@@ -236,11 +240,11 @@ QString rulingText(const Parameter &parameter) {
 }
 
 Quantity positionQuantity(const PositioningMeasurement &measurement) {
-    return measurement.axis.motion == Motion::linear ? Quantity::position : Quantity::angle;
+    return positionQuantity(measurement.axis);
 }
 
 Quantity deviationQuantity(const PositioningMeasurement &measurement) {
-    return measurement.axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+    return deviationQuantity(measurement.axis);
 }
 
 int positionDecimals(const std::vector<double> &positions, Quantity quantity) {

@@ -6,6 +6,7 @@
 #include "document/savedocument.h"
 #include "document/testfile.h"
 #include "import/importmeasurement.h"
+#include "kernel/measurement/testfacts.h"
 #include "ui/circles/quiettable.h"
 #include "ui/dialogs/comparisonview.h"
 #include "ui/formulatext.h"
@@ -172,13 +173,7 @@ QStringList fill(QTableWidget &table, const ResultComparison &comparison, const 
 
 /// Whether two tests are of the same axis, or of the same plane.
 bool isOfSameAxis(const Test &a, const Test &b) {
-    if (const auto *own = std::get_if<PositioningMeasurement>(&a.measurement)) {
-        const auto *other = std::get_if<PositioningMeasurement>(&b.measurement);
-        return other && own->axis.name == other->axis.name;
-    }
-    const auto *own = std::get_if<CircularMeasurement>(&a.measurement);
-    const auto *other = std::get_if<CircularMeasurement>(&b.measurement);
-    return own && other && own->plane == other->plane;
+    return isJudged(a) && a.measurement.index() == b.measurement.index() && axesOf(a) == axesOf(b);
 }
 
 /// The tests of a test file, or the one of a file of measurements; its guesses go into `guesses`.

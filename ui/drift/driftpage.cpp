@@ -33,13 +33,6 @@ constexpr int heightOfHead = 26;
 constexpr int columnWidth = 130;
 constexpr int rangeDecimals = 2;
 
-const std::optional<std::string> *driftOf(const Test &test) {
-    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
-        return &m->uncertainty.driftTest;
-    const auto *m = std::get_if<CircularMeasurement>(&test.measurement);
-    return m ? &m->uncertainty.driftTest : nullptr;
-}
-
 } // namespace
 
 DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent)
@@ -158,14 +151,14 @@ const Test *DriftPage::test() const {
     if (m_test >= m_evaluated.tests.size())
         return nullptr;
     const Test &shown = *m_evaluated.document->tests[m_test];
-    return std::holds_alternative<DriftMeasurement>(shown.measurement) ? &shown : nullptr;
+    return isJudged(shown) ? nullptr : &shown;
 }
 
 QString DriftPage::takenBy() const {
     QStringList names;
     for (const TestPointer &other : m_evaluated.document->tests) {
-        const auto *drift = driftOf(*other);
-        if (drift && *drift && **drift == test()->id)
+        const std::string *drift = driftTestOf(*other);
+        if (drift && *drift == test()->id)
             names << testName(*other);
     }
     return names.join(QStringLiteral(", "));
@@ -189,15 +182,13 @@ void DriftPage::refresh() {
     const Test *shown = test();
     if (!shown)
         return;
-    const auto &measurement = std::get<DriftMeasurement>(shown->measurement);
     if (m_evaluated.isPending(m_test))
         return;
     const auto &results = std::get<DriftResults>(m_evaluated.tests[m_test]->results);
-    m_range->setText(results.range
-                         ? tr("E_VE = %1")
-                               .arg(m_language.quantity(*results.range, deviationQuantity(measurement.axis),
-                                                        rangeDecimals))
-                         : tr("No readings yet"));
+    m_range->setText(results.range ? tr("E_VE = %1")
+                                         .arg(m_language.quantity(*results.range, deviationQuantity(*shown),
+                                                                  rangeDecimals))
+                                   : tr("No readings yet"));
     const QString taken = takenBy();
     m_taken->setText(taken.isEmpty() ? tr("No test takes its E_VE from here yet: page “Uncertainty”.")
                                      : tr("Taken by: %1").arg(taken));
@@ -215,8 +206,7 @@ void DriftPage::paste() {
     if (!shown)
         return;
     const auto readings =
-        driftReadingsFrom(QGuiApplication::clipboard()->text(),
-                          std::get<DriftMeasurement>(shown->measurement).axis.motion, m_language.units());
+        driftReadingsFrom(QGuiApplication::clipboard()->text(), motionOf(*shown), m_language.units());
     if (!readings) {
         showReason(tr("Two columns are expected: time in s and deviation."));
         return;

@@ -5,6 +5,7 @@
 #include "document/bounds.h"
 #include "document/edits.h"
 #include "kernel/evaluation/agreedpoints.h"
+#include "kernel/measurement/testfacts.h"
 #include "language/entry.h"
 #include "report/agreedtext.h"
 #include "ui/elidedlabel.h"
@@ -108,8 +109,7 @@ AgreedPointsPage::AgreedPointsPage(DocumentModel &model, Selection &selection, Q
 }
 
 void AgreedPointsPage::build(const Edition &edition, const Test &test) {
-    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-    const bool rotary = measurement && measurement->axis.motion == Motion::rotary;
+    const bool rotary = motionOf(test) == Motion::rotary;
     if (m_built && m_built->points.data() == edition.points.data() && m_builtRotary == rotary) {
         m_built = &edition;
         return;

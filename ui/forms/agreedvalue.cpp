@@ -4,6 +4,7 @@
 
 #include "document/edits.h"
 #include "kernel/evaluation/agreedpoints.h"
+#include "kernel/measurement/testfacts.h"
 
 namespace palmer::ui {
 
@@ -27,13 +28,12 @@ Member<std::optional<double>> agreedValue(const char *point) {
 }
 
 std::optional<Quantity> agreedQuantity(std::string_view point, const Test &test) {
-    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-    if (!measurement)
+    if (!isJudged(test) || !axisOf(test))
         return std::nullopt;
     if (point == "gradient")
         return Quantity::gradient;
     if (point == "feed")
-        return measurement->axis.motion == Motion::rotary ? Quantity::angularFeed : Quantity::feed;
+        return feedQuantity(test);
     return std::nullopt;
 }
 

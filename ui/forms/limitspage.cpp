@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
+#include "kernel/measurement/testfacts.h"
 #include "report/resulttable.h"
 #include "ui/elidedlabel.h"
 #include "ui/forms/decisionrulemembers.h"
@@ -138,8 +139,7 @@ void LimitsPage::prepare() {
         m_built.clear();
         return;
     }
-    const auto *measurement = std::get_if<PositioningMeasurement>(&shown->measurement);
-    const bool rotary = measurement && measurement->axis.motion == Motion::rotary;
+    const bool rotary = motionOf(*shown) == Motion::rotary;
     const std::vector<LimitRow> rows = rowsOf(*edition, *shown);
     QStringList wanted{QString::fromUtf8(edition->word), rotary ? QStringLiteral("°") : QStringLiteral("mm")};
     for (const LimitRow &row : rows)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/import/recognisedmodel.h"
 
+#include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
 #include "ui/windowlanguage.h"
 
@@ -25,13 +26,7 @@ void RecognisedModel::show(const Imported *imported) {
     m_columns.clear();
     m_rows = 0;
     if (imported && imported->test) {
-        const auto &measurement = imported->test->measurement;
-        if (const auto *positioning = std::get_if<PositioningMeasurement>(&measurement))
-            addPositioning(*positioning);
-        else if (const auto *circular = std::get_if<CircularMeasurement>(&measurement))
-            addCircular(*circular);
-        else
-            addDrift(std::get<DriftMeasurement>(measurement));
+        std::visit([this](const auto &measurement) { add(measurement); }, imported->test->measurement);
     } else if (imported) {
         for (const Sensor &sensor : imported->sensors)
             addSensor(sensor);
@@ -58,10 +53,9 @@ void RecognisedModel::countDecimals() {
     }
 }
 
-void RecognisedModel::addPositioning(const PositioningMeasurement &measurement) {
-    const bool linear = measurement.axis.motion == Motion::linear;
-    const Quantity position = linear ? Quantity::position : Quantity::angle;
-    const Quantity deviation = linear ? Quantity::deviation : Quantity::angularDeviation;
+void RecognisedModel::add(const PositioningMeasurement &measurement) {
+    const Quantity position = positionQuantity(measurement.axis);
+    const Quantity deviation = deviationQuantity(measurement.axis);
     m_columns.push_back({QStringLiteral("P %1").arg(windowLanguage().unit(position)),
                          position,
                          {},
@@ -77,7 +71,7 @@ void RecognisedModel::addPositioning(const PositioningMeasurement &measurement) 
     }
 }
 
-void RecognisedModel::addCircular(const CircularMeasurement &measurement) {
+void RecognisedModel::add(const CircularMeasurement &measurement) {
     for (const Arc &arc : measurement.arcs) {
         const bool first = arc.sense == Sense::counterclockwise;
         const QString sense = first ? QStringLiteral("↺") : QStringLiteral("↻");
@@ -88,9 +82,8 @@ void RecognisedModel::addCircular(const CircularMeasurement &measurement) {
     }
 }
 
-void RecognisedModel::addDrift(const DriftMeasurement &measurement) {
-    const Quantity deviation =
-        measurement.axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+void RecognisedModel::add(const DriftMeasurement &measurement) {
+    const Quantity deviation = deviationQuantity(measurement.axis);
     m_columns.push_back({QStringLiteral("t s"), Quantity::time, {}, column(measurement.times)});
     m_columns.push_back({windowLanguage().unit(deviation), deviation, {}, column(measurement.deviations)});
 }
@@ -150,36 +143,24 @@ QVariant RecognisedModel::headerData(int section, Qt::Orientation orientation, i
 }
 
 int readingsOf(const Imported &imported) {
+    if (imported.test)
+        return static_cast<int>(readingsOf(*imported.test)) - missingOf(imported);
     std::size_t count = 0;
-    if (imported.test) {
-        const auto &measurement = imported.test->measurement;
-        if (const auto *positioning = std::get_if<PositioningMeasurement>(&measurement)) {
-            for (const Run &run : positioning->runs)
-                count += static_cast<std::size_t>(std::ranges::count_if(
-                    run.deviations, [](const auto &deviation) { return deviation.has_value(); }));
-        } else if (const auto *circular = std::get_if<CircularMeasurement>(&measurement)) {
-            for (const Arc &arc : circular->arcs)
-                count += arc.radialDeviations.size();
-        } else {
-            count = std::get<DriftMeasurement>(measurement).deviations.size();
-        }
-    } else {
-        for (const Sensor &sensor : imported.sensors)
-            count += sensor.series ? sensor.series->temperatures.size()
-                                   : std::size_t(sensor.start.has_value()) + sensor.end.has_value();
-    }
+    for (const Sensor &sensor : imported.sensors)
+        count += sensor.series ? sensor.series->temperatures.size()
+                               : std::size_t(sensor.start.has_value()) + sensor.end.has_value();
     return static_cast<int>(count);
 }
 
 int missingOf(const Imported &imported) {
-    std::size_t cells = 0;
+    std::ptrdiff_t missing = 0;
     const auto *positioning =
         imported.test ? std::get_if<PositioningMeasurement>(&imported.test->measurement) : nullptr;
     if (!positioning)
         return 0;
     for (const Run &run : positioning->runs)
-        cells += run.deviations.size();
-    return static_cast<int>(cells) - readingsOf(imported);
+        missing += std::ranges::count_if(run.deviations, [](const auto &value) { return !value; });
+    return static_cast<int>(missing);
 }
 
 } // namespace palmer::ui

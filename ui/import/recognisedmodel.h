@@ -36,9 +36,9 @@ private:
         int decimals = 0; ///< those the numbers have, within sense
     };
 
-    void addPositioning(const PositioningMeasurement &measurement);
-    void addCircular(const CircularMeasurement &measurement);
-    void addDrift(const DriftMeasurement &measurement);
+    void add(const PositioningMeasurement &measurement);
+    void add(const CircularMeasurement &measurement);
+    void add(const DriftMeasurement &measurement);
     void addSensor(const Sensor &sensor);
     void countDecimals();
 

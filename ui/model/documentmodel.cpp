@@ -3,6 +3,7 @@
 #include "ui/model/documentmodel.h"
 
 #include "document/savedocument.h"
+#include "kernel/measurement/testfacts.h"
 #include "ui/model/editcommand.h"
 
 #include <QFileInfo>
@@ -18,20 +19,6 @@ constexpr std::size_t mostMemory = std::size_t{256} * 1024 * 1024; ///< of all s
 constexpr std::size_t readingSize = 24; ///< bytes a reading takes in a test that is copied
 constexpr int leastSteps = 10;
 constexpr int mostSteps = 1000;
-
-std::size_t readingsOf(const Test &test) {
-    std::size_t count = 0;
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement)) {
-        for (const Run &run : positioning->runs)
-            count += run.deviations.size();
-    } else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement)) {
-        for (const Arc &arc : circular->arcs)
-            count += arc.angles.size();
-    } else {
-        count = std::get<DriftMeasurement>(test.measurement).times.size();
-    }
-    return count;
-}
 
 /// A step holds the test it changed anew; the other tests of the file are shared.
 int stepsFor(const Document &document) {

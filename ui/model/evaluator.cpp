@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/model/evaluator.h"
 
+#include "kernel/measurement/testfacts.h"
+
 #include <algorithm>
 
 namespace palmer::ui {
@@ -10,24 +12,10 @@ namespace {
 
 constexpr std::size_t atOnce = 10'000;
 
-std::size_t countReadings(const Test &test) {
-    std::size_t count = 0;
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement)) {
-        for (const Run &run : positioning->runs)
-            count += run.deviations.size();
-    } else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement)) {
-        for (const Arc &arc : circular->arcs)
-            count += arc.angles.size();
-    } else {
-        count = std::get<DriftMeasurement>(test.measurement).times.size();
-    }
-    return count;
-}
-
 std::size_t countPending(const EvaluatedDocument &awaiting) {
     std::size_t count = 0;
     for (const std::size_t test : awaiting.pending)
-        count += countReadings(*awaiting.document->tests[test]);
+        count += readingsOf(*awaiting.document->tests[test]);
     return count;
 }
 
@@ -76,7 +64,7 @@ void Evaluator::putSimulations() {
             continue;
         }
         const auto place = static_cast<std::size_t>(found - tests.begin());
-        if (countReadings(**found) <= atOnce) {
+        if (readingsOf(**found) <= atOnce) {
             m_current = withSimulation(m_current, place, simulation);
             m_simulations.pop_front();
             emit evaluated(m_current);

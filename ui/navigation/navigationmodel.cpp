@@ -3,6 +3,7 @@
 #include "ui/navigation/navigationmodel.h"
 
 #include "kernel/measurement/readingsaside.h"
+#include "kernel/measurement/testfacts.h"
 #include "report/resultparts.h"
 #include "report/wording.h"
 #include "ui/testname.h"
@@ -14,10 +15,9 @@
 namespace palmer::ui {
 
 QString testIcon(const Test &test) {
-    if (std::holds_alternative<DriftMeasurement>(test.measurement))
+    if (!isJudged(test))
         return QStringLiteral("trend");
-    return std::holds_alternative<CircularMeasurement>(test.measurement) ? QStringLiteral("circle")
-                                                                         : QStringLiteral("axis");
+    return axisOf(test) ? QStringLiteral("axis") : QStringLiteral("circle");
 }
 
 QString shortStandard(const std::string &edition) {

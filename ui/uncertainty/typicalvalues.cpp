@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/uncertainty/typicalvalues.h"
 
+#include "kernel/measurement/testfacts.h"
 #include "kernel/uncertainty/positioningbudget.h"
 #include "language/decimals.h"
 
@@ -17,19 +18,6 @@ constexpr double typicalExpansion = 1; ///< u of what has U = 2 at k = 2, µm/(m
 
 QString say(const char *source) {
     return QCoreApplication::translate("palmer::ui::UncertaintyPage", source);
-}
-
-Motion motionOf(const Test &test) {
-    const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement);
-    return positioning ? positioning->axis.motion : Motion::linear;
-}
-
-std::optional<std::string> driftOf(const Test &test) {
-    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
-        return m->uncertainty.driftTest;
-    if (const auto *m = std::get_if<CircularMeasurement>(&test.measurement))
-        return m->uncertainty.driftTest;
-    return std::nullopt;
 }
 
 void addLinear(std::vector<TypicalValue> &values, const Language &language) {
@@ -85,25 +73,21 @@ void addCircular(std::vector<TypicalValue> &values, const Document &document, co
 QString driftTestName(const Test &drift) {
     if (!drift.title.empty())
         return QString::fromStdString(drift.title);
-    const auto &measurement = std::get<DriftMeasurement>(drift.measurement);
+    const std::string axis = axesOf(drift);
     return say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "drift test %1"))
-        .arg(QString::fromStdString(measurement.axis.name.empty() ? drift.id : measurement.axis.name));
+        .arg(QString::fromStdString(axis.empty() ? drift.id : axis));
 }
 
 std::optional<double> rangeOfDrift(const Test &drift) {
-    const auto &deviations = std::get<DriftMeasurement>(drift.measurement).deviations;
-    if (deviations.empty())
-        return std::nullopt;
-    const auto [low, high] = std::ranges::minmax(deviations);
-    return high - low;
+    return rangeOf(std::get<DriftMeasurement>(drift.measurement));
 }
 
 std::vector<TestPointer> driftTestsFor(const Document &document, const Test &test) {
     std::vector<TestPointer> result;
+    const std::string *named = driftTestOf(test);
     for (const TestPointer &other : document.tests) {
-        const auto *drift = std::get_if<DriftMeasurement>(&other->measurement);
-        if (drift && !other->id.empty() &&
-            (drift->axis.motion == motionOf(test) || driftOf(test) == other->id))
+        if (!isJudged(*other) && !other->id.empty() &&
+            (motionOf(*other) == motionOf(test) || (named && *named == other->id)))
             result.push_back(other);
     }
     return result;
@@ -112,29 +96,22 @@ std::vector<TestPointer> driftTestsFor(const Document &document, const Test &tes
 std::vector<TypicalValue> typicalValues(const Document &document, const Test &test,
                                         const Language &language) {
     std::vector<TypicalValue> values;
-    const bool positioning = std::holds_alternative<PositioningMeasurement>(test.measurement);
-    const bool linear = motionOf(test) == Motion::linear;
-    if (positioning && linear)
-        addLinear(values, language);
-    else if (!positioning)
+    if (!axisOf(test))
         addCircular(values, document, test, language);
+    else if (motionOf(test) == Motion::linear)
+        addLinear(values, language);
     for (const TestPointer &drift : driftTestsFor(document, test)) {
         const auto range = rangeOfDrift(*drift);
-        const auto &axis = std::get<DriftMeasurement>(drift->measurement).axis;
-        if (!range || axis.motion != motionOf(test))
+        if (!range || motionOf(*drift) != motionOf(test))
             continue;
         constexpr int decimals = 2;
         values.push_back({say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "E_VE: %1"))
-                              .arg(language.quantity(*range, deviationQuantity(axis), decimals)),
+                              .arg(language.quantity(*range, deviationQuantity(*drift), decimals)),
                           driftTestName(*drift), [id = drift->id](Test &changed) {
-                              std::visit(
-                                  [&](auto &measurement) {
-                                      if constexpr (requires { measurement.uncertainty.driftTest; }) {
-                                          measurement.uncertainty.driftTest = id;
-                                          measurement.uncertainty.environmentalVariation.reset();
-                                      }
-                                  },
-                                  changed.measurement);
+                              withUncertainty(changed, [&](auto &inputs) {
+                                  inputs.driftTest = id;
+                                  inputs.environmentalVariation.reset();
+                              });
                           }});
     }
     return values;

@@ -14,6 +14,7 @@
 #include "report/wording.h"
 #include "ui/elidedlabel.h"
 #include "ui/forms/decisionrulemembers.h"
+#include "ui/forms/ofmeasurement.h"
 #include "ui/model/editname.h"
 #include "ui/theme.h"
 #include "ui/uncertainty/figurecard.h"
@@ -52,18 +53,17 @@ enum { symbol, budget, actual, simulation, interval, distribution, shift, differ
 
 template <auto... members>
 auto positioning() {
-    return ofTest([](auto &test) {
-        auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-        return measurement ? &reach(measurement->uncertainty, members...) : nullptr;
-    });
+    return ofMeasurement<PositioningMeasurement, &PositioningMeasurement::uncertainty, members...>();
 }
 
 template <auto... members>
 auto circular() {
-    return ofTest([](auto &test) {
-        auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
-        return measurement ? &reach(measurement->uncertainty, members...) : nullptr;
-    });
+    return ofMeasurement<CircularMeasurement, &CircularMeasurement::uncertainty, members...>();
+}
+
+template <auto member>
+auto length() {
+    return ofMeasurement<CircularMeasurement, &CircularMeasurement::referenceLength, member>();
 }
 
 using Amount = std::optional<double>;
@@ -106,16 +106,12 @@ Member<Amount> statedFor(const Member<ExpandedUncertainties> &member, const std:
             },
             [id](Document &document, std::size_t index, const Amount &value) {
                 editTest(document, index, [&](Test &test) {
-                    std::visit(
-                        [&](auto &measurement) {
-                            if constexpr (requires { measurement.uncertainty.expanded; }) {
-                                if (value)
-                                    measurement.uncertainty.expanded[id] = *value;
-                                else
-                                    measurement.uncertainty.expanded.erase(id);
-                            }
-                        },
-                        test.measurement);
+                    withUncertainty(test, [&](auto &inputs) {
+                        if (value)
+                            inputs.expanded[id] = *value;
+                        else
+                            inputs.expanded.erase(id);
+                    });
                 });
             }};
 }
@@ -126,42 +122,25 @@ Member<int> environmentFrom(std::vector<std::string> drifts) {
                 int choice = 0;
                 if (!source.test)
                     return choice;
-                std::visit(
-                    [&](const auto &measurement) {
-                        if constexpr (requires { measurement.uncertainty.driftTest; }) {
-                            const auto &inputs = measurement.uncertainty;
-                            const auto found = std::ranges::find(drifts, inputs.driftTest.value_or(""));
-                            if (inputs.driftTest && !inputs.environmentalVariation && found != drifts.end())
-                                choice = static_cast<int>(found - drifts.begin()) + 1;
-                        }
-                    },
-                    source.test->measurement);
+                withUncertainty(*source.test, [&](const auto &inputs) {
+                    const auto found = std::ranges::find(drifts, inputs.driftTest.value_or(""));
+                    if (inputs.driftTest && !inputs.environmentalVariation && found != drifts.end())
+                        choice = static_cast<int>(found - drifts.begin()) + 1;
+                });
                 return choice;
             },
             [drifts](Document &document, std::size_t index, const int &choice) {
                 editTest(document, index, [&](Test &test) {
-                    std::visit(
-                        [&](auto &measurement) {
-                            if constexpr (requires { measurement.uncertainty.driftTest; }) {
-                                auto &inputs = measurement.uncertainty;
-                                if (choice <= 0) {
-                                    inputs.driftTest.reset();
-                                } else {
-                                    inputs.driftTest = drifts.at(static_cast<std::size_t>(choice) - 1);
-                                    inputs.environmentalVariation.reset();
-                                }
-                            }
-                        },
-                        test.measurement);
+                    withUncertainty(test, [&](auto &inputs) {
+                        if (choice <= 0) {
+                            inputs.driftTest.reset();
+                        } else {
+                            inputs.driftTest = drifts.at(static_cast<std::size_t>(choice) - 1);
+                            inputs.environmentalVariation.reset();
+                        }
+                    });
                 });
             }};
-}
-
-const UncertaintyMethod *methodOf(const Test &test) {
-    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement))
-        return &m->uncertainty.method;
-    const auto *m = std::get_if<CircularMeasurement>(&test.measurement);
-    return m ? &m->uncertainty.method : nullptr;
 }
 
 /// A result whose U can be entered: its key in the file and its symbol.
@@ -182,14 +161,10 @@ std::vector<StatedResult> statedResults(const Test &test, const TestEvaluation &
         plain.index.clear();
         add(parameter.term.id, QString::fromStdString(plainSymbol(plain)));
     }
-    std::visit(
-        [&](const auto &measurement) {
-            if constexpr (requires { measurement.uncertainty.expanded; }) {
-                for (const auto &[key, value] : measurement.uncertainty.expanded)
-                    add(key, QString::fromStdString(key));
-            }
-        },
-        test.measurement);
+    withUncertainty(test, [&](const auto &inputs) {
+        for (const auto &[key, value] : inputs.expanded)
+            add(key, QString::fromStdString(key));
+    });
     return results;
 }
 
@@ -243,9 +218,7 @@ UncertaintyPage::UncertaintyPage(DocumentModel &model, Evaluator &evaluator, Sel
 }
 
 Quantity UncertaintyPage::deviation() const {
-    const auto *measurement =
-        shownTest() ? std::get_if<PositioningMeasurement>(&shownTest()->measurement) : nullptr;
-    return measurement ? deviationQuantity(*measurement) : Quantity::deviation;
+    return shownTest() ? deviationQuantity(*shownTest()) : Quantity::deviation;
 }
 
 QString UncertaintyPage::missingText(int count) const {
@@ -372,12 +345,7 @@ void UncertaintyPage::chooseMethod(UncertaintyMethod method) {
         changeOf(context, QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Method of the uncertainty"));
     edit(name.constData(), [this, method](Document &document) {
         editTest(document, test(), [method](Test &changed) {
-            std::visit(
-                [method](auto &measurement) {
-                    if constexpr (requires { measurement.uncertainty.method; })
-                        measurement.uncertainty.method = method;
-                },
-                changed.measurement);
+            withUncertainty(changed, [method](auto &inputs) { inputs.method = method; });
         });
     });
 }
@@ -486,17 +454,9 @@ void UncertaintyPage::addCircularInputs(bool centring) {
               1, Allowed::positive);
     m_fields[referenceLengthId] =
         addNumber("referenceLength", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Reference length, U"),
-                  size, ofTest([](auto &test) {
-                      auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
-                      return measurement ? &measurement->referenceLength.expandedUncertainty : nullptr;
-                  }),
-                  1, Allowed::notNegative);
+                  size, length<&ReferenceLength::expandedUncertainty>(), 1, Allowed::notNegative);
     addNumber("coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the length"),
-              Quantity::number, coverageOf(ofTest([](auto &test) {
-                  auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
-                  return measurement ? &measurement->referenceLength.coverageFactor : nullptr;
-              })),
-              1, Allowed::positive);
+              Quantity::number, coverageOf(length<&ReferenceLength::coverageFactor>()), 1, Allowed::positive);
     beginRow();
     m_fields[resolutionId] =
         addNumber("resolution", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Resolution"), size,
@@ -678,7 +638,7 @@ void UncertaintyPage::refreshOthers() {
 }
 
 void UncertaintyPage::showMethods(const TestEvaluation &evaluation) {
-    const bool linear = std::holds_alternative<PositioningMeasurement>(shownTest()->measurement);
+    const bool linear = axisOf(*shownTest());
     const UncertaintyMethod method = *methodOf(*shownTest());
     const std::array names{linear ? tr("Annex A") : tr("Budget"), tr("Actual targets"), tr("Monte Carlo"),
                            tr("Direct"), tr("None")};
@@ -733,19 +693,12 @@ void UncertaintyPage::showPlaceholders(const TestEvaluation &evaluation) {
 
 /// E_VE of the drift test that is taken; empty where none is.
 QString UncertaintyPage::driftPlaceholder() const {
-    std::optional<std::string> id;
-    std::visit(
-        [&](const auto &measurement) {
-            if constexpr (requires { measurement.uncertainty.driftTest; })
-                id = measurement.uncertainty.driftTest;
-        },
-        shownTest()->measurement);
+    const std::string *id = driftTestOf(*shownTest());
     for (const TestPointer &drift : driftTestsFor(*evaluated().document, *shownTest())) {
-        if (id != drift->id)
+        if (!id || *id != drift->id)
             continue;
         const auto range = rangeOfDrift(*drift);
-        const auto &axis = std::get<DriftMeasurement>(drift->measurement).axis;
-        return range ? language().number(*range, deviationQuantity(axis), contributionDecimals) : QString();
+        return range ? language().number(*range, deviationQuantity(*drift), contributionDecimals) : QString();
     }
     return {};
 }
@@ -837,7 +790,7 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
 void UncertaintyPage::nameResultColumns(UncertaintyMethod method) {
     namespace column = resultColumn;
     m_results->setAccessibleName(tr("Expanded uncertainty of the results by both methods"));
-    const bool linear = std::holds_alternative<PositioningMeasurement>(shownTest()->measurement);
+    const bool linear = axisOf(*shownTest());
     m_results->setHead(column::symbol, {}, false);
     m_results->setHead(column::budget, (linear ? tr("Annex A") : tr("Budget")) + tr(", k = 2"), true);
     m_results->setHead(column::actual, tr("actual targets"), true);

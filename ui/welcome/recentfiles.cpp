@@ -3,6 +3,7 @@
 #include "ui/welcome/recentfiles.h"
 
 #include "document/testsofverdict.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <QFileInfo>
 #include <QSettings>
@@ -104,16 +105,9 @@ RecentFile describeFile(const QString &path, const EvaluatedDocument &evaluated)
     file.circular = !document.tests.empty();
     QStringList axes;
     for (const TestPointer &test : document.tests) {
-        QString axis;
-        if (const auto *circular = std::get_if<CircularMeasurement>(&test->measurement)) {
-            axis = QString::fromStdString(circular->plane.first + circular->plane.second);
-        } else if (const auto *positioning = std::get_if<PositioningMeasurement>(&test->measurement)) {
-            axis = QString::fromStdString(positioning->axis.name);
+        const QString axis = QString::fromStdString(axesOf(*test));
+        if (axisOf(*test))
             file.circular = false;
-        } else {
-            axis = QString::fromStdString(std::get<DriftMeasurement>(test->measurement).axis.name);
-            file.circular = false;
-        }
         if (!axis.isEmpty() && !axes.contains(axis))
             axes += axis;
         if (test->date) {

@@ -39,8 +39,7 @@ QString testSummary(const Test &test) {
         parts += axis.motion == Motion::linear ? say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "linear"))
                                                : say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "rotary"));
         if (axis.travel)
-            parts += language.quantity(*axis.travel,
-                                       axis.motion == Motion::linear ? Quantity::position : Quantity::angle);
+            parts += language.quantity(*axis.travel, positionQuantity(axis));
     };
     if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement)) {
         addAxis(positioning->axis);

@@ -5,6 +5,7 @@
 #include "document/documenterror.h"
 #include "document/place.h"
 #include "import/layouts/zipfile.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <QDate>
 #include <QDir>
@@ -598,20 +599,7 @@ int chosenSheet(const std::vector<SheetName> &sheets, const Choices &choices) {
 constexpr std::size_t mostSheetsTried = 20;
 
 std::size_t readingsOf(const Imported &imported) {
-    std::size_t count = imported.sensors.size();
-    if (!imported.test)
-        return count;
-    const auto &measurement = imported.test->measurement;
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&measurement)) {
-        for (const Run &run : positioning->runs)
-            count += run.deviations.size();
-    } else if (const auto *circular = std::get_if<CircularMeasurement>(&measurement)) {
-        for (const Arc &arc : circular->arcs)
-            count += arc.angles.size();
-    } else {
-        count += std::get<DriftMeasurement>(measurement).times.size();
-    }
-    return count;
+    return imported.sensors.size() + (imported.test ? readingsOf(*imported.test) : 0);
 }
 
 /// How many readings a table holds, if it is one of a measurement.

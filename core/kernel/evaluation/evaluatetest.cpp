@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/evaluatetest.h"
 
-#include <algorithm>
+#include "kernel/measurement/testfacts.h"
 
 namespace palmer {
 
@@ -11,10 +11,7 @@ namespace {
 TestEvaluation evaluateDrift(const DriftMeasurement &measurement) {
     TestEvaluation evaluation;
     DriftResults results;
-    if (!measurement.deviations.empty()) {
-        const auto [low, high] = std::ranges::minmax(measurement.deviations);
-        results.range = high - low;
-    }
+    results.range = rangeOf(measurement);
     evaluation.results = results;
     return evaluation;
 }
@@ -22,11 +19,10 @@ TestEvaluation evaluateDrift(const DriftMeasurement &measurement) {
 } // namespace
 
 const Edition *editionFor(const Test &test, const Edition *asked) {
-    if (std::holds_alternative<DriftMeasurement>(test.measurement))
+    if (!isJudged(test))
         return nullptr;
-    const Kind kind =
-        std::holds_alternative<PositioningMeasurement>(test.measurement) ? Kind::positioning : Kind::circular;
-    return asked && asked->kind == kind ? asked : findEdition(test.edition);
+    const bool isOfKind = asked && static_cast<std::size_t>(asked->kind) == test.measurement.index();
+    return isOfKind ? asked : findEdition(test.edition);
 }
 
 TestEvaluation evaluateTest(const Test &test, const Surroundings &surroundings, const Edition *asked) {

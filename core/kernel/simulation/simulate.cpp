@@ -3,6 +3,7 @@
 #include "kernel/simulation/simulate.h"
 
 #include "kernel/evaluation/evaluatetest.h"
+#include "kernel/measurement/testfacts.h"
 #include "kernel/simulation/circulartrials.h"
 #include "kernel/simulation/positioningtrials.h"
 #include "kernel/simulation/runtrials.h"
@@ -11,14 +12,10 @@ namespace palmer {
 
 SimulationOptions simulationOptions(const Test &test) {
     SimulationOptions options;
-    const auto take = [&](const auto &inputs) {
+    withUncertainty(test, [&](const auto &inputs) {
         options.trials = inputs.trials;
         options.seed = inputs.seed;
-    };
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement))
-        take(positioning->uncertainty);
-    else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement))
-        take(circular->uncertainty);
+    });
     return options;
 }
 

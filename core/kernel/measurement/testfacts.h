@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/measurement/test.h"
+#include "kernel/words/quantity.h"
+
+#include <cstddef>
+#include <type_traits>
+
+namespace palmer {
+
+// What a test says whatever its kind. A measurement answers by the parts it has: an axis or a plane,
+// conditions, inputs of the uncertainty. A new kind that has them needs nothing here.
+
+/// The axis of a test of one axis; null for a plane.
+[[nodiscard]] const Axis *axisOf(const Test &test);
+
+/// Rotary where the readings are angles.
+[[nodiscard]] Motion motionOf(const Test &test);
+
+/// What the deviations and the feed of a test are: lengths, or angles of a rotary axis.
+[[nodiscard]] Quantity deviationQuantity(const Test &test);
+[[nodiscard]] Quantity feedQuantity(const Test &test);
+
+/// "X", or "XY" of a plane; empty where none is stated.
+[[nodiscard]] std::string axesOf(const Test &test);
+
+/// What a test states of its conditions; null for a drift test.
+[[nodiscard]] Conditions *conditionsOf(Test &test);
+[[nodiscard]] const Conditions *conditionsOf(const Test &test);
+
+/// Held to an edition, its points to agree and its limits: drift tests are not.
+[[nodiscard]] bool isJudged(const Test &test);
+
+/// The method, the seed, …: what the inputs of all budgets have. Calls `use` with those of the test, not at
+/// all where its kind has no budget.
+template <class AnyTest, class Use>
+void withUncertainty(AnyTest &test, Use use) {
+    std::visit(
+        [&](auto &measurement) {
+            if constexpr (requires { measurement.uncertainty; })
+                use(measurement.uncertainty);
+        },
+        test.measurement);
+}
+
+/// The method that decides; null where the kind of test has no budget.
+[[nodiscard]] const UncertaintyMethod *methodOf(const Test &test);
+
+/// The id of the drift test that gives E_VE; null where none is named.
+[[nodiscard]] const std::string *driftTestOf(const Test &test);
+
+/// E_VE, the environmental variation error: the largest less the smallest deviation at rest, mm or degrees;
+/// null without readings.
+[[nodiscard]] std::optional<double> rangeOf(const DriftMeasurement &measurement);
+
+/// Readings with the missing ones, points of circles.
+[[nodiscard]] std::size_t readingsOf(const Test &test);
+
+/// What `alike` says of the measurements of two tests of one kind; false for tests of two kinds.
+template <class Alike>
+[[nodiscard]] bool areOfOneKind(const Test &a, const Test &b, Alike alike) {
+    return std::visit(
+        [&](const auto &first) {
+            const auto *second = std::get_if<std::remove_cvref_t<decltype(first)>>(&b.measurement);
+            return second && alike(first, *second);
+        },
+        a.measurement);
+}
+
+} // namespace palmer

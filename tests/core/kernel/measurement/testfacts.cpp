@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/measurement/testfacts.h"
+
+#include <QTest>
+#include <array>
+#include <utility>
+
+using namespace palmer;
+
+namespace {
+
+Test positioning(Motion motion = Motion::linear) {
+    PositioningMeasurement measurement;
+    measurement.axis.name = "C";
+    measurement.axis.motion = motion;
+    measurement.targets = {0, 1, 2};
+    measurement.runs = {{Direction::positive, {0.1, {}, 0.2}}, {Direction::negative, {0.1, 0.3, {}}}};
+    measurement.uncertainty.method = UncertaintyMethod::budget;
+    Test test;
+    test.measurement = std::move(measurement);
+    return test;
+}
+
+Test circles() {
+    CircularMeasurement measurement;
+    measurement.plane = {"X", "Y"};
+    measurement.arcs.resize(2);
+    measurement.arcs[0].angles = measurement.arcs[0].radialDeviations = {0, 1, 2, 3};
+    measurement.arcs[1].angles = measurement.arcs[1].radialDeviations = {5};
+    measurement.uncertainty.method = UncertaintyMethod::direct;
+    Test test;
+    test.measurement = std::move(measurement);
+    return test;
+}
+
+Test drift(Motion motion = Motion::linear) {
+    DriftMeasurement measurement;
+    measurement.axis.name = "Z";
+    measurement.axis.motion = motion;
+    measurement.times = {0, 60};
+    measurement.deviations = {-0.25, 0.5};
+    Test test;
+    test.measurement = std::move(measurement);
+    return test;
+}
+
+} // namespace
+
+/// What tests of each kind say of themselves.
+class TestFactsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void axes() {
+        QCOMPARE(axesOf(positioning()), std::string("C"));
+        QCOMPARE(axesOf(circles()), std::string("XY"));
+        QCOMPARE(axesOf(drift()), std::string("Z"));
+        QCOMPARE(axesOf(Test()), std::string());
+        const Test axis = positioning();
+        const Test plane = circles();
+        const Test still = drift();
+        QCOMPARE(axisOf(axis)->name, std::string("C"));
+        QVERIFY(!axisOf(plane));
+        QCOMPARE(axisOf(still)->name, std::string("Z"));
+    }
+
+    void motion() {
+        QCOMPARE(motionOf(positioning()), Motion::linear);
+        QCOMPARE(motionOf(positioning(Motion::rotary)), Motion::rotary);
+        QCOMPARE(motionOf(circles()), Motion::linear);
+        QCOMPARE(motionOf(drift()), Motion::linear);
+        QCOMPARE(motionOf(drift(Motion::rotary)), Motion::rotary);
+    }
+
+    /// The conditions are those of the measurement: what is changed there stays.
+    void conditions() {
+        for (Test test : {positioning(), circles()}) {
+            QVERIFY(isJudged(test));
+            conditionsOf(test)->compensation = "on";
+            QCOMPARE(conditionsOf(std::as_const(test))->compensation, std::string("on"));
+        }
+        Test still = drift();
+        QVERIFY(!isJudged(still));
+        QVERIFY(!conditionsOf(still));
+    }
+
+    void uncertainty() {
+        const Test axis = positioning();
+        const Test plane = circles();
+        const Test still = drift();
+        QCOMPARE(*methodOf(axis), UncertaintyMethod::budget);
+        QCOMPARE(*methodOf(plane), UncertaintyMethod::direct);
+        QVERIFY(!methodOf(still));
+        for (Test test : {positioning(), circles(), drift()}) {
+            QVERIFY(!driftTestOf(test));
+            int uses = 0;
+            withUncertainty(test, [&](auto &inputs) {
+                inputs.driftTest = "d";
+                ++uses;
+            });
+            QCOMPARE(uses, isJudged(test) ? 1 : 0);
+            QCOMPARE(driftTestOf(test) != nullptr, isJudged(test));
+            QVERIFY(!driftTestOf(test) || *driftTestOf(test) == "d");
+        }
+    }
+
+    void range() {
+        QCOMPARE(rangeOf(std::get<DriftMeasurement>(drift().measurement)), std::optional(0.75));
+        QVERIFY(!rangeOf(DriftMeasurement()));
+    }
+
+    /// With those that are missing.
+    void readings() {
+        QCOMPARE(readingsOf(positioning()), std::size_t(6));
+        QCOMPARE(readingsOf(circles()), std::size_t(5));
+        QCOMPARE(readingsOf(drift()), std::size_t(2));
+    }
+
+    void ofOneKind() {
+        const auto always = [](const auto & /*a*/, const auto & /*b*/) { return true; };
+        const std::array tests{positioning(), circles(), drift()};
+        for (std::size_t i = 0; i < tests.size(); ++i) {
+            for (std::size_t j = 0; j < tests.size(); ++j)
+                QCOMPARE(areOfOneKind(tests[i], tests[j], always), i == j);
+        }
+        const auto same = [](const auto &a, const auto &b) { return a == b; };
+        QVERIFY(areOfOneKind(positioning(), positioning(), same));
+        QVERIFY(!areOfOneKind(positioning(), positioning(Motion::rotary), same));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestFactsTest)
+
+#include "testfacts.moc"
