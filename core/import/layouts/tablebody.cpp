@@ -187,7 +187,7 @@ private:
         const auto cells = m_table.cells(row);
         if (cells.size() <= m_firstNumber || !isNumeric(cells[m_firstNumber]) || isLoneDirection(cells))
             return false;
-        if (m_numberColumns > 2 && isLabelledValue(m_table, row))
+        if (m_numberColumns > 2 && !cells.front().isNumber() && isLabelledValue(m_table, row))
             return false;
         if (m_directions &&
             (cells.size() <= *m_directions || !isDirectionCell(m_table, cells[*m_directions])))

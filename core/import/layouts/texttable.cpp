@@ -109,7 +109,9 @@ std::string kindOf(const TableReading &reading, Origin &origin) {
     if (isCircular(body))
         return "circular";
     const bool positions = has(Meaning::run) || has(Meaning::direction);
-    if (hasTimes(body) && !positions && !(has(Meaning::place) && !body.columnOf(ColumnKind::clock)))
+    // A place beside what was measured there is a target, whatever the clock says.
+    const bool placed = has(Meaning::place) && (!body.columnOf(ColumnKind::clock) || has(Meaning::actual));
+    if (hasTimes(body) && !positions && !placed)
         return seriesKindOf(body, origin);
     if (positions || has(Meaning::place) || has(Meaning::angle) || body.blocks.front().numericHead)
         return "positioning";

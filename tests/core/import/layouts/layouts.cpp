@@ -363,6 +363,11 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
             << QByteArray(label) + "\nAngle (°);Deviation (µm)\n0;1\n90;2\n180;1\n270;0\n"
             << QString("angle,deviation / ISO 230-4:2005 XY R 100 mm F – / ccw polar 4: 0:1 90:2 "
                        "180:1 270:0 / ");
+    row("times of day beside places and what was measured there",
+        "Nr.;Zeit;Messposition (mm);Istposition (mm);Abw. (µm)\n1;10:00:07;0;0.0023;2.3\n"
+        "2;10:00:14;100;100.001;1\n3;10:00:21;200;200.002;2\n4;10:00:28;200;199.999;-1\n"
+        "5;10:00:35;100;99.998;-2\n6;10:00:42;0;-0.003;-3\n",
+        "ignored,ignored,target,actual,deviation / 0 100 200 / ↑ 2.3 1 2 / ↓ -3 -2 -1 / ");
     // Series over time.
     row("drift with temperature", "Time (s);Deviation (µm);Temp (°C)\n0;0;20\n60;1;20.1\n120;2;20.2\n",
         "time,deviation,temperature / drift  0:0 60:1 120:2 / ");
