@@ -43,6 +43,7 @@ WorkBar::WorkBar(QWidget *parent)
     , m_later(new QTimer(this))
     , m_look(new QTimer(this)) {
     setObjectName(QStringLiteral("workBar"));
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred); // its parts stay together in an empty bar
     m_bar->setTextVisible(false);
     m_bar->setFixedSize(barWidth, barHeight);
     m_count->setObjectName(QStringLiteral("workCount"));
