@@ -23,6 +23,7 @@ using PrintedWords = std::vector<PrintedWord>;
 
 /// What differs between two files of results (JSON), with the path of each value. `sameProgram`: the
 /// program's own name counts as a value, and so do the bytes. A file that is no JSON is one difference.
+/// Numbers that another processor rounds otherwise (by 10⁻⁹ of themselves, or 10⁻¹²) are the same.
 [[nodiscard]] std::vector<Difference> compareResults(const QByteArray &printed, const QByteArray &follows,
                                                      bool sameProgram);
 
