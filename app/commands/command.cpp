@@ -64,7 +64,8 @@ void take(Invocation &invocation, const Option &option, std::optional<QString> g
     const bool wantsValue = *option.value != 0;
     if (wantsValue && !given && next < words.size())
         given = words[next++];
-    if (wantsValue && given.value_or(QString()).isEmpty()) // empty: of a script whose variable is not set
+    // Empty: of a script whose variable is not set.
+    if (wantsValue && (!given || (given->isEmpty() && !option.mayBeEmpty)))
         throw UsageError({REPORT_TEXT("report", "the option %1 needs a value (%2)"),
                           {dashed(option).toStdString(), std::string(option.value)}});
     if (!wantsValue && given)

@@ -36,6 +36,7 @@ struct Option {
     /// What it has no effect without, and is refused: one of these, each an argument ("circular"), an option
     /// ("extract") or an option with its value ("as=csv|as=siemens"). Empty: always has one.
     const char *goesWith = "";
+    bool mayBeEmpty = false; ///< "" says that there shall be none
 };
 
 /// The words that the value of an option has to be one of; none where anything may be given.

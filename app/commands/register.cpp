@@ -47,7 +47,7 @@ constexpr std::array options{
     Option{"parameter", "A", REPORT_TEXT("report", "trend: the parameter; may stand several times; without it the main ones"), true},
     Option{"edition", "E", REPORT_TEXT("report", "trend: all tests evaluated anew under one edition")},
     Option{"o", "OUT", REPORT_TEXT("report", "trend: OUT.csv, json, svg, png or pdf; report: OUT.pdf, of two languages OUT.fr.pdf and OUT.en.pdf")},
-    Option{"number", "N", REPORT_TEXT("report", "report: the number of the history; without it one of year and serial number")},
+    Option{"number", "N", REPORT_TEXT("report", "report: the number of the history; without it one of year and serial number"), false, "", true},
     Option{"prune", "", REPORT_TEXT("report", "scan: take out files that are not found any more")},
     Option{"rebuild", "", REPORT_TEXT("report", "scan: empty the register first; what the files say comes back")},
     Option{"watch", "", REPORT_TEXT("report", "scan: go on and scan again when something changes, until it is ended")},

@@ -259,7 +259,8 @@ private slots:
                  {QStringList{"evaluate", file}, QStringList{"check", file},
                   QStringList{"import", file, "-o", folder.filePath("x.palmer")},
                   QStringList{"export", file, "--as", "csv", "-o", folder.filePath("x.csv")},
-                  QStringList{"report", file, "-o", folder.filePath("x.pdf")}}) {
+                  QStringList{"report", file, "-o",
+                              folder.filePath(file == folder.path() ? "reports" : "x.pdf")}}) {
                 const CliResult result = palmer::testdata::runCli(command);
                 QCOMPARE(result.code, 3);
                 QCOMPARE(result.err.count('\n'), 1);

@@ -179,6 +179,14 @@ private:
         return value >= 0 && value == std::floor(value) && value < 1e9;
     }
 
+    /// Of the j-th run (from 0) under one of the choices.
+    [[nodiscard]] Direction directionOf(std::string_view choice, const RunRows &run, std::size_t j) const {
+        const bool isNegative = (choice == "stated" && run.falls && !run.rises) || choice == "negative" ||
+                                (choice == "alternating" && j % 2 == 1) ||
+                                (choice == "sideBySide" && 2 * j >= m_runs.size());
+        return isNegative ? Direction::negative : Direction::positive;
+    }
+
     void settleDirections() {
         bool ordered = true;
         bool areMixed = false;
@@ -196,15 +204,8 @@ private:
         }
         const auto choice = m_choices.settle("directions", found, origin);
         std::size_t j = 0;
-        for (auto &[number, run] : m_runs) {
-            run.direction = Direction::positive;
-            if (choice.value == "stated")
-                run.direction = run.falls && !run.rises ? Direction::negative : Direction::positive;
-            else if (choice.value == "negative" || (choice.value == "alternating" && j % 2 == 1) ||
-                     (choice.value == "sideBySide" && 2 * j >= m_runs.size()))
-                run.direction = Direction::negative;
-            ++j;
-        }
+        for (auto &[number, run] : m_runs)
+            run.direction = directionOf(choice.value, run, j++);
         if (choice.origin == Origin::guessed)
             remark(
                 RemarkGrade::assumption,

@@ -84,7 +84,7 @@ public:
         if (first < std::ssize(m_hiddenColumns))
             return;
         m_hiddenColumns.resize(static_cast<std::size_t>(first), false);
-        m_hiddenColumns.resize(static_cast<std::size_t>(first + count), true);
+        m_hiddenColumns.resize(static_cast<std::size_t>(first) + static_cast<std::size_t>(count), true);
     }
     void beginRow(std::size_t line, bool isHidden = false) {
         m_column = 0;
@@ -219,7 +219,7 @@ QMap<QString, QString> relationshipsOf(ZipFile &zip, const QString &part) {
 
 /// The part of an .xlsx that lists its sheets; empty in other archives.
 QString workbookPart(ZipFile &zip) {
-    const QString usual = QStringLiteral("xl/workbook.xml");
+    QString usual = QStringLiteral("xl/workbook.xml");
     if (zip.contains(usual))
         return usual;
     if (!zip.contains(QStringLiteral("_rels/.rels")))
@@ -311,7 +311,7 @@ QString timeText(double days, Shown shown) {
     if (shown == Shown::time)
         time = std::min(time, dayLength - 1); // no next day
     const QTime clock = QTime::fromMSecsSinceStartOfDay(static_cast<int>(time % dayLength));
-    const QString hours =
+    QString hours =
         clock.toString(clock.msec() == 0 ? QStringLiteral("HH:mm:ss") : QStringLiteral("HH:mm:ss.zzz"));
     if (shown == Shown::time)
         return hours;
@@ -375,57 +375,74 @@ void addNumber(const QString &value, Shown shown, double firstDay, int column, S
         sheet.add(column, time, {});
 }
 
-void readXlsxSheet(const QByteArray &bytes, const XlsxCells &cells, Sheet &sheet) {
-    const std::vector<QString> &strings = cells.strings;
-    std::size_t line = 0;
-    QString type;
-    QString reference;
-    QString value;
-    bool inValue = false;
-    bool isFormula = false;
-    Shown shown = Shown::number;
-    walk(
-        bytes,
-        [&](const QXmlStreamReader &xml) {
-            const QStringView name = xml.name();
-            if (name == QLatin1StringView("row")) {
-                const qulonglong stated = attribute(xml, "r").toULongLong();
-                line = stated > line && stated < 100'000'000 ? static_cast<std::size_t>(stated) : line + 1;
-                sheet.beginRow(line, isTrue(attribute(xml, "hidden")));
-            } else if (name == QLatin1StringView("col")) {
-                hideColumns(xml, sheet);
-            } else if (name == QLatin1StringView("c")) {
-                type = attribute(xml, "t");
-                reference = attribute(xml, "r");
-                value.clear();
-                isFormula = false;
-                shown = cells.shown(attribute(xml, "s").toInt());
-            }
-            isFormula |= name == QLatin1StringView("f");
-            inValue = name == QLatin1StringView("v") || name == QLatin1StringView("t");
-        },
-        [&](const QXmlStreamReader &xml) {
-            inValue = false;
-            if (xml.name() != QLatin1StringView("c") || line == 0)
-                return;
-            const int column = reference.isEmpty() ? sheet.column() : columnOf(reference);
-            if (type == QLatin1StringView("s")) {
-                bool isNumber = false;
-                const uint index = value.toUInt(&isNumber);
-                sheet.add(column, isNumber && index < strings.size() ? strings[index] : QString(), {});
-            } else if (type.isEmpty() || type == QLatin1StringView("n")) {
-                if (isFormula && value.isEmpty())
-                    sheet.addEmptyFormula();
-                addNumber(value, shown, cells.firstDay, column, sheet);
-            } else {
-                sheet.add(column, value, {}); // strings, errors as #N/A, truth values
-            }
-        },
-        [&](QStringView text) {
-            if (inValue && value.size() < longestCell)
-                value += text;
-        });
-}
+/// Reads one sheet of an .xlsx.
+class XlsxReader {
+public:
+    XlsxReader(const XlsxCells &cells, Sheet &sheet)
+        : m_cells(cells)
+        , m_sheet(sheet) {}
+
+    void read(const QByteArray &bytes) {
+        walk(
+            bytes, [this](const QXmlStreamReader &xml) { begin(xml); },
+            [this](const QXmlStreamReader &xml) {
+                m_inValue = false;
+                if (xml.name() == QLatin1StringView("c") && m_line > 0)
+                    addCell();
+            },
+            [this](QStringView text) {
+                if (m_inValue && m_value.size() < longestCell)
+                    m_value += text;
+            });
+    }
+
+private:
+    void begin(const QXmlStreamReader &xml) {
+        constexpr qulonglong mostLines = 100'000'000;
+        const QStringView name = xml.name();
+        if (name == QLatin1StringView("row")) {
+            const qulonglong stated = attribute(xml, "r").toULongLong();
+            m_line = stated > m_line && stated < mostLines ? static_cast<std::size_t>(stated) : m_line + 1;
+            m_sheet.beginRow(m_line, isTrue(attribute(xml, "hidden")));
+        } else if (name == QLatin1StringView("col")) {
+            hideColumns(xml, m_sheet);
+        } else if (name == QLatin1StringView("c")) {
+            m_type = attribute(xml, "t");
+            m_reference = attribute(xml, "r");
+            m_value.clear();
+            m_isFormula = false;
+            m_shown = m_cells.shown(attribute(xml, "s").toInt());
+        }
+        m_isFormula |= name == QLatin1StringView("f");
+        m_inValue = name == QLatin1StringView("v") || name == QLatin1StringView("t");
+    }
+
+    void addCell() {
+        const int column = m_reference.isEmpty() ? m_sheet.column() : columnOf(m_reference);
+        if (m_type == QLatin1StringView("s")) {
+            const std::vector<QString> &strings = m_cells.strings;
+            bool isNumber = false;
+            const uint index = m_value.toUInt(&isNumber);
+            m_sheet.add(column, isNumber && index < strings.size() ? strings[index] : QString(), {});
+        } else if (m_type.isEmpty() || m_type == QLatin1StringView("n")) {
+            if (m_isFormula && m_value.isEmpty())
+                m_sheet.addEmptyFormula();
+            addNumber(m_value, m_shown, m_cells.firstDay, column, m_sheet);
+        } else {
+            m_sheet.add(column, m_value, {}); // strings, errors as #N/A, truth values
+        }
+    }
+
+    const XlsxCells &m_cells;
+    Sheet &m_sheet;
+    std::size_t m_line = 0;
+    QString m_type;
+    QString m_reference;
+    QString m_value;
+    bool m_inValue = false;
+    bool m_isFormula = false;
+    Shown m_shown = Shown::number;
+};
 
 // ---- .ods
 
@@ -785,7 +802,7 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
     chooser.choose([&](int i, Sheet &sheet) {
         std::vector<SheetName> names;
         if (isXlsx)
-            readXlsxSheet(zip.member(sheets[static_cast<std::size_t>(i)].member), cells, sheet);
+            XlsxReader(cells, sheet).read(zip.member(sheets[static_cast<std::size_t>(i)].member));
         else
             OdsReader(i, names, sheet).read(content);
     });
