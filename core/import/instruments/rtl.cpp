@@ -180,7 +180,7 @@ private:
     }
 
     /// Of the j-th run (from 0) under one of the choices.
-    [[nodiscard]] Direction directionOf(std::string_view choice, const RunRows &run, std::size_t j) const {
+    [[nodiscard]] Direction directionOf(std::string_view choice, const auto &run, std::size_t j) const {
         const bool isNegative = (choice == "stated" && run.falls && !run.rises) || choice == "negative" ||
                                 (choice == "alternating" && j % 2 == 1) ||
                                 (choice == "sideBySide" && 2 * j >= m_runs.size());
