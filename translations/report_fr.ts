@@ -1569,7 +1569,7 @@
     </message>
     <message>
         <source>complete and in working order</source>
-        <translation>complète et en état de marche</translation>
+        <translation>complète et en ordre de marche</translation>
     </message>
     <message>
         <source>not complete</source>
@@ -4198,11 +4198,11 @@
     </message>
     <message>
         <source>Complete, in working order</source>
-        <translation>Machine complète, en état de marche</translation>
+        <translation>Machine complète, en ordre de marche</translation>
     </message>
     <message>
         <source>The machine was completely assembled and in working order; guards may be absent.</source>
-        <translation>La machine était complètement assemblée et en état de marche&#x202f;; les protecteurs peuvent manquer.</translation>
+        <translation>La machine était complètement assemblée et en ordre de marche&#x202f;; les protecteurs peuvent manquer.</translation>
     </message>
     <message>
         <source>Levelled and aligned</source>
