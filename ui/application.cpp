@@ -13,11 +13,11 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr auto style = "fusion";
+constexpr auto styleName = "fusion";
 constexpr auto scaleVariable = "QT_SCALE_FACTOR";
-constexpr double designed = 13;    ///< pixels of the font that the measures of the window are drawn for
-constexpr double roomUntil = 16.5; ///< pixels of the largest font that fits into them
-constexpr QSizeF least(640, 440);  ///< of a screen, enlarged
+constexpr double designed = 13;         ///< pixels of the font that the measures of the window are drawn for
+constexpr double roomUntil = 16.5;      ///< pixels of the largest font that fits into them
+constexpr QSizeF leastScreen(640, 440); ///< of a screen, enlarged
 constexpr auto enlarged = "enlarged";
 
 } // namespace
@@ -25,7 +25,8 @@ constexpr auto enlarged = "enlarged";
 double scaleForFont(double pixels, QSize screen) {
     if (pixels < roomUntil)
         return 1;
-    const double room = std::min(screen.width() / least.width(), screen.height() / least.height());
+    const double room =
+        std::min(screen.width() / leastScreen.width(), screen.height() / leastScreen.height());
     const double quarters = std::min(std::round(4 * pixels / designed), std::floor(4 * room));
     return std::max(1.0, quarters / 4);
 }
@@ -33,7 +34,7 @@ double scaleForFont(double pixels, QSize screen) {
 std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
     const std::vector<char *> words(argv, argv + argc); // QApplication takes out those that it understands
     auto application = std::make_unique<QApplication>(argc, argv);
-    QApplication::setStyle(QLatin1StringView(style));
+    QApplication::setStyle(QLatin1StringView(styleName));
     QFont font = QApplication::font();
     const double scale =
         scaleForFont(QFontInfo(font).pixelSize(), QGuiApplication::primaryScreen()->availableSize());
@@ -55,7 +56,7 @@ std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
         font.setPointSizeF(font.pointSizeF() / scale);
     else
         font.setPixelSize(static_cast<int>(std::lround(font.pixelSize() / scale)));
-    QApplication::setStyle(QLatin1StringView(style));
+    QApplication::setStyle(QLatin1StringView(styleName));
     QApplication::setFont(font);
     application->setProperty(enlarged, true);
     return application;

@@ -18,7 +18,7 @@ namespace palmer {
 
 namespace {
 
-constexpr std::array options{
+constexpr std::array checkOptions{
     Option{"json", "", REPORT_TEXT("report", "findings as JSON; of several files one object a line")},
     jsonLinesOption,
     jobsOption,
@@ -28,7 +28,7 @@ constexpr std::array options{
     foreignOptions[2],
 };
 
-int run(const Invocation &invocation) {
+int runCheck(const Invocation &invocation) {
     const Inputs inputs = inputsOf(invocation);
     const auto form = jsonForm(invocation, inputs.several);
     const auto work = [&](const Input &input, Document document) -> JobResult {
@@ -50,8 +50,8 @@ int run(const Invocation &invocation) {
 
 Command checkCommand() {
     return {"check", "FILE|FOLDER…",
-            REPORT_TEXT("report", "findings only: what the edition asks for and the test lacks"), options,
-            run};
+            REPORT_TEXT("report", "findings only: what the edition asks for and the test lacks"),
+            checkOptions, runCheck};
 }
 
 } // namespace palmer

@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char *tableOption = "table";
 
-constexpr std::array options{
+constexpr std::array evaluateOptions{
     Option{
         "edition", "E",
         REPORT_TEXT("report", "evaluate the tests of its kind under another edition (a view: no verdicts)")},
@@ -140,7 +140,7 @@ private:
     std::string m_edition;
 };
 
-int run(const Invocation &invocation) {
+int runEvaluate(const Invocation &invocation) {
     return Evaluation(invocation).run();
 }
 
@@ -148,7 +148,7 @@ int run(const Invocation &invocation) {
 
 Command evaluateCommand() {
     return {"evaluate", "FILE|FOLDER…", REPORT_TEXT("report", "results of the tests as a table or as JSON"),
-            options, run};
+            evaluateOptions, runEvaluate};
 }
 
 } // namespace palmer

@@ -17,7 +17,7 @@ namespace palmer {
 
 namespace {
 
-constexpr std::array options{
+constexpr std::array explainOptions{
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it all")},
     foreignOptions[0],
     foreignOptions[1],
@@ -120,7 +120,7 @@ QString explanations(const EvaluatedDocument &evaluated, const Asked &asked, con
     return text;
 }
 
-int run(const Invocation &invocation) {
+int runExplain(const Invocation &invocation) {
     const QString &file = invocation.arguments.front();
     try {
         std::optional<Document> document = documentFrom(file, invocation);
@@ -146,7 +146,7 @@ Command explainCommand() {
             REPORT_TEXT("report",
                         "how a value follows from the readings: formula with the numbers put in, clause, "
                         "ruling targets"),
-            options, run};
+            explainOptions, runExplain};
 }
 
 } // namespace palmer

@@ -20,7 +20,7 @@ namespace {
 constexpr const char *tables = "as=linuxcnc|as=siemens|as=weihong|as=compensation-csv";
 constexpr const char *notJson = "as=csv|as=linuxcnc|as=siemens|as=weihong|as=compensation-csv"; // that is all
 
-constexpr std::array options{
+constexpr std::array exportOptions{
     Option{"as", "csv|json|linuxcnc|siemens|weihong|compensation-csv",
            REPORT_TEXT("report", "what to write: readings and results, or a compensation table")},
     Option{"o", "OUT", REPORT_TEXT("report", "the file to write")},
@@ -179,13 +179,13 @@ std::optional<FoundTable> comparedTable(const Invocation &invocation) {
     }
 }
 
-int run(const Invocation &invocation) {
+int runExport(const Invocation &invocation) {
     const auto output = invocation.value(QLatin1StringView("o"));
     const QString form = invocation.value(QLatin1StringView("as")).value_or(QString());
     const auto compensation = compensationFormat(form);
     if (form.isEmpty())
         throw UsageError({REPORT_TEXT("report", "the command %1 needs the option --%2 %3"),
-                          {std::string("export"), std::string("as"), std::string(options[0].value)}});
+                          {std::string("export"), std::string("as"), std::string(exportOptions[0].value)}});
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("export"), std::string("-o OUT")}});
@@ -246,7 +246,7 @@ int run(const Invocation &invocation) {
 Command exportCommand() {
     return {"export", "FILE",
             REPORT_TEXT("report", "readings and results, or a compensation table with what it would bring"),
-            options, run};
+            exportOptions, runExport};
 }
 
 } // namespace palmer

@@ -13,7 +13,7 @@ namespace palmer {
 
 namespace {
 
-constexpr std::array options{
+constexpr std::array feedOptions{
     Option{"specified-diameter", "MM", REPORT_TEXT("report", "diameter the feed was specified for")},
     Option{"specified-feed", "MM/MIN", REPORT_TEXT("report", "contouring feed specified for it")},
     Option{"diameter", "MM", REPORT_TEXT("report", "diameter of the test")},
@@ -27,8 +27,8 @@ double positiveNumber(const Invocation &invocation, const Option &option) {
     return numberAbove(option.name, *word, 0);
 }
 
-int run(const Invocation &invocation) {
-    const auto &[specifiedDiameter, specifiedFeed, diameter] = options;
+int runFeed(const Invocation &invocation) {
+    const auto &[specifiedDiameter, specifiedFeed, diameter] = feedOptions;
     const auto feed = iso230_4::contouringFeed({positiveNumber(invocation, specifiedDiameter),
                                                 positiveNumber(invocation, specifiedFeed),
                                                 positiveNumber(invocation, diameter)});
@@ -43,7 +43,7 @@ int run(const Invocation &invocation) {
 Command feedCommand() {
     return {"feed", "",
             REPORT_TEXT("report", "contouring feed for a circle of another diameter (ISO 230-4, annex C)"),
-            options, run};
+            feedOptions, runFeed};
 }
 
 } // namespace palmer

@@ -28,7 +28,7 @@ namespace {
 
 constexpr const char *asOption = "as";
 
-constexpr std::array options{
+constexpr std::array figureOptions{
     Option{"o", "OUT.svg|png|pdf|csv",
            REPORT_TEXT("report",
                        "the picture to write, or its points; the ending says which; of several files "
@@ -136,7 +136,7 @@ QString endingOf(const Invocation &invocation, const QString &output, bool sever
     const QString ending = QFileInfo(output).suffix().toLower();
     if (output.isEmpty() || (!several && !asked && !isEnding(ending)))
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
-                          {std::string("figure"), "-o " + std::string(options[0].value)}});
+                          {std::string("figure"), "-o " + std::string(figureOptions[0].value)}});
     if (several && !asked)
         throw UsageError(
             {REPORT_TEXT("report", "the pictures of several files go into a folder; choose their kind with "
@@ -148,7 +148,7 @@ QString endingOf(const Invocation &invocation, const QString &output, bool sever
     return asked.value_or(ending);
 }
 
-int run(const Invocation &invocation) {
+int runFigure(const Invocation &invocation) {
     const Inputs inputs = inputsOf(invocation);
     const QString output = invocation.value(QLatin1StringView("o")).value_or(QString());
     const QString ending = endingOf(invocation, output, inputs.several);
@@ -179,7 +179,8 @@ int run(const Invocation &invocation) {
 } // namespace
 
 Command figureCommand() {
-    return {"figure", "FILE|FOLDER…", REPORT_TEXT("report", "one figure as a picture"), options, run, true};
+    return {"figure",      "FILE|FOLDER…", REPORT_TEXT("report", "one figure as a picture"),
+            figureOptions, runFigure,      true};
 }
 
 } // namespace palmer

@@ -23,7 +23,7 @@ namespace palmer {
 
 namespace {
 
-constexpr std::array options{
+constexpr std::array importOptions{
     Option{"o", "OUT.palmer", REPORT_TEXT("report", "the test file to write")},
     foreignOptions[0],
     foreignOptions[1],
@@ -60,7 +60,7 @@ bool needsTest(const Imported &imported) {
     return !imported.test;
 }
 
-int run(const Invocation &invocation) {
+int runImport(const Invocation &invocation) {
     const auto output = invocation.value(QLatin1StringView("o"));
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
@@ -126,7 +126,7 @@ int run(const Invocation &invocation) {
 Command importCommand() {
     return {"import", "DATA…",
             REPORT_TEXT("report", "files of instruments and tables into a test file; remarks on stderr"),
-            options, run};
+            importOptions, runImport};
 }
 
 } // namespace palmer

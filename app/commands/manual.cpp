@@ -10,7 +10,7 @@ namespace palmer {
 
 namespace {
 
-constexpr auto name = "palmer-cli";
+constexpr auto programName = "palmer-cli";
 
 void addItems(ManualPage &page, const std::vector<HelpRow> &rows) {
     for (const HelpRow &row : rows)
@@ -20,10 +20,10 @@ void addItems(ManualPage &page, const std::vector<HelpRow> &rows) {
 } // namespace
 
 QString manualPage(const Language &language) {
-    ManualPage page(name, REPORT_TEXT("report", "evaluate tests of machine tools and print the report"),
-                    language);
+    ManualPage page(programName,
+                    REPORT_TEXT("report", "evaluate tests of machine tools and print the report"), language);
     page.section(REPORT_TEXT_FOR("report", "SYNOPSIS", "section of a manual page"));
-    page.paragraph(QString::fromUtf8(name) + u' ' +
+    page.paragraph(QString::fromUtf8(programName) + u' ' +
                    language.text(REPORT_TEXT("report", "COMMAND [OPTION]… [FILE]…")));
     page.section(REPORT_TEXT_FOR("report", "DESCRIPTION", "section of a manual page"));
     page.paragraph(language.text(

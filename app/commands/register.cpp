@@ -30,7 +30,7 @@ namespace palmer {
 namespace {
 
 // clang-format off
-constexpr std::array options{
+constexpr std::array registerOptions{
     Option{"register", "PATH|postgresql://…", REPORT_TEXT("report", "the register; without it that of the user")},
     Option{"machine", "WORDS", REPORT_TEXT("report", "list, trend, report: name or serial number of the machine, or what names, maker, type or place contain")},
     Option{"axis", "X|XY", REPORT_TEXT("report", "list, trend: the axis, or the plane of circles")},
@@ -310,7 +310,7 @@ const std::vector<Part> &parts() {
     return all;
 }
 
-int run(const Invocation &invocation) {
+int runRegister(const Invocation &invocation) {
     const QString word = invocation.arguments.front();
     const auto part =
         std::ranges::find_if(parts(), [&](const Part &one) { return word == QLatin1StringView(one.name); });
@@ -368,8 +368,8 @@ Command registerCommand() {
     return {"register",
             "scan FOLDER…|list|trend|report",
             REPORT_TEXT("report", "all tests of all machines in some folders, over the years"),
-            options,
-            run,
+            registerOptions,
+            runRegister,
             true};
 }
 

@@ -27,7 +27,7 @@ namespace {
 
 constexpr const char *originalsOption = "with-originals";
 
-constexpr std::array options{
+constexpr std::array reportOptions{
     Option{"o", "OUT.pdf|FOLDER",
            REPORT_TEXT("report",
                        "the PDF to write; of two languages OUT.fr.pdf and OUT.en.pdf; of several files the "
@@ -157,14 +157,14 @@ private:
         for (const QString &name : languages)
             demandOutput(m_invocation, targetOf(name), {"pdf"});
         const QByteArray results = attachedResults(evaluated);
-        const ReportOptions reportOptions{QStringLiteral("Palmer " PALMER_VERSION), m_selfTest, originals,
-                                          testFile.get()};
-        const auto attachments = ui::attachmentsOf(attachedFileName(*whole), reportOptions.testFile, results);
+        const ReportOptions stated{QStringLiteral("Palmer " PALMER_VERSION), m_selfTest, originals,
+                                   testFile.get()};
+        const auto attachments = ui::attachmentsOf(attachedFileName(*whole), stated.testFile, results);
         std::vector<FileToSave> reports;
         for (const QString &name : languages) {
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);
-            ui::writePdf(composeReport(evaluated, Language::fromName(name).value(), reportOptions), pdf,
+            ui::writePdf(composeReport(evaluated, Language::fromName(name).value(), stated), pdf,
                          attachments);
             reports.push_back({pdf.data(), targetOf(name)});
         }
@@ -186,14 +186,15 @@ private:
     bool m_selfTest = false;
 };
 
-int run(const Invocation &invocation) {
+int runReport(const Invocation &invocation) {
     return Reports(invocation).run();
 }
 
 } // namespace
 
 Command reportCommand() {
-    return {"report", "FILE|FOLDER…", REPORT_TEXT("report", "the printed report as PDF"), options, run, true};
+    return {"report",      "FILE|FOLDER…", REPORT_TEXT("report", "the printed report as PDF"),
+            reportOptions, runReport,      true};
 }
 
 } // namespace palmer

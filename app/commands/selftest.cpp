@@ -13,7 +13,7 @@ namespace palmer {
 
 namespace {
 
-int run(const Invocation &invocation) {
+int runSelftest(const Invocation &invocation) {
     const std::vector<SetValidation> sets = validateAll();
     printOut(plainText(composeValidation(sets, invocation.language), textColumns()));
     return std::ranges::all_of(sets, &SetValidation::agrees) ? done : difference;
@@ -26,7 +26,7 @@ Command selftestCommand() {
             "",
             REPORT_TEXT("report", "evaluates the built-in reference data and compares with the known values"),
             {},
-            run};
+            runSelftest};
 }
 
 } // namespace palmer

@@ -23,7 +23,7 @@ namespace {
 
 constexpr const char *truthOption = "truth";
 
-constexpr std::array options{
+constexpr std::array synthesizeOptions{
     Option{"source", "ID[:AXIS]=VALUE[@SHAPE]",
            REPORT_TEXT("report", "an influence, in the units of the diagnosis (µm, µm/m, µrad, ms); after @ "
                                  "the pitch of cyclic in mm (10), the width of reversalSpike in degrees "
@@ -304,7 +304,7 @@ void demandOutputs(const Invocation &invocation, const QString &output) {
                           {std::string("-o"), std::string("--truth"), output.toStdString()}});
 }
 
-int run(const Invocation &invocation) {
+int runSynthesize(const Invocation &invocation) {
     const QString &kind = invocation.arguments.front();
     const bool isCircular = kind == QLatin1StringView(circularWord);
     if (invocation.arguments.size() != 1 || (!isCircular && kind != QLatin1StringView("positioning")))
@@ -340,7 +340,7 @@ int run(const Invocation &invocation) {
 
 Command synthesizeCommand() {
     return {"synthesize", "circular|positioning", REPORT_TEXT("report", "a measurement with known truth"),
-            options, run};
+            synthesizeOptions, runSynthesize};
 }
 
 } // namespace palmer

@@ -25,7 +25,7 @@ namespace {
 
 constexpr const char *defaultEdition = "ISO 230-2:2014";
 
-constexpr std::array options{
+constexpr std::array targetsOptions{
     Option{"axis", "X", REPORT_TEXT("report", "name of the axis")},
     Option{"travel", "1000", REPORT_TEXT("report", "measurement travel, mm; of rotary axes degrees")},
     Option{"rotary", "", REPORT_TEXT("report", "a rotary axis")},
@@ -115,7 +115,7 @@ QByteArray planned(const TargetRequest &asked, const TargetPlan &plan, const Cyc
     return pdf.data();
 }
 
-int run(const Invocation &invocation) {
+int runTargets(const Invocation &invocation) {
     if (!invocation.arguments.isEmpty())
         throw UsageError({REPORT_TEXT("report", "the command %1 takes no file"), {std::string("targets")}});
     const auto output = invocation.value(QLatin1StringView("o"));
@@ -170,8 +170,8 @@ Command targetsCommand() {
     return {"targets",
             "",
             REPORT_TEXT("report", "plans the targets of a positioning test, writes the part program"),
-            options,
-            run,
+            targetsOptions,
+            runTargets,
             true};
 }
 

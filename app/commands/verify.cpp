@@ -22,7 +22,7 @@ namespace {
 
 constexpr const char *extractOption = "extract";
 
-constexpr std::array options{
+constexpr std::array verifyOptions{
     Option{"json", "", REPORT_TEXT("report", "the outcome as JSON; of several files one object a line")},
     Option{extractOption, "OUT.palmer",
            REPORT_TEXT("report", "take the test file out of the report, byte for byte, and no more")},
@@ -104,7 +104,7 @@ int verify(const Invocation &invocation, const Input &input, int threads, bool s
     return verification.follows() ? done : difference;
 }
 
-int run(const Invocation &invocation) {
+int runVerify(const Invocation &invocation) {
     const int threads = threadsOf(invocation);
     if (const auto output = invocation.value(QLatin1StringView(extractOption)))
         return extract(invocation, *output);
@@ -126,8 +126,8 @@ Command verifyCommand() {
             "REPORT.pdf|FOLDER…",
             REPORT_TEXT("report",
                         "whether every printed number of a report follows from the test file inside it"),
-            options,
-            run,
+            verifyOptions,
+            runVerify,
             true};
 }
 

@@ -110,9 +110,9 @@ std::string axisName(const std::string &name, Dialect dialect) {
 }
 
 /// Writes the lines of one dialect.
-class Writer {
+class ProgramWriter {
 public:
-    Writer(const CycleProgram &program, Dialect dialect)
+    ProgramWriter(const CycleProgram &program, Dialect dialect)
         : m_decimals(program.decimals)
         , m_klartext(dialect == Dialect::heidenhain)
         , m_code(codeOf(dialect))
@@ -206,7 +206,7 @@ void demandSense(const CycleProgram &program, Dialect dialect) {
     }
 }
 
-void comments(Writer &writer, const CycleProgram &program, Dialect dialect, const Language &language) {
+void comments(ProgramWriter &writer, const CycleProgram &program, Dialect dialect, const Language &language) {
     const Quantity position = program.motion == Motion::linear ? Quantity::position : Quantity::angle;
     writer.comment(language.sentence(
         {REPORT_TEXT("report", "positioning test of axis %1; targets: %2; runs each way: %3"),
@@ -247,7 +247,7 @@ std::span<const DialectName> dialects() {
 
 QByteArray partProgram(const CycleProgram &program, Dialect dialect, const Language &language) {
     demandSense(program, dialect);
-    Writer writer(program, dialect);
+    ProgramWriter writer(program, dialect);
     writer.begin();
     comments(writer, program, dialect, language);
     writer.setUp();

@@ -17,7 +17,7 @@ void doubt(std::vector<Remark> &remarks, Message message, const char *choice) {
     remarks.push_back({RemarkGrade::problem, std::move(message), 0, 0, choice});
 }
 
-Number count(std::size_t n) {
+Number counted(std::size_t n) {
     return {static_cast<double>(n), Quantity::count};
 }
 
@@ -74,12 +74,12 @@ void question(const PositioningMeasurement &measurement, std::vector<Remark> &re
         if (values.size() > 1 && zero)
             doubt(remarks,
                   {REPORT_TEXT("report", "All readings of run %1 are zero: was it measured at all?"),
-                   {count(j + 1)}},
+                   {counted(j + 1)}},
                   "zeros");
         else if (equalTargets(measurement, measurement.runs[j]))
             doubt(remarks,
                   {REPORT_TEXT("report", "The deviations of run %1 equal the targets: is it a run at all?"),
-                   {count(j + 1)}},
+                   {counted(j + 1)}},
                   "equalsTargets");
     }
     questionSize(largest, measurement.axis.motion == Motion::rotary, remarks);
@@ -91,7 +91,7 @@ void question(const PositioningMeasurement &measurement, std::vector<Remark> &re
             doubt(remarks,
                   {REPORT_TEXT("report",
                                "Run %1 spreads a hundred times as far as the others: is it one of them?"),
-                   {count(j + 1)}},
+                   {counted(j + 1)}},
                   "spread");
     }
 }

@@ -28,14 +28,14 @@ struct TableOfTest {
     Table table;
 };
 
-/// Tables of the same columns as one: rows whose first `keys` cells are the same stand below each other, with
+/// Tables of the same columns as one: rows whose first `keyCells` cells are the same stand below each other, with
 /// the numbers of the tests that state the rest. What several tests state stands once.
 class MergedTable {
 public:
-    MergedTable(const Writer &write, int count, std::size_t keys)
+    MergedTable(const Writer &write, int count, std::size_t keyCells)
         : m_write(write)
         , m_count(count)
-        , m_keys(keys) {}
+        , m_keys(keyCells) {}
 
     void add(const TableOfTest &source) {
         if (m_columns.empty())

@@ -24,8 +24,8 @@ namespace {
 
 constexpr double scaleRoom = 44;
 constexpr double rightRoom = 14;
-constexpr double top = 12;
-constexpr double bottom = 22;
+constexpr double plotTop = 12;
+constexpr double plotBottom = 22;
 constexpr double pointerReach = 12; ///< of the pointer, pixels
 constexpr double handleReach = 7;
 constexpr double ring = 5;
@@ -120,7 +120,7 @@ void ArcCurvesView::setCurrentArc(std::size_t arc) {
 }
 
 QRectF ArcCurvesView::plot() const {
-    return QRectF(rect()).adjusted(scaleRoom, top, -rightRoom, -bottom);
+    return QRectF(rect()).adjusted(scaleRoom, plotTop, -rightRoom, -plotBottom);
 }
 
 double ArcCurvesView::xOf(double angle) const {
@@ -196,7 +196,8 @@ void ArcCurvesView::drawAxes(QPainter &painter) const {
         painter.drawText(QPointF(begin, area.bottom() + metrics.ascent() + 5), text);
     }
     const QString title = tr("Δr µm, least squares centre");
-    const QRectF box(area.left() + 5, area.top() - 2, metrics.horizontalAdvance(title) + 6, metrics.height());
+    const QRectF box(area.left() + 5, area.top() - 2, metrics.horizontalAdvance(title) + 6,
+                     metrics.height());
     painter.fillRect(box, palette().color(QPalette::Base));
     painter.setPen(secondary);
     painter.drawText(box, Qt::AlignCenter, title);

@@ -38,7 +38,7 @@ namespace {
 
 constexpr int fieldsWidth = 280;
 constexpr int margin = 16;
-constexpr int rowHeight = 24;
+constexpr int tableRowHeight = 24;
 constexpr int predictionRows = 6;
 constexpr const char *editionOfAll = "ISO 230-2:2014"; ///< has E, M and B
 constexpr std::array formats{CompensationFormat::linuxcnc, CompensationFormat::siemens,
@@ -117,9 +117,9 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     m_prediction->setSelectionMode(QAbstractItemView::NoSelection);
     m_prediction->setTabKeyNavigation(false);
     m_prediction->verticalHeader()->hide();
-    m_prediction->verticalHeader()->setDefaultSectionSize(rowHeight);
+    m_prediction->verticalHeader()->setDefaultSectionSize(tableRowHeight);
     m_prediction->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_prediction->setFixedHeight((predictionRows + 1) * rowHeight + 4);
+    m_prediction->setFixedHeight((predictionRows + 1) * tableRowHeight + 4);
     m_note->setObjectName(QStringLiteral("compensationNote"));
     m_note->setTextFormat(Qt::PlainText);
     m_note->setProperty("secondary", true);

@@ -18,7 +18,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int margin = 16;
+constexpr int columnMargin = 16;
 
 QString plain(QString text) {
     return text.remove(u'&').remove(u'…');
@@ -69,7 +69,7 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar &menus, QWidget *parent, bool ha
     buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->setContentsMargins(columnMargin, columnMargin, columnMargin, columnMargin);
     layout->addWidget(m_list, 1);
     layout->addWidget(buttons);
     resize(560, 560);

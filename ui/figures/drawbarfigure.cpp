@@ -12,7 +12,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double mm = pointsPerMillimetre;
 constexpr double rowPitch = 5.6;   ///< mm
 constexpr double headHeight = 5.6; ///< mm: titles of the columns
 constexpr double footHeight = 12;  ///< mm: scale, its numbers and its title

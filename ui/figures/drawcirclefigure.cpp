@@ -15,8 +15,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double mm = pointsPerMillimetre;
-
 // Measures of the printed page, mm of the figure unless points are said.
 constexpr double axisTip = 3.2; ///< of the positive ends, beyond the figure's radius
 constexpr double axisTail = 1.4;

@@ -14,8 +14,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double mm = pointsPerMillimetre;
-
 // Measures of the printed page (report), in points.
 constexpr double tickLength = 1.2 * mm;
 constexpr double tickGap = 1.0 * mm;

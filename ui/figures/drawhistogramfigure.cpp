@@ -12,7 +12,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double mm = pointsPerMillimetre;
 constexpr double side = 2 * mm;
 constexpr double top = 2 * mm;
 constexpr double foot = 17 * mm; ///< numbers, title and legend below the plot

@@ -12,7 +12,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double mm = pointsPerMillimetre;
 constexpr double tickLength = 1.2 * mm;
 constexpr double tickGap = 1.0 * mm;
 constexpr double titleCentre = 2.3 * mm;

@@ -12,7 +12,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double mm = pointsPerMillimetre;
 constexpr double markRadius = 0.75 * mm;
 constexpr double capWidth = 0.7 * mm;
 constexpr double tickLength = 0.8 * mm;

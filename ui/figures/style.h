@@ -54,6 +54,7 @@ enum class FigureRole {
 };
 
 constexpr double pointsPerMillimetre = 72 / 25.4;
+constexpr double mm = pointsPerMillimetre;
 
 /// Colour, width and dashes of a role; widths in points.
 [[nodiscard]] QPen figurePen(FigureRole role, Medium medium);

@@ -485,7 +485,7 @@ void ConditionsPage::addDeclarationsOf(const Edition *edition, const std::string
 }
 
 void ConditionsPage::addPositions(bool isPositioning) {
-    constexpr auto mm = Quantity::position;
+    constexpr auto position = Quantity::position;
     addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Positions"));
     beginColumns();
     addText("instrumentPosition",
@@ -494,19 +494,19 @@ void ConditionsPage::addPositions(bool isPositioning) {
     addText("otherAxes", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axes not under test"),
             common<&Conditions::otherAxes>(), 6);
     beginColumns();
-    addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, X"), mm,
+    addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, X"), position,
               coordinate<&Conditions::toolOffset, 0>(), 4);
-    addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Y"), mm,
+    addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Y"), position,
               coordinate<&Conditions::toolOffset, 1>(), 4);
-    addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Z"), mm,
+    addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Z"), position,
               coordinate<&Conditions::toolOffset, 2>(), 4);
     beginColumns();
     addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, X"),
-              mm, coordinate<&Conditions::workpieceOffset, 0>(), 4);
+              position, coordinate<&Conditions::workpieceOffset, 0>(), 4);
     addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Y"),
-              mm, coordinate<&Conditions::workpieceOffset, 1>(), 4);
+              position, coordinate<&Conditions::workpieceOffset, 1>(), 4);
     addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Z"),
-              mm, coordinate<&Conditions::workpieceOffset, 2>(), 4);
+              position, coordinate<&Conditions::workpieceOffset, 2>(), 4);
     if (isPositioning)
         return;
     const auto centre = []<std::size_t axis>() {
@@ -516,11 +516,11 @@ void ConditionsPage::addPositions(bool isPositioning) {
         });
     };
     beginColumns();
-    addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, X"), mm,
+    addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, X"), position,
               centre.operator()<0>(), 4);
-    addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Y"), mm,
+    addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Y"), position,
               centre.operator()<1>(), 4);
-    addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Z"), mm,
+    addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Z"), position,
               centre.operator()<2>(), 4);
     beginColumns();
     addText("startPoint", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Start point"),

@@ -12,7 +12,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double mm = pointsPerMillimetre;
 constexpr double limitPlace = 0.6; ///< of the width
 constexpr double bandHeight = 1.56 * mm;
 constexpr double diamondHalf = 0.88 * mm;

@@ -443,20 +443,20 @@ bool moveResults(std::vector<Block> &blocks, const std::vector<int> &pages, std:
 bool moveVerdicts(std::vector<Block> &blocks, const Flow &flow) {
     const std::vector<int> pages = pagesOfBlocks(flow, blocks.size());
     bool moved = false;
-    std::optional<std::size_t> head;
+    std::size_t head = blocks.size(); // none yet
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         if (std::holds_alternative<PageBreak>(blocks[i]))
-            head.reset();
+            head = blocks.size();
         else if (std::holds_alternative<TestHead>(blocks[i]))
             head = i;
-        if (!head || !std::holds_alternative<VerdictLine>(blocks[i]))
+        if (head == blocks.size() || !std::holds_alternative<VerdictLine>(blocks[i]))
             continue;
-        if (i == *head + 1)
-            moved |= moveResults(blocks, pages, *head);
-        if (i == *head + 1 || pages[i] == pages[*head])
+        if (i == head + 1)
+            moved |= moveResults(blocks, pages, head);
+        if (i == head + 1 || pages[i] == pages[head])
             continue;
         const auto begin = blocks.begin();
-        std::rotate(begin + static_cast<std::ptrdiff_t>(*head) + 1, begin + static_cast<std::ptrdiff_t>(i),
+        std::rotate(begin + static_cast<std::ptrdiff_t>(head) + 1, begin + static_cast<std::ptrdiff_t>(i),
                     begin + static_cast<std::ptrdiff_t>(i) + 1);
         moved = true;
     }

@@ -8,8 +8,6 @@
 
 namespace palmer::ui {
 
-constexpr double mm = pointsPerMillimetre;
-
 // Rules of tables and pages, mm.
 constexpr double outerRule = 0.35; ///< top and bottom of a table
 constexpr double headRule = 0.2;

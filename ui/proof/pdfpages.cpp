@@ -87,15 +87,15 @@ QImage PdfPages::picture(int index) const {
 
 std::vector<SignatureStatement> PdfPages::signatures() const {
     using Info = Poppler::SignatureValidationInfo;
-    using Field = Poppler::FormFieldSignature;
+    using SignatureField = Poppler::FormFieldSignature;
     std::vector<SignatureStatement> result;
     for (const auto &field : m_document->signatures()) {
-        if (field->signatureType() == Field::UnsignedSignature)
+        if (field->signatureType() == SignatureField::UnsignedSignature)
             continue;
         // Nothing is asked of servers.
-        const Info info =
-            field->validate(Field::ValidateVerifyCertificate | Field::ValidateWithoutOCSPRevocationCheck,
-                            QDateTime::currentDateTime());
+        const Info info = field->validate(SignatureField::ValidateVerifyCertificate |
+                                              SignatureField::ValidateWithoutOCSPRevocationCheck,
+                                          QDateTime::currentDateTime());
         SignatureStatement statement;
         statement.signer = info.signerName();
         if (info.signingTime() > 0)

@@ -15,7 +15,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr double leftMargin = 24; ///< for ↑ ↓
-constexpr double rightMargin = 8;
+constexpr double stripRightMargin = 8;
 constexpr double bottomMargin = 20; ///< for the numbers
 constexpr double laneShare = 0.25;  ///< of the height
 constexpr double dotRadius = 3.2;
@@ -39,7 +39,7 @@ void TargetStripView::setStrip(const TargetStrip &strip, std::size_t target) {
 }
 
 QRectF TargetStripView::plot() const {
-    return {leftMargin, 4, width() - leftMargin - rightMargin, height() - bottomMargin - 4};
+    return {leftMargin, 4, width() - leftMargin - stripRightMargin, height() - bottomMargin - 4};
 }
 
 double TargetStripView::x(double value) const {

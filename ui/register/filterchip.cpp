@@ -18,7 +18,7 @@ constexpr int chipHeight = 24;
 constexpr double chipRadius = 4;
 constexpr int padding = 10;
 constexpr int signSize = 12;
-constexpr int gap = 6;
+constexpr int chipGap = 6;
 constexpr int widest = 200;
 constexpr int least = 48;
 
@@ -46,7 +46,7 @@ void FilterChip::setContent(const QString &name, const QString &shown) {
 
 QSize FilterChip::sizeHint() const {
     constexpr int rounding = 4;
-    const int width = fontMetrics().horizontalAdvance(text()) + rounding + 2 * padding + gap + signSize;
+    const int width = fontMetrics().horizontalAdvance(text()) + rounding + 2 * padding + chipGap + signSize;
     return {std::clamp(width, least, widest), chipHeight};
 }
 
@@ -68,7 +68,7 @@ void FilterChip::paintEvent(QPaintEvent *) {
     const double half = isStrong ? 1 : 0.5;
     painter.drawRoundedRect(QRectF(rect()).adjusted(half, half, -half, -half), chipRadius, chipRadius);
     const QRect sign(width() - padding - signSize, 0, signSize, height());
-    const QRect room(padding, 0, sign.left() - gap - padding, height());
+    const QRect room(padding, 0, sign.left() - chipGap - padding, height());
     painter.setPen(palette().color(QPalette::Text));
     painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
                      fontMetrics().elidedText(text(), Qt::ElideRight, room.width()));
@@ -77,7 +77,7 @@ void FilterChip::paintEvent(QPaintEvent *) {
 }
 
 bool FilterChip::isOnCross(const QPoint &place) const {
-    return isChecked() && rect().contains(place) && place.x() >= width() - padding - signSize - gap / 2;
+    return isChecked() && rect().contains(place) && place.x() >= width() - padding - signSize - chipGap / 2;
 }
 
 void FilterChip::openMenu() {

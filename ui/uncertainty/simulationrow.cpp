@@ -15,7 +15,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int barWidth = 96;
-constexpr int barHeight = 4;
+constexpr int progressHeight = 4;
 constexpr int percent = 100;
 
 } // namespace
@@ -31,7 +31,7 @@ SimulationRow::SimulationRow(Simulator &simulator, QWidget *parent)
     m_text->setProperty("secondary", true);
     m_text->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_bar->setTextVisible(false);
-    m_bar->setFixedSize(barWidth, barHeight);
+    m_bar->setFixedSize(barWidth, progressHeight);
     m_start->setObjectName(QStringLiteral("simulate"));
     m_cancel->setObjectName(QStringLiteral("cancelSimulation"));
     auto *row = new QHBoxLayout(this);

@@ -97,7 +97,7 @@ struct Command {
     Line line;
 };
 
-std::string plain(std::string_view text) {
+std::string capitals(std::string_view text) {
     std::string result;
     for (const char c : text) {
         if (c != ' ' && c != '\t')
@@ -109,7 +109,7 @@ std::string plain(std::string_view text) {
 std::vector<Command> assignmentsOf(std::string_view text) {
     std::vector<Command> result;
     for (const Line &line : linesOf(text)) {
-        const std::string code = plain(line.text.substr(0, line.text.find(';')));
+        const std::string code = capitals(line.text.substr(0, line.text.find(';')));
         if (!code.starts_with("$AA_ENC_COMP") && !code.starts_with("$AN_CEC"))
             continue;
         const std::size_t open = code.find('[');
@@ -203,7 +203,7 @@ CompensationTable correctionsOf(const Stepped &stepped) {
 }
 
 /// Tables of both directions in one.
-CompensationTable joined(const CompensationTable &up, const CompensationTable &down) {
+CompensationTable bothDirections(const CompensationTable &up, const CompensationTable &down) {
     CompensationTable table = up;
     table.perDirection = true;
     std::set<double> positions(up.positions.begin(), up.positions.end());
@@ -279,7 +279,7 @@ FoundTable sagTable(const std::vector<Command> &assignments) {
     });
     if (opposite != tables.end()) {
         const CompensationTable other = correctionsOf(opposite->second);
-        found.table = direction > 0 ? joined(found.table, other) : joined(other, found.table);
+        found.table = direction > 0 ? bothDirections(found.table, other) : bothDirections(other, found.table);
         ++used;
     } else if (direction != 0) {
         found.table.perDirection = true;
@@ -306,7 +306,7 @@ std::vector<HeidenhainColumn> columnsOf(std::string_view line) {
         if (at == std::string_view::npos)
             return columns;
         const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
-        columns.push_back({plain(line.substr(at, end - at)), at});
+        columns.push_back({capitals(line.substr(at, end - at)), at});
         at = end;
     }
 }
@@ -409,7 +409,7 @@ FoundTable readWeihongTable(std::string_view text, bool deviations) {
     std::string axis;
     std::size_t others = 0;
     for (const Line &line : linesOf(text)) {
-        const std::string code = plain(line.text);
+        const std::string code = capitals(line.text);
         if (code.empty() || code.starts_with(';') || code.starts_with("UNIT="))
             continue;
         if (code.front() == '[') {
@@ -452,7 +452,7 @@ FoundTable readHeidenhainTable(std::string_view text) {
     std::optional<ComColumns> columns;
     double unit = 1;
     for (const Line &line : linesOf(text)) {
-        const std::string code = plain(line.text);
+        const std::string code = capitals(line.text);
         if (code.starts_with("BEGIN"))
             unit = code.ends_with("INCH") ? inch : 1;
         if (code.empty() || code == "[END]" || code.starts_with("BEGIN"))

@@ -293,13 +293,13 @@ std::vector<Token> tokensOf(std::string_view text) {
     return tokens;
 }
 
-struct Phrase {
+struct HeadingPhrase {
     std::string_view words;
     Meaning meaning;
     Sign sign;
 };
 
-using Dictionary = std::unordered_map<std::string_view, std::vector<Phrase>>;
+using Dictionary = std::unordered_map<std::string_view, std::vector<HeadingPhrase>>;
 
 /// By the first word, the longest phrase first.
 const Dictionary &dictionary() {
@@ -314,14 +314,14 @@ const Dictionary &dictionary() {
         }
         for (auto &[word, list] : result)
             std::ranges::stable_sort(list, std::ranges::greater(),
-                                     [](const Phrase &phrase) { return phrase.words.size(); });
+                                     [](const HeadingPhrase &phrase) { return phrase.words.size(); });
         return result;
     }();
     return rows;
 }
 
 /// How many tokens the phrase covers there; 0: it does not stand there.
-std::size_t covered(const Phrase &phrase, std::span<const Token> tokens) {
+std::size_t covered(const HeadingPhrase &phrase, std::span<const Token> tokens) {
     std::size_t count = 0;
     for (std::string_view rest = phrase.words; !rest.empty(); ++count) {
         const std::size_t blank = std::min(rest.find(' '), rest.size());
@@ -377,7 +377,7 @@ private:
         }
         if (const auto found = dictionary().find(token.text); found != dictionary().end()) {
             std::size_t tokens = 0;
-            for (const Phrase &phrase : found->second) {
+            for (const HeadingPhrase &phrase : found->second) {
                 const std::size_t here = covered(phrase, std::span(m_tokens).subspan(i));
                 // Several rows for one phrase: "pos" is a place and short for positive.
                 if (here > 0 && (tokens == 0 || here == tokens)) {
@@ -394,7 +394,7 @@ private:
         return 1;
     }
 
-    void apply(const Phrase &phrase, const Token &token) {
+    void apply(const HeadingPhrase &phrase, const Token &token) {
         m_up |= phrase.sign == Sign::up;
         m_down |= phrase.sign == Sign::down && !token.isWeak;
         m_hintUp |= phrase.sign == Sign::hintUp;
