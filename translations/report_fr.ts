@@ -8409,5 +8409,9 @@
         <source>The values of %1 formulas are not in the file and were not read; open the workbook in a spreadsheet program and save it.</source>
         <translation>Les valeurs de %1 formules ne sont pas dans le fichier et n’ont pas été lues&#x202f;; ouvrez le classeur dans un tableur et enregistrez-le.</translation>
     </message>
+    <message>
+        <source>Palmer is installed without its library for PDF files and workbooks, or with that of another version: install it again</source>
+        <translation>Palmer est installé sans sa bibliothèque pour les fichiers PDF et les classeurs, ou avec celle d’une autre version&#xa0;: l’installer de nouveau</translation>
+    </message>
 </context>
 </TS>

@@ -15,6 +15,8 @@
 #include <QSvgRenderer>
 #include <algorithm>
 #include <array>
+#include <map>
+#include <memory>
 #include <string_view>
 #include <utility>
 
@@ -66,13 +68,19 @@ QColor mixed(const QColor &colour, const QColor &ground, double strength) {
             part(colour.blue(), ground.blue())};
 }
 
+/// Read once in each colour: a list draws the same few for all its rows.
 void renderIcon(QPainter &painter, const QRectF &area, const QString &name, const QColor &colour) {
-    QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
-    if (!file.open(QIODevice::ReadOnly))
-        return;
-    QByteArray picture = file.readAll();
-    picture.replace("currentColor", colour.name().toLatin1());
-    QSvgRenderer(picture).render(&painter, area);
+    static std::map<std::pair<QString, QRgb>, std::unique_ptr<QSvgRenderer>> known;
+    auto &icon = known[{name, colour.rgb()}];
+    if (!icon) {
+        QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
+        if (!file.open(QIODevice::ReadOnly))
+            return;
+        QByteArray picture = file.readAll();
+        picture.replace("currentColor", colour.name().toLatin1());
+        icon = std::make_unique<QSvgRenderer>(picture);
+    }
+    icon->render(&painter, area);
 }
 
 /// Draws `:/icons/<name>.svg` anew for every size and colour; the picture is a few strokes.

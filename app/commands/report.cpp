@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <array>
 #include <future>
+#include <iterator>
+#include <utility>
 
 namespace palmer {
 
@@ -107,7 +109,9 @@ public:
             demandOutput(invocation, *output, {"pdf"});
             m_outputs = {*output};
         }
-        m_selfTest = selfTest(); // once for all
+        m_selfTest = std::async(std::launch::async, selfTest); // once for all, beside the reading of a file
+        if (m_inputs.several)
+            m_selfTest.wait(); // the processes that are split off find no thread
     }
 
     int run() {
@@ -141,9 +145,12 @@ private:
         const auto whole = std::make_shared<const Document>(std::move(document));
         const Originals originals =
             m_invocation.has(QLatin1StringView(originalsOption)) ? Originals::include : Originals::leaveOut;
-        // Beside the evaluation, and packed beside the pages: of 10⁶ readings each takes longer than those.
-        std::future<QByteArray> testFile =
-            std::async(std::launch::async, [&whole, originals] { return attachedFile(*whole, originals); });
+        // Written beside the evaluation, and packed as soon as it is: of 10⁶ readings each takes longer than
+        // all pages.
+        auto carried = std::async(std::launch::async, [&whole, originals] {
+            const QByteArray file = attachedFile(*whole, originals);
+            return std::pair(file, ui::attachmentsOf(attachedFileName(*whole), file, {}));
+        });
         const EvaluatedDocument evaluated =
             simulated(evaluate(whole, nullptr, m_edition), SimulateWhich::allWithBudget,
                       m_inputs.several ? 1 : 0, m_invocation.language);
@@ -156,16 +163,18 @@ private:
         };
         for (const QString &name : languages)
             demandOutput(m_invocation, targetOf(name), {"pdf"});
-        const QByteArray results = attachedResults(evaluated);
-        const ReportOptions stated{QStringLiteral("Palmer " PALMER_VERSION), m_selfTest, originals,
-                                   testFile.get()};
-        const auto attachments = ui::attachmentsOf(attachedFileName(*whole), stated.testFile, results);
+        auto results = std::async(std::launch::async, [&evaluated] { return attachedResults(evaluated); });
+        auto [testFile, attachments] = carried.get();
+        const ReportOptions stated{QStringLiteral("Palmer " PALMER_VERSION), m_selfTest.get(), originals,
+                                   testFile};
         std::vector<FileToSave> reports;
         for (const QString &name : languages) {
+            const Report report = composeReport(evaluated, Language::fromName(name).value(), stated);
+            if (results.valid()) // once, for all languages
+                std::ranges::move(ui::attachmentsOf({}, {}, results.get()), std::back_inserter(attachments));
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);
-            ui::writePdf(composeReport(evaluated, Language::fromName(name).value(), stated), pdf,
-                         attachments);
+            ui::writePdf(report, pdf, attachments);
             reports.push_back({pdf.data(), targetOf(name)});
         }
         try {
@@ -183,7 +192,7 @@ private:
     Inputs m_inputs;
     QStringList m_outputs; ///< by input
     std::string m_edition;
-    bool m_selfTest = false;
+    std::shared_future<bool> m_selfTest;
 };
 
 int runReport(const Invocation &invocation) {

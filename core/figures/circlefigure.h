@@ -101,7 +101,8 @@ void setLegend(CircleFigure &figure, std::vector<CircleLegendEntry> entries, int
                                         const CircleFigureOptions &options);
 
 /// The same figure seen otherwise, as zooming and panning in a window need it: points, rings and scale bar of
-/// what is in view. `figure` was made from `profiles`.
+/// what is in view. `figure` was made from `profiles`, in any view; that of the picture before is the
+/// quickest.
 [[nodiscard]] CircleFigure withView(CircleFigure figure, std::span<const PathProfile> profiles,
                                     const CircleView &view, const Language &language);
 

@@ -71,12 +71,4 @@ Difference otherFileName(const QString &name) {
     return said(0, REPORT_TEXT("report", "the attached test file has another name"), name);
 }
 
-Error unreadablePages() {
-    return {
-        Error::Kind::syntax,
-        {REPORT_TEXT("report", "the pages of this PDF cannot be read; ask for it again where it came from"),
-         {},
-         {}}};
-}
-
 } // namespace palmer

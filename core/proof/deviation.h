@@ -21,6 +21,12 @@ namespace palmer {
 [[nodiscard]] Difference otherFileName(const QString &name);
 
 /// For pages that no reader can show, or not in reasonable time.
-[[nodiscard]] Error unreadablePages();
+[[nodiscard]] inline Error unreadablePages() {
+    return {
+        Error::Kind::syntax,
+        {REPORT_TEXT("report", "the pages of this PDF cannot be read; ask for it again where it came from"),
+         {},
+         {}}};
+}
 
 } // namespace palmer

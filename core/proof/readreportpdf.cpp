@@ -32,6 +32,8 @@ std::optional<PdfParts> partsOf(const QByteArray &pdf) {
     bool exceeded = false;
     try {
         return pdfParts(pdf.constData(), static_cast<std::size_t>(pdf.size()), mostUnpacked, exceeded);
+    } catch (const Error &) { // no fault of the PDF
+        throw;
     } catch (const std::exception &) {
         if (exceeded)
             refuse(Error::Kind::tooLarge,

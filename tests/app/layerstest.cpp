@@ -59,7 +59,7 @@ constexpr Layer layers[]{
      "kernel document language tables import validation export figures editing report proof register ui"},
     {"app",
      "kernel document language tables import validation export figures editing report proof register ui "
-     "commands"},
+     "commands formats"},
 };
 
 template <class Visit>

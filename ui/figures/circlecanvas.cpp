@@ -83,7 +83,7 @@ void CircleCanvas::show(const EvaluatedDocument &evaluated, std::size_t test,
     m_test = test;
     m_content = content;
     m_language = language;
-    m_whole.reset();
+    m_figure.reset();
     m_drawn = {};
     update();
 }
@@ -102,7 +102,7 @@ void CircleCanvas::clear() {
     m_evaluated = {};
     m_profilesOf.reset();
     m_profiles.clear();
-    m_whole.reset();
+    m_figure.reset();
     m_drawn = {};
     update();
 }
@@ -134,24 +134,25 @@ void CircleCanvas::drawAnew() {
         return;
     const double ratio = devicePixelRatioF();
     const QSizeF wanted = QSizeF(size()) * millimetresPerPixel;
-    if (!m_whole || m_whole->size != wanted || m_whole->pointStep != millimetresPerPixel / ratio) {
-        const double before = m_whole ? m_whole->figureRadius : 0;
+    if (!m_figure || m_figure->size != wanted || m_figure->pointStep != millimetresPerPixel / ratio) {
+        const double before = m_figure ? m_figure->figureRadius : 0;
         CircleFigureOptions options = m_content.options;
         options.size = wanted;
         options.pointStep = millimetresPerPixel / ratio; // one step a pixel of the device
-        m_whole = circleFigure(*m_evaluated.document->tests[m_test], *m_profilesOf, m_profiles, m_language,
-                               options);
+        m_figure = circleFigure(*m_evaluated.document->tests[m_test], *m_profilesOf, m_profiles, m_language,
+                                options);
         if (before > 0) {
-            m_view.x *= m_whole->figureRadius / before;
-            m_view.y *= m_whole->figureRadius / before;
+            m_view.x *= m_figure->figureRadius / before;
+            m_view.y *= m_figure->figureRadius / before;
         }
         m_drawn = {};
     }
     if (!m_drawn.isNull())
         return;
-    m_view = within(m_view, *m_whole);
-    m_shown =
-        withoutHidden(m_view == CircleView{} ? *m_whole : withView(*m_whole, m_profiles, m_view, m_language));
+    m_view = within(m_view, *m_figure);
+    if (m_figure->view != m_view)
+        m_figure = withView(std::move(*m_figure), m_profiles, m_view, m_language);
+    m_shown = withoutHidden(*m_figure);
     // The toggles beside the figure name the paths.
     std::erase_if(m_shown.legend, [](const CircleLegendEntry &entry) {
         return entry.sample == CircleLegendSample::counterclockwise ||
@@ -173,8 +174,8 @@ std::optional<CircleFigure> CircleCanvas::paperFigure() const {
     options.pointStep = CircleFigureOptions().pointStep;
     CircleFigure figure =
         circleFigure(*m_evaluated.document->tests[m_test], *m_profilesOf, m_profiles, m_language, options);
-    if (m_view != CircleView{} && m_whole) {
-        const double scale = figure.figureRadius / m_whole->figureRadius;
+    if (m_view != CircleView{} && m_figure) {
+        const double scale = figure.figureRadius / m_figure->figureRadius;
         figure = withView(figure, m_profiles, {m_view.x * scale, m_view.y * scale, m_view.zoom}, m_language);
     }
     return withoutHidden(std::move(figure));
@@ -189,7 +190,7 @@ CircleView CircleCanvas::within(CircleView view, const CircleFigure &figure) {
 }
 
 void CircleCanvas::setView(const CircleView &view) {
-    const CircleView next = m_whole ? within(view, *m_whole) : view;
+    const CircleView next = m_figure ? within(view, *m_figure) : view;
     if (next == m_view)
         return;
     m_view = next;
@@ -206,7 +207,7 @@ QPointF CircleCanvas::shown(const TracePoint &point) const {
 }
 
 std::optional<CircleCanvas::ProfilePoint> CircleCanvas::nearest(QPointF at) const {
-    if (!m_whole)
+    if (!m_figure)
         return std::nullopt;
     const QPointF centre = m_transform.map(0, 0);
     const QPointF way = at - centre;
@@ -267,7 +268,7 @@ ReadingPlace CircleCanvas::placeOf(const ProfilePoint &point) const {
 std::optional<QPointF> CircleCanvas::placeOf(const ReadingPlace &point) {
     drawAnew();
     const auto found = find(point);
-    if (!found || !m_whole)
+    if (!found || !m_figure)
         return std::nullopt;
     const QPointF at = shown(m_profiles[found->profile][found->point]);
     return QRectF(rect()).contains(at) ? std::optional(at) : std::nullopt;
@@ -341,7 +342,7 @@ void CircleCanvas::paintMarking(QPainter &painter) const {
 
 void CircleCanvas::zoom(double factor, QPointF about) {
     drawAnew();
-    if (!m_whole)
+    if (!m_figure)
         return;
     const QPointF at = m_transform.toData(about);
     const double zoomed = std::clamp(m_view.zoom / factor, 1.0, deepestZoom);
@@ -355,7 +356,7 @@ void CircleCanvas::zoomBy(int steps) {
 
 void CircleCanvas::pan(QPointF by) {
     drawAnew();
-    if (!m_whole)
+    if (!m_figure)
         return;
     const QPointF moved = m_transform.toData(QPointF(0, 0)) - m_transform.toData(by);
     setView({m_view.x + moved.x(), m_view.y + moved.y(), m_view.zoom});

@@ -109,8 +109,8 @@ private:
     Language m_language{Language::Id::english};
     TestEvaluationPointer m_profilesOf; ///< the evaluation the profiles were made from
     std::vector<PathProfile> m_profiles;
-    std::optional<CircleFigure> m_whole; ///< for the size of the canvas; null: to be made
-    CircleFigure m_shown;                ///< in view
+    std::optional<CircleFigure> m_figure; ///< in the view painted last; null: to be made
+    CircleFigure m_shown;                 ///< what of it is not hidden
     CircleView m_view;
     QString m_markingLabel;
     std::vector<RulingPoint> m_ruling;

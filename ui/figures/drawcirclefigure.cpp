@@ -67,6 +67,13 @@ double radians(double degrees) {
 
 /// The part of a segment inside a rectangle; false: none.
 bool clip(QPointF &a, QPointF &b, const QRectF &rect) {
+    // Of a long path nearly all lines lie on one side, or inside: a third of the time for these two looks.
+    const auto [left, right] = std::minmax({a.x(), b.x()});
+    const auto [top, bottom] = std::minmax({a.y(), b.y()});
+    if (right < rect.left() || left > rect.right() || bottom < rect.top() || top > rect.bottom())
+        return false;
+    if (left >= rect.left() && right <= rect.right() && top >= rect.top() && bottom <= rect.bottom())
+        return true;
     double from = 0;
     double to = 1;
     const QPointF way = b - a;
@@ -195,8 +202,14 @@ private:
 
     /// A place given by its direction (degrees) and its distance from the centre (mm).
     [[nodiscard]] QPointF polar(double degrees, double radius) const {
+        return placeOn(directionOf(degrees), radius);
+    }
+    [[nodiscard]] static QPointF directionOf(double degrees) {
         const double angle = radians(degrees);
-        return m_centre + QPointF(std::cos(angle), -std::sin(angle)) * (radius * m_scale);
+        return {std::cos(angle), -std::sin(angle)};
+    }
+    [[nodiscard]] QPointF placeOn(QPointF ray, double radius) const {
+        return m_centre + ray * (radius * m_scale);
     }
     [[nodiscard]] QPointF place(const TracePoint &point) const {
         return polar(point.angle, m_figure.radius(point.deviation));
@@ -210,6 +223,7 @@ private:
     /// A chain of points, as far as it is near the view: beyond, coordinates are no affair of the painter.
     void drawChain(const QPolygonF &chain) {
         QPolygonF piece;
+        piece.reserve(chain.size());
         for (qsizetype i = 1; i < chain.size(); ++i) {
             QPointF a = chain[i - 1];
             QPointF b = chain[i];
@@ -403,13 +417,17 @@ private:
             line.setWidthF(0.99 * pixel); // what the painter draws quickly
         }
         p.setPen(line);
+        std::vector<QPointF> directions; // of all lines: a sine takes as long as all else of a point
+        directions.reserve(points.size());
+        for (const TracePoint &point : points)
+            directions.push_back(directionOf(point.angle));
         for (int i = 0; i < lines; ++i) {
             const double offset =
                 lines == 1 ? 0 : (width - pixel) * (static_cast<double>(i) / (lines - 1) - 0.5);
             QPolygonF chain;
             chain.reserve(static_cast<qsizetype>(points.size()));
-            for (const TracePoint &point : points)
-                chain << polar(point.angle, m_figure.radius(point.deviation) + offset / m_scale);
+            for (std::size_t k = 0; k < points.size(); ++k)
+                chain << placeOn(directions[k], m_figure.radius(points[k].deviation) + offset / m_scale);
             if (chain.size() == 1)
                 p.drawPoint(chain.front());
             else if (whole())

@@ -3,9 +3,7 @@
 #include "ui/pdf/finishpdf.h"
 
 #include <QStringList>
-#include <libdeflate.h>
 #include <memory>
-#include <new>
 #include <qpdf/Buffer.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFEFStreamObjectHelper.hh>
@@ -19,25 +17,6 @@ namespace palmer::ui {
 namespace {
 
 using Handle = QPDFObjectHandle;
-
-constexpr qsizetype isLong = qsizetype(4) << 20U;
-
-/// A stream of zlib. Of 40 MB of readings with all digits zlib's usual level made 12.7 MB in 1.25 s; the
-/// quickest of libdeflate makes 13.3 MB in 0.15 s. Short files are packed as well as zlib did, and sooner.
-QByteArray pack(const QByteArray &bytes) {
-    constexpr int quickest = 1;
-    constexpr int usual = 6;
-    const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
-        libdeflate_alloc_compressor(bytes.size() > isLong ? quickest : usual), &libdeflate_free_compressor);
-    if (!compressor)
-        throw std::bad_alloc();
-    const auto size = static_cast<std::size_t>(bytes.size());
-    const std::size_t most = libdeflate_zlib_compress_bound(compressor.get(), size);
-    QByteArray result(static_cast<qsizetype>(most), Qt::Uninitialized);
-    result.resize(static_cast<qsizetype>(
-        libdeflate_zlib_compress(compressor.get(), bytes.constData(), size, result.data(), most)));
-    return result;
-}
 
 Handle text(const QString &value) {
     return Handle::newUnicodeString(value.toStdString());
@@ -63,8 +42,8 @@ void setInformation(QPDF &document, const ReportMetadata &metadata) {
     document.getTrailer().replaceKey("/Info", document.makeIndirectObject(information));
 }
 
-void setMetadata(QPDF &document, const ReportMetadata &metadata) {
-    Handle packet = Handle::newStream(&document, xmpPacket(metadata).toStdString());
+void setMetadata(QPDF &document, const QByteArray &xmp) {
+    Handle packet = Handle::newStream(&document, xmp.toStdString());
     packet.getDict().replaceKey("/Type", Handle::newName("/Metadata"));
     packet.getDict().replaceKey("/Subtype", Handle::newName("/XML"));
     document.getRoot().replaceKey("/Metadata", packet);
@@ -178,10 +157,6 @@ void addBookmarks(QPDF &document, const std::vector<Handle> &pages,
 
 } // namespace
 
-std::shared_future<QByteArray> packed(const QByteArray &bytes) {
-    return std::async(bytes.size() > isLong ? std::launch::async : std::launch::deferred, pack, bytes);
-}
-
 QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
     QPDF document;
     document.setSuppressWarnings(true);
@@ -191,7 +166,7 @@ QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
     root.replaceKey("/Lang", text(properties.metadata.language));
     root.replaceKey("/ViewerPreferences", Handle::parse("<< /DisplayDocTitle true >>"));
     root.replaceKey("/PageLabels", Handle::parse("<< /Nums [0 << /S /D >>] >>"));
-    setMetadata(document, properties.metadata);
+    setMetadata(document, properties.xmp);
     setInformation(document, properties.metadata);
     document.getTrailer().removeKey("/ID"); // drawn by lot
     root.removeKey("/Names");

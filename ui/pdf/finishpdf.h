@@ -48,6 +48,7 @@ struct PdfLink {
 /// What a PDF says about itself, and what it carries beside its pages.
 struct PdfProperties {
     ReportMetadata metadata;
+    QByteArray xmp; ///< the packet that states them
     std::vector<PdfAttachment> attachments;
     std::vector<PdfBookmark> bookmarks;
     std::vector<PdfLink> links;

@@ -95,6 +95,7 @@ void writePdf(const Report &report, QIODevice &device, const std::vector<PdfAtta
     PdfProperties properties;
     properties.metadata = {oneLine(report.title), oneLine(report.laboratory), report.language, report.date,
                            report.making};
+    properties.xmp = xmpPacket(properties.metadata);
     properties.attachments = attachments;
     addNavigation(properties, pages);
     const QByteArray pdf = finishPdf(pagesAsPdf(pages), properties);

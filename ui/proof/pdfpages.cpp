@@ -5,6 +5,7 @@
 #include "proof/deviation.h"
 
 #include <QDateTime>
+#include <QElapsedTimer>
 #include <poppler/qt6/poppler-form.h>
 #include <poppler/qt6/poppler-qt6.h>
 
@@ -32,9 +33,25 @@ SignatureStatement::State stateOf(Poppler::SignatureValidationInfo::SignatureSta
     }
 }
 
-} // namespace
+class PagesOfPoppler : public PdfPages {
+public:
+    explicit PagesOfPoppler(const QByteArray &pdf);
 
-PdfPages::PdfPages(const QByteArray &pdf) {
+    [[nodiscard]] int count() const override;
+    [[nodiscard]] QSizeF size(int index) const override;
+    [[nodiscard]] PrintedWords words(int index) const override;
+    [[nodiscard]] QImage picture(int index) const override;
+    [[nodiscard]] std::vector<SignatureStatement> signatures() const override;
+
+private:
+    [[nodiscard]] std::unique_ptr<Poppler::Page> page(int index) const;
+    void demandInTime() const;
+
+    std::unique_ptr<Poppler::Document> m_document;
+    QElapsedTimer m_since;
+};
+
+PagesOfPoppler::PagesOfPoppler(const QByteArray &pdf) {
     Poppler::setDebugErrorFunction([](const QString &, const QVariant &) {}, {});
     m_since.start();
     m_document = Poppler::Document::loadFromData(pdf);
@@ -45,29 +62,27 @@ PdfPages::PdfPages(const QByteArray &pdf) {
     m_document->setRenderHint(Poppler::Document::HideAnnotations);
 }
 
-PdfPages::~PdfPages() = default;
-
-int PdfPages::count() const {
+int PagesOfPoppler::count() const {
     return m_document->numPages();
 }
 
-void PdfPages::demandInTime() const {
+void PagesOfPoppler::demandInTime() const {
     if (m_since.hasExpired(longest))
         throw unreadablePages();
 }
 
-std::unique_ptr<Poppler::Page> PdfPages::page(int index) const {
+std::unique_ptr<Poppler::Page> PagesOfPoppler::page(int index) const {
     auto result = m_document->page(index);
     if (!result)
         throw unreadablePages();
     return result;
 }
 
-QSizeF PdfPages::size(int index) const {
+QSizeF PagesOfPoppler::size(int index) const {
     return page(index)->pageSizeF();
 }
 
-PrintedWords PdfPages::words(int index) const {
+PrintedWords PagesOfPoppler::words(int index) const {
     PrintedWords result;
     const QVariant since = QVariant::fromValue(&m_since);
     for (const auto &box : page(index)->textList(Poppler::Page::Rotate0, isLate, since))
@@ -76,7 +91,7 @@ PrintedWords PdfPages::words(int index) const {
     return result;
 }
 
-QImage PdfPages::picture(int index) const {
+QImage PagesOfPoppler::picture(int index) const {
     constexpr double dotsPerInch = 72;
     const QVariant since = QVariant::fromValue(&m_since);
     const QImage image = page(index)->renderToImage(dotsPerInch, dotsPerInch, -1, -1, -1, -1,
@@ -85,7 +100,7 @@ QImage PdfPages::picture(int index) const {
     return image.convertToFormat(QImage::Format_RGB32);
 }
 
-std::vector<SignatureStatement> PdfPages::signatures() const {
+std::vector<SignatureStatement> PagesOfPoppler::signatures() const {
     using Info = Poppler::SignatureValidationInfo;
     using SignatureField = Poppler::FormFieldSignature;
     std::vector<SignatureStatement> result;
@@ -106,6 +121,12 @@ std::vector<SignatureStatement> PdfPages::signatures() const {
         result.push_back(std::move(statement));
     }
     return result;
+}
+
+} // namespace
+
+std::unique_ptr<PdfPages> openPages(const QByteArray &pdf) {
+    return std::make_unique<PagesOfPoppler>(pdf);
 }
 
 } // namespace palmer::ui

@@ -6,42 +6,34 @@
 #include "proof/verification.h"
 
 #include <QByteArray>
-#include <QElapsedTimer>
 #include <QImage>
 #include <QSizeF>
 #include <memory>
 #include <vector>
 
-namespace Poppler {
-class Document;
-class Page;
-} // namespace Poppler
-
 namespace palmer::ui {
 
-/// The pages of a PDF as another program reads them (poppler): words, pictures, signatures. Throws Error for
-/// what cannot be read, and for pages that take longer than half a minute in all.
+/// The pages of a PDF: words, pictures, signatures. Throws Error for what cannot be read, and for pages that
+/// take longer than half a minute in all.
 class PdfPages {
 public:
-    explicit PdfPages(const QByteArray &pdf);
-    ~PdfPages();
+    virtual ~PdfPages() = default;
     PdfPages(const PdfPages &) = delete;
     PdfPages &operator=(const PdfPages &) = delete;
 
-    [[nodiscard]] int count() const;
-    [[nodiscard]] QSizeF size(int index) const; ///< points
+    [[nodiscard]] virtual int count() const = 0;
+    [[nodiscard]] virtual QSizeF size(int index) const = 0; ///< points
     /// The words of a page in the order of reading.
-    [[nodiscard]] PrintedWords words(int index) const;
+    [[nodiscard]] virtual PrintedWords words(int index) const = 0;
     /// A page without annotations, a pixel a point.
-    [[nodiscard]] QImage picture(int index) const;
-    [[nodiscard]] std::vector<SignatureStatement> signatures() const;
+    [[nodiscard]] virtual QImage picture(int index) const = 0;
+    [[nodiscard]] virtual std::vector<SignatureStatement> signatures() const = 0;
 
-private:
-    [[nodiscard]] std::unique_ptr<Poppler::Page> page(int index) const;
-    void demandInTime() const;
-
-    std::unique_ptr<Poppler::Document> m_document;
-    QElapsedTimer m_since;
+protected:
+    PdfPages() = default;
 };
+
+/// As another program reads them (poppler).
+[[nodiscard]] std::unique_ptr<PdfPages> openPages(const QByteArray &pdf);
 
 } // namespace palmer::ui

@@ -167,20 +167,20 @@ public:
         , m_composed(composed)
         , m_fingerprint(shortFingerprint(composed.fingerprint))
         , m_language(language)
-        , m_printed(report.pdf)
-        , m_follows(pdf)
+        , m_printed(openPages(report.pdf))
+        , m_follows(openPages(pdf))
         , m_foreign(foreignPlaces(composed))
         , m_result(result) {}
 
     void run(bool sameProgram) {
-        const int pages = std::min(m_printed.count(), m_follows.count());
+        const int pages = std::min(m_printed->count(), m_follows->count());
         for (int page = 0; page < pages; ++page)
             compare(page, sameProgram);
-        if (sameProgram && m_printed.count() != m_follows.count())
-            m_result.differences.push_back(otherPageCount(m_printed.count(), m_follows.count()));
+        if (sameProgram && m_printed->count() != m_follows->count())
+            m_result.differences.push_back(otherPageCount(m_printed->count(), m_follows->count()));
         if (!sameProgram)
             compareRowsOfResults();
-        m_result.signatures = m_printed.signatures();
+        m_result.signatures = m_printed->signatures();
         for (const SignatureStatement &signature : m_result.signatures) {
             if (signature.state == SignatureStatement::State::broken)
                 m_result.differences.push_back(brokenSignature(signature.signer));
@@ -191,9 +191,9 @@ private:
     /// Another version may lay its pages out otherwise.
     void compareRowsOfResults() {
         std::vector<PrintedWords> pages;
-        pages.reserve(static_cast<std::size_t>(m_printed.count()));
-        for (int page = 0; page < m_printed.count(); ++page)
-            pages.push_back(m_printed.words(page));
+        pages.reserve(static_cast<std::size_t>(m_printed->count()));
+        for (int page = 0; page < m_printed->count(); ++page)
+            pages.push_back(m_printed->words(page));
         for (Difference &difference :
              compareRows(pages, rowsOf(m_report.evaluated, m_composed, m_language))) {
             const bool isNamed = std::ranges::any_of(m_result.differences, [&](const Difference &other) {
@@ -205,13 +205,13 @@ private:
     }
 
     void compare(int page, bool sameProgram) {
-        const QSizeF size = m_printed.size(page) - m_follows.size(page);
+        const QSizeF size = m_printed->size(page) - m_follows->size(page);
         if (std::abs(size.width()) > sizeTolerance || std::abs(size.height()) > sizeTolerance) {
             m_result.differences.push_back(otherPageSize(page + 1));
             return;
         }
-        const PrintedWords printed = m_printed.words(page);
-        const PrintedWords follows = m_follows.words(page);
+        const PrintedWords printed = m_printed->words(page);
+        const PrintedWords follows = m_follows->words(page);
         QStringList words;
         for (const PrintedWord &word : printed)
             words << word.text;
@@ -236,8 +236,8 @@ private:
     /// The words are the same: so has to be what is seen.
     void comparePictures(int page, const PrintedWords &words, const std::vector<QRectF> &foreign,
                          bool sameProgram) {
-        const QRectF area = differingArea(without(m_printed.picture(page), foreign),
-                                          without(m_follows.picture(page), foreign));
+        const QRectF area = differingArea(without(m_printed->picture(page), foreign),
+                                          without(m_follows->picture(page), foreign));
         if (area.isEmpty())
             return;
         (sameProgram ? m_result.differences : m_result.wording)
@@ -274,8 +274,8 @@ private:
     const Report &m_composed;
     QString m_fingerprint;
     const Language &m_language;
-    PdfPages m_printed;
-    PdfPages m_follows;
+    std::unique_ptr<PdfPages> m_printed;
+    std::unique_ptr<PdfPages> m_follows;
     std::vector<std::vector<QRectF>> m_foreign; ///< by page
     Verification &m_result;
 };

@@ -774,7 +774,8 @@ bool isWorkbook(QByteArrayView bytes) {
 }
 
 void readWorkbook(const ImportSource &source, Choices &choices, Imported &imported) {
-    ZipFile zip(source.bytes);
+    const std::unique_ptr<ZipFile> opened = openZip(source.bytes);
+    ZipFile &zip = *opened;
     std::vector<SheetName> sheets;
     QByteArray content;
     XlsxCells cells;

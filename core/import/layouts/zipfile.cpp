@@ -29,49 +29,53 @@ constexpr qint64 blockSize = 1 << 16;
                 {REPORT_TEXT("report", "the workbook unpacks to more than a table of readings can be")});
 }
 
-} // namespace
+class ZipFileOfLibzip : public ZipFile {
+public:
+    explicit ZipFileOfLibzip(QByteArrayView bytes);
+    ~ZipFileOfLibzip() override { zip_discard(m_archive); }
+    ZipFileOfLibzip(const ZipFileOfLibzip &) = delete;
+    ZipFileOfLibzip &operator=(const ZipFileOfLibzip &) = delete;
 
-ZipFile::ZipFile(QByteArrayView bytes) {
+    [[nodiscard]] bool contains(const QString &name) const override { return find(name) >= 0; }
+    [[nodiscard]] QByteArray member(const QString &name) override;
+
+private:
+    [[nodiscard]] qint64 find(const QString &name) const; ///< below 0: there is none
+
+    zip_t *m_archive = nullptr;
+    qint64 m_unpacked = 0;
+};
+
+ZipFileOfLibzip::ZipFileOfLibzip(QByteArrayView bytes) {
     zip_error_t error;
     zip_error_init(&error);
     zip_source_t *source =
         zip_source_buffer_create(bytes.data(), static_cast<zip_uint64_t>(bytes.size()), 0, &error);
-    zip_t *archive = source ? zip_open_from_source(source, ZIP_RDONLY, &error) : nullptr;
+    m_archive = source ? zip_open_from_source(source, ZIP_RDONLY, &error) : nullptr;
     zip_error_fini(&error);
-    if (!archive) {
+    if (!m_archive) {
         if (source)
             zip_source_free(source);
         refuseDamaged();
     }
-    m_archive = archive;
 }
 
-ZipFile::~ZipFile() {
-    zip_discard(static_cast<zip_t *>(m_archive));
-}
-
-bool ZipFile::contains(const QString &name) const {
-    return find(name) >= 0;
-}
-
-qint64 ZipFile::find(const QString &name) const {
-    auto *archive = static_cast<zip_t *>(m_archive);
+qint64 ZipFileOfLibzip::find(const QString &name) const {
     const QByteArray asStated = name.toUtf8();
-    const qint64 index = zip_name_locate(archive, asStated.constData(), ZIP_FL_NOCASE);
+    const qint64 index = zip_name_locate(m_archive, asStated.constData(), ZIP_FL_NOCASE);
     if (index >= 0)
         return index;
     const QByteArray otherSlashes = QByteArray(asStated).replace('/', '\\');
-    return zip_name_locate(archive, otherSlashes.constData(), ZIP_FL_NOCASE);
+    return zip_name_locate(m_archive, otherSlashes.constData(), ZIP_FL_NOCASE);
 }
 
-QByteArray ZipFile::member(const QString &name) {
-    auto *archive = static_cast<zip_t *>(m_archive);
+QByteArray ZipFileOfLibzip::member(const QString &name) {
     const qint64 index = find(name);
     if (index < 0)
         return {};
     zip_stat_t stat;
     zip_stat_init(&stat);
-    if (zip_stat_index(archive, static_cast<zip_uint64_t>(index), 0, &stat) != 0)
+    if (zip_stat_index(m_archive, static_cast<zip_uint64_t>(index), 0, &stat) != 0)
         refuseDamaged();
     const qint64 packed = (stat.valid & ZIP_STAT_COMP_SIZE) ? static_cast<qint64>(stat.comp_size) : 0;
     const qint64 most =
@@ -79,7 +83,7 @@ QByteArray ZipFile::member(const QString &name) {
     if ((stat.valid & ZIP_STAT_SIZE) && stat.size > static_cast<zip_uint64_t>(most))
         refuseBomb(); // what it says of itself; what it is, is counted below
     const std::unique_ptr<zip_file_t, int (*)(zip_file_t *)> file(
-        zip_fopen_index(archive, static_cast<zip_uint64_t>(index), 0), zip_fclose);
+        zip_fopen_index(m_archive, static_cast<zip_uint64_t>(index), 0), zip_fclose);
     if (!file)
         refuseDamaged();
     QByteArray bytes;
@@ -98,6 +102,12 @@ QByteArray ZipFile::member(const QString &name) {
     }
     m_unpacked += bytes.size();
     return bytes;
+}
+
+} // namespace
+
+std::unique_ptr<ZipFile> openZip(QByteArrayView bytes) {
+    return std::make_unique<ZipFileOfLibzip>(bytes);
 }
 
 } // namespace palmer

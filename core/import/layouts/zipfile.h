@@ -5,29 +5,28 @@
 #include <QByteArray>
 #include <QByteArrayView>
 #include <QString>
+#include <memory>
 
 namespace palmer {
 
-/// A ZIP archive in memory, read only. The bytes have to live as long.
+/// A ZIP archive in memory, read only.
 class ZipFile {
 public:
-    /// Throws Error(content) for what is no archive or is damaged.
-    explicit ZipFile(QByteArrayView bytes);
-    ~ZipFile();
+    virtual ~ZipFile() = default;
     ZipFile(const ZipFile &) = delete;
     ZipFile &operator=(const ZipFile &) = delete;
 
     /// Names are compared as those of workbooks are: without regard to case, and to which slash was written.
-    [[nodiscard]] bool contains(const QString &name) const;
+    [[nodiscard]] virtual bool contains(const QString &name) const = 0;
     /// The bytes of a member; empty where there is none. Throws Error(tooLarge) before more than 256 MiB or
     /// more than a thousand times its compressed size are unpacked; all members together stay below 512 MiB.
-    [[nodiscard]] QByteArray member(const QString &name);
+    [[nodiscard]] virtual QByteArray member(const QString &name) = 0;
 
-private:
-    [[nodiscard]] qint64 find(const QString &name) const; ///< below 0: there is none
-
-    void *m_archive = nullptr;
-    qint64 m_unpacked = 0;
+protected:
+    ZipFile() = default;
 };
+
+/// By libzip. The bytes have to live as long. Throws Error(content) for what is no archive or is damaged.
+[[nodiscard]] std::unique_ptr<ZipFile> openZip(QByteArrayView bytes);
 
 } // namespace palmer

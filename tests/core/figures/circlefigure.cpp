@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 
@@ -487,6 +488,26 @@ private slots:
         for (const CircleTrace &trace : middle.traces)
             all += trace.points.size();
         QVERIFY(all > 10000);
+    }
+
+    /// Whatever was in view before: near and far, beside the centre and about it.
+    void aViewDoesNotDependOnTheOneBefore() {
+        const Test test = longPair(3000);
+        const TestEvaluation evaluation = evaluatedCircular(test);
+        const Language language(Language::Id::english);
+        const auto profiles = pathProfiles(test, evaluation);
+        const CircleFigure whole = circleFigure(test, evaluation, profiles, language, {});
+        CircleFigure shown = whole;
+        std::mt19937 random(20261123);
+        std::uniform_real_distribution<double> place(-1, 1);
+        for (int i = 0; i < 300; ++i) {
+            constexpr std::array zooms{1.0, 1.1, 1.7, 1.7, 1.7, 3.0, 3.0, 40.0};
+            const double zoom = zooms.at(random() % zooms.size());
+            const double reach = random() % 2 == 0 ? 20 : 60; // mm; a few times the centre is out of view
+            const CircleView view{reach * place(random), reach * place(random), zoom};
+            shown = withView(std::move(shown), profiles, view, language);
+            QVERIFY(shown == withView(whole, profiles, view, language));
+        }
     }
 };
 

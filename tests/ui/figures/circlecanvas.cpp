@@ -157,6 +157,24 @@ private slots:
         QCOMPARE(shown.canvas->view(), CircleView());
     }
 
+    /// Of a picture that was panned over nothing is left: the next is, to the pixel, that of who begins
+    /// there.
+    void aPannedPictureIsAFreshOne() {
+        const Test dense = longPair(6000);
+        Shown panned(dense);
+        for (const CircleView &view :
+             {CircleView{0, 0, 1.2}, CircleView{3, -2, 1.2}, CircleView{-8, 7.5, 1.2}, CircleView{40, 1, 3},
+              CircleView{42.25, 1, 3}, CircleView{1, 1, 3}, CircleView{2, -1, 3}, CircleView{45, 0, 30},
+              CircleView{44.9, 0.1, 30}, CircleView{}, CircleView{1, 0, 1.2}}) {
+            panned.canvas->setView(view);
+            const QImage picture = panned.canvas->grab().toImage();
+            Shown fresh(dense);
+            fresh.canvas->setView(view);
+            QCOMPARE(fresh.canvas->view(), panned.canvas->view());
+            QVERIFY(fresh.canvas->grab().toImage() == picture);
+        }
+    }
+
     void dragMovesTheFigure() {
         Shown shown;
         shown.canvas->setView({10, 10, 5});

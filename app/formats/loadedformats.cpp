@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "document/documenterror.h"
+#include "formats/formats.h"
+
+#include <QCoreApplication>
+#include <QCryptographicHash>
+#include <QLibrary>
+#include <string_view>
+
+namespace palmer {
+
+namespace {
+
+/// Null where the library is missing, of another version, or lacks what it needs itself.
+const Formats *loaded() {
+    static const Formats *const found = []() -> const Formats * {
+        QLibrary library(QCoreApplication::applicationDirPath() + QStringLiteral("/" PALMER_FORMATS));
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): a name of a library
+        const auto function = reinterpret_cast<decltype(&palmerFormats)>(library.resolve("palmerFormats"));
+        const bool ours = function && std::string_view(function()->version) == PALMER_VERSION;
+        return ours ? function() : nullptr;
+    }();
+    return found;
+}
+
+const Formats &formats(Error::Kind kind) {
+    if (const Formats *found = loaded())
+        return *found;
+    throw Error(
+        kind,
+        {REPORT_TEXT("report", "Palmer is installed without its library for PDF files and workbooks, or with "
+                               "that of another version: install it again")});
+}
+
+} // namespace
+
+/// The same, slower, without the library: a sum is asked for where nothing may fail.
+std::string sha256(QByteArrayView bytes) {
+    if (const Formats *found = loaded())
+        return found->sha256(bytes);
+    return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex().toStdString();
+}
+
+std::unique_ptr<ZipFile> openZip(QByteArrayView bytes) {
+    return formats(Error::Kind::unreadable).openZip(bytes);
+}
+
+PdfParts pdfParts(const char *bytes, std::size_t size, std::int64_t most, bool &exceeded) {
+    return formats(Error::Kind::unreadable).pdfParts(bytes, size, most, exceeded);
+}
+
+namespace ui {
+
+QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
+    return formats(Error::Kind::unwritable).finishPdf(pdf, properties);
+}
+
+std::unique_ptr<PdfPages> openPages(const QByteArray &pdf) {
+    return formats(Error::Kind::unreadable).openPages(pdf);
+}
+
+} // namespace ui
+
+} // namespace palmer
