@@ -273,7 +273,15 @@ struct Reading {
     double broken = 0;           ///< cells that are no whole number and no word
     std::size_t columns = 0;     ///< of most rows
     std::vector<double> numbers; ///< of the rows that are alike
+    std::vector<double> all;     ///< of all rows, sorted
 };
+
+/// Whether blanks part what another delimiter parts, and words besides: the numbers are the same.
+bool onlyPartsWords(const Reading &blanks, const Reading &best) {
+    return blanks.delimiter == Delimiter::blanks && best.delimiter != Delimiter::blanks &&
+           best.delimiter != Delimiter::comma && blanks.mark == best.mark &&
+           std::ranges::includes(blanks.all, best.all);
+}
 
 // Whole numbers written as "05" are the decimals of something.
 bool isTorn(std::string_view number) {
@@ -356,7 +364,7 @@ std::size_t usualColumns(const std::vector<SampleRow> &rows) {
 Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mark, bool comments) {
     Scanner scanner(sample, delimiter, mark, comments);
     scanner.scan(sampleRows);
-    Reading result{delimiter, mark, 0, 0, false, false, 0, 0, {}};
+    Reading result{delimiter, mark, 0, 0, false, false, 0, 0, {}, {}};
     std::vector<SampleRow> rows;
     SampleSigns signs;
     for (const TableRow &row : scanner.rows) {
@@ -379,11 +387,13 @@ Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mar
     std::size_t all = 0;
     for (const SampleRow &row : rows) {
         all += row.numbers.size();
+        result.all.insert(result.all.end(), row.numbers.begin(), row.numbers.end());
         if (row.count != result.columns)
             continue;
         ++alike;
         result.numbers.insert(result.numbers.end(), row.numbers.begin(), row.numbers.end());
     }
+    std::ranges::sort(result.all);
     result.score = static_cast<double>(alike) / static_cast<double>(rows.size()) *
                    (static_cast<double>(all) - 2 * signs.broken);
     result.rival = signs.torn > 0 ? 0 : result.score;
@@ -445,7 +455,7 @@ void settleForm(CellTable &table, std::string_view text, const TableOptions &opt
     }
     const bool doubtful = best.mayBeGrouped || std::ranges::any_of(readings, [&](const Reading &reading) {
                               return reading.rival > 0.5 * best.score && reading.broken <= best.broken &&
-                                     reading.numbers != best.numbers;
+                                     reading.numbers != best.numbers && !onlyPartsWords(reading, best);
                           });
     const Origin origin = doubtful ? Origin::guessed : Origin::recognised;
     table.delimiter = {best.delimiter, options.delimiter ? Origin::chosen : origin};

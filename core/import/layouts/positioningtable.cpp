@@ -197,7 +197,10 @@ void readPositioning(TableReading &reading) {
     settleDirections(found, reading);
     colour(found.passes, reading);
     const std::vector<Pass> passes = inOrder(std::move(found.passes));
-    const Unit *unit = found.unit ? found.unit : reading.notes.unit;
+    // "Unit: µm" above positions is that of something else: asked.
+    const Unit *noted = reading.notes.unit;
+    const bool isTooSmall = noted && noted->toBase(1) < 1 && arePositions(passes);
+    const Unit *unit = found.unit || isTooSmall ? found.unit : noted;
     const PassForm form =
         settleForm(passes, {found.content, found.sign, unit, found.positionUnit, signOf(reading)},
                    reading.choices, reading.result.remarks);

@@ -376,6 +376,13 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
     row("millimetres of a short axis without a word", "P (mm);↑1 (mm);↓1 (mm)\n0;0.01;0.05\n0.1;0.02;0.06\n",
         "target,run+1,run-1 / 0 0.1 / ↑ 10 20 / ↓ 50 60 / content");
+    row("tabs between cells with blanks in them",
+        "Máquina: Mazak VTC-800\nOperario: Meier\nTemperatura: 20,3 °C\n\n"
+        "Posición objetivo [mm]\t-250,00\t-224,43\t-199,56\n"
+        "Error de posición ida 1 [µm]\t2,0\t1,7\t2,9\nError de posición vuelta 1 [µm]\t-2,2\t-1,0\t-0,9\n",
+        "ignored,run,run,run / -250 -224.43 -199.56 / ↑ 2 1.7 2.9 / ↓ -2.2 -1 -0.9 / sensor Temperatura "
+        "machine "
+        "20.3 / ");
     row("few decimals among whole numbers", "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;3.5;7\n200;4;8\n300;4;9\n",
         "target,run+1,run-1 / 0 100 200 300 / ↑ 1 3.5 4 4 / ↓ 5 7 8 9 / ");
     // What is measured along an axis and is no position.
@@ -386,6 +393,10 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
             << QString("target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / kind");
     row("a straight line", "Straight line of X, Yawata\nP (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;2;6\n",
         "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
+    row("µm above positions", "Unit: µm\nTarget;Actual ↑ 1;Actual ↓ 1\n0;0.001;0.005\n100;100.002;100.006\n",
+        "target,actual+1,actual-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / positionUnit unit");
+    row("mm above positions", "Unit: mm\nTarget;Actual ↑ 1;Actual ↓ 1\n0;0.001;0.005\n100;100.002;100.006\n",
+        "target,actual+1,actual-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
     // Thousands or decimals of a small axis.
     row("1,000 beside 0", "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n1,000;2;6\n2,000;3;7\n",
         "target,run+1,run-1 / 0 1 2 / ↑ 1 2 3 / ↓ 5 6 7 / decimalMark");
