@@ -382,29 +382,35 @@ private:
                 m.number = static_cast<unsigned>(std::stoul(std::string(token.text)));
             return 1;
         }
-        if (const auto found = dictionary().find(token.text); found != dictionary().end()) {
-            std::size_t tokens = 0;
-            const bool isOrigin = i == m_origin;
-            for (const Phrase &phrase : found->second) {
-                const std::size_t here = covered(phrase, std::span(m_tokens).subspan(i));
-                // Several rows for one phrase: "pos" is a place and short for positive.
-                if (here > 0 && (tokens == 0 || here == tokens)) {
-                    tokens = here;
-                    if (isOrigin && (phrase.sign == Sign::up || phrase.sign == Sign::down))
-                        comeFrom(phrase.sign);
-                    else
-                        apply(phrase, token);
-                    if (phrase.sign == Sign::from || (isOrigin && phrase.sign == Sign::filler))
-                        m_origin = i + here;
-                }
-            }
-            if (tokens > 0) {
-                remember(i, tokens);
-                return tokens;
-            }
+        if (const std::size_t tokens = takePhrases(i); tokens > 0) {
+            remember(i, tokens);
+            return tokens;
         }
         takeUnknown(token);
         return 1;
+    }
+
+    /// What the dictionary has for the words that begin there; the number of tokens.
+    std::size_t takePhrases(std::size_t i) {
+        const auto found = dictionary().find(m_tokens[i].text);
+        if (found == dictionary().end())
+            return 0;
+        std::size_t tokens = 0;
+        const bool isOrigin = i == m_origin;
+        for (const Phrase &phrase : found->second) {
+            const std::size_t here = covered(phrase, std::span(m_tokens).subspan(i));
+            // Several rows for one phrase: "pos" is a place and short for positive.
+            if (here == 0 || (tokens > 0 && here != tokens))
+                continue;
+            tokens = here;
+            if (isOrigin && (phrase.sign == Sign::up || phrase.sign == Sign::down))
+                comeFrom(phrase.sign);
+            else
+                apply(phrase, m_tokens[i]);
+            if (phrase.sign == Sign::from || (isOrigin && phrase.sign == Sign::filler))
+                m_origin = i + here;
+        }
+        return tokens;
     }
 
     /// "From +" goes towards −; some mean the opposite.
