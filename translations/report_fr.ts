@@ -3213,10 +3213,6 @@
         <translation>Unités de ce format&#xa0;: points visés en %1, écarts en %2, réel − visé.</translation>
     </message>
     <message>
-        <source>The date %1 is no ISO date; it stays as text in the remarks.</source>
-        <translation>La date %1 n’est pas une date ISO&#x202f;; elle reste en texte dans les remarques.</translation>
-    </message>
-    <message>
         <source>“%1” is 0 °C: taken as not connected.</source>
         <translation>«&#xa0;%1&#xa0;» est à 0&#xa0;°C&#xa0;: pris comme non raccordé.</translation>
     </message>
@@ -3311,6 +3307,14 @@
     <message>
         <source>Kind: nothing in the file says it; read as a positioning test.</source>
         <translation>Nature&#xa0;: rien ne le dit dans le fichier&#x202f;; lu comme un essai de positionnement.</translation>
+    </message>
+    <message>
+        <source>the head names %1 targets, the list has %2 in no order: it is damaged</source>
+        <translation>l’en-tête annonce %1 points visés, la liste en a %2 sans ordre&#xa0;: elle est endommagée</translation>
+    </message>
+    <message>
+        <source>Kind: the file speaks of “%1”; read as a positioning test.</source>
+        <translation>Nature&#xa0;: le fichier parle de «&#xa0;%1&#xa0;»&#x202f;; lu comme un essai de positionnement.</translation>
     </message>
     <message>
         <source>Encoding: the text is not UTF-8; read as Windows-1252.</source>
@@ -8380,6 +8384,18 @@
     <message>
         <source>Layout: the targets of the block that begins here are others than those of the first block; it is read as runs of its own.</source>
         <translation>Disposition&#xa0;: les points visés du bloc qui commence ici ne sont pas ceux du premier bloc&#x202f;; il est lu comme des passes à part.</translation>
+    </message>
+    <message>
+        <source>Layout: targets stand twice in a run; the readings there are read as runs of their own.</source>
+        <translation>Disposition&#xa0;: des points visés figurent deux fois dans une passe&#x202f;; les relevés correspondants sont lus comme des passes à part.</translation>
+    </message>
+    <message>
+        <source>Layout: the block that begins here does not say which runs it holds; it is read as further runs of the same test.</source>
+        <translation>Disposition&#xa0;: le bloc qui commence ici ne dit pas quelles passes il contient&#x202f;; il est lu comme d’autres passes du même essai.</translation>
+    </message>
+    <message>
+        <source>Columns: “%1” is headed as readings, but holds words; it is not read.</source>
+        <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» annonce des relevés, mais contient des mots&#x202f;; elle n’est pas lue.</translation>
     </message>
     <message>
         <source>The workbook has %1 sheets, several with rows of numbers; “%2” is read, the others are not.</source>

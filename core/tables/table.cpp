@@ -44,13 +44,13 @@ char character(Delimiter delimiter) {
     return ' ';
 }
 
-// "#N/A" in the first cell is a value, no comment.
-std::size_t commentMark(std::string_view line) {
+// "#N/A" in the first cell is a value, no comment; "#;Target" heads a column of numbers.
+std::size_t commentMark(std::string_view line, char delimiter) {
     if (line.starts_with("//"))
         return 2;
     if (line.starts_with('%'))
         return 1;
-    if (!line.starts_with('#'))
+    if (!line.starts_with('#') || (delimiter != ' ' && line.substr(1).starts_with(delimiter)))
         return 0;
     for (const std::string_view word :
          {"#N/A", "#n/a", "#NV", "#NA", "#REF!", "#DIV/0!", "#VALUE!", "#VALEUR!"}) {
@@ -142,7 +142,7 @@ private:
         const std::size_t begin = m_at;
         TableRow row{static_cast<std::uint32_t>(cells.size()), 0, m_line, false};
         skipBlanks();
-        const std::size_t mark = m_comments ? commentMark(m_text.substr(m_at, 8)) : 0;
+        const std::size_t mark = m_comments ? commentMark(m_text.substr(m_at, 8), m_delimiter) : 0;
         if (mark > 0) {
             row.comment = true;
             m_at += mark;
@@ -269,9 +269,19 @@ struct Reading {
     double score = 0;
     double rival = 0;            ///< the score before the reading was put behind others
     bool hasMark = false;        ///< a number with decimals
+    bool mayBeGrouped = false;   ///< all of them may be thousands
+    double broken = 0;           ///< cells that are no whole number and no word
     std::size_t columns = 0;     ///< of most rows
     std::vector<double> numbers; ///< of the rows that are alike
+    std::vector<double> all;     ///< of all rows, sorted
 };
+
+/// Whether blanks part what another delimiter parts, and words besides: the numbers are the same.
+bool onlyPartsWords(const Reading &blanks, const Reading &best) {
+    return blanks.delimiter == Delimiter::blanks && best.delimiter != Delimiter::blanks &&
+           best.delimiter != Delimiter::comma && blanks.mark == best.mark &&
+           std::ranges::includes(blanks.all, best.all);
+}
 
 // Whole numbers written as "05" are the decimals of something.
 bool isTorn(std::string_view number) {
@@ -298,7 +308,20 @@ struct SampleSigns {
     bool words = false; ///< a row of several cells without a number
     bool spaced = false;
     bool hasMark = false; ///< a number with decimals
+    bool proven = false;  ///< one whose mark cannot part thousands
 };
+
+/// "1.000", "25,400": thousands, or decimals of a small axis. "0.125", "1.5" and "1200.000" are no thousands,
+/// and none is 100 m long.
+bool mayBeGrouped(std::string_view number, char mark) {
+    constexpr std::size_t decimals = 3;
+    constexpr std::size_t longest = 2;
+    number.remove_prefix(std::min(number.find_first_of("0123456789"), number.size()));
+    const std::size_t at = std::min(number.find(mark), number.size());
+    const std::string_view rest = number.substr(at);
+    return at > 0 && at <= longest && number[0] != '0' && rest.size() == decimals + 1 &&
+           rest.find_first_not_of("0123456789", 1) == std::string_view::npos;
+}
 
 SampleRow readSampleRow(std::string_view sample, std::span<const TableCell> cells, char mark,
                         SampleSigns &signs) {
@@ -308,7 +331,9 @@ SampleRow readSampleRow(std::string_view sample, std::span<const TableCell> cell
         const std::string_view text = sample.substr(cell.begin, cell.size);
         if (cell.isNumber()) {
             row.numbers.push_back(cell.value);
-            signs.hasMark |= text.find(mark) != std::string_view::npos;
+            const bool isMarked = text.find(mark) != std::string_view::npos;
+            signs.hasMark |= isMarked;
+            signs.proven |= isMarked && !mayBeGrouped(text, mark);
             signs.torn += isTorn(text) ? 1 : 0;
             signs.spaced |= i > 0 && cell.begin > 0 && sample[cell.begin - 1] == ' ';
         } else if ((cell.kind == CellKind::grouped || cell.kind == CellKind::broken || isUncut(text)) &&
@@ -339,7 +364,7 @@ std::size_t usualColumns(const std::vector<SampleRow> &rows) {
 Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mark, bool comments) {
     Scanner scanner(sample, delimiter, mark, comments);
     scanner.scan(sampleRows);
-    Reading result{delimiter, mark, 0, 0, false, 0, {}};
+    Reading result{delimiter, mark, 0, 0, false, false, 0, 0, {}, {}};
     std::vector<SampleRow> rows;
     SampleSigns signs;
     for (const TableRow &row : scanner.rows) {
@@ -351,6 +376,8 @@ Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mar
             rows.push_back(std::move(read));
     }
     result.hasMark = signs.hasMark;
+    result.broken = signs.broken;
+    result.mayBeGrouped = signs.hasMark && !signs.proven;
     if (rows.empty()) {
         result.score = -std::numeric_limits<double>::infinity();
         return result;
@@ -360,11 +387,13 @@ Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mar
     std::size_t all = 0;
     for (const SampleRow &row : rows) {
         all += row.numbers.size();
+        result.all.insert(result.all.end(), row.numbers.begin(), row.numbers.end());
         if (row.count != result.columns)
             continue;
         ++alike;
         result.numbers.insert(result.numbers.end(), row.numbers.begin(), row.numbers.end());
     }
+    std::ranges::sort(result.all);
     result.score = static_cast<double>(alike) / static_cast<double>(rows.size()) *
                    (static_cast<double>(all) - 2 * signs.broken);
     result.rival = signs.torn > 0 ? 0 : result.score;
@@ -424,9 +453,10 @@ void settleForm(CellTable &table, std::string_view text, const TableOptions &opt
                 best = readings.back();
         }
     }
-    const bool doubtful = std::ranges::any_of(readings, [&](const Reading &reading) {
-        return reading.rival > 0.5 * best.score && reading.numbers != best.numbers;
-    });
+    const bool doubtful = best.mayBeGrouped || std::ranges::any_of(readings, [&](const Reading &reading) {
+                              return reading.rival > 0.5 * best.score && reading.broken <= best.broken &&
+                                     reading.numbers != best.numbers && !onlyPartsWords(reading, best);
+                          });
     const Origin origin = doubtful ? Origin::guessed : Origin::recognised;
     table.delimiter = {best.delimiter, options.delimiter ? Origin::chosen : origin};
     table.decimalMark = {best.mark, options.decimalMark ? Origin::chosen : origin};

@@ -100,6 +100,24 @@ std::optional<const Unit *> partOfUnit(const std::string &text) {
     return decimals == 3 ? unitOf("um") : decimals == 6 ? unitOf("nm") : nullptr;
 }
 
+/// Whether a heading makes another unit of the one it names: "tenths of µm", "µm/m", "µm x 10", "mm/min",
+/// "E-3 mm". What it makes is not known here.
+bool isScaled(const std::string &text) {
+    constexpr std::size_t shortest = 4; // "um/m"
+    if (text.size() < shortest)
+        return false;
+    constexpr auto flags =
+        QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption;
+    static const QRegularExpression scale(
+        QStringLiteral(
+            R"(\b(?:tenths?|hundredths?|thousandths?|zehntel|hundertstel|tausendstel|(?:dix|cent|mill)i[eè]mes?|)"
+            R"((?:dec|centes|milles)im[oi]|d[eé]cimas?|(?:cent|mil)[eé]simas?)\b|)"
+            R"(\b1?e\s*[-−]\s*\d+\s*(?:mm|um|m|in|inch|deg|°)\b|)"
+            R"((?:\b(?:mm|um|nm|m|in|inch|deg|rad|arcsec)|°)\s*[)\]]?\s*[(\[]?(?:[x×*·]\s*\d|/\s*(?:\d|(?:m|mm|min|s|h|in|inch|ft)\b)))"),
+        flags);
+    return scale.match(QString::fromStdString(text)).hasMatch();
+}
+
 } // namespace
 
 const Unit *unitIn(std::string_view text) {
@@ -113,7 +131,7 @@ const Unit *unitIn(std::string_view text) {
         if (inside.empty())
             break;
         if (const Unit *unit = spelled(withoutBlanks(inside.substr(1, inside.size() - 2)), true))
-            return unit;
+            return isScaled(bare) ? nullptr : unit;
         rest = rest.substr(static_cast<std::size_t>(inside.data() - rest.data()) + 1);
     }
     const Unit *last = nullptr;
@@ -126,7 +144,7 @@ const Unit *unitIn(std::string_view text) {
         }
         begin = end + 1;
     }
-    return last;
+    return last && isScaled(bare) ? nullptr : last;
 }
 
 std::string withoutUnit(std::string_view text) {

@@ -10,7 +10,7 @@
 namespace palmer {
 
 /// The unit a heading or comment names: "Dev (µm)", "P [mm]", "unité : µm", "Temp °C"; µ, μ, Âµ and u are
-/// one. Single letters count in brackets only. Null if there is none.
+/// one. Single letters count in brackets only. Null if there is none, or one that is scaled: "tenths of µm".
 [[nodiscard]] const Unit *unitIn(std::string_view text);
 
 /// The text without a unit in brackets: "Dev (µm)" → "Dev".

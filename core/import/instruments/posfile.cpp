@@ -7,6 +7,7 @@
 #include "import/layouts/phrases.h"
 #include "import/layouts/sections.h"
 #include "tables/folded.h"
+#include "tables/numbercell.h"
 
 #include <algorithm>
 #include <array>
@@ -30,6 +31,18 @@ std::optional<Direction> directionOfTitle(std::string_view line) {
     return readHeading(line).direction;
 }
 
+/// Whether a line begins with a number, or is a word with a number behind it: a row that was damaged.
+bool isDamagedRow(std::string_view line) {
+    const auto begins = [](std::string_view text) {
+        return leadingNumber(text, decimalMarkIn(text)).size > 0;
+    };
+    const std::size_t blank = line.find_first_of(" \t");
+    if (begins(line) || blank == std::string_view::npos)
+        return begins(line);
+    const std::string_view rest = withoutBlanks(line.substr(blank));
+    return rest.find_first_of(" \t") == std::string_view::npos && begins(rest);
+}
+
 std::vector<MeanTable> tablesOf(std::string_view text, std::vector<Remark> &remarks) {
     std::vector<MeanTable> tables;
     bool inTable = false;
@@ -45,11 +58,12 @@ std::vector<MeanTable> tablesOf(std::string_view text, std::vector<Remark> &rema
             continue;
         }
         const auto numbers = numbersIn(line);
-        if (line.empty() || !inTable)
+        const bool isData = numbers || isDamagedRow(line);
+        if (line.empty() || tables.empty())
             continue;
-        if (!numbers) {
+        if (!isData) {
             inTable = false;
-        } else if (numbers->size() == 2) {
+        } else if (inTable && numbers && numbers->size() == 2) {
             tables.back().pass.readings.push_back({(*numbers)[0], (*numbers)[1], number});
         } else {
             remarks.push_back({RemarkGrade::problem,

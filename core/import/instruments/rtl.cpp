@@ -97,7 +97,15 @@ private:
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "there are no target positions in it")},
                         place(section.line));
         const auto stated = numberOf(section.value("Target-count"));
-        if (stated && *stated != static_cast<double>(m_targets.size()))
+        const bool disagrees = stated && *stated != static_cast<double>(m_targets.size());
+        if (disagrees && !areOrdered()) // a number in two pieces
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT("report", "the head names %1 targets, the list has %2 in no order: it is "
+                                       "damaged"),
+                 {count(*stated), count(static_cast<double>(m_targets.size()))}},
+                place(section.line));
+        if (disagrees)
             remark(RemarkGrade::problem,
                    {REPORT_TEXT("report", "The head names %1 targets, the list has %2; the list counts."),
                     {count(*stated), count(static_cast<double>(m_targets.size()))}},
@@ -168,6 +176,11 @@ private:
             remark(RemarkGrade::problem,
                    {REPORT_TEXT("report", "The head names %1 runs, the rows have %2; the rows count."),
                     {count(*stated), count(static_cast<double>(m_runs.size()))}});
+    }
+
+    [[nodiscard]] bool areOrdered() const {
+        return std::ranges::adjacent_find(m_targets, std::ranges::greater_equal()) == m_targets.end() ||
+               std::ranges::adjacent_find(m_targets, std::ranges::less_equal()) == m_targets.end();
     }
 
     /// A run in their order moves the axis in the negative direction.

@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "import/layouts/sections.h"
+#include "tables/dates.h"
 #include "tables/decodetext.h"
 #include "tables/numbercell.h"
 #include "tables/units.h"
@@ -23,11 +24,13 @@ constexpr std::array<std::string_view, 14> knownKeys{
     "Owner", "Version no", "File Type", "Velocity", "Sample rate", "Sample no", "Actual sample rate",
     "Flags", "Machine",    "Serial No", "Date",     "By",          "Axis",      "Location"};
 
+/// "10", "10.0 Hz"; nothing for "1x.0".
 std::optional<double> leadingNumberOf(std::optional<std::string_view> text) {
     if (!text)
         return {};
     const LeadingNumber number = leadingNumber(*text, decimalMarkIn(*text));
-    return number.size > 0 ? std::optional(number.value) : std::nullopt;
+    const bool isWhole = number.size == text->size() || (*text)[number.size] == ' ';
+    return number.size > 0 && isWhole ? std::optional(number.value) : std::nullopt;
 }
 
 /// How many samples, and how many a second.
@@ -38,8 +41,9 @@ struct Sampling {
 
 Sampling samplingOf(const Section *header) {
     const auto samples = header ? leadingNumberOf(header->value("Sample no")) : std::nullopt;
-    auto rate = header ? leadingNumberOf(header->value("Actual sample rate")) : std::nullopt;
-    if (!rate || !(*rate > 0))
+    const auto actual = header ? header->value("Actual sample rate") : std::nullopt;
+    auto rate = leadingNumberOf(actual);
+    if (!actual || (rate && !(*rate > 0)))
         rate = header ? leadingNumberOf(header->value("Sample rate")) : std::nullopt;
     if (!samples || !(*samples >= 2) || *samples != std::floor(*samples))
         throw Error(Error::Kind::content,
@@ -133,10 +137,14 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
                                    {Number{static_cast<double>(ignored), Quantity::count}}});
     Test test;
     if (const std::string date = text("Date"); !date.empty()) {
-        test.remarks = date;
-        remark(
-            RemarkGrade::note,
-            {REPORT_TEXT("report", "The date %1 is no ISO date; it stays as text in the remarks."), {date}});
+        test.date = isoDate(date);
+        if (!test.date) {
+            test.remarks = date;
+            remark(RemarkGrade::note,
+                   {REPORT_TEXT("report",
+                                "The date %1 can be read in several ways; it stays as text in the remarks."),
+                    {date}});
+        }
     }
     test.measurement = std::move(drift);
     imported.test = std::move(test);

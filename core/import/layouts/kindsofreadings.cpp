@@ -168,7 +168,7 @@ private:
         // A number beside columns that number their runs: "Run 1", "Run 2", "Deviation".
         const auto isNumbered = [&](std::size_t c) { return words(c).number.has_value(); };
         const auto numbered = std::ranges::count_if(m_result.values, isNumbered);
-        if (directed == 0 && numbered > 1 && static_cast<std::size_t>(numbered) < m_result.values.size()) {
+        if (numbered > 1 && static_cast<std::size_t>(numbered) < m_result.values.size()) {
             ask({REPORT_TEXT("report",
                              "Columns: some readings name no run as the others do; they are not read.")});
             setAside(isNumbered);

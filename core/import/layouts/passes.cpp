@@ -215,7 +215,7 @@ private:
         const bool areSmall = std::max(std::abs(m_low), std::abs(m_high)) < 0.5 * m_farthest;
         const bool contradicted = m_stated.content == "positions" && !m_followTargets && anyValue && areSmall;
         const std::string stated = contradicted ? std::string() : m_stated.content;
-        const bool known = !stated.empty() || (isSmall && !contradicted) || !anyValue;
+        const bool known = !stated.empty() || ((isSmall || areNoPositions()) && !contradicted) || !anyValue;
         const auto settled = m_choices.settle("content",
                                               !stated.empty()   ? stated
                                               : m_followTargets ? "positions"
@@ -233,6 +233,15 @@ private:
                                    "as positions."),
                  {Number{m_low, Quantity::number}, Number{m_high, Quantity::number}}},
                 "content");
+    }
+
+    /// All near zero in the units that the file states, along an axis that is much longer: no positions.
+    [[nodiscard]] bool areNoPositions() const {
+        constexpr double part = 0.1; // of the farthest target
+        return m_high > m_low && m_stated.unit && m_stated.positionUnit &&
+               m_stated.unit->kind == m_stated.positionUnit->kind &&
+               m_stated.unit->toBase(std::max(std::abs(m_low), std::abs(m_high))) <
+                   part * m_stated.positionUnit->toBase(m_farthest);
     }
 
     /// The motion: what is chosen, else what the units say.

@@ -23,6 +23,7 @@ enum class Sign {
     hintUp, ///< short for ↑ beside its opposite only
     hintDown,
     filler, ///< says nothing: articles, the words "value", "laser", a unit
+    from,   ///< a direction behind it is where the axis comes from
 };
 
 /// A row of the dictionary: whole words, folded; phrases parted by bars, their words by blanks. `languages`
@@ -72,22 +73,22 @@ constexpr std::array phrases{
     Phrases{Meaning::unknown, Sign::hintUp, "fr", "all"},
     Phrases{Meaning::statistic, Sign::none, "en",
             "mean|average|avg|avg error|std dev|standard deviation|range|reversal|reversal value|"
-            "reversal error|backlash|repeatability|accuracy|bidirectional avg error|spread"},
+            "reversal error|backlash|repeatability|accuracy|bidirectional avg error|spread|sum"},
     Phrases{Meaning::statistic, Sign::none, "*",
-            "std|stdev|stddev|sigma|σ|min|max|minimum|maximum|median|x\u0304"},
+            "std|stdev|stddev|sigma|σ|min|max|minimum|maximum|median|x\u0304|ø|⌀"},
     Phrases{Meaning::statistic, Sign::none, "en de", "hysteresis"},
     Phrases{Meaning::statistic, Sign::none, "fr",
             "moyenne|moyennes|moyen|moy|ecart type|ecart moyen|etendue|reversibilite|jeu|repetabilite|"
-            "mini|maxi"},
+            "mini|maxi|somme"},
     Phrases{Meaning::statistic, Sign::none, "de",
             "mittelwert|mittel|mittlere|std abw|standardabweichung|streuung|spannweite|"
-            "umkehrspanne|positionsstreubreite|mw"},
+            "umkehrspanne|positionsstreubreite|mw|durchschnitt|summe"},
     Phrases{Meaning::statistic, Sign::none, "it es", "media|medie|medio|minimo"},
     Phrases{Meaning::statistic, Sign::none, "it",
-            "dev std|scarto tipo|deviazione standard|inversione|gioco|ripetibilita|massimo"},
+            "dev std|scarto tipo|deviazione standard|inversione|gioco|ripetibilita|massimo|somma"},
     Phrases{Meaning::statistic, Sign::none, "es",
             "desv tipica|desviacion tipica|desviacion estandar|inversion|holgura|rango|"
-            "repetibilidad|maximo|promedio"},
+            "repetibilidad|maximo|promedio|suma"},
     Phrases{Meaning::temperature, Sign::none, "*", "temp|°c"},
     Phrases{Meaning::temperature, Sign::none, "en fr", "temperature|temperatures"},
     Phrases{Meaning::temperature, Sign::none, "de", "temperatur|temperaturen"},
@@ -203,9 +204,9 @@ constexpr std::array phrases{
     Phrases{Meaning::axis, Sign::none, "es", "eje"},
     Phrases{Meaning::process, Sign::none, "*", "pv"},
     Phrases{Meaning::unknown, Sign::filler, "en",
-            "value|values|data|positioning|positional|of|the|from|to|travel|movement|ve"},
+            "value|values|data|positioning|positional|of|the|to|travel|movement|ve"},
     Phrases{Meaning::unknown, Sign::filler, "fr", "valeur|d|du|positionnement|lineaire"},
-    Phrases{Meaning::unknown, Sign::filler, "de", "wert|der|die|von|lineare"},
+    Phrases{Meaning::unknown, Sign::filler, "de", "wert|der|die|lineare"},
     Phrases{Meaning::unknown, Sign::filler, "it", "valore|di|posizionamento|lineare"},
     Phrases{Meaning::unknown, Sign::filler, "es", "valor|º|posicionamiento|lineal"},
     Phrases{Meaning::unknown, Sign::filler, "*", "laser|linear|radial|radiale|in"},
@@ -213,6 +214,7 @@ constexpr std::array phrases{
     Phrases{Meaning::unknown, Sign::filler, "fr it", "l"},
     Phrases{Meaning::unknown, Sign::filler, "fr it es", "la"},
     Phrases{Meaning::unknown, Sign::filler, "it es", "del"},
+    Phrases{Meaning::unknown, Sign::from, "en de fr es it", "from|von|depuis|desde|da|dal|dalla"},
 };
 
 /// Where words of two meanings stand in one heading, the one that comes first here counts: "standard
@@ -341,13 +343,14 @@ public:
         m.words = m_tokens.size();
         for (std::size_t i = 0; i < m_tokens.size();)
             i += take(i);
+        m.isHintWord = m_hintUp != m_hintDown && !m.comesFrom && !m_dash;
         if (!m_hintUp && !m_hintDown) {
             m_hintUp = m_letterUp;
             m_hintDown = m_letterDown;
         }
         if (m_up != m_down)
             m.direction = m_up ? Direction::positive : Direction::negative;
-        if (m_dash)
+        if (m_dash && !m_up && !m_down)   // else it parts words: "Run 2 - forward"
             m.hint = Direction::negative; // "Meas. pos. - 1" beside "Meas. pos. + 1"
         else if (m_hintUp != m_hintDown)
             m.hint = m_hintUp ? Direction::positive : Direction::negative;
@@ -357,7 +360,10 @@ public:
                 break;
             }
         }
+        if (m_symbol && m.direction && m_meanings.empty() && m.unknownWords < 2)
+            m.meaning = Meaning::statistic;
         m.isTarget = has(Meaning::target);
+        m.saysDirection = has(Meaning::direction);
         if (has(Meaning::target) && has(Meaning::radius))
             m.meaning = Meaning::nominal;
         return m;
@@ -371,27 +377,48 @@ private:
     std::size_t take(std::size_t i) {
         const Token &token = m_tokens[i];
         if (token.isNumber) {
+            m_symbol = false; // "R1 ↑" is a run
             if (!m.number && token.text.size() < 7)
                 m.number = static_cast<unsigned>(std::stoul(std::string(token.text)));
             return 1;
         }
-        if (const auto found = dictionary().find(token.text); found != dictionary().end()) {
-            std::size_t tokens = 0;
-            for (const HeadingPhrase &phrase : found->second) {
-                const std::size_t here = covered(phrase, std::span(m_tokens).subspan(i));
-                // Several rows for one phrase: "pos" is a place and short for positive.
-                if (here > 0 && (tokens == 0 || here == tokens)) {
-                    tokens = here;
-                    apply(phrase, token);
-                }
-            }
-            if (tokens > 0) {
-                remember(i, tokens);
-                return tokens;
-            }
+        if (const std::size_t tokens = takePhrases(i); tokens > 0) {
+            remember(i, tokens);
+            return tokens;
         }
         takeUnknown(token);
         return 1;
+    }
+
+    /// What the dictionary has for the words that begin there; the number of tokens.
+    std::size_t takePhrases(std::size_t i) {
+        const auto found = dictionary().find(m_tokens[i].text);
+        if (found == dictionary().end())
+            return 0;
+        std::size_t tokens = 0;
+        const bool isOrigin = i == m_origin;
+        for (const HeadingPhrase &phrase : found->second) {
+            const std::size_t here = covered(phrase, std::span(m_tokens).subspan(i));
+            // Several rows for one phrase: "pos" is a place and short for positive.
+            if (here == 0 || (tokens > 0 && here != tokens))
+                continue;
+            tokens = here;
+            if (isOrigin && (phrase.sign == Sign::up || phrase.sign == Sign::down))
+                comeFrom(phrase.sign);
+            else
+                apply(phrase, m_tokens[i]);
+            if (phrase.sign == Sign::from || (isOrigin && phrase.sign == Sign::filler))
+                m_origin = i + here;
+        }
+        return tokens;
+    }
+
+    /// "From +" goes towards −; some mean the opposite.
+    void comeFrom(Sign sign) {
+        m.comesFrom = true;
+        m_hintUp |= sign == Sign::down;
+        m_hintDown |= sign == Sign::up;
+        m_isDirection = true;
     }
 
     void apply(const HeadingPhrase &phrase, const Token &token) {
@@ -402,7 +429,7 @@ private:
         m_dash |= phrase.sign == Sign::down && token.isWeak;
         if (phrase.meaning != Meaning::unknown)
             m_meanings.push_back(phrase.meaning);
-        m_isDirection = phrase.sign != Sign::none && phrase.sign != Sign::filler;
+        m_isDirection = phrase.sign != Sign::none && phrase.sign != Sign::filler && phrase.sign != Sign::from;
     }
 
     void remember(std::size_t i, std::size_t tokens) {
@@ -413,6 +440,8 @@ private:
 
     void takeUnknown(const Token &token) {
         constexpr std::string_view axes = "xyzuvwabc";
+        constexpr std::string_view symbols = "smera"; // of ISO 230-2: "R↑", "2s↓"
+        m_symbol = token.text.size() == 1 && symbols.find(token.text[0]) != std::string_view::npos;
         if (token.text.size() == 1 && axes.find(token.text[0]) != std::string_view::npos) {
             if (m.axis == 0)
                 m.axis = static_cast<char>(token.text[0] - 'a' + 'A');
@@ -438,6 +467,7 @@ private:
 
     std::vector<Token> m_tokens;
     std::vector<Meaning> m_meanings;
+    std::optional<std::size_t> m_origin; ///< the token behind "from"
     HeadingWords m;
     bool m_up = false;
     bool m_down = false;
@@ -446,6 +476,7 @@ private:
     bool m_letterUp = false; ///< counts where no word says it: "V neg. 1" is of the axis V
     bool m_letterDown = false;
     bool m_dash = false;
+    bool m_symbol = false; ///< a letter that the standard has for what is computed, and no number behind it
     bool m_isDirection = false;
 };
 
@@ -484,7 +515,7 @@ std::optional<Direction> directionOf(std::string_view cell) {
                : low == "-1" ? std::optional(Direction::negative)
                              : std::nullopt;
     const HeadingWords heading = HeadingReader(tokensOf(low)).read();
-    if (heading.unknownWords > 0 || heading.number)
+    if (heading.unknownWords > 0 || heading.number || (heading.comesFrom && !heading.direction))
         return {};
     return heading.direction ? heading.direction : heading.hint;
 }

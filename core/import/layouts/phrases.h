@@ -43,11 +43,20 @@ struct HeadingWords {
     bool isTarget = false;              ///< says "target" or "nominal", whatever else it says
     std::optional<Direction> direction; ///< a whole phrase: "approche négative", "Hinfahrt", "↑", "+"
     std::optional<Direction> hint;      ///< an abbreviation that means a direction only beside its opposite
+    bool isHintWord = false;            ///< the hint is an abbreviation, no letter and no dash
+    bool saysDirection = false;         ///< holds a word for "direction"
+    bool comesFrom = false;             ///< "approach from −": the hint is the other way, and to be asked
     std::optional<unsigned> number;     ///< of a run
     char axis = 0;                      ///< X Y Z U V W A B C, else 0
     std::size_t unknownWords = 0;
     std::size_t words = 0; ///< with signs and numbers, without the unit
     std::string stem;      ///< the words without direction, number and unit: equal for runs of one kind
+
+    /// Whether its hint can mean nothing else: "neg. Richtung" beside "pos. Richtung", "rev" beside
+    /// "forward".
+    [[nodiscard]] bool isClearHint(bool oppositeIsStated) const {
+        return isHintWord && (saysDirection || oppositeIsStated);
+    }
 
     /// Whether it says a direction and nothing that is not part of saying it.
     [[nodiscard]] bool isDirectionOnly() const { return direction && unknownWords == 0; }

@@ -128,10 +128,7 @@ BlockDirection directionOfBlock(const TableReading &reading, const TableBlock &b
     for (auto head = block.heads.rbegin(); head != block.heads.rend() && !result.stated; ++head) {
         if (std::ranges::binary_search(reading.body.columnHeads, *head))
             continue;
-        std::string line;
-        for (const TableCell &cell : reading.table().cells(reading.row(*head)))
-            line += ' ' + std::string(reading.table().text(cell));
-        const HeadingWords heading = readHeading(line);
+        const HeadingWords heading = readHeading(reading.textOf(*head));
         if (heading.direction && heading.hint && heading.direction != heading.hint)
             continue; // "avance 1; retroceso 1": headings of columns, no title
         if (heading.isDirectionOnly())

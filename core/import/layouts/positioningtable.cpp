@@ -5,8 +5,10 @@
 
 #include "document/documenterror.h"
 #include "kernel/evaluation/edition.h"
+#include "tables/folded.h"
 
 #include <algorithm>
+#include <array>
 
 namespace palmer {
 
@@ -143,6 +145,40 @@ SaidSign signOf(const TableReading &reading) {
     return reading.notes.sign;
 }
 
+/// The word of a text for what is measured along an axis beside its positions; empty: none.
+std::string otherQuantity(std::string_view text) {
+    constexpr std::array<std::string_view, 26> words{
+        "straightness", "squareness", "flatness", "yaw",          "geradheit",         "rechtwinkligkeit",
+        "ebenheit",     "gieren",     "nicken",   "rectitude",    "perpendicularite",  "planeite",
+        "lacet",        "tangage",    "roulis",   "rettilineita", "perpendicolarita",  "planarita",
+        "imbardata",    "beccheggio", "rollio",   "rectitud",     "perpendicularidad", "planitud",
+        "guinada",      "cabeceo"};
+    const std::string low = folded(text.substr(0, 500));
+    const auto isLetter = [&](std::size_t i) {
+        return i < low.size() && ((low[i] >= 'a' && low[i] <= 'z') || (low[i] & '\x80') != 0);
+    };
+    for (const std::string_view word : words) {
+        const std::size_t at = low.find(word);
+        if (at != std::string::npos && !isLetter(at + word.size()) && (at == 0 || !isLetter(at - 1)))
+            return std::string(word);
+    }
+    return {};
+}
+
+void askForOtherQuantity(TableReading &reading) {
+    std::vector<std::uint32_t> rows = reading.body.notes;
+    rows.insert(rows.end(), reading.body.columnHeads.begin(), reading.body.columnHeads.end());
+    for (const std::uint32_t row : rows) {
+        if (const std::string word = otherQuantity(reading.textOf(row)); !word.empty()) {
+            reading.remark(
+                RemarkGrade::assumption,
+                {REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test."), {word}},
+                reading.row(row).line, "kind");
+            return;
+        }
+    }
+}
+
 bool hasReading(const PlacedPass &placed) {
     return std::ranges::any_of(placed.pass.readings,
                                [](const PassReading &each) { return each.value.has_value(); });
@@ -157,10 +193,14 @@ void readPositioning(TableReading &reading) {
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "there are no readings in it; expected target "
                                            "positions and deviations")});
+    askForOtherQuantity(reading);
     settleDirections(found, reading);
     colour(found.passes, reading);
     const std::vector<Pass> passes = inOrder(std::move(found.passes));
-    const Unit *unit = found.unit ? found.unit : reading.notes.unit;
+    // "Unit: µm" above positions is that of something else: asked.
+    const Unit *noted = reading.notes.unit;
+    const bool isTooSmall = noted && noted->toBase(1) < 1 && arePositions(passes);
+    const Unit *unit = found.unit || isTooSmall ? found.unit : noted;
     const PassForm form =
         settleForm(passes, {found.content, found.sign, unit, found.positionUnit, signOf(reading)},
                    reading.choices, reading.result.remarks);

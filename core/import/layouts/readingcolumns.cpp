@@ -34,6 +34,7 @@ public:
             takeUnnamed();
         else
             askForUntitled();
+        askForWords();
     }
 
 private:
@@ -95,6 +96,19 @@ private:
             role(c) = ColumnRole::actual;
         ask({REPORT_TEXT("report",
                          "Columns: some hold positions and some deviations; the deviations are read.")});
+    }
+
+    /// A column that is headed as readings and holds words: "(1.2)", "1.2 µm".
+    void askForWords() {
+        for (std::size_t c = 0; c < m_heads.size(); ++c) {
+            const Meaning meaning = m_heads[c].meaning;
+            const bool isNamed = words(c).direction || meaning == Meaning::deviation ||
+                                 meaning == Meaning::actual || meaning == Meaning::reading;
+            if (m_heads[c].kind == ColumnKind::words && isNamed && meaning != Meaning::direction)
+                ask({REPORT_TEXT("report",
+                                 "Columns: “%1” is headed as readings, but holds words; it is not read."),
+                     {excerpt(m_heads[c].heading)}});
+        }
     }
 
     /// A column of numbers without a heading among others that have one.

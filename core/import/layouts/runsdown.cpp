@@ -123,12 +123,18 @@ private:
             }
             if (!m_found.passes[i].direction && label.words.hint && up && down) {
                 m_found.passes[i].direction = label.words.hint;
-                m_found.hasHints = true;
+                m_found.hasHints |= !label.words.isClearHint(isStated(
+                    *label.words.hint == Direction::positive ? Direction::negative : Direction::positive));
             }
             takeLabel(label);
             kept.push_back(std::move(m_found.passes[i]));
         }
         m_found.passes = std::move(kept);
+    }
+
+    [[nodiscard]] bool isStated(Direction wanted) const {
+        return std::ranges::any_of(m_labels,
+                                   [&](const Label &label) { return label.words.direction == wanted; });
     }
 
     struct Label {

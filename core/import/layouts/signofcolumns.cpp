@@ -26,6 +26,7 @@ public:
         }
         const bool paired = up && down;
         bool allSigns = true;
+        bool allClear = true;
         for (const std::size_t c : m_result.values) {
             ImportColumn &column = m_result.columns[c];
             column.number = words(c).number.value_or(0);
@@ -33,11 +34,20 @@ public:
             if (!column.direction && paired && words(c).hint) {
                 column.direction = words(c).hint;
                 m_result.hasHints = true;
+                allClear = allClear && isClear(c);
             }
             // "Dev + 1" beside "Dev - 1": signs, and no dash between words.
-            allSigns = allSigns && folded(m_heads[c].heading).find_first_of("+-") != std::string::npos;
+            allSigns = allSigns && !words(c).comesFrom &&
+                       folded(m_heads[c].heading).find_first_of("+-") != std::string::npos;
         }
-        m_result.hasHints = m_result.hasHints && !allSigns;
+        m_result.hasHints = m_result.hasHints && !allSigns && !allClear;
+    }
+
+    [[nodiscard]] bool isClear(std::size_t column) const {
+        const HeadingWords &heading = words(column);
+        return heading.isClearHint(std::ranges::any_of(m_result.values, [&](std::size_t c) {
+            return words(c).direction && words(c).direction != heading.hint;
+        }));
     }
 
     /// Deviation = actual − target, or the opposite: where both stand there, the numbers say which.

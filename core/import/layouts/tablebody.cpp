@@ -162,7 +162,7 @@ private:
     bool takeHead(std::uint32_t index, const TableRow &row) {
         const bool hasNumbers = !row.comment && isNumericHead(row) && !isComputedRow(m_table, row);
         const bool unread =
-            hasNumbers ? !m_block.rows.empty() && !sameAsHead(row, m_numericHead)
+            hasNumbers ? !m_block.rows.empty() && !(m_numericHead && sameAsHead(row, *m_numericHead))
                        : !row.comment && looksLikeData(row, !m_body.blocks.empty() || !m_block.rows.empty());
         if (unread) {
             remarkUnread(row);
@@ -266,11 +266,9 @@ private:
             std::ranges::count(m_table.cells(row), CellKind::text, &TableCell::kind));
     }
 
-    [[nodiscard]] bool sameAsHead(const TableRow &row, std::optional<std::uint32_t> head) const {
-        if (!head)
-            return true;
+    [[nodiscard]] bool sameAsHead(const TableRow &row, std::uint32_t head) const {
         const auto a = m_table.cells(row);
-        const auto b = m_table.cells(m_table.rows()[*head]);
+        const auto b = m_table.cells(m_table.rows()[head]);
         return std::ranges::equal(a, b, {}, &TableCell::value, &TableCell::value);
     }
 

@@ -34,6 +34,13 @@ std::string_view TableReading::cellText(std::uint32_t index, std::size_t column)
     return found ? table().text(*found) : std::string_view();
 }
 
+std::string TableReading::textOf(std::uint32_t index) const {
+    std::string line;
+    for (const TableCell &cell : table().cells(row(index)))
+        line += ' ' + std::string(table().text(cell));
+    return line;
+}
+
 std::optional<double> TableReading::number(std::uint32_t index, std::size_t column) {
     const TableCell *found = cell(index, column);
     if (!found || found->kind == CellKind::empty)

@@ -17,6 +17,8 @@ public:
     /// The cell of the row of that index, or null where the row is too short.
     [[nodiscard]] const TableCell *cell(std::uint32_t index, std::size_t column) const;
     [[nodiscard]] std::string_view cellText(std::uint32_t index, std::size_t column) const;
+    /// All cells of a row, a blank before each.
+    [[nodiscard]] std::string textOf(std::uint32_t index) const;
 
     /// The number of a cell; null for a missing one. What is neither is a problem and missing.
     [[nodiscard]] std::optional<double> number(std::uint32_t index, std::size_t column);

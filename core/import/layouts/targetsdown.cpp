@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <map>
+#include <set>
+#include <tuple>
 
 namespace palmer {
 
@@ -19,6 +21,7 @@ struct Piece {
     std::vector<std::uint32_t> rows;
     std::optional<Direction> direction;
     std::optional<Direction> hint; ///< of a title with other words in it
+    const TableBlock *block = nullptr;
 };
 
 bool isOneWay(std::span<const double> values) {
@@ -129,10 +132,7 @@ private:
         for (auto head = block.heads.rbegin(); head != block.heads.rend(); ++head) {
             if (std::ranges::binary_search(m.body.columnHeads, *head))
                 continue;
-            std::string line;
-            for (const TableCell &cell : m.table().cells(m.row(*head)))
-                line += ' ' + std::string(m.table().text(cell));
-            const HeadingWords heading = readHeading(line);
+            const HeadingWords heading = readHeading(m.textOf(*head));
             const bool says = heading.meaning == Meaning::axis || heading.words == 1;
             std::string name(1, heading.axis); // in braces it would be two characters
             if (says && heading.axis != 0)
@@ -165,12 +165,25 @@ private:
             }
         }
         m_found.hasHints |= m_codesAreGuessed;
+        if (const auto row = m_repeated ? m_repeated : fragment())
+            askForRepeated(*row);
         for (Line &line : m_lines)
             m_found.passes.push_back(std::move(line.placed));
         const bool stated = std::ranges::all_of(
             m_found.passes, [](const PlacedPass &placed) { return placed.direction.has_value(); });
         if (!stated)
             directionsFromOrder();
+    }
+
+    /// The first row of a pass that has less than half the readings of another.
+    [[nodiscard]] std::optional<std::uint32_t> fragment() const {
+        const auto sizeOf = [](const Line &line) { return line.placed.places.size(); };
+        std::size_t most = 0;
+        for (const Line &line : m_lines)
+            most = std::max(most, sizeOf(line));
+        const auto found =
+            std::ranges::find_if(m_lines, [&](const Line &line) { return 2 * sizeOf(line) < most; });
+        return found == m_lines.end() ? std::nullopt : std::optional(found->placed.places.front().first);
     }
 
     void readLine(std::size_t section, std::uint32_t row) {
@@ -189,6 +202,8 @@ private:
             const int side = direction ? static_cast<int>(*direction) : 2;
             // The same target again in one run: the next pass.
             const std::size_t time = m_times[{column, number, side, *target}]++;
+            if (time > 0 && number > 0 && direction && !m_repeated)
+                m_repeated = row;
             const auto [place, isNew] = m_passes.try_emplace({column, number, side, time}, m_lines.size());
             if (isNew)
                 m_lines.push_back({{direction, what.number > 0 ? what.number : number, {}, {}}});
@@ -252,8 +267,11 @@ private:
         if (!shuffled)
             joinPieces();
         completeDirections(shuffled);
-        if (m_pieces.size() > 1)
+        if (m_pieces.size() > 1) {
             askForOtherTargets();
+            askForRepeatedTargets();
+            askForUnnamedBlocks();
+        }
         if (shuffled)
             m.remark(RemarkGrade::note,
                      {REPORT_TEXT("report", "The targets stand in no order; they were sorted.")});
@@ -339,6 +357,65 @@ private:
                 m.row(other->rows.front()).line, "layout");
     }
 
+    void askForRepeated(std::uint32_t row) {
+        m.remark(
+            RemarkGrade::assumption,
+            {REPORT_TEXT("report", "Layout: targets stand twice in a run; the readings there are read as "
+                                   "runs of their own.")},
+            m.row(row).line, "layout");
+    }
+
+    /// 0, 100, 100, 200: a reading that was repeated, and no run that begins.
+    void askForRepeatedTargets() {
+        const auto targetAt = [&](std::uint32_t row) { return m.cell(row, m_target)->value; };
+        const auto rises = [&](const Piece &piece) {
+            return targetAt(piece.rows.back()) > targetAt(piece.rows.front());
+        };
+        for (std::size_t i = 1; i < m_pieces.size(); ++i) {
+            const Piece &piece = m_pieces[i - 1];
+            const Piece &next = m_pieces[i];
+            if (piece.block == next.block && piece.rows.size() > 1 && next.rows.size() > 1 &&
+                targetAt(piece.rows.back()) == targetAt(next.rows.front()) && rises(piece) == rises(next))
+                return askForRepeated(next.rows.front());
+        }
+    }
+
+    /// What stands directly above a block and is no heading of its columns.
+    [[nodiscard]] HeadingWords titleOf(const TableBlock &block) const {
+        for (auto head = block.heads.rbegin(); head != block.heads.rend(); ++head) {
+            if (!std::ranges::binary_search(m.body.columnHeads, *head))
+                return readHeading(m.textOf(*head));
+        }
+        return {};
+    }
+
+    /// "After compensation", "Machine 2" above a block, or runs of the numbers that the block before has:
+    /// perhaps another test.
+    void askForUnnamedBlocks() {
+        std::set<std::tuple<std::size_t, Direction, unsigned>> known;
+        for (std::size_t i = 0; i < m_pieces.size(); ++i) {
+            const Piece &piece = m_pieces[i];
+            const HeadingWords title = titleOf(*piece.block);
+            const bool isRun =
+                (title.meaning == Meaning::run && title.number) || title.direction || title.hint;
+            const bool begins = i > 0 && piece.block != m_pieces[i - 1].block;
+            bool isOther = begins && !isRun && title.unknownWords > 0;
+            for (const std::size_t column : m_columns.values) {
+                const ImportColumn what = columnIn(piece.section, column);
+                if (what.number > 0 && what.direction && !isRun)
+                    isOther |= !known.insert({column, *what.direction, what.number}).second && begins;
+            }
+            if (isOther) {
+                m.remark(
+                    RemarkGrade::assumption,
+                    {REPORT_TEXT("report", "Layout: the block that begins here does not say which runs it "
+                                           "holds; it is read as further runs of the same test.")},
+                    m.row(piece.rows.front()).line, "layout");
+                return;
+            }
+        }
+    }
+
     void cut(const TableBlock &block, bool &shuffled) {
         auto pieces = piecesOf(block, shuffled);
         const BlockDirection titled = directionOfBlock(m, block);
@@ -354,7 +431,7 @@ private:
                 direction = down ? Direction::negative : Direction::positive;
             else if (!direction && down && m.body.blocks.size() > 1 && !shuffled)
                 direction = Direction::negative;
-            m_pieces.push_back({block.section, std::move(rows), direction, titled.hint});
+            m_pieces.push_back({block.section, std::move(rows), direction, titled.hint, &block});
         }
     }
 
@@ -444,6 +521,7 @@ private:
     std::map<std::tuple<std::size_t, unsigned, int, std::size_t>, std::size_t> m_passes;
     std::map<std::tuple<std::size_t, unsigned, int, double>, std::size_t> m_times;
     std::map<double, int> m_codes;
+    std::optional<std::uint32_t> m_repeated; ///< the first row whose target its run has already
     std::optional<Direction> m_titled;
     std::optional<std::size_t> m_axisColumn;
     std::string m_axis;

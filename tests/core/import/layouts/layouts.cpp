@@ -173,7 +173,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     row("A and R", "Point (mm);1A (µm);1R (µm)\n0;1;5\n100;3;7\n",
         "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / directions");
     row("fwd and rev", "Target (mm);fwd 1 (µm);rev 1 (µm)\n0;1;5\n100;3;7\n",
-        "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / directions");
+        "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / ");
     // Two axes are two tests.
     row("X and Y", "Position (mm);X ↑ (µm);X ↓ (µm);Y ↑ (µm);Y ↓ (µm)\n0;1;2;30;40\n100;3;4;50;60\n",
         "target,run+,run-,ignored,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / axis");
@@ -218,10 +218,10 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "target,run+1,run+2,run-1,run-2 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / ");
     row("abbreviated group headings",
         ";Fwd;;Rev;\nP;1;2;1;2\n(mm);(µm);(µm);(µm);(µm)\n0;1;2;5;6\n100;3;4;7;8\n",
-        "target,run+1,run+2,run-1,run-2 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / directions");
+        "target,run+1,run+2,run-1,run-2 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / ");
     row("runs over directions",
         ";Run 1;;Run 2;\nP (mm);Fwd (µm);Rev (µm);Fwd (µm);Rev (µm)\n0;1;5;2;6\n100;3;7;4;8\n",
-        "target,run+1,run-1,run+2,run-2 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / directions");
+        "target,run+1,run-1,run+2,run-2 / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / ");
     row("dashes beneath what has no unit", "Pt;P;1 ↑;1 ↓;Foo\n-;mm;µm;µm;-\n1;0;1;5;9\n2;100;3;7;8\n",
         "ignored,target,run+1,run-1,ignored / 0 100 / ↑ 1 3 / ↓ 5 7 / ");
     row("a hyphen in a counter", "Lfd.-Nr.;P (mm);1 + (µm);1 - (µm)\n1;0;1;5\n2;100;3;7\n",
@@ -261,7 +261,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "target,run+,run- / 0 100 200 / ↑ 1 2 3 / ↓ 5 6 7 / ");
     row("a line of text between headings and rows",
         "Posición (mm);Error avance 1 (µm);Error retroceso 1 (µm)\n* puerta abierta 2\n0;1;5\n100;2;6\n",
-        "target,deviation+1,deviation-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / directions");
+        "target,deviation+1,deviation-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
     row("pages of both directions",
         "↑\nP (mm);1 (µm)\n0;1\n100;2\n\n↑\nP (mm);1 (µm)\n200;3\n\n↓\nP (mm);1 (µm)\n200;7\n100;6\n\n↓\nP "
         "(mm);1 (µm)\n0;5\n",
@@ -276,7 +276,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "ignored,target,run+ / 0 100 / ↑ 1 2 / sensor Temperature machine 20.3 / ");
     row("a temperature with its unit beside",
         "Temperatur;20,3;°C\nSoll [mm];↑ 1 [µm];↑ 2 [µm]\n0;1;5\n100;2;6\n",
-        "target,run+1,run+2 / 0 100 / ↑ 1 2 / ↑ 5 6 / sensor Temperatur machine 20.3 / decimalMark");
+        "target,run+1,run+2 / 0 100 / ↑ 1 2 / ↑ 5 6 / sensor Temperatur machine 20.3 / ");
     row("more headings than columns of numbers",
         "P (mm);forward (µm);;backward (µm);;;\n;1;Run 2;1;2;;Mean\n0;1;2;3;4\n100;5;6;7;8\n",
         "target,run+1,run+2,run-1,run-2 / 0 100 / ↑ 1 5 / ↓ 3 7 / ↑ 2 6 / ↓ 4 8 / ");
@@ -293,7 +293,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "target,run+,run- / 0 100 / ↑ 1 2 / ↓ 5 6 / axis");
     row("an axis that is a letter of directions",
         "Soll (mm);V pos. Richtung 1 (µm);V neg. Richtung 1 (µm)\n0;1;5\n100;2;6\n",
-        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / directions");
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
     // Arrows made of signs, units by their part, quotes around decimal commas.
     row("arrows of two signs", "Run;Direction;P (mm);Dev (µm)\n1;->;0;1\n1;->;100;2\n1;<-;100;6\n1;<-;0;5\n",
         "number,direction,target,deviation / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
@@ -303,6 +303,112 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
             << QString("target,run+1,run-1 / 0 100 / ↑ 0.1 0.2 / ↓ 0.5 0.6 / ");
     row("in a part that is not known", "P (mm);↑ 1 (1/100 mm);↓ 1 (1/100 mm)\n0;0.1;0.5\n100;0.2;0.6\n",
         "target,run+1,run-1 / 0 100 / ↑ 0.1 0.2 / ↓ 0.5 0.6 / content unit");
+    // What makes another unit of the one that stands there.
+    for (const char *unit :
+         {"tenths of µm", "Zehntel µm", "µm x 10", "µm/m", "hundredths mm", "centièmes de mm", "1e-3 mm",
+          "E-3 mm", "mm/1000", "mm ×10⁻³", "mm × 1000", "centesimi di mm", "décimas de µm", "µm*10"})
+        for (const char *table : {"P (mm);Dev ↑ 1 (%);Dev ↓ 1 (%)\n0;0.1;0.5\n100;0.2;0.6\n",
+                                  "P (mm);Dev ↑ 1 [%];Dev ↓ 1 [%]\n0;0.1;0.5\n100;0.2;0.6\n",
+                                  "P;Dev ↑ 1;Dev ↓ 1\n[mm];[%];[%]\n0;0.1;0.5\n100;0.2;0.6\n"}) {
+            const QByteArray text = QByteArray(table).replace('%', unit);
+            QTest::newRow(qPrintable(QString("scaled: %1").arg(QString(text).left(40).simplified())))
+                << text << QString("target,deviation+1,deviation-1 / 0 100 / ↑ 0.1 0.2 / ↓ 0.5 0.6 / unit");
+        }
+    // Where the axis comes from is the other way, and asked.
+    for (const char *from : {"approach from", "von", "depuis", "desde", "dal"})
+        QTest::newRow(qPrintable(QString("from: %1").arg(from)))
+            << QByteArray("P (mm);") + from + " - 1 (µm);" + from + " + 1 (µm)\n0;1;5\n100;2;6\n"
+            << QString("target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / directions");
+    row("titles that say where the axis comes from",
+        "Run 1 approach from −\nP (mm);Dev (µm)\n0;1\n100;2\n\n"
+        "Run 1 approach from +\nP (mm);Dev (µm)\n100;6\n0;5\n",
+        "target,deviation / 0 100 / ↑ 1 2 / ↓ 5 6 / directions");
+    row("from and to", "P (mm);from - to + 1 (µm);from + to - 1 (µm)\n0;1;5\n100;2;6\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / directions");
+    // A dash between words is none of direction where a word says it.
+    row("titles with dashes",
+        "Cycle 1 - aller\nP (mm);Dev (µm)\n0;1\n100;2\n\nCycle 1 - retour\nP (mm);Dev (µm)\n100;6\n0;5\n\n"
+        "Cycle 2 - +\nP (mm);Dev (µm)\n0;3\n100;4\n\nCycle 2 - -\nP (mm);Dev (µm)\n100;8\n0;7\n",
+        "target,deviation / 0 100 / ↑ 1 2 / ↓ 5 6 / ↑ 3 4 / ↓ 7 8 / ");
+    // Short words that can mean nothing else.
+    row("pos. and neg. Richtung", "Soll (mm);1 pos. Richtung (µm);1 neg. Richtung (µm)\n0;1;5\n100;2;6\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
+    row("lines of pos. and neg. Richtung",
+        "Soll (mm);0;100\npos. Richtung 1 (µm);1;2\nneg. Richtung 1 (µm);5;6\n",
+        "ignored,run,run / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
+    row("pos and neg alone", "Target (mm);pos 1 (µm);neg 1 (µm)\n0;1;5\n100;2;6\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / directions");
+    // Statistics by the letters of the standard, means without a number.
+    row("letters with directions",
+        "P (mm);↑1 (µm);↑2 (µm);M↑;s↑;R↑;2s↑;↓1 (µm);↓2 (µm);M↓;s↓;R↓;2s↓\n"
+        "0;1;2;1.5;1;4;2;5;6;5.5;1;4;2\n100;3;4;3.5;1;4;2;7;8;7.5;1;4;2\n",
+        "target,run+1,run+2,statistic,statistic,statistic,statistic,run-1,run-2,statistic,statistic,"
+        "statistic,"
+        "statistic / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / ");
+    row("a direction without a number beside runs",
+        "P (mm);↑1 (µm);↑2 (µm);↑ (µm);↓1 (µm);↓2 (µm);↓ (µm)\n0;1;2;1.5;5;6;5.5\n100;3;4;3.5;7;8;7.5\n",
+        "target,run+1,run+2,ignored,run-1,run-2,ignored / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / columns");
+    row("a line of means by another word", "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;3;7\nDurchschnitt;2;6\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / ");
+    row("a line without a target", "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;3;7\n;2;6\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / unread");
+    row("negative numbers in brackets", "P (mm);↑1 (µm);↓1 (µm)\n0;(1);5\n100;(3);7\n200;5;(6)\n",
+        "target,ignored,run-1 / 0 100 / ↓ 5 7 / columns unread");
+    // Targets twice in a run.
+    row("a target twice", "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;2;6\n100;3;7\n200;4;8\n",
+        "target,run+1,run-1 / 0 100 200 / ↑ 1 2 – / ↓ 5 6 – / ↑ – 3 4 / ↓ – 7 8 / layout");
+    row("a target twice in a list",
+        "Run;Direction;P (mm);Dev (µm)\n1;+;0;1\n1;+;100;2\n1;+;100;9\n1;-;0;5\n1;-;100;6\n1;-;100;8\n",
+        "number,direction,target,deviation / 0 100 / ↑ 1 2 / ↓ 5 6 / ↑ – 9 / ↓ – 8 / layout");
+    // Blocks that may be tests of their own.
+    row("before and after",
+        "Before compensation\nP (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;2;6\n\n"
+        "After compensation\nP (mm);↑1 (µm);↓1 (µm)\n0;3;7\n100;4;8\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ↑ 3 4 / ↓ 7 8 / layout");
+    row("blocks of the same runs without titles",
+        "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;2;6\n\nP (mm);↑1 (µm);↓1 (µm)\n0;3;7\n100;4;8\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ↑ 3 4 / ↓ 7 8 / layout");
+    row("blocks of runs by their titles",
+        "Run 1\nP (mm);↑ (µm);↓ (µm)\n0;1;5\n100;2;6\n\nRun 2\nP (mm);↑ (µm);↓ (µm)\n0;3;7\n100;4;8\n",
+        "target,run+,run- / 0 100 / ↑ 1 2 / ↓ 5 6 / ↑ 3 4 / ↓ 7 8 / ");
+    // Near zero along a long axis, in units that are stated: no positions.
+    row("millimetres without a word", "P (mm);↑1 (mm);↓1 (mm)\n0;0.001;0.005\n100;0.002;0.006\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
+    row("millimetres of a short axis without a word", "P (mm);↑1 (mm);↓1 (mm)\n0;0.01;0.05\n0.1;0.02;0.06\n",
+        "target,run+1,run-1 / 0 0.1 / ↑ 10 20 / ↓ 50 60 / content");
+    row("tabs between cells with blanks in them",
+        "Máquina: Mazak VTC-800\nOperario: Meier\nTemperatura: 20,3 °C\n\n"
+        "Posición objetivo [mm]\t-250,00\t-224,43\t-199,56\n"
+        "Error de posición ida 1 [µm]\t2,0\t1,7\t2,9\nError de posición vuelta 1 [µm]\t-2,2\t-1,0\t-0,9\n",
+        "ignored,run,run,run / -250 -224.43 -199.56 / ↑ 2 1.7 2.9 / ↓ -2.2 -1 -0.9 / sensor Temperatura "
+        "machine "
+        "20.3 / ");
+    row("few decimals among whole numbers", "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;3.5;7\n200;4;8\n300;4;9\n",
+        "target,run+1,run-1 / 0 100 200 300 / ↑ 1 3.5 4 4 / ↓ 5 7 8 9 / ");
+    // What is measured along an axis and is no position.
+    for (const char *title : {"Straightness of X", "Geradheit X-Achse", "Rectitude de l'axe X",
+                              "Yaw (Gieren)", "Rettilineità asse X", "Rectitud eje X"})
+        QTest::newRow(qPrintable(QString("no positions: %1").arg(title)))
+            << QByteArray(title) + "\nP (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;2;6\n"
+            << QString("target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / kind");
+    row("a straight line", "Straight line of X, Yawata\nP (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;2;6\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
+    row("µm above positions", "Unit: µm\nTarget;Actual ↑ 1;Actual ↓ 1\n0;0.001;0.005\n100;100.002;100.006\n",
+        "target,actual+1,actual-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / positionUnit unit");
+    row("mm above positions", "Unit: mm\nTarget;Actual ↑ 1;Actual ↓ 1\n0;0.001;0.005\n100;100.002;100.006\n",
+        "target,actual+1,actual-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
+    // Thousands or decimals of a small axis.
+    row("1,000 beside 0", "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n1,000;2;6\n2,000;3;7\n",
+        "target,run+1,run-1 / 0 1 2 / ↑ 1 2 3 / ↓ 5 6 7 / decimalMark");
+    row("1,000 beside 0,000", "P (mm);↑1 (µm);↓1 (µm)\n0,000;1;5\n1,000;2;6\n2,000;3;7\n",
+        "target,run+1,run-1 / 0 1 2 / ↑ 1 2 3 / ↓ 5 6 7 / ");
+    row("100.000 in mm", "P (mm);↑1 (µm);↓1 (µm)\n100.000;1;5\n200.000;2;6\n300.000;3;7\n",
+        "target,run+1,run-1 / 100 200 300 / ↑ 1 2 3 / ↓ 5 6 7 / ");
+    row("a counter under its sign", "#;Soll (mm);↑1 (µm);↓1 (µm)\n1;0;1;5\n2;100;2;6\n3;250;3;7\n",
+        "ignored,target,run+1,run-1 / 0 100 250 / ↑ 1 2 3 / ↓ 5 6 7 / ");
+    row("a counter under its sign and groups above",
+        ";;↑ (µm);↓ (µm)\n#;Soll (mm);Lauf 1;Lauf 1\n1;0;1;5\n2;100;2;6\n3;250;3;7\n",
+        "ignored,target,run+1,run-1 / 0 100 250 / ↑ 1 2 3 / ↓ 5 6 7 / ");
     row("quoted decimal commas",
         "\"P (mm)\",\"↑ (µm)\",\"↓\n(µm)\"\n\"0,00\",\"1,1\",\"5,5\"\n\"100,05\",\"2,2\",\"6,6\"\n",
         "target,run+,run- / 0 100.05 / ↑ 1.1 2.2 / ↓ 5.5 6.6 / ");
