@@ -69,6 +69,8 @@ constexpr int noCardBelow = 640 - 99;
 constexpr int noKeysBelow = 740 - 99;
 /// Below it a page with six rows of its table and the least figure find no room under one another.
 constexpr int turnsBelow = 690 - 99;
+constexpr int lowTabsBelow = 400;
+constexpr QSize least(NavigationList::railWidth + 1 + centreWidth, 280); ///< in which they take turns
 
 constexpr std::array testPages{Page::readings, Page::conditions,  Page::agreedPoints,
                                Page::limits,   Page::uncertainty, Page::diagnosis};
@@ -679,6 +681,12 @@ void Workplace::presentTurn() {
         restoreSizes();
 }
 
+/// That of the smallest arrangement: the one of now gives way before.
+QSize Workplace::minimumSizeHint() const {
+    const QSize now = QWidget::minimumSizeHint();
+    return m_right->isTakingTurns() ? now : now.boundedTo(least);
+}
+
 void Workplace::resizeEvent(QResizeEvent *event) {
     QWidget::resizeEvent(event);
     arrange();
@@ -711,6 +719,8 @@ void Workplace::arrange() {
         presentTurn();
         m_sizesOf.clear();
     }
+    m_tabs->setLow(turns && height() < lowTabsBelow);
+    m_right->setLow(turns && height() < lowTabsBelow);
     restoreSizes(); // where they are others now: stacked, wide
     m_findings->setFolded(!stacked && height() < foldBelow);
     presentCard();

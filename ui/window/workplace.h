@@ -95,6 +95,7 @@ signals:
 protected:
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 private:
     [[nodiscard]] std::map<Page, QStringList> missingFields() const;
