@@ -74,6 +74,7 @@ void scroll(QDialog &dialog, QLayout &whole, int room) {
     }
     area->show();
     column->activate();
+    dialog.resize(dialog.width() + area->verticalScrollBar()->sizeHint().width(), dialog.height());
     if (focused)
         focused->setFocus();
 }

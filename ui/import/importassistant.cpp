@@ -728,6 +728,7 @@ void ImportAssistant::showRemarks() {
     const auto questions = static_cast<int>(m_file.imported.questions.size());
     m_remarksTitle->setText(questions > 0 ? tr("%n question(s) to answer, and remarks", nullptr, questions)
                                           : tr("Remarks"));
+    m_remarksPlace->setAccessibleName(m_remarksTitle->text());
     m_confirmAll->setVisible(std::ranges::count_if(m_file.imported.questions, canBeConfirmed) > 0);
 }
 
