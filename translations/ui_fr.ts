@@ -2682,7 +2682,7 @@
     </message>
     <message>
         <source>&amp;Other file…</source>
-        <translation>&amp;Autre fichier…</translation>
+        <translation>A&amp;utre fichier…</translation>
     </message>
     <message>
         <source>&amp;Paste text</source>

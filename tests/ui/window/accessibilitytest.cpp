@@ -47,6 +47,7 @@ bool isControl(const QWidget *widget) {
         return false;
     if (qobject_cast<const QAbstractItemView *>(widget->parentWidget()) ||
         qobject_cast<const QComboBox *>(widget->parentWidget()) ||
+        qobject_cast<const QLineEdit *>(widget->parentWidget()) ||
         qobject_cast<const QTabBar *>(widget->parentWidget()))
         return false;
     return qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QComboBox *>(widget) ||
