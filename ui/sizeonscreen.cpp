@@ -19,6 +19,8 @@ namespace palmer::ui {
 
 namespace {
 
+constexpr QLatin1StringView placeName("beyondTheScreen");
+
 /// Whether that is a row of buttons, and not what a dialog is about.
 bool isRowOfButtons(QLayoutItem &item) {
     if (qobject_cast<QDialogButtonBox *>(item.widget()))
@@ -52,6 +54,7 @@ void scroll(QDialog &dialog, QLayout &whole, int room) {
     const QMargins margins = whole.contentsMargins();
     QLayoutItem *buttons = takeButtons(whole, room);
     QScrollArea *area = scrolledPlace(&dialog);
+    area->setObjectName(placeName);
     auto *inner = new QWidget(area->viewport());
     inner->setLayout(&whole); // takes it and its widgets from the dialog
     area->setWidget(inner);
@@ -93,7 +96,8 @@ public:
             return false;
         const QSize room = sizeOnScreen(*dialog, QSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX));
         const QSize least = dialog->layout()->totalMinimumSize();
-        if (least.width() > room.width() || least.height() > room.height())
+        const bool isBeyond = least.width() > room.width() || least.height() > room.height();
+        if (isBeyond && !dialog->findChild<QScrollArea *>(placeName))
             scroll(*dialog, *dialog->layout(), room.width());
         if (dialog->width() > room.width() || dialog->height() > room.height())
             dialog->resize(dialog->size().boundedTo(room));

@@ -40,6 +40,7 @@
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QStyle>
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -49,7 +50,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int mostBoxColumns = 6;
-constexpr int boxLetters = 22;      ///< of a box with its name and mark
+constexpr int boxSpacing = 12;
 constexpr int boxContents = 12;     ///< letters of what is chosen
 constexpr int columnWidth = 72;     ///< of the recognised table, unless its heading is wider
 constexpr int drawnAtOnce = 50'000; ///< readings; the curve of more is made on a thread
@@ -178,7 +179,7 @@ void ImportAssistant::makeLayout() {
     m_paste->setObjectName(QStringLiteral("importPaste"));
     head->addWidget(m_other);
     head->addWidget(m_paste);
-    m_choices->setHorizontalSpacing(12);
+    m_choices->setHorizontalSpacing(boxSpacing);
     m_choices->setVerticalSpacing(6);
     for (const auto &[name, words] :
          {std::pair(m_destinationName, m_destination), std::pair(m_profileName, m_profile)}) {
@@ -649,7 +650,12 @@ void ImportAssistant::makeBoxes() {
 
 /// As many beside one another as the dialog has room for.
 int ImportAssistant::boxColumns() const {
-    return std::clamp(width() / (boxLetters * fontMetrics().averageCharWidth()), 2, mostBoxColumns);
+    int least = std::max(m_destinationName->parentWidget()->minimumSizeHint().width(),
+                         m_profileName->parentWidget()->minimumSizeHint().width());
+    for (const Box &box : m_boxes)
+        least = std::max(least, box.cell->minimumSizeHint().width());
+    const int margins = 2 * style()->pixelMetric(QStyle::PM_LayoutLeftMargin, nullptr, this);
+    return std::clamp((width() - margins + boxSpacing) / (least + boxSpacing), 2, mostBoxColumns);
 }
 
 void ImportAssistant::placeBoxes() {
