@@ -310,6 +310,7 @@ void KeyboardTest::undoBringsTheAgreementIntoView() {
         setText(edit, typed);
         QCOMPARE(edit->text(), typed);
         for (const char *step : {"undo", "redo", "undo"}) {
+            shown.find("field.agreedPoints.feed")->setFocus(); // the last of the page
             shown.window->workplace().showPage(Page::limits);
             shown.find<QAction>(step)->trigger();
             QCOMPARE(selection.page(), Page::agreedPoints);
