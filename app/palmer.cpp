@@ -6,6 +6,7 @@
 #include "ui/application.h"
 #include "ui/register/openregister.h"
 #include "ui/settings.h"
+#include "ui/sizeonscreen.h"
 #include "ui/standardbuttons.h"
 #include "ui/theme.h"
 #include "ui/typingguard.h"
@@ -61,6 +62,7 @@ int main(int argc, char *argv[]) {
     nameStandardButtons(*application);
     keepCopiesAtEnd(*application);
     guardTyping(*application);
+    keepDialogsOnScreen(*application);
 
     auto *window = new MainWindow; // deletes itself when it is closed
     window->show();

@@ -2682,7 +2682,7 @@
     </message>
     <message>
         <source>&amp;Other file…</source>
-        <translation>&amp;Autre fichier…</translation>
+        <translation>A&amp;utre fichier…</translation>
     </message>
     <message>
         <source>&amp;Paste text</source>
@@ -4450,8 +4450,8 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Mot de passe</translation>
     </message>
     <message>
-        <source>&amp;Connect</source>
-        <translation>Se &amp;connecter</translation>
+        <source>Co&amp;nnect</source>
+        <translation>Se c&amp;onnecter</translation>
     </message>
     <message>
         <source>The password is not stored: after the next start it is taken from your password file of PostgreSQL (~/.pgpass), or asked for here again.</source>
@@ -5135,8 +5135,8 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Lo&amp;ngueurs</translation>
     </message>
     <message>
-        <source>&amp;Angles</source>
-        <translation>&amp;Angles</translation>
+        <source>An&amp;gles</source>
+        <translation>An&amp;gles</translation>
     </message>
     <message>
         <source>as the system</source>

@@ -2,15 +2,133 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sizeonscreen.h"
 
+#include <QApplication>
+#include <QDialog>
+#include <QDialogButtonBox>
+#include <QEvent>
+#include <QMessageBox>
+#include <QPointer>
+#include <QPushButton>
 #include <QScreen>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QStyle>
+#include <QVBoxLayout>
 
 namespace palmer::ui {
+
+namespace {
+
+constexpr QLatin1StringView placeName("beyondTheScreen");
+
+/// Whether that is a row of buttons, and not what a dialog is about.
+bool isRowOfButtons(QLayoutItem &item) {
+    if (qobject_cast<QDialogButtonBox *>(item.widget()))
+        return true;
+    const auto *row = qobject_cast<QHBoxLayout *>(item.layout());
+    if (!row || item.expandingDirections().testFlag(Qt::Vertical))
+        return false;
+    for (int i = 0; i < row->count(); ++i) {
+        const QWidget *widget = row->itemAt(i)->widget();
+        if (qobject_cast<const QPushButton *>(widget) || qobject_cast<const QDialogButtonBox *>(widget))
+            return true;
+    }
+    return false;
+}
+
+/// The buttons at the end of the column that a dialog is, out of it; null where it has none, or they are too
+/// wide themselves.
+QLayoutItem *takeButtons(QLayout &whole, int room) {
+    const auto *column = qobject_cast<QVBoxLayout *>(&whole);
+    if (!column || column->count() < 2)
+        return nullptr;
+    QLayoutItem *last = column->itemAt(column->count() - 1);
+    const QMargins margins = whole.contentsMargins();
+    if (!isRowOfButtons(*last) || last->minimumSize().width() + margins.left() + margins.right() > room)
+        return nullptr;
+    return whole.takeAt(column->count() - 1);
+}
+
+void scroll(QDialog &dialog, QLayout &whole, int room) {
+    const QPointer<QWidget> focused = dialog.focusWidget();
+    const QMargins margins = whole.contentsMargins();
+    QLayoutItem *buttons = takeButtons(whole, room);
+    QScrollArea *area = scrolledPlace(&dialog);
+    area->setObjectName(placeName);
+    auto *inner = new QWidget(area->viewport());
+    inner->setLayout(&whole); // takes it and its widgets from the dialog
+    area->setWidget(inner);
+    auto *column = new QVBoxLayout(&dialog);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(area, 1);
+    if (buttons) {
+        auto *foot = new QWidget(&dialog);
+        auto *row = new QHBoxLayout(foot);
+        row->setContentsMargins(margins.left(), margins.bottom() / 2, margins.right(), margins.bottom());
+        if (QLayout *inRow = buttons->layout()) {
+            inRow->setParent(nullptr);
+            row->addLayout(inRow);
+        } else {
+            row->addWidget(buttons->widget());
+            delete buttons;
+        }
+        column->addWidget(foot);
+    }
+    area->show();
+    column->activate();
+    dialog.resize(dialog.width() + area->verticalScrollBar()->sizeHint().width(), dialog.height());
+    if (focused)
+        focused->setFocus();
+}
+
+class SizeGuard : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject *watched, QEvent *event) override {
+        // What a dialog needs may grow while it is open: its language, what was chosen.
+        if (event->type() != QEvent::Show && event->type() != QEvent::LayoutRequest)
+            return false;
+        auto *dialog = qobject_cast<QDialog *>(watched);
+        if (!dialog || !dialog->isWindow() || !dialog->isVisible() || !dialog->layout() ||
+            qobject_cast<QMessageBox *>(dialog)) // which has its own measures
+            return false;
+        const QSize room = sizeOnScreen(*dialog, QSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX));
+        const QSize least = dialog->layout()->totalMinimumSize();
+        const bool isBeyond = least.width() > room.width() || least.height() > room.height();
+        if (isBeyond && !dialog->findChild<QScrollArea *>(placeName))
+            scroll(*dialog, *dialog->layout(), room.width());
+        if (dialog->width() > room.width() || dialog->height() > room.height())
+            dialog->resize(dialog->size().boundedTo(room));
+        return false;
+    }
+};
+
+} // namespace
 
 QSize sizeOnScreen(const QWidget &window, QSize wished) {
     const QSize room = window.screen()->availableSize();
     const int title = window.style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, &window);
     return wished.boundedTo({room.width(), room.height() - title});
+}
+
+QScrollArea *scrolledPlace(QWidget *parent) {
+    auto *area = new QScrollArea(parent);
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    // Qt does it for Tab, and not for all that Tab reaches; under the mouse nothing shall move.
+    QObject::connect(qApp, &QApplication::focusChanged, area, [area](const QWidget *, QWidget *now) {
+        if (now && area->widget() && area->widget()->isAncestorOf(now) &&
+            QGuiApplication::mouseButtons() == Qt::NoButton)
+            area->ensureWidgetVisible(now);
+    });
+    return area;
+}
+
+void keepDialogsOnScreen(QApplication &application) {
+    application.installEventFilter(new SizeGuard(&application));
 }
 
 } // namespace palmer::ui

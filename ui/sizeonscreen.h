@@ -5,9 +5,19 @@
 #include <QSize>
 #include <QWidget>
 
+class QApplication;
+class QScrollArea;
+
 namespace palmer::ui {
 
 /// The size wished for a window, or as much of it as its screen has room for beside panels and a title bar.
 [[nodiscard]] QSize sizeOnScreen(const QWidget &window, QSize wished);
+
+/// A place that asks for no room: what stands in it (setWidget) fills it, and is scrolled where the place is
+/// smaller than its least size.
+[[nodiscard]] QScrollArea *scrolledPlace(QWidget *parent);
+
+/// Dialogs that need more room than their screen has are scrolled; their row of buttons stays in sight.
+void keepDialogsOnScreen(QApplication &application);
 
 } // namespace palmer::ui

@@ -717,6 +717,12 @@ void CirclesPage::resizeEvent(QResizeEvent *event) {
     fitColumns();
 }
 
+void CirclesPage::showPoint(const ReadingPlace &point) {
+    m_selection.setReading(point);
+    if (m_points->isVisible())
+        m_points->setFocus();
+}
+
 void CirclesPage::showParts() {
     const bool any = m_pointsModel.rowCount() > 0;
     m_points->setVisible(any && height() >= leastHeightForPoints);

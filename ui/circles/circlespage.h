@@ -50,6 +50,8 @@ public:
     /// What was typed here, for any test, and cannot be taken.
     [[nodiscard]] QStringList refusedTexts() const;
 
+    /// Makes a point the current one, with the keyboard in its table where that has room.
+    void showPoint(const ReadingPlace &point);
     /// Asks for the points of an arc, beginning with that text, and adds what is accepted.
     void askForArc(const QString &text);
     /// Puts arcs behind the others, as one step.

@@ -27,6 +27,7 @@
 #include <QMessageBox>
 #include <QPainter>
 #include <QPushButton>
+#include <QTabBar>
 #include <QTabWidget>
 #include <QTableWidget>
 #include <QVBoxLayout>
@@ -432,6 +433,8 @@ void CompareDialog::changeEvent(QEvent *event) {
 
 void CompareDialog::retranslate() {
     setWindowTitle(tr("Compare"));
+    m_tabs->setAccessibleName(windowTitle());
+    m_tabs->tabBar()->setAccessibleName(windowTitle());
     m_tabs->setTabText(0, tr("&Editions"));
     m_tabs->setTabText(1, tr("&Tests"));
     m_addFile->setText(tr("&Add a file…"));

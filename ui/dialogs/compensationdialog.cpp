@@ -11,6 +11,7 @@
 #include "language/entry.h"
 #include "ui/figures/lineview.h"
 #include "ui/forms/field.h"
+#include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
@@ -25,6 +26,8 @@
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QSettings>
 #include <QTableWidget>
 #include <algorithm>
@@ -99,10 +102,13 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     m_reason->setWordWrap(true);
     fields->addWidget(m_reason);
     fields->addStretch(1);
-    auto *left = new QWidget(this);
-    left->setFixedWidth(fieldsWidth);
-    left->setLayout(fields);
-    fields->setContentsMargins(0, 0, 0, 0);
+    auto *left = scrolledPlace(this);
+    left->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    const int scrollBar = left->verticalScrollBar()->sizeHint().width();
+    left->setFixedWidth(fieldsWidth + scrollBar);
+    left->setWidget(new QWidget(left));
+    left->widget()->setLayout(fields);
+    fields->setContentsMargins(0, 0, scrollBar, 0);
 
     m_table->setObjectName(QStringLiteral("compensationTable"));
     m_table->setReadOnly(true);

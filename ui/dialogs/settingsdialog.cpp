@@ -90,7 +90,7 @@ void SettingsDialog::setUnits() {
 
 void SettingsDialog::retranslate() {
     setWindowTitle(tr("Settings"));
-    const QStringList labels{tr("&Language of the window"), tr("&Theme"), tr("L&engths"), tr("&Angles")};
+    const QStringList labels{tr("&Language of the window"), tr("&Theme"), tr("L&engths"), tr("An&gles")};
     for (std::size_t i = 0; i < m_labels.size(); ++i) {
         m_labels[i]->setText(labels[static_cast<qsizetype>(i)]);
         m_labels[i]->buddy()->setAccessibleName(QString(labels[static_cast<qsizetype>(i)]).remove(u'&'));

@@ -40,6 +40,7 @@
 #include <QSettings>
 #include <QSplitter>
 #include <QStackedWidget>
+#include <QStyle>
 #include <QTableView>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -48,11 +49,15 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int boxColumns = 6;
+constexpr int mostBoxColumns = 6;
+constexpr int boxSpacing = 12;
+constexpr int boxContents = 12;     ///< letters of what is chosen
 constexpr int columnWidth = 72;     ///< of the recognised table, unless its heading is wider
 constexpr int drawnAtOnce = 50'000; ///< readings; the curve of more is made on a thread
 constexpr int rowHeight = 26;
 constexpr int remarksHeight = 150;
+constexpr int lowRemarksHeight = 72;
+constexpr int lowBelow = 700; ///< of the dialog
 
 /// A title over a part, what is said of its size or done with it at the right, and the part.
 QWidget *part(QWidget *parent, QLabel *title, QWidget *beside, QWidget *content) {
@@ -174,8 +179,18 @@ void ImportAssistant::makeLayout() {
     m_paste->setObjectName(QStringLiteral("importPaste"));
     head->addWidget(m_other);
     head->addWidget(m_paste);
-    m_choices->setHorizontalSpacing(12);
+    m_choices->setHorizontalSpacing(boxSpacing);
     m_choices->setVerticalSpacing(6);
+    for (const auto &[name, words] :
+         {std::pair(m_destinationName, m_destination), std::pair(m_profileName, m_profile)}) {
+        auto *column = new QVBoxLayout(new QWidget(this));
+        column->setContentsMargins(0, 0, 0, 0);
+        column->setSpacing(2);
+        column->addWidget(name);
+        column->addWidget(words);
+        words->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        words->setMinimumContentsLength(boxContents);
+    }
 
     m_destination->setObjectName(QStringLiteral("import.destination"));
     m_profile->setObjectName(QStringLiteral("import.profile"));
@@ -249,12 +264,12 @@ QWidget *ImportAssistant::makeMiddle() {
 }
 
 QWidget *ImportAssistant::makeRemarks() {
-    auto *scroll = new QScrollArea(this);
-    scroll->setObjectName(QStringLiteral("importRemarks"));
-    scroll->setWidget(m_remarks);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setFixedHeight(remarksHeight);
+    m_remarksPlace = new QScrollArea(this);
+    m_remarksPlace->setObjectName(QStringLiteral("importRemarks"));
+    m_remarksPlace->setWidget(m_remarks);
+    m_remarksPlace->setWidgetResizable(true);
+    m_remarksPlace->setFrameShape(QFrame::NoFrame);
+    m_remarksPlace->setFixedHeight(remarksHeight);
     m_remarksTitle->setFont(themeFont(TextSize::head));
     m_confirmAll->setObjectName(QStringLiteral("confirmAll"));
     m_confirmAll->setAutoDefault(false);
@@ -265,7 +280,7 @@ QWidget *ImportAssistant::makeRemarks() {
     auto *column = new QVBoxLayout(whole);
     column->setContentsMargins(0, 0, 0, 0);
     column->addLayout(head);
-    column->addWidget(scroll);
+    column->addWidget(m_remarksPlace);
     return whole;
 }
 
@@ -590,13 +605,6 @@ void ImportAssistant::makeBoxes() {
     for (const Box &box : m_boxes)
         box.cell->hide();
     m_boxes.clear();
-    while (QLayoutItem *item = m_choices->takeAt(0))
-        delete item;
-    int place = 0;
-    const auto put = [&](QLayout *cell) {
-        m_choices->addLayout(cell, place / boxColumns, place % boxColumns);
-        ++place;
-    };
     for (const ImportChoice &choice : shownChoices()) {
         const ImportKey *key = findImportKey(choice.key);
         Box box{choice.key, new QWidget(this), nullptr, nullptr, nullptr, nullptr};
@@ -608,7 +616,7 @@ void ImportAssistant::makeBoxes() {
         if (key->value == ImportValue::word || isSheet) {
             box.words = new QComboBox(box.cell);
             box.words->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-            box.words->setMinimumContentsLength(12);
+            box.words->setMinimumContentsLength(boxContents);
             if (isSheet)
                 fillSheets(*box.words);
             for (const ImportWord &word : key->words)
@@ -635,21 +643,43 @@ void ImportAssistant::makeBoxes() {
         column->setSpacing(2);
         column->addLayout(head);
         column->addWidget(control);
-        m_choices->addWidget(box.cell, place / boxColumns, place % boxColumns);
-        ++place;
         m_boxes.push_back(box);
     }
-    const auto column = [](QLabel *name, QComboBox *words) {
-        auto *layout = new QVBoxLayout;
-        layout->setSpacing(2);
-        layout->addWidget(name);
-        layout->addWidget(words);
-        return layout;
+    placeBoxes();
+}
+
+/// As many beside one another as the dialog has room for.
+int ImportAssistant::boxColumns() const {
+    int least = std::max(m_destinationName->parentWidget()->minimumSizeHint().width(),
+                         m_profileName->parentWidget()->minimumSizeHint().width());
+    for (const Box &box : m_boxes)
+        least = std::max(least, box.cell->minimumSizeHint().width());
+    const int margins = 2 * style()->pixelMetric(QStyle::PM_LayoutLeftMargin, nullptr, this);
+    return std::clamp((width() - margins + boxSpacing) / (least + boxSpacing), 2, mostBoxColumns);
+}
+
+void ImportAssistant::placeBoxes() {
+    m_boxColumns = boxColumns();
+    while (QLayoutItem *item = m_choices->takeAt(0))
+        delete item;
+    int place = 0;
+    const auto put = [&](QWidget *cell) {
+        m_choices->addWidget(cell, place / m_boxColumns, place % m_boxColumns);
+        ++place;
     };
-    put(column(m_destinationName, m_destination));
-    put(column(m_profileName, m_profile));
-    for (int i = 0; i < boxColumns; ++i)
-        m_choices->setColumnStretch(i, 1);
+    for (const Box &box : m_boxes)
+        put(box.cell);
+    put(m_destinationName->parentWidget());
+    put(m_profileName->parentWidget());
+    for (int i = 0; i < mostBoxColumns; ++i)
+        m_choices->setColumnStretch(i, i < m_boxColumns ? 1 : 0);
+}
+
+void ImportAssistant::resizeEvent(QResizeEvent *event) {
+    QDialog::resizeEvent(event);
+    m_remarksPlace->setFixedHeight(height() < lowBelow ? lowRemarksHeight : remarksHeight);
+    if (boxColumns() != m_boxColumns)
+        placeBoxes();
 }
 
 void ImportAssistant::showChoices() {
@@ -704,6 +734,7 @@ void ImportAssistant::showRemarks() {
     const auto questions = static_cast<int>(m_file.imported.questions.size());
     m_remarksTitle->setText(questions > 0 ? tr("%n question(s) to answer, and remarks", nullptr, questions)
                                           : tr("Remarks"));
+    m_remarksPlace->setAccessibleName(m_remarksTitle->text());
     m_confirmAll->setVisible(std::ranges::count_if(m_file.imported.questions, canBeConfirmed) > 0);
 }
 

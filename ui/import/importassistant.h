@@ -25,6 +25,7 @@ class QLabel;
 class QLineEdit;
 class QListView;
 class QPushButton;
+class QScrollArea;
 class QStackedWidget;
 class QTableView;
 
@@ -93,6 +94,7 @@ public:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     struct Box {
@@ -126,6 +128,8 @@ private:
     void askProfileName();
     [[nodiscard]] std::vector<ImportChoice> shownChoices() const;
     void makeBoxes();
+    [[nodiscard]] int boxColumns() const;
+    void placeBoxes();
     void showChoices();
     void fillSheets(QComboBox &sheets) const;
     void showLine(std::size_t line);
@@ -158,6 +162,7 @@ private:
     QPushButton *m_other;
     QPushButton *m_paste;
     QGridLayout *m_choices;
+    int m_boxColumns = 0;
     QLabel *m_destinationName;
     QComboBox *m_destination;
     QLabel *m_profileName;
@@ -179,6 +184,7 @@ private:
     QLabel *m_remarksTitle;
     QPushButton *m_confirmAll;
     RemarkList *m_remarks;
+    QScrollArea *m_remarksPlace = nullptr;
     QCheckBox *m_keep;
     QPushButton *m_saveProfile;
     QLabel *m_open;

@@ -249,6 +249,10 @@ QString ReadingsPage::copied() const {
     return lines.isEmpty() ? QString() : lines.join(u'\n') + u'\n';
 }
 
+void ReadingsPage::showTarget(std::size_t target) {
+    m_view->setCurrentIndex(m_model.index(static_cast<int>(target), ReadingsModel::positionColumn));
+}
+
 void ReadingsPage::paste() {
     m_block = QGuiApplication::clipboard()->text();
     const QModelIndex current = m_view->currentIndex();

@@ -41,6 +41,8 @@ public:
     /// it.
     [[nodiscard]] QStringList refusedTexts() const { return m_model.refusedTargets().texts(); }
 
+    /// Makes the position of a target the current cell.
+    void showTarget(std::size_t target);
     /// Puts the text of the clipboard in, from the current cell on.
     void paste();
     /// The selected cells as a spreadsheet takes them: tabs, the decimal mark of the window's language.

@@ -157,7 +157,7 @@ void RegisterSettings::retranslate() {
     m_address->setAccessibleName(tr("Address of the server"));
     m_password->setPlaceholderText(tr("Password, where the server asks for one"));
     m_password->setAccessibleName(tr("Password"));
-    m_connect->setText(tr("&Connect"));
+    m_connect->setText(tr("Co&nnect"));
     m_note->setText(tr("The password is not stored: after the next start it is taken from your password file "
                        "of PostgreSQL (~/.pgpass), or asked for here again."));
     showPlace();

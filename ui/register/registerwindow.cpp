@@ -139,7 +139,9 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     auto *firstUse = new RegisterFirstUse;
     connect(firstUse, &RegisterFirstUse::folderWanted, this, &RegisterWindow::addFolder);
     m_stack = new QStackedWidget;
-    m_stack->addWidget(firstUse);
+    QScrollArea *firstPlace = scrolledPlace(m_stack);
+    firstPlace->setWidget(firstUse);
+    m_stack->addWidget(firstPlace);
     m_stack->addWidget(makeRight());
     m_side = makeLeft();
     m_parts = new ThinSplitter(Qt::Horizontal);
@@ -147,7 +149,9 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     m_parts->addWidget(m_stack);
     m_parts->setStretchFactor(1, 1);
     m_parts->setSizes({listWidth, usual.width() - listWidth});
-    setCentralWidget(m_parts);
+    QScrollArea *place = scrolledPlace(this); // where the screen is smaller than what they need
+    place->setWidget(m_parts);
+    setCentralWidget(place);
     makeStatus();
     connect(&m_service, &RegisterService::changed, this, &RegisterWindow::loadMachines);
     connect(&m_service, &RegisterService::stateChanged, this, &RegisterWindow::showState);

@@ -59,6 +59,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollArea>
 #include <QSettings>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -78,6 +79,9 @@ constexpr int menuHeight = 28;
 constexpr int toolBarHeight = 44;
 constexpr int statusHeight = 27;
 constexpr int iconsOnlyBelow = 1180;
+/// Of the height: below it the table needs the room of the tools, which are all in the menus as well.
+constexpr int noToolsBelow = 430;
+constexpr QSize leastSize(320, 240); ///< below the least of its parts these are scrolled
 
 /// Whether a file is no test file; of what cannot be read opening says why. Large ones are looked into while
 /// they are read.
@@ -131,7 +135,7 @@ MainWindow::MainWindow(QWidget *parent)
     setObjectName(QStringLiteral("mainWindow"));
     setAttribute(Qt::WA_DeleteOnClose);
     setAcceptDrops(true);
-    setMinimumSize(640, 440);
+    setMinimumSize(leastSize);
     setCentralWidget(m_centre);
     m_stack->addWidget(m_welcome);
     auto *column = new QVBoxLayout(m_centre);
@@ -477,8 +481,10 @@ void MainWindow::connectParts() {
 Workplace &MainWindow::workplace() {
     if (m_workplace)
         return *m_workplace;
-    m_workplace = new Workplace(m_model, m_evaluator, m_stack);
-    m_stack->addWidget(m_workplace);
+    m_place = scrolledPlace(m_stack);
+    m_workplace = new Workplace(m_model, m_evaluator, m_place->viewport());
+    m_place->setWidget(m_workplace);
+    m_stack->addWidget(m_place);
     m_editMenu->addActions(m_workplace->readings().editActions());
     m_testMenu->insertActions(m_afterReadings, m_workplace->readings().testActions());
     m_testMenu->insertActions(m_afterCircles, m_workplace->circles().testActions());
@@ -721,7 +727,8 @@ MainWindow *MainWindow::take(Document document, const QString &path, bool modifi
     m_reportPath = reportPath;
     m_rememberNext = !isExample(path);
     const bool wasWelcome = m_stack->currentWidget() == m_welcome;
-    m_stack->setCurrentWidget(&workplace()); // has its size before it is filled
+    workplace();
+    m_stack->setCurrentWidget(m_place); // has its size before it is filled
     if (wasWelcome)
         m_workplace->setFocus(); // and not a button that comes next
     m_model.setDocument(std::move(document), isExample(path) ? QString() : path, modified);
@@ -1235,7 +1242,7 @@ void MainWindow::enableActions() {
 void MainWindow::showState() {
     showUndo();
     enableActions();
-    m_toolBar->setVisible(m_open);
+    m_toolBar->setVisible(hasTools());
     m_content->setVisible(m_open);
     m_hint->setVisible(m_open);
 
@@ -1386,9 +1393,14 @@ void MainWindow::dropEvent(QDropEvent *event) {
     }
 }
 
+bool MainWindow::hasTools() const {
+    return m_open && height() >= noToolsBelow;
+}
+
 void MainWindow::resizeEvent(QResizeEvent *event) {
     QMainWindow::resizeEvent(event);
     const bool iconsOnly = width() < iconsOnlyBelow;
+    m_toolBar->setVisible(hasTools());
     m_toolBar->setToolButtonStyle(iconsOnly ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
     for (QAction *action : {m_undoAction, m_redoAction}) {
         auto *button = qobject_cast<QToolButton *>(m_toolBar->widgetForAction(action));

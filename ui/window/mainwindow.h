@@ -22,6 +22,7 @@
 
 class QLabel;
 class QMenu;
+class QScrollArea;
 class QStackedWidget;
 class QToolBar;
 
@@ -141,6 +142,7 @@ private:
     void fillExamplesMenu();
     void showUndo();
     void enableActions();
+    [[nodiscard]] bool hasTools() const; ///< whether there is something for them, and room
     void showState();
     void remember();
     void setEdition(std::size_t test, const QString &edition);
@@ -184,6 +186,7 @@ private:
     WorkBar *m_work = nullptr;
     QStackedWidget *m_stack = nullptr;
     WelcomePage *m_welcome = nullptr;
+    QScrollArea *m_place = nullptr; ///< of the workplace
     Workplace *m_workplace = nullptr;
     QToolBar *m_toolBar = nullptr;
     QMenu *m_fileMenu = nullptr;

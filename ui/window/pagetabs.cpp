@@ -5,12 +5,14 @@
 #include "ui/theme.h"
 
 #include <QPainter>
+#include <utility>
 
 namespace palmer::ui {
 
 namespace {
 
 constexpr int tabHeight = 40;
+constexpr int lowTabHeight = 28;
 constexpr int padding = 4; ///< the line reaches this far beyond the word
 constexpr int space = 10;  ///< between two tabs: six with their counts stand beside each other
 constexpr int badgeSize = 20;
@@ -44,13 +46,21 @@ int PageTabs::count(int tab) const {
     return tabData(tab).toInt();
 }
 
+void PageTabs::setLow(bool low) {
+    if (std::exchange(m_low, low) == low)
+        return;
+    if (count() > 0)
+        setTabText(0, tabText(0)); // their size has changed
+    updateGeometry();
+}
+
 QSize PageTabs::tabSizeHint(int index) const {
     // As wide as the bold word, so that nothing moves when another tab is chosen.
     const QString shown = QString(tabText(index)).remove(u'&');
     int width = QFontMetrics(tabFont(true)).horizontalAdvance(shown) + 2 * padding;
     if (count(index) > 0)
         width += badgeGap + badgeSize;
-    return {width + space - 2 * padding, tabHeight};
+    return {width + space - 2 * padding, m_low ? lowTabHeight : tabHeight};
 }
 
 QSize PageTabs::minimumTabSizeHint(int index) const {
@@ -88,7 +98,7 @@ void PageTabs::paintEvent(QPaintEvent *) {
         if (current && hasFocus()) {
             painter.setBrush(Qt::NoBrush);
             painter.setPen(QPen(accent, 2));
-            painter.drawRoundedRect(QRectF(area).adjusted(1, 6, -1, -6), 3, 3);
+            painter.drawRoundedRect(QRectF(area).adjusted(1, m_low ? 2 : 6, -1, m_low ? -2 : -6), 3, 3);
         }
     }
 }

@@ -18,11 +18,16 @@ public:
     void setCount(int tab, int count);
     [[nodiscard]] int count(int tab) const;
     using QTabBar::count;
+    /// For windows in which each row of a table counts.
+    void setLow(bool low);
 
 protected:
     [[nodiscard]] QSize tabSizeHint(int index) const override;
     [[nodiscard]] QSize minimumTabSizeHint(int index) const override;
     void paintEvent(QPaintEvent *event) override;
+
+private:
+    bool m_low = false;
 };
 
 } // namespace palmer::ui

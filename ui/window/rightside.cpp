@@ -99,6 +99,11 @@ void RightSide::setTakingTurns(bool takesTurns) {
     arrange();
 }
 
+void RightSide::setLow(bool low) {
+    m_tabs->setLow(low);
+    arrange();
+}
+
 bool RightSide::leavesToPage() const {
     return m_takesTurns && !m_maximised && m_tabs->currentIndex() == pageTab;
 }

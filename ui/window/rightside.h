@@ -5,7 +5,6 @@
 #include <QWidget>
 
 class QLabel;
-class QTabBar;
 class QTimer;
 class QVBoxLayout;
 
@@ -13,6 +12,7 @@ namespace palmer::ui {
 
 class FigureView;
 class FindingsPanel;
+class PageTabs;
 class ResultsPanel;
 class Selection;
 
@@ -37,6 +37,8 @@ public:
     [[nodiscard]] bool isTabbed() const { return m_tabbed; }
     /// The page takes turns with what is here; begins with the page.
     void setTakingTurns(bool takesTurns);
+    /// For windows in which each row of a table counts.
+    void setLow(bool low);
     [[nodiscard]] bool isTakingTurns() const { return m_takesTurns; }
     /// It is the turn of the page: nothing but the tabs is here.
     [[nodiscard]] bool leavesToPage() const;
@@ -60,7 +62,7 @@ private:
     void arrange();
     void retranslate();
 
-    QTabBar *m_tabs;
+    PageTabs *m_tabs;
     QVBoxLayout *m_column;
     FigureView *m_figure;
     ResultsPanel *m_results;

@@ -69,6 +69,8 @@ constexpr int noCardBelow = 640 - 99;
 constexpr int noKeysBelow = 740 - 99;
 /// Below it a page with six rows of its table and the least figure find no room under one another.
 constexpr int turnsBelow = 690 - 99;
+constexpr int lowTabsBelow = 400;
+constexpr QSize least(NavigationList::railWidth + 1 + centreWidth, 280); ///< in which they take turns
 
 constexpr std::array testPages{Page::readings, Page::conditions,  Page::agreedPoints,
                                Page::limits,   Page::uncertainty, Page::diagnosis};
@@ -107,6 +109,53 @@ std::optional<ReadingPlace> changedReading(const Test &before, const Test &after
                               (wasAside.at(run, target) == nullptr) == (isAside.at(run, target) == nullptr);
             if (!same)
                 return ReadingPlace{run, target};
+        }
+    }
+    return std::nullopt;
+}
+
+/// The target whose position is another; null where their number or none differs.
+std::optional<std::size_t> changedTarget(const Test &before, const Test &after) {
+    const auto *was = std::get_if<PositioningMeasurement>(&before.measurement);
+    const auto *is = std::get_if<PositioningMeasurement>(&after.measurement);
+    if (!was || !is || was->targets.size() != is->targets.size())
+        return std::nullopt;
+    const auto [old, now] = std::ranges::mismatch(was->targets, is->targets);
+    return now == is->targets.end() ? std::nullopt
+                                    : std::optional(static_cast<std::size_t>(now - is->targets.begin()));
+}
+
+/// The first point of the arcs that differs; null where arcs or their points are others.
+std::optional<ReadingPlace> changedPoint(const Test &before, const Test &after) {
+    const auto *was = std::get_if<CircularMeasurement>(&before.measurement);
+    const auto *is = std::get_if<CircularMeasurement>(&after.measurement);
+    if (!was || !is || was->arcs.size() != is->arcs.size())
+        return std::nullopt;
+    for (std::size_t arc = 0; arc < is->arcs.size(); ++arc) {
+        const Arc &old = was->arcs[arc];
+        const Arc &now = is->arcs[arc];
+        if (old.angles.size() != now.angles.size())
+            return std::nullopt;
+        const auto angle = std::ranges::mismatch(old.angles, now.angles).in2 - now.angles.begin();
+        const auto deviation = std::ranges::mismatch(old.radialDeviations, now.radialDeviations).in2 -
+                               now.radialDeviations.begin();
+        const auto point = static_cast<std::size_t>(std::min(angle, deviation));
+        if (point < now.angles.size())
+            return ReadingPlace{arc, point};
+    }
+    return std::nullopt;
+}
+
+/// The point whose agreement is another.
+std::optional<QString> changedAgreement(const Test &before, const Test &after) {
+    const auto differs = [](const std::vector<AgreedPoint> &all, const AgreedPoint &one) {
+        return std::ranges::find(all, one) == all.end();
+    };
+    for (const auto &[some, others] : {std::pair(&after.agreedPoints, &before.agreedPoints),
+                                       std::pair(&before.agreedPoints, &after.agreedPoints)}) {
+        for (const AgreedPoint &one : *some) {
+            if (differs(*others, one))
+                return QStringLiteral("agreedPoints.") + QString::fromStdString(one.point);
         }
     }
     return std::nullopt;
@@ -388,10 +437,12 @@ void Workplace::showChange(const Document &before, const Document &after, const 
             });
         if (is != after.tests.end()) {
             showTest(static_cast<std::size_t>(is - after.tests.begin()));
-            if (!place && (*was)->measurement != (*is)->measurement) {
-                showPage(Page::readings);
-                if (const auto reading = changedReading(**was, **is))
-                    m_selection.setReading(reading);
+            if (!place && (*was)->measurement != (*is)->measurement)
+                return showChangedMeasurement(**was, **is);
+            const auto agreement = changedAgreement(**was, **is);
+            if (agreement && (!place || pageOfContext(place->context) == Page::agreedPoints)) {
+                showPage(Page::agreedPoints);
+                m_selection.setField(*agreement);
                 return;
             }
         }
@@ -402,6 +453,17 @@ void Workplace::showChange(const Document &before, const Document &after, const 
     showPage(*page);
     if (Form *form = formInView())
         form->focusLabel(place->label, place->argument);
+}
+
+void Workplace::showChangedMeasurement(const Test &before, const Test &after) {
+    showPage(Page::readings);
+    m_readingPages->currentWidget()->setFocus();
+    if (const auto reading = changedReading(before, after))
+        m_selection.setReading(reading);
+    else if (const auto target = changedTarget(before, after))
+        m_readings->showTarget(*target);
+    else if (const auto point = changedPoint(before, after))
+        m_circles->showPoint(*point);
 }
 
 void Workplace::present() {
@@ -679,6 +741,12 @@ void Workplace::presentTurn() {
         restoreSizes();
 }
 
+/// That of the smallest arrangement: the one of now gives way before.
+QSize Workplace::minimumSizeHint() const {
+    const QSize now = QWidget::minimumSizeHint();
+    return m_right->isTakingTurns() ? now : now.boundedTo(least);
+}
+
 void Workplace::resizeEvent(QResizeEvent *event) {
     QWidget::resizeEvent(event);
     arrange();
@@ -711,6 +779,8 @@ void Workplace::arrange() {
         presentTurn();
         m_sizesOf.clear();
     }
+    m_tabs->setLow(turns && height() < lowTabsBelow);
+    m_right->setLow(turns && height() < lowTabsBelow);
     restoreSizes(); // where they are others now: stacked, wide
     m_findings->setFolded(!stacked && height() < foldBelow);
     presentCard();

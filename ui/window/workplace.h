@@ -95,11 +95,13 @@ signals:
 protected:
     void resizeEvent(QResizeEvent *event) override;
     void changeEvent(QEvent *event) override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
 
 private:
     [[nodiscard]] std::map<Page, QStringList> missingFields() const;
     bool showNextMissingHere(const std::map<Page, QStringList> &missing, bool forward);
     QWidget *makeCentre();
+    void showChangedMeasurement(const Test &before, const Test &after);
     void connectParts();
     void present();
     void presentTest();

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
-#include "ui/circles/arcdialog.h"
-#include "ui/dialogs/newcircledialog.h"
-#include "ui/dialogs/newtestdialog.h"
-#include "ui/window/shownwindow.h"
+#include "ui/window/alldialogs.h"
+
+#include "document/savedocument.h"
+#include "editing/newtest.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -18,6 +18,7 @@
 #include <QMenuBar>
 #include <QScrollBar>
 #include <QTabBar>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 #include <map>
@@ -46,6 +47,7 @@ bool isControl(const QWidget *widget) {
         return false;
     if (qobject_cast<const QAbstractItemView *>(widget->parentWidget()) ||
         qobject_cast<const QComboBox *>(widget->parentWidget()) ||
+        qobject_cast<const QLineEdit *>(widget->parentWidget()) ||
         qobject_cast<const QTabBar *>(widget->parentWidget()))
         return false;
     return qobject_cast<const QAbstractButton *>(widget) || qobject_cast<const QComboBox *>(widget) ||
@@ -128,8 +130,9 @@ void checkDialog(const QDialog &dialog) {
     }
 }
 
-constexpr Page pages[] = {Page::identification, Page::machine,      Page::instruments, Page::readings,
-                          Page::conditions,     Page::agreedPoints, Page::limits,      Page::uncertainty};
+constexpr Page pages[] = {Page::identification, Page::machine,     Page::instruments,
+                          Page::readings,       Page::conditions,  Page::agreedPoints,
+                          Page::limits,         Page::uncertainty, Page::diagnosis};
 
 } // namespace
 
@@ -140,6 +143,10 @@ private slots:
     void initTestCase() { prepareApplication(); }
     void everyControlHasAName_data();
     void everyControlHasAName();
+    void everyDialogIsSpoken_data() { everyControlHasAName_data(); }
+    void everyDialogIsSpoken();
+    void figuresSayWhatTheyShow_data() { everyControlHasAName_data(); }
+    void figuresSayWhatTheyShow();
     void mnemonicsDoNotClash_data() { everyControlHasAName_data(); }
     void mnemonicsDoNotClash();
     void tabReachesEveryControl_data() { everyControlHasAName_data(); }
@@ -157,7 +164,13 @@ void AccessibilityTest::everyControlHasAName_data() {
 void AccessibilityTest::everyControlHasAName() {
     QFETCH(Language::Id, language);
     setWindowLanguage(language);
-    for (const QString &file : {QString(), examplePath("long-axis-with-zone")}) {
+    const QTemporaryDir folder;
+    const QString drift = folder.filePath(QStringLiteral("drift.palmer"));
+    Document document = openDocument(examplePath("rotary-axis"));
+    insertTest(document, 0, newDriftTest(Axis{}));
+    saveDocument(document, drift);
+    for (const QString &file : {QString(), examplePath("long-axis-with-zone"), examplePath("one-direction"),
+                                examplePath("iso230-4-full-circles-xy"), drift}) {
         const ShownWindow shown(file);
         for (const Page page : pages) {
             if (!file.isEmpty())
@@ -171,6 +184,46 @@ void AccessibilityTest::everyControlHasAName() {
             }
             QVERIFY(seen > 3);
         }
+    }
+}
+
+void AccessibilityTest::everyDialogIsSpoken() {
+    QFETCH(Language::Id, language);
+    setWindowLanguage(language);
+    const QTemporaryDir folder;
+    RegisterService service(folder.filePath(QStringLiteral("register.sqlite")), {});
+    const ShownWindow shown(examplePath("rotary-axis"));
+    for (const auto &dialog : allDialogs(*shown.window, service)) {
+        dialog->show();
+        QCoreApplication::processEvents();
+        int seen = 0;
+        for (QWidget *widget : dialog->findChildren<QWidget *>()) {
+            if (!isControl(widget) || !widget->isVisibleTo(dialog.get()))
+                continue;
+            ++seen;
+            QVERIFY2(!spoken(widget).isEmpty(), qPrintable(path(widget)));
+        }
+        QVERIFY2(seen > 0, qPrintable(path(dialog.get())));
+        QVERIFY2(!dialog->windowTitle().isEmpty(), qPrintable(path(dialog.get())));
+        std::map<QChar, QString> taken;
+        checkWidgets(*dialog, taken);
+    }
+}
+
+/// A figure cannot be read aloud: a sentence of what is on it can.
+void AccessibilityTest::figuresSayWhatTheyShow() {
+    QFETCH(Language::Id, language);
+    setWindowLanguage(language);
+    QStringList said;
+    for (const char *name : {"rotary-axis", "iso230-2-1988-example", "iso230-4-full-circles-xy"}) {
+        const ShownWindow shown(examplePath(name));
+        auto *canvas = shown.find("figureCanvas");
+        if (!canvas->isVisible())
+            canvas = shown.find("circleCanvas");
+        QVERIFY(canvas->isVisible());
+        const QString sentence = canvas->accessibleDescription();
+        QVERIFY2(sentence.size() > 20 && !said.contains(sentence), qPrintable(sentence));
+        said << sentence;
     }
 }
 

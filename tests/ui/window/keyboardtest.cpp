@@ -82,6 +82,9 @@ private slots:
     void tabWalksTheFieldsAsTheyStand();
     void undoBringsTheReadingIntoView();
     void undoBringsTheFieldIntoView();
+    void undoBringsTheAgreementIntoView();
+    void undoBringsThePointOfACircleIntoView();
+    void undoBringsTheTargetIntoView();
     void everyShortcutIsListed();
     void buttonsOfAgreedPointsNameTheirPoint();
     void standardButtonsHaveAKey_data();
@@ -276,7 +279,7 @@ void KeyboardTest::undoBringsTheFieldIntoView() {
     Selection &selection = shown.window->workplace().selection();
     for (const auto &[page, form] :
          {std::pair(Page::conditions, "conditionsPage"), std::pair(Page::limits, "limitsPage"),
-          std::pair(Page::machine, "machinePage")}) {
+          std::pair(Page::uncertainty, "uncertaintyPage"), std::pair(Page::machine, "machinePage")}) {
         shown.window->workplace().showPage(page);
         for (auto *head : shown.find(form)->findChildren<SectionHead *>())
             head->click(); // of this file all is stated
@@ -294,6 +297,75 @@ void KeyboardTest::undoBringsTheFieldIntoView() {
         QCOMPARE(selection.page(), page);
         QTRY_VERIFY(changed && changed->hasFocus());
         QCOMPARE(changed->text(), before);
+    }
+}
+
+void KeyboardTest::undoBringsTheAgreementIntoView() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    const Selection &selection = shown.window->workplace().selection();
+    shown.window->workplace().showPage(Page::agreedPoints);
+    const auto comesBack = [&](QLineEdit *edit, const QString &typed) {
+        const QString before = edit->text();
+        setText(edit, typed);
+        QCOMPARE(edit->text(), typed);
+        for (const char *step : {"undo", "redo", "undo"}) {
+            shown.find("field.agreedPoints.feed")->setFocus(); // the last of the page
+            shown.window->workplace().showPage(Page::limits);
+            shown.find<QAction>(step)->trigger();
+            QCOMPARE(selection.page(), Page::agreedPoints);
+            // The text and the number of an agreement stand in one row.
+            const auto *field = shown.find("field.agreedPoints.gradient");
+            QVERIFY2(field->hasFocus() || edit->hasFocus(), step);
+            QCOMPARE(edit->text(), QByteArray(step) == "undo" ? before : typed);
+        }
+    };
+    comesBack(shown.find<QLineEdit>("field.agreedPoints.gradient"), u"7 K"_s);
+    comesBack(shown.find<QLineEdit>("value.gradient"), u"0.5"_s);
+}
+
+void KeyboardTest::undoBringsThePointOfACircleIntoView() {
+    const ShownWindow shown(examplePath("iso230-4-full-circles-xy"), {1600, 1000});
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    const Selection &selection = shown.window->workplace().selection();
+    auto *view = shown.find<QTableView>("points");
+    QVERIFY(view->isVisible());
+    const QModelIndex cell = view->model()->index(700, 2);
+    view->setCurrentIndex(cell);
+    QVERIFY(view->model()->setData(cell, u"3.25"_s, Qt::EditRole));
+    QTRY_COMPARE(shown.window->model().undoStack()->count(), 1);
+    for (const char *step : {"undo", "redo"}) {
+        view->setCurrentIndex(view->model()->index(2, 2));
+        shown.window->workplace().showPage(Page::limits);
+        shown.find<QAction>(step)->trigger();
+        QCOMPARE(selection.page(), Page::readings);
+        QCOMPARE(selection.reading(), (ReadingPlace{0, 700}));
+        QCOMPARE(view->currentIndex().row(), 700);
+        QVERIFY(view->hasFocus());
+    }
+}
+
+void KeyboardTest::undoBringsTheTargetIntoView() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    auto *view = shown.find<QTableView>("readings");
+    const QModelIndex cell = view->model()->index(3, ReadingsModel::positionColumn);
+    view->setFocus();
+    view->setCurrentIndex(cell);
+    const double position =
+        std::get<PositioningMeasurement>(shown.window->model().document()->tests[0]->measurement).targets[3];
+    const QString typed = QString::number(position + 0.5);
+    QTest::keyClicks(view, typed.left(1)); // opens the editor
+    QTest::keyClicks(QApplication::focusWidget(), typed.mid(1));
+    QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+    QTRY_COMPARE(shown.window->model().undoStack()->count(), 1);
+    for (const char *step : {"undo", "redo"}) {
+        view->setCurrentIndex(view->model()->index(0, 4));
+        shown.window->workplace().showPage(Page::limits);
+        shown.find<QAction>(step)->trigger();
+        QCOMPARE(shown.window->workplace().selection().page(), Page::readings);
+        QCOMPARE(view->currentIndex(), cell);
+        QVERIFY(view->hasFocus());
     }
 }
 

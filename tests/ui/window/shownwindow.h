@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/fonts.h"
+#include "ui/sizeonscreen.h"
 #include "ui/standardbuttons.h"
 #include "ui/theme.h"
 #include "ui/typingguard.h"
@@ -30,6 +31,7 @@ inline void prepareApplication() {
     palmer::ui::guardWheel(*qApp);
     palmer::ui::nameStandardButtons(*qApp);
     palmer::ui::guardTyping(*qApp);
+    palmer::ui::keepDialogsOnScreen(*qApp);
 }
 
 /// A real window, shown; it deletes itself when it is closed.
