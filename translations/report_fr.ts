@@ -3421,7 +3421,7 @@
         <translation>La simulation de Monte-Carlo s’est terminée avant que deux chiffres de l’incertitude soient stables.</translation>
     </message>
     <message>
-        <source>Measurement errors bias %1 by more than a third of the uncertainty that the Monte Carlo simulation gives: the budget decides.</source>
+        <source>Measurement errors bias %1 by more than a third of the uncertainty that the Monte Carlo simulation gives: the budget U is used for the verdict.</source>
         <translation>Les erreurs de mesure décalent %1 de plus d’un tiers de l’incertitude que donne la simulation de Monte-Carlo&#xa0;: le verdict est fondé sur l’U du budget.</translation>
     </message>
     <message>

@@ -174,8 +174,9 @@ void findUncertainty(TestEvaluation &evaluation, const std::vector<MissingInput>
         note(
             evaluation, "monteCarloShift",
             {simulationDecides
-                 ? REPORT_TEXT("report", "Measurement errors bias %1 by more than a third of the uncertainty "
-                                         "that the Monte Carlo simulation gives: the budget decides.")
+                 ? REPORT_TEXT("report",
+                               "Measurement errors bias %1 by more than a third of the uncertainty "
+                               "that the Monte Carlo simulation gives: the budget U is used for the verdict.")
                  : REPORT_TEXT("report", "Measurement errors bias %1 by more than a third of the uncertainty "
                                          "that the Monte Carlo simulation gives."),
              {symbols}});
