@@ -29,8 +29,8 @@ struct FileNotes {
     std::size_t ignored = 0;
 };
 
-/// Whether a row is a label with its value, as "Date" beside "05.03.2024": words before at most one number, that
-/// are understood or end with a colon.
+/// Whether a row is a label with its value, as "Date" beside "05.03.2024": words before at most one number,
+/// that are understood or end with a colon.
 [[nodiscard]] bool isLabelledValue(const CellTable &table, const TableRow &row);
 
 [[nodiscard]] FileNotes notesOf(const CellTable &table, const TableBody &body);

@@ -28,8 +28,8 @@ struct TableOfTest {
     Table table;
 };
 
-/// Tables of the same columns as one: rows whose first `keyCells` cells are the same stand below each other, with
-/// the numbers of the tests that state the rest. What several tests state stands once.
+/// Tables of the same columns as one: rows whose first `keyCells` cells are the same stand below each other,
+/// with the numbers of the tests that state the rest. What several tests state stands once.
 class MergedTable {
 public:
     MergedTable(const Writer &write, int count, std::size_t keyCells)

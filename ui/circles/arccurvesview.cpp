@@ -196,8 +196,7 @@ void ArcCurvesView::drawAxes(QPainter &painter) const {
         painter.drawText(QPointF(begin, area.bottom() + metrics.ascent() + 5), text);
     }
     const QString title = tr("Δr µm, least squares centre");
-    const QRectF box(area.left() + 5, area.top() - 2, metrics.horizontalAdvance(title) + 6,
-                     metrics.height());
+    const QRectF box(area.left() + 5, area.top() - 2, metrics.horizontalAdvance(title) + 6, metrics.height());
     painter.fillRect(box, palette().color(QPalette::Base));
     painter.setPen(secondary);
     painter.drawText(box, Qt::AlignCenter, title);

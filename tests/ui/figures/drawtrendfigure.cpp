@@ -16,7 +16,6 @@ using namespace palmer::ui;
 
 namespace {
 
-
 TrendPanel panelOf(const QString &symbol, const QString &index, const QString &statement) {
     TrendPanel panel;
     panel.symbol = symbol + index;
