@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "windowoptions.h"
 
-#include "commands/terminal.h"
+#include "commandline/terminal.h"
 #include "languageoflocale.h"
 #include "manualpage.h"
-#include "report/plaintext.h"
+#include "report/blocks/plaintext.h"
 
 #include <algorithm>
 #include <array>

@@ -1,22 +1,33 @@
 # SPDX-FileCopyrightText: 2026 the Palmer authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-# Compiles the sources of a target some at a time, which takes half the time; so names in their unnamed namespaces have
-# to differ. Which go together is drawn from their names: a new source joins one of the groups and moves no other. The
-# lot is one without clashes.
-function(compile_together target lot groups)
-    if(CMAKE_DISABLE_PRECOMPILE_HEADERS) # ./lint looks at each source alone
+# compile_together(target "folder folder…" …): the sources of the folders named together are one for the compiler, which
+# reads their headers and makes their copying and comparing once: a third of the time. So names in the unnamed namespaces
+# of a folder differ, as what is meant the same stands in one place. "." are the sources of the target's own folder; those
+# of a folder that is not named are compiled one by one.
+function(compile_together target)
+    if(PALMER_SINGLE_SOURCES) # ./lint looks at each alone
         return()
     endif()
     get_target_property(sources ${target} SOURCES)
     foreach(source IN LISTS sources)
-        if(source MATCHES "\\.cpp$")
-            cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE file)
-            cmake_path(RELATIVE_PATH file BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
-            string(MD5 digest "${lot}${file}")
-            string(SUBSTRING ${digest} 0 4 drawn)
-            math(EXPR group "0x${drawn} % ${groups}")
-            set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${group})
+        if(NOT source MATCHES "\\.cpp$")
+            continue()
+        endif()
+        cmake_path(ABSOLUTE_PATH source OUTPUT_VARIABLE file)
+        cmake_path(GET file PARENT_PATH folder)
+        cmake_path(RELATIVE_PATH folder BASE_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
+        set(place "")
+        foreach(folders IN LISTS ARGN)
+            string(FIND " ${folders} " " ${folder} " at)
+            if(at GREATER -1)
+                string(MAKE_C_IDENTIFIER "${folders}" place)
+            endif()
+        endforeach()
+        if(place STREQUAL "")
+            set_source_files_properties(${source} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
+        else()
+            set_source_files_properties(${source} PROPERTIES UNITY_GROUP ${place})
         endif()
     endforeach()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)

@@ -15,11 +15,11 @@ namespace palmer::ui {
 namespace {
 
 constexpr double subscriptFactor = 0.72;
-constexpr double subscriptDrop = 0.16; ///< of the size of the font
+constexpr double formulaSubscriptDrop = 0.16; ///< of the size of the font
 constexpr QChar combiningMacron(u'\u0304');
 
 /// What is drawn in one go.
-struct Piece {
+struct FormulaPiece {
     QString text;
     QFont font;
     double drop = 0;
@@ -37,8 +37,8 @@ QFont arrowFont(const QFont &font) {
     return paperFont(QFontInfo(font).pixelSize(), true);
 }
 
-std::vector<Piece> pieces(const Formula &formula, const QFont &base, bool strong) {
-    std::vector<Piece> result;
+std::vector<FormulaPiece> pieces(const Formula &formula, const QFont &base, bool strong) {
+    std::vector<FormulaPiece> result;
     const double size = QFontInfo(base).pixelSize();
     for (const FormulaSpan &span : formula.spans) {
         QFont font = base;
@@ -46,7 +46,7 @@ std::vector<Piece> pieces(const Formula &formula, const QFont &base, bool strong
             font.setWeight(QFont::DemiBold);
         if (span.subscript)
             font.setPixelSize(qMax(1, qRound(size * subscriptFactor)));
-        const double drop = span.subscript ? size * subscriptDrop : 0;
+        const double drop = span.subscript ? size * formulaSubscriptDrop : 0;
         const auto add = [&](const QString &text, const QFont &its, bool barred, bool breakBefore) {
             const double width = QFontMetricsF(its).horizontalAdvance(text);
             result.push_back({text, its, drop, barred, span.approach, breakBefore, width});
@@ -81,7 +81,7 @@ std::vector<Piece> pieces(const Formula &formula, const QFont &base, bool strong
     return result;
 }
 
-void drawPiece(QPainter &painter, QPointF baseline, const Piece &piece) {
+void drawPiece(QPainter &painter, QPointF baseline, const FormulaPiece &piece) {
     painter.setFont(piece.font);
     const QPointF at(baseline.x(), baseline.y() + piece.drop);
     painter.drawText(at, piece.text);
@@ -97,7 +97,7 @@ void drawPiece(QPainter &painter, QPointF baseline, const Piece &piece) {
         painter.pen().color());
 }
 
-QColor colourOf(const Piece &piece, const QColor &colour, const QPalette &palette) {
+QColor colourOf(const FormulaPiece &piece, const QColor &colour, const QPalette &palette) {
     if (!piece.approach)
         return colour;
     return token(*piece.approach == Direction::positive ? Token::up : Token::downText, palette);
@@ -107,16 +107,16 @@ QColor colourOf(const Piece &piece, const QColor &colour, const QPalette &palett
 
 double formulaWidth(const Formula &formula, const QFont &font) {
     double width = 0;
-    for (const Piece &piece : pieces(formula, font, false))
+    for (const FormulaPiece &piece : pieces(formula, font, false))
         width += piece.width;
     return width;
 }
 
 void drawFormula(QPainter &painter, const QRectF &area, Qt::Alignment alignment, const Formula &formula,
                  const QFont &font, const QColor &colour, bool strong) {
-    const std::vector<Piece> parts = pieces(formula, font, strong);
+    const std::vector<FormulaPiece> parts = pieces(formula, font, strong);
     double width = 0;
-    for (const Piece &piece : parts)
+    for (const FormulaPiece &piece : parts)
         width += piece.width;
     double x = area.left();
     if (alignment & Qt::AlignRight)
@@ -126,7 +126,7 @@ void drawFormula(QPainter &painter, const QRectF &area, Qt::Alignment alignment,
     const QFontMetricsF metrics(font);
     const double y = area.center().y() + (metrics.ascent() - metrics.descent()) / 2;
     painter.setPen(colour);
-    for (const Piece &piece : parts) {
+    for (const FormulaPiece &piece : parts) {
         drawPiece(painter, {x, y}, piece);
         x += piece.width;
     }
@@ -134,7 +134,7 @@ void drawFormula(QPainter &painter, const QRectF &area, Qt::Alignment alignment,
 
 double drawFormulaLines(QPainter *painter, const QRectF &area, const Formula &formula, const QFont &font,
                         const QColor &colour, const QPalette &palette, double indent) {
-    const std::vector<Piece> parts = pieces(formula, font, false);
+    const std::vector<FormulaPiece> parts = pieces(formula, font, false);
     const QFontMetricsF metrics(font);
     const double lineHeight = metrics.height() + 3;
     double x = area.left();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "report/formula.h"
+#include "report/words/formula.h"
 
 #include <QColor>
 #include <QFont>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/verdictmark.h"
 
-#include "report/wording.h"
+#include "report/words/wording.h"
 #include "ui/windowlanguage.h"
 
 #include <QCoreApplication>

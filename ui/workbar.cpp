@@ -31,7 +31,7 @@ constexpr int showAfter = 300; ///< ms
 constexpr int lookEach = 100;  ///< ms
 constexpr int steps = 1000;    ///< of the bar
 constexpr int barWidth = 96;
-constexpr int barHeight = 4;
+constexpr int workBarHeight = 4;
 
 } // namespace
 
@@ -45,7 +45,7 @@ WorkBar::WorkBar(QWidget *parent)
     setObjectName(QStringLiteral("workBar"));
     setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred); // its parts stay together in an empty bar
     m_bar->setTextVisible(false);
-    m_bar->setFixedSize(barWidth, barHeight);
+    m_bar->setFixedSize(barWidth, workBarHeight);
     m_count->setObjectName(QStringLiteral("workCount"));
     m_count->setFont(themeFont(TextSize::small));
     m_count->setProperty("secondary", true);

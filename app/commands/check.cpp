@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/check.h"
 
-#include "commands/inputs.h"
-#include "commands/preparation.h"
-#include "commands/streams.h"
-#include "commands/terminal.h"
+#include "commandline/inputs.h"
+#include "commandline/preparation.h"
+#include "commandline/streams.h"
+#include "commandline/terminal.h"
 #include "document/evaluateddocument.h"
 #include "export/resultsjson.h"
-#include "report/plaintext.h"
+#include "report/blocks/plaintext.h"
 #include "report/results.h"
 
 #include <algorithm>

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/evaluate.h"
 
-#include "commands/editionoption.h"
-#include "commands/inputs.h"
-#include "commands/optionvalues.h"
-#include "commands/preparation.h"
-#include "commands/rejection.h"
-#include "commands/simulations.h"
-#include "commands/streams.h"
-#include "commands/terminal.h"
+#include "commandline/editionoption.h"
+#include "commandline/inputs.h"
+#include "commandline/optionvalues.h"
+#include "commandline/preparation.h"
+#include "commandline/rejection.h"
+#include "commandline/simulations.h"
+#include "commandline/streams.h"
+#include "commandline/terminal.h"
 #include "export/resultsjson.h"
-#include "report/plaintext.h"
+#include "report/blocks/plaintext.h"
 #include "report/results.h"
-#include "report/summary.h"
+#include "report/tables/summary.h"
 
 #include <array>
 

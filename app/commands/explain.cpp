@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/explain.h"
 
-#include "commands/optionvalues.h"
-#include "commands/preparation.h"
-#include "commands/streams.h"
-#include "commands/terminal.h"
+#include "commandline/optionvalues.h"
+#include "commandline/preparation.h"
+#include "commandline/streams.h"
+#include "commandline/terminal.h"
 #include "document/evaluateddocument.h"
-#include "report/explanation.h"
-#include "report/plaintext.h"
+#include "report/blocks/plaintext.h"
+#include "report/explanations/explanation.h"
 
 #include <algorithm>
 #include <array>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/export.h"
 
-#include "commands/optionvalues.h"
-#include "commands/outputfile.h"
-#include "commands/streams.h"
+#include "commandline/optionvalues.h"
+#include "commandline/outputfile.h"
+#include "commandline/streams.h"
 #include "document/savedocument.h"
 #include "export/compensation.h"
 #include "export/readingscsv.h"

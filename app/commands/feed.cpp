@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/feed.h"
 
-#include "commands/optionvalues.h"
-#include "commands/streams.h"
+#include "commandline/optionvalues.h"
+#include "commandline/streams.h"
 #include "kernel/evaluation/iso230_4/contouringfeed.h"
 #include "language/decimals.h"
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/figure.h"
 
-#include "commands/inputs.h"
-#include "commands/optionvalues.h"
-#include "commands/outputfile.h"
-#include "commands/preparation.h"
-#include "commands/streams.h"
+#include "commandline/inputs.h"
+#include "commandline/optionvalues.h"
+#include "commandline/outputfile.h"
+#include "commandline/preparation.h"
+#include "commandline/streams.h"
 #include "document/evaluateddocument.h"
 #include "figures/budgetfigure.h"
 #include "figures/circlefigure.h"

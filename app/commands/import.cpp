@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/import.h"
 
-#include "commands/outputfile.h"
-#include "commands/preparation.h"
-#include "commands/streams.h"
+#include "commandline/outputfile.h"
+#include "commandline/preparation.h"
+#include "commandline/streams.h"
 #include "document/largepages.h"
 #include "document/savedocument.h"
 #include "document/sha256.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/manual.h"
 
-#include "commands/command.h"
-#include "commands/help.h"
+#include "commandline/command.h"
+#include "commandline/help.h"
 #include "manualpage.h"
 
 namespace palmer {

@@ -2,18 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/register.h"
 
-#include "commands/inputs.h"
-#include "commands/optionvalues.h"
-#include "commands/outputfile.h"
+#include "commandline/inputs.h"
+#include "commandline/optionvalues.h"
+#include "commandline/outputfile.h"
+#include "commandline/streams.h"
 #include "commands/registertrend.h"
-#include "commands/streams.h"
 #include "document/filewords.h"
 #include "register/due.h"
 #include "register/listing.h"
 #include "register/register.h"
 #include "register/scan.h"
 #include "register/storedsentence.h"
-#include "report/plaintext.h"
+#include "report/blocks/plaintext.h"
 
 #include <QDate>
 #include <QFileInfo>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/registertrend.h"
 
-#include "commands/editionoption.h"
-#include "commands/outputfile.h"
-#include "commands/streams.h"
+#include "commandline/editionoption.h"
+#include "commandline/outputfile.h"
+#include "commandline/streams.h"
 #include "register/history.h"
 #include "register/queries.h"
 #include "register/reevaluate.h"
@@ -12,7 +12,7 @@
 #include "register/storedsentence.h"
 #include "register/trendfigure.h"
 #include "register/trendoutput.h"
-#include "report/plaintext.h"
+#include "report/blocks/plaintext.h"
 #include "ui/figures/exportfigure.h"
 #include "ui/pdf/writepdf.h"
 

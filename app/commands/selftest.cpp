@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/selftest.h"
 
-#include "commands/streams.h"
-#include "commands/terminal.h"
-#include "report/plaintext.h"
-#include "report/validationreport.h"
+#include "commandline/streams.h"
+#include "commandline/terminal.h"
+#include "report/blocks/plaintext.h"
+#include "report/help/validationreport.h"
 
 #include <algorithm>
 

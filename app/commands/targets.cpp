@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/targets.h"
 
-#include "commands/editionoption.h"
-#include "commands/optionvalues.h"
-#include "commands/outputfile.h"
-#include "commands/streams.h"
+#include "commandline/editionoption.h"
+#include "commandline/optionvalues.h"
+#include "commandline/outputfile.h"
+#include "commandline/streams.h"
 #include "document/plannedtest.h"
 #include "document/writedocument.h"
 #include "export/partprogram.h"
 #include "kernel/evaluation/edition.h"
-#include "report/plaintext.h"
+#include "report/blocks/plaintext.h"
 #include "report/planreport.h"
 #include "ui/pdf/writepdf.h"
 

@@ -2,14 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/verify.h"
 
-#include "commands/inputs.h"
-#include "commands/optionvalues.h"
-#include "commands/outputfile.h"
-#include "commands/progressline.h"
-#include "commands/streams.h"
-#include "commands/terminal.h"
+#include "commandline/inputs.h"
+#include "commandline/optionvalues.h"
+#include "commandline/outputfile.h"
+#include "commandline/progressline.h"
+#include "commandline/streams.h"
+#include "commandline/terminal.h"
 #include "proof/readreportpdf.h"
-#include "report/plaintext.h"
+#include "report/blocks/plaintext.h"
 #include "ui/proof/verifyreport.h"
 
 #include <algorithm>

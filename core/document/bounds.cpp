@@ -5,6 +5,7 @@
 #include "document/documenterror.h"
 #include "document/fields.h"
 #include "document/place.h"
+#include "document/refuse.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,14 +13,6 @@
 namespace palmer {
 
 namespace {
-
-[[noreturn]] void refuse(const Place &place, Text text, std::vector<Argument> arguments) {
-    throw Error(Error::Kind::content, {text, std::move(arguments), {}}, place.text());
-}
-
-Number count(std::size_t value) {
-    return {static_cast<double>(value), Quantity::count, 0};
-}
 
 std::size_t lengthOf(const std::string &utf8) {
     return static_cast<std::size_t>(std::count_if(
@@ -31,15 +24,15 @@ void demandLength(const std::string &text, const Place &place, unsigned demands)
     if ((demands & base64) != 0 || text.size() <= most)
         return;
     if (const std::size_t length = lengthOf(text); length > most)
-        refuse(place, REPORT_TEXT("report", "this text has %1 characters; expected no more than %2"),
-               {count(length), count(most)});
+        refuseAt(place, REPORT_TEXT("report", "this text has %1 characters; expected no more than %2"),
+                 {countOf(length), countOf(most)});
 }
 
 void demandReading(double value, const Place &place, unsigned demands) {
     if ((demands & reading) != 0 && !(std::abs(value) <= mostOfReading))
-        refuse(place,
-               REPORT_TEXT("report", "expected a reading between −%1 and %1 mm (rotary axis: degrees)"),
-               {Number{mostOfReading, Quantity::count, 0}});
+        refuseAt(place,
+                 REPORT_TEXT("report", "expected a reading between −%1 and %1 mm (rotary axis: degrees)"),
+                 {Number{mostOfReading, Quantity::count, 0}});
 }
 
 /// Visits the fields of a struct; the functions for values are members, for they call each other.

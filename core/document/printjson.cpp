@@ -12,15 +12,15 @@ namespace palmer {
 namespace {
 
 template <class Json>
-bool isScalar(const Json &value) {
+bool isOneValue(const Json &value) {
     return !value.is_structured();
 }
 
 template <class Json>
 bool isSmall(const Json &value) {
-    return isScalar(value) || value.empty() ||
+    return isOneValue(value) || value.empty() ||
            (value.is_array() && JsonPrinter::isSmallList(value.size()) &&
-            std::all_of(value.begin(), value.end(), isScalar<Json>));
+            std::all_of(value.begin(), value.end(), isOneValue<Json>));
 }
 
 template <class Json>
@@ -42,7 +42,7 @@ void printTree(JsonPrinter &printer, const Json &value, const Place &place) {
         return printer.object(membersOfTree(value), place);
     case Json::value_t::array: {
         const auto print = [&](JsonPrinter &to, std::size_t i) { printTree(to, value[i], Place(place, i)); };
-        if (std::all_of(value.begin(), value.end(), isScalar<Json>))
+        if (std::all_of(value.begin(), value.end(), isOneValue<Json>))
             return printer.listOfScalars(value.size(), print);
         return printer.list(value.size(), [&](std::size_t i) { print(printer, i); });
     }

@@ -9,6 +9,7 @@
 #include "document/filewords.h"
 #include "document/json.h"
 #include "document/place.h"
+#include "document/refuse.h"
 #include "document/refusedreadings.h"
 
 #include <QStringDecoder>
@@ -28,14 +29,6 @@ namespace palmer {
 namespace {
 
 using nlohmann::json;
-
-[[noreturn]] void refuse(const Place &place, Text text, std::vector<Argument> arguments = {}) {
-    throw Error(Error::Kind::content, {text, std::move(arguments), {}}, place.text());
-}
-
-Number count(std::size_t value) {
-    return {static_cast<double>(value), Quantity::count, 0};
-}
 
 // The value of exactly these digits, or −1.
 int digits(std::string_view text) {
@@ -90,9 +83,9 @@ public:
         m_keys.insert(m_keys.end(), others);
         for (const auto &[key, value] : object.get_ref<const json::object_t &>())
             if (std::find(m_keys.begin(), m_keys.end(), key) == m_keys.end())
-                refuse(Place(place, key),
-                       REPORT_TEXT("report", "this key is unknown; what others want to add goes "
-                                             "into “extensions”"));
+                refuseAt(Place(place, key),
+                         REPORT_TEXT("report", "this key is unknown; what others want to add goes "
+                                               "into “extensions”"));
     }
 
 private:
@@ -104,8 +97,8 @@ private:
 
 void demandEqual(std::size_t found, std::size_t expected, const Place &place) {
     if (found != expected)
-        refuse(place, REPORT_TEXT("report", "number of values found: %1; expected: %2"),
-               {count(found), count(expected)});
+        refuseAt(place, REPORT_TEXT("report", "number of values found: %1; expected: %2"),
+                 {countOf(found), countOf(expected)});
 }
 
 template <class T>
@@ -113,7 +106,7 @@ void check(const T &, const Place &) {} // most structs are right when their fie
 
 void check(const Interval &interval, const Place &place) {
     if (!(interval.from < interval.to))
-        refuse(place, REPORT_TEXT("report", "expected “from” to be less than “to”"));
+        refuseAt(place, REPORT_TEXT("report", "expected “from” to be less than “to”"));
 }
 
 void check(const TemperatureSeries &series, const Place &place) {
@@ -133,7 +126,7 @@ void check(const PositioningMeasurement &measurement, const Place &place) {
     const auto &targets = measurement.targets;
     for (std::size_t i = 1; i < targets.size(); ++i)
         if (!(targets[i - 1] < targets[i]))
-            refuse(Place(atTargets, i), REPORT_TEXT("report", "expected targets that ascend strictly"));
+            refuseAt(Place(atTargets, i), REPORT_TEXT("report", "expected targets that ascend strictly"));
 
     const Place atRuns(place, "runs");
     for (std::size_t j = 0; j < measurement.runs.size(); ++j) {
@@ -149,35 +142,35 @@ void check(const PositioningMeasurement &measurement, const Place &place) {
         const auto run = static_cast<std::size_t>(excluded.run) - 1;
         const auto target = static_cast<std::size_t>(excluded.target) - 1;
         if (run >= measurement.runs.size())
-            refuse(Place(at, "run"), REPORT_TEXT("report", "expected one of the %1 runs, counted from 1"),
-                   {count(measurement.runs.size())});
+            refuseAt(Place(at, "run"), REPORT_TEXT("report", "expected one of the %1 runs, counted from 1"),
+                     {countOf(measurement.runs.size())});
         if (target >= targets.size())
-            refuse(Place(at, "target"),
-                   REPORT_TEXT("report", "expected one of the %1 targets, counted from 1"),
-                   {count(targets.size())});
+            refuseAt(Place(at, "target"),
+                     REPORT_TEXT("report", "expected one of the %1 targets, counted from 1"),
+                     {countOf(targets.size())});
         if (measurement.runs[run].deviations[target]) {
             const Place atRun(atRuns, run);
             const Place atDeviations(atRun, "deviations");
-            refuse(Place(atDeviations, target),
-                   REPORT_TEXT("report", "expected null, for this reading stands in “excluded”"));
+            refuseAt(Place(atDeviations, target),
+                     REPORT_TEXT("report", "expected null, for this reading stands in “excluded”"));
         }
         if (!seen.emplace(excluded.run, excluded.target).second)
-            refuse(at, REPORT_TEXT("report", "this reading is excluded twice; expected it once"));
+            refuseAt(at, REPORT_TEXT("report", "this reading is excluded twice; expected it once"));
     }
 }
 
 void demandEdition(const std::string &word, const Place &place) {
     if (!findEdition(word))
-        refuse(place,
-               REPORT_TEXT("report", "unknown edition “%1”; expected a designation such as ISO 230-2:1988"),
-               {excerpt(word)});
+        refuseAt(place,
+                 REPORT_TEXT("report", "unknown edition “%1”; expected a designation such as ISO 230-2:1988"),
+                 {excerpt(word)});
 }
 
 void check(const CircularMeasurement &measurement, const Place &place) {
     const Place atUncertainty(place, "uncertainty");
     if (measurement.uncertainty.method == UncertaintyMethod::budgetActual)
-        refuse(Place(atUncertainty, "method"),
-               REPORT_TEXT("report", "the budget with the actual targets is for positioning tests"));
+        refuseAt(Place(atUncertainty, "method"),
+                 REPORT_TEXT("report", "the budget with the actual targets is for positioning tests"));
 }
 
 void check(const Limit &limit, const Place &place) {
@@ -187,22 +180,23 @@ void check(const Limit &limit, const Place &place) {
 
 void check(const ReportHead &report, const Place &place) {
     if (report.languages.empty())
-        refuse(Place(place, "languages"), REPORT_TEXT("report", "expected at least one language"));
+        refuseAt(Place(place, "languages"), REPORT_TEXT("report", "expected at least one language"));
     const Place at(place, "editions");
     for (std::size_t i = 0; i < report.editions.size(); ++i)
         demandEdition(report.editions[i], Place(at, i));
     const auto left = std::ranges::find(report.leaveOut, ReportPart::diagnosis);
     if (left != report.leaveOut.end())
-        refuse(Place(Place(place, "leaveOut"), static_cast<std::size_t>(left - report.leaveOut.begin())),
-               REPORT_TEXT("report", "the diagnosis is printed only where “include” asks for it; take the "
-                                     "word out of this list"));
+        refuseAt(Place(Place(place, "leaveOut"), static_cast<std::size_t>(left - report.leaveOut.begin())),
+                 REPORT_TEXT("report", "the diagnosis is printed only where “include” asks for it; take the "
+                                       "word out of this list"));
 }
 
 void demandParameter(Kind kind, const std::string &id, const Place &place) {
     if (!isParameter(kind, id))
-        refuse(place,
-               REPORT_TEXT("report", "unknown parameter “%1”; expected one of this kind of test, such as %2"),
-               {excerpt(id), kind == Kind::circular ? std::string("G") : std::string("A")});
+        refuseAt(
+            place,
+            REPORT_TEXT("report", "unknown parameter “%1”; expected one of this kind of test, such as %2"),
+            {excerpt(id), kind == Kind::circular ? std::string("G") : std::string("A")});
 }
 
 void check(const Test &test, const Place &place) {
@@ -213,8 +207,8 @@ void check(const Test &test, const Place &place) {
 
     demandEdition(test.edition, Place(place, "edition"));
     if (findEdition(test.edition)->kind != kind)
-        refuse(Place(place, "edition"), REPORT_TEXT("report", "“%1” is not for this kind of test"),
-               {test.edition});
+        refuseAt(Place(place, "edition"), REPORT_TEXT("report", "“%1” is not for this kind of test"),
+                 {test.edition});
 
     const Place atLimits(place, "limits");
     for (const auto &[id, limit] : test.limits)
@@ -237,12 +231,13 @@ void check(const Test &test, const Place &place) {
         const std::string &point = test.agreedPoints[i].point;
         const Place at(atPoints, i);
         if (!isAgreementPoint(kind, point))
-            refuse(Place(at, "point"),
-                   REPORT_TEXT("report", "unknown point “%1”; expected one that this kind of test agrees on"),
-                   {excerpt(point)});
+            refuseAt(
+                Place(at, "point"),
+                REPORT_TEXT("report", "unknown point “%1”; expected one that this kind of test agrees on"),
+                {excerpt(point)});
         if (!points.insert(point).second)
-            refuse(Place(at, "point"), REPORT_TEXT("report", "“%1” stands here twice; expected it once"),
-                   {point});
+            refuseAt(Place(at, "point"), REPORT_TEXT("report", "“%1” stands here twice; expected it once"),
+                     {point});
     }
 }
 
@@ -250,8 +245,8 @@ void check(const Test &test, const Place &place) {
 void check(const Document &document, const Place &place) {
     const auto demandNew = [](std::set<std::string_view> &ids, const std::string &id, const Place &at) {
         if (!id.empty() && !ids.insert(id).second)
-            refuse(Place(at, "id"), REPORT_TEXT("report", "“%1” stands here twice; expected it once"),
-                   {excerpt(id)});
+            refuseAt(Place(at, "id"), REPORT_TEXT("report", "“%1” stands here twice; expected it once"),
+                     {excerpt(id)});
     };
     std::set<std::string_view> instruments;
     const Place atInstruments(place, "instruments");
@@ -274,15 +269,15 @@ void check(const Document &document, const Place &place) {
         const Place atNames(atTest, "instruments");
         for (std::size_t k = 0; k < test.instruments.size(); ++k)
             if (!instruments.contains(test.instruments[k]))
-                refuse(Place(atNames, k),
-                       REPORT_TEXT("report", "expected the id of an instrument of this file; “%1” is none"),
-                       {excerpt(test.instruments[k])});
+                refuseAt(Place(atNames, k),
+                         REPORT_TEXT("report", "expected the id of an instrument of this file; “%1” is none"),
+                         {excerpt(test.instruments[k])});
         const std::string *drift = driftTestOf(test);
         const Place atUncertainty(atTest, "uncertainty");
         if (drift && !drifts.contains(*drift))
-            refuse(Place(atUncertainty, "driftTest"),
-                   REPORT_TEXT("report", "expected the id of a drift test of this file; “%1” is none"),
-                   {excerpt(*drift)});
+            refuseAt(Place(atUncertainty, "driftTest"),
+                     REPORT_TEXT("report", "expected the id of a drift test of this file; “%1” is none"),
+                     {excerpt(*drift)});
     }
 }
 
@@ -303,7 +298,7 @@ public:
         if (entry != m_object.end())
             read(*entry, member, Place(m_place, key), demands);
         else if ((demands & obligatory) != 0)
-            refuse(m_place, REPORT_TEXT("report", "the key “%1” is missing"), {std::string(key)});
+            refuseAt(m_place, REPORT_TEXT("report", "the key “%1” is missing"), {std::string(key)});
     }
 
     void object(const char *key, const auto &members) {
@@ -359,9 +354,9 @@ public:
                 words += (words.empty() ? "" : " · ") + std::string(row.word);
         }
         if (!text)
-            refuse(place, REPORT_TEXT("report", "expected one of the words: %1"), {words});
-        refuse(place, REPORT_TEXT("report", "unknown word “%1”; expected one of: %2"),
-               {excerpt(*text), words});
+            refuseAt(place, REPORT_TEXT("report", "expected one of the words: %1"), {words});
+        refuseAt(place, REPORT_TEXT("report", "unknown word “%1”; expected one of: %2"),
+                 {excerpt(*text), words});
     }
 
 private:
@@ -376,28 +371,28 @@ private:
 
     static void demandObject(const json &value, const Place &place) {
         if (!value.is_object())
-            refuse(place, REPORT_TEXT("report", "expected an object, in braces"));
+            refuseAt(place, REPORT_TEXT("report", "expected an object, in braces"));
     }
 
     static void demandArray(const json &value, const Place &place) {
         if (!value.is_array())
-            refuse(place, REPORT_TEXT("report", "expected a list, in square brackets"));
+            refuseAt(place, REPORT_TEXT("report", "expected a list, in square brackets"));
     }
 
     static void read(const json &value, double &member, const Place &place, unsigned demands = nothing) {
         if (!value.is_number())
-            refuse(place, REPORT_TEXT("report", "expected a number"));
+            refuseAt(place, REPORT_TEXT("report", "expected a number"));
         member = value.get<double>();
         demandSign(member, place, demands);
     }
 
     static void demandSign(double value, const Place &place, unsigned demands) {
         if ((demands & positive) != 0 && !(value > 0))
-            refuse(place, REPORT_TEXT("report", "expected a number greater than 0"));
+            refuseAt(place, REPORT_TEXT("report", "expected a number greater than 0"));
         if ((demands & notNegative) != 0 && !(value >= 0))
-            refuse(place, REPORT_TEXT("report", "expected a number that is not negative"));
+            refuseAt(place, REPORT_TEXT("report", "expected a number that is not negative"));
         if ((demands & trialCount) != 0 && !(value >= 1 && value <= double(mostTrialsStated)))
-            refuse(place, REPORT_TEXT("report", "expected a whole number from 1 to 1 000 000 000"));
+            refuseAt(place, REPORT_TEXT("report", "expected a whole number from 1 to 1 000 000 000"));
     }
 
     // 5.0 is a whole number too, as JSON Schema has it.
@@ -418,7 +413,7 @@ private:
                    number < -static_cast<double>(least);
         }
         if (!fits)
-            refuse(place, REPORT_TEXT("report", "expected a whole number"));
+            refuseAt(place, REPORT_TEXT("report", "expected a whole number"));
         member = value.get<Integer>();
         demandSign(static_cast<double>(member), place, demands);
     }
@@ -433,20 +428,20 @@ private:
 
     static void read(const json &value, bool &member, const Place &place, unsigned = nothing) {
         if (!value.is_boolean())
-            refuse(place, REPORT_TEXT("report", "expected true or false"));
+            refuseAt(place, REPORT_TEXT("report", "expected true or false"));
         member = value.get<bool>();
     }
 
     static void read(const json &value, std::string &member, const Place &place, unsigned demands = nothing) {
         const auto *const text = value.get_ptr<const std::string *>();
         if (!text)
-            refuse(place, REPORT_TEXT("report", "expected a text, in quotation marks"));
+            refuseAt(place, REPORT_TEXT("report", "expected a text, in quotation marks"));
         if ((demands & date) != 0 && !isDate(*text))
-            refuse(place, REPORT_TEXT("report", "expected a date that exists, written YYYY-MM-DD"));
+            refuseAt(place, REPORT_TEXT("report", "expected a date that exists, written YYYY-MM-DD"));
         if ((demands & timeOfDay) != 0 && !isTimeOfDay(*text))
-            refuse(place, REPORT_TEXT("report", "expected a time of day, written HH:MM"));
+            refuseAt(place, REPORT_TEXT("report", "expected a time of day, written HH:MM"));
         if ((demands & base64) != 0 && !isBase64(*text))
-            refuse(place, REPORT_TEXT("report", "expected bytes in base64"));
+            refuseAt(place, REPORT_TEXT("report", "expected bytes in base64"));
         member = *text;
     }
 
@@ -463,27 +458,27 @@ private:
     // The sentence says that null would do as well.
     static void demandTypeOrNull(const json &value, const std::optional<double> &, const Place &place) {
         if (!value.is_number())
-            refuse(place, REPORT_TEXT("report", "expected a number or null"));
+            refuseAt(place, REPORT_TEXT("report", "expected a number or null"));
     }
     template <class Integer>
     requires std::is_integral_v<Integer>
     static void demandTypeOrNull(const json &value, const std::optional<Integer> &, const Place &place) {
         if (!value.is_number())
-            refuse(place, REPORT_TEXT("report", "expected a whole number or null"));
+            refuseAt(place, REPORT_TEXT("report", "expected a whole number or null"));
     }
     static void demandTypeOrNull(const json &value, const std::optional<bool> &, const Place &place) {
         if (!value.is_boolean())
-            refuse(place, REPORT_TEXT("report", "expected true, false or null"));
+            refuseAt(place, REPORT_TEXT("report", "expected true, false or null"));
     }
     static void demandTypeOrNull(const json &value, const std::optional<std::string> &, const Place &place) {
         if (!value.is_string())
-            refuse(place, REPORT_TEXT("report", "expected a text, in quotation marks, or null"));
+            refuseAt(place, REPORT_TEXT("report", "expected a text, in quotation marks, or null"));
     }
     template <class Struct>
     requires(std::is_class_v<Struct> && !std::is_same_v<Struct, std::string>) static void demandTypeOrNull(
         const json &value, const std::optional<Struct> &, const Place &place) {
         if (!value.is_object())
-            refuse(place, REPORT_TEXT("report", "expected an object, in braces, or null"));
+            refuseAt(place, REPORT_TEXT("report", "expected an object, in braces, or null"));
     }
 
     template <class T>
@@ -498,8 +493,9 @@ private:
             for (std::size_t i = 0; i < member.size(); ++i)
                 if (std::find(member.begin(), member.begin() + static_cast<std::ptrdiff_t>(i), member[i]) !=
                     member.begin() + static_cast<std::ptrdiff_t>(i))
-                    refuse(Place(place, i), REPORT_TEXT("report", "“%1” stands here twice; expected it once"),
-                           {std::string(fileWord(member[i]))});
+                    refuseAt(Place(place, i),
+                             REPORT_TEXT("report", "“%1” stands here twice; expected it once"),
+                             {std::string(fileWord(member[i]))});
     }
 
     static void read(const json &value, Point3 &member, const Place &place, unsigned = nothing) {
@@ -522,7 +518,7 @@ private:
         demandObject(value, place);
         const auto kindWord = value.find("kind");
         if (kindWord == value.end())
-            refuse(place, REPORT_TEXT("report", "the key “%1” is missing"), {std::string("kind")});
+            refuseAt(place, REPORT_TEXT("report", "the key “%1” is missing"), {std::string("kind")});
         Kind kind{};
         read(*kindWord, kind, Place(place, "kind"));
         Test test;
@@ -553,10 +549,10 @@ void migrate(json &file) {
     const Place place(root, "version");
     const auto version = file.find("version");
     if (version == file.end())
-        refuse(root, REPORT_TEXT("report", "the key “%1” is missing"), {std::string("version")});
+        refuseAt(root, REPORT_TEXT("report", "the key “%1” is missing"), {std::string("version")});
     const double number = version->is_number() ? version->get<double>() : 0;
     if (!(number >= 1) || std::trunc(number) != number)
-        refuse(place, REPORT_TEXT("report", "expected a whole number from 1 on"));
+        refuseAt(place, REPORT_TEXT("report", "expected a whole number from 1 on"));
     if (number > static_cast<double>(fileVersion))
         throw Error(
             Error::Kind::newerVersion,

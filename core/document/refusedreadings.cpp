@@ -12,7 +12,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr auto key = "refusedReadings";
+constexpr auto refusedKey = "refusedReadings";
 
 std::optional<int> wholeNumber(const json &entry, const char *name) {
     const auto found = entry.find(name);
@@ -41,10 +41,10 @@ std::optional<RefusedReading> refusedReading(const json &entry, const Positionin
 
 void takeRefusedReadings(Test &test) {
     auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-    if (!measurement || test.extensions.find(key) == std::string::npos)
+    if (!measurement || test.extensions.find(refusedKey) == std::string::npos)
         return;
     json extensions = parseJson(test.extensions);
-    const auto entries = extensions.find(key);
+    const auto entries = extensions.find(refusedKey);
     if (entries == extensions.end() || !entries->is_array())
         return;
     std::vector<RefusedReading> refused;
@@ -63,7 +63,7 @@ void addRefusedReadings(const Test &test, json &extensions) {
     const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
     if (!measurement || measurement->refused.empty())
         return;
-    json &entries = extensions[key] = json::array();
+    json &entries = extensions[refusedKey] = json::array();
     for (const RefusedReading &reading : measurement->refused)
         entries.push_back({{"run", reading.run}, {"target", reading.target}, {"text", reading.text}});
 }

@@ -6,6 +6,7 @@
 #include "import/importmeasurement.h"
 #include "import/layouts/arcs.h"
 #include "import/layouts/tablebody.h"
+#include "kernel/words/shortest.h"
 #include "tables/units.h"
 
 #include <QByteArray>
@@ -21,11 +22,6 @@ namespace {
 
 constexpr std::array layouts{"angleDeviation", "angleRadius", "xy"}; // in the order of ArcContent
 constexpr std::array marks{"point", "comma"};                        // in the order of DecimalMark
-
-std::string shortest(double value) {
-    std::array<char, 32> digits{};
-    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
-}
 
 /// Headings count, numbers decide: one column of them.
 bool isOneColumn(const TableBody &body) {

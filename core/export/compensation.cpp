@@ -3,6 +3,7 @@
 #include "export/compensation.h"
 
 #include "document/documenterror.h"
+#include "export/fineness.h"
 #include "kernel/numerics/fullturn.h"
 
 #include <algorithm>
@@ -18,12 +19,6 @@ constexpr double largest = 1e9; ///< mm, degrees
 // Parts of a mm or degree that positions and values are rounded to.
 double fineness(Motion motion) {
     return motion == Motion::linear ? 1e4 : 1e5;
-}
-
-constexpr double positionFineness = 1e6;
-
-double rounded(double value, double parts) {
-    return std::round(value * parts) / parts + 0.0; // no −0
 }
 
 /// Positions as whole numbers of 1e-6 mm or degrees: sums of them are exact.

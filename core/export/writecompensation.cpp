@@ -3,6 +3,7 @@
 #include "document/documenterror.h"
 #include "document/place.h"
 #include "export/compensation.h"
+#include "export/fineness.h"
 #include "tables/decodetext.h"
 #include "tables/numbercell.h"
 
@@ -18,17 +19,12 @@ namespace palmer {
 namespace {
 
 constexpr std::string_view csvMark = "# Palmer compensation";
-constexpr double positionFineness = 1e6; ///< parts of a mm or degree
-
-double rounded(double value, double parts) {
-    return std::round(value * parts) / parts + 0.0; // no −0
-}
 
 [[noreturn]] void refuseTable(Text text, std::vector<Argument> arguments = {}) {
     throw Error(Error::Kind::content, {text, std::move(arguments)});
 }
 
-std::string shortest(double value) {
+std::string withoutExponent(double value) {
     std::array<char, 400> digits{};
     const auto end =
         std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed).ptr;
@@ -48,8 +44,9 @@ std::string writeLinuxcnc(const CompensationTable &table) {
     std::string text; // no comments: the control stops at the first line that is no triplet
     for (std::size_t i = 0; i < table.positions.size(); ++i) {
         const double position = table.positions[i];
-        text += shortest(position) + ' ' + shortest(rounded(position - table.forward[i], positionFineness)) +
-                ' ' + shortest(rounded(position - table.reverse[i], positionFineness)) + '\n';
+        text += withoutExponent(position) + ' ' +
+                withoutExponent(rounded(position - table.forward[i], positionFineness)) + ' ' +
+                withoutExponent(rounded(position - table.reverse[i], positionFineness)) + '\n';
     }
     return text;
 }
@@ -79,18 +76,21 @@ std::string writeSiemens(const CompensationTable &table, const CompensationOptio
     const auto &positions = table.positions;
     const std::string of = '[' + std::to_string(options.encoder) + ',' + table.axis + "]";
     const double step = positions.size() > 1 ? rounded(positions[1] - positions[0], positionFineness) : 1;
-    std::string text = "%_N_AX_EEC_INI\n; Palmer, unit=" + std::string(unitOf(table)) +
-                       ", value = actual - target, reference=" + shortest(options.reference.value_or(0));
+    std::string text =
+        "%_N_AX_EEC_INI\n; Palmer, unit=" + std::string(unitOf(table)) +
+        ", value = actual - target, reference=" + withoutExponent(options.reference.value_or(0));
     if (table.measured)
-        text += ", measured=" + shortest(table.measured->from) + ".." + shortest(table.measured->to);
+        text += ", measured=" + withoutExponent(table.measured->from) + ".." +
+                withoutExponent(table.measured->to);
     text += "\n; MD38000 $MA_MM_ENC_COMP_MAX_POINTS" + of + " >= " + std::to_string(positions.size()) +
             "\nCHANDATA(1)\n";
     for (std::size_t i = 0; i < positions.size(); ++i)
         text += "$AA_ENC_COMP[" + std::to_string(options.encoder) + ',' + std::to_string(i) + ',' +
-                table.axis + "]=" + shortest(0.0 - table.forward[i]) + '\n';
-    return text + "$AA_ENC_COMP_STEP" + of + '=' + shortest(step) + "\n$AA_ENC_COMP_MIN" + of + '=' +
-           shortest(positions.front()) + "\n$AA_ENC_COMP_MAX" + of + '=' + shortest(positions.back()) +
-           "\n$AA_ENC_COMP_IS_MODULO" + of + '=' + (table.period ? "1" : "0") + "\nM17\n";
+                table.axis + "]=" + withoutExponent(0.0 - table.forward[i]) + '\n';
+    return text + "$AA_ENC_COMP_STEP" + of + '=' + withoutExponent(step) + "\n$AA_ENC_COMP_MIN" + of + '=' +
+           withoutExponent(positions.front()) + "\n$AA_ENC_COMP_MAX" + of + '=' +
+           withoutExponent(positions.back()) + "\n$AA_ENC_COMP_IS_MODULO" + of + '=' +
+           (table.period ? "1" : "0") + "\nM17\n";
 }
 
 std::string writeWeihong(const CompensationTable &table, const CompensationOptions &options) {
@@ -103,8 +103,8 @@ std::string writeWeihong(const CompensationTable &table, const CompensationOptio
     const double sign = options.deviations ? -1 : 1;
     std::string text = "unit = mm\n[" + axis + "]\n";
     for (std::size_t i = 0; i < table.positions.size(); ++i)
-        text += shortest(table.positions[i]) + ", " + shortest(sign * table.forward[i] + 0.0) + ", " +
-                shortest(sign * table.reverse[i] + 0.0) + '\n';
+        text += withoutExponent(table.positions[i]) + ", " + withoutExponent(sign * table.forward[i] + 0.0) +
+                ", " + withoutExponent(sign * table.reverse[i] + 0.0) + '\n';
     return text;
 }
 
@@ -136,9 +136,10 @@ std::string writeCsv(const CompensationTable &table, const CompensationOptions &
             lastForward = table.forward[i];
             lastReverse = table.reverse[i];
         }
-        text += withMark(shortest(table.positions[i]), mark) + ';' + withMark(shortest(forward), mark);
+        text += withMark(withoutExponent(table.positions[i]), mark) + ';' +
+                withMark(withoutExponent(forward), mark);
         if (table.perDirection)
-            text += ';' + withMark(shortest(reverse), mark);
+            text += ';' + withMark(withoutExponent(reverse), mark);
         text += '\n';
     }
     return text;

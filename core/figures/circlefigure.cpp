@@ -318,7 +318,7 @@ Interval deviationsOf(std::span<const PathProfile> profiles) {
     return range.from <= range.to ? range : Interval{};
 }
 
-int decimalsOf(double step) {
+int decimalsOfDecade(double step) {
     return std::max(0, -static_cast<int>(std::floor(std::log10(step) + 1e-9)));
 }
 
@@ -367,7 +367,7 @@ void addRings(CircleFigure &figure, const Interval &deviations, const Visible &i
     const double perMicrometre = figure.magnification / micrometresPerMillimetre; // mm on paper
     figure.division = roundStep(leastDivision * figure.figureRadius / (perMicrometre * figure.view.zoom), 1,
                                 TickSteps::values);
-    const int decimals = decimalsOf(figure.division);
+    const int decimals = decimalsOfDecade(figure.division);
     figure.divisionLabel = language.quantity(figure.division, Quantity::micrometres, decimals);
 
     const auto deviation = [&](double radius) { return (radius - figure.plotRadius) / perMicrometre; };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/deviationfigure.h"
 
+#include "figures/curvefield.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/positioningcase.h"
 #include "language/decimals.h"
@@ -17,10 +18,8 @@ namespace palmer {
 
 namespace {
 
-/// Space left of the first and right of the last target, above and below the values, as parts of the range.
+/// Space left of the first and right of the last target, as a part of the range.
 constexpr double positionMargin = 0.03;
-constexpr double valueMargin = 0.07;
-constexpr double mostPositionTicks = 6.5;
 constexpr double mostValueTicks = 12;
 
 struct AxisSource {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/diagnosisfigure.h"
 
+#include "figures/curvefield.h"
 #include "figures/thinning.h"
 #include "figures/ticks.h"
 #include "kernel/diagnosis/sourcewords.h"
@@ -43,16 +44,6 @@ std::vector<Points> measuredPaths(const CircularResults &results) {
         paths.push_back(path.points);
     return paths;
 }
-
-struct Bounds {
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -std::numeric_limits<double>::infinity();
-
-    void include(double value) {
-        lowest = std::min(lowest, value);
-        highest = std::max(highest, value);
-    }
-};
 
 /// An axis of values to hold these, with room above and below; at least ± least about their middle.
 void setValues(FigureAxis &axis, const Bounds &bounds, double least, double mostTicks,

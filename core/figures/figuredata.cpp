@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/figuredata.h"
 
+#include "kernel/words/shortest.h"
+
 #include <array>
 #include <charconv>
 
@@ -36,10 +38,7 @@ private:
     }
 
     [[nodiscard]] QByteArray number(double value) const {
-        std::array<char, 32> digits{};
-        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-        QByteArray text(digits.data(), end - digits.data());
-        return text.replace('.', m_mark);
+        return QByteArray::fromStdString(shortest(value)).replace('.', m_mark);
     }
 
     char m_mark;

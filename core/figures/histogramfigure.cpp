@@ -14,7 +14,7 @@ namespace palmer {
 namespace {
 
 constexpr double mostBarTicks = 7;
-constexpr double sideMargin = 0.04; ///< of the range, beside what is shown
+constexpr double besideBars = 0.04; ///< of the range, beside what is shown
 
 /// The first and the last interval that holds anything.
 Interval counted(const HistogramFigure &figure) {
@@ -63,7 +63,7 @@ std::optional<HistogramFigure> histogramFigure(const Test &test, const TestEvalu
     const Interval values = counted(figure);
     const double low = std::min({values.from, figure.evaluated, figure.coverage.from});
     const double high = std::max({values.to, figure.evaluated, figure.coverage.to});
-    const double margin = high > low ? (high - low) * sideMargin : 1;
+    const double margin = high > low ? (high - low) * besideBars : 1;
     setRange(figure.x, low - margin, high + margin, mostBarTicks, TickSteps::values, language);
     return figure;
 }

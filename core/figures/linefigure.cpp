@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/linefigure.h"
 
+#include "figures/curvefield.h"
 #include "figures/thinning.h"
 #include "figures/ticks.h"
 #include "language/decimals.h"
@@ -17,27 +18,7 @@ namespace {
 constexpr double secondsPerHour = 3600;
 constexpr std::size_t partsOfLine = 500;
 constexpr double mostTimeTicks = 8;
-constexpr double mostPositionTicks = 6.5;
-constexpr double mostValueTicks = 8;
-constexpr double valueMargin = 0.07; ///< above and below the values, part of their span
-
-struct Bounds {
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -std::numeric_limits<double>::infinity();
-
-    void include(double value) {
-        lowest = std::min(lowest, value);
-        highest = std::max(highest, value);
-    }
-    /// With a margin; a range of its own where nothing or one value was included.
-    [[nodiscard]] Bounds widened(double margin, double least) const {
-        if (!(lowest <= highest))
-            return {0, 1};
-        const double span = std::max(highest - lowest, least);
-        const double middle = (lowest + highest) / 2;
-        return {middle - span * (0.5 + margin), middle + span * (0.5 + margin)};
-    }
-};
+constexpr double mostTicksOfValues = 8;
 
 /// Points enough to draw a line.
 std::vector<QPointF> thinned(std::vector<QPointF> points) {
@@ -119,7 +100,7 @@ LineFigure temperatureFigure(const std::vector<Sensor> &sensors, const Language 
     const Bounds x = times.widened(0, 1e-3);
     const Bounds y = temperatures.widened(valueMargin, 0.1); // a steady line is no noise
     setRange(figure.x, x.lowest, x.highest, mostTimeTicks, TickSteps::lengths, language);
-    setRange(figure.y, y.lowest, y.highest, mostValueTicks, TickSteps::values, language);
+    setRange(figure.y, y.lowest, y.highest, mostTicksOfValues, TickSteps::values, language);
     return figure;
 }
 
@@ -174,7 +155,7 @@ LineFigure compensationFigure(const Test &test, const TestEvaluation &before, co
     const Bounds y = values.widened(valueMargin, 1e-6);
     setRange(figure.x, x.lowest, x.highest, mostPositionTicks,
              rotary ? TickSteps::angles : TickSteps::lengths, language);
-    setRange(figure.y, y.lowest, y.highest, mostValueTicks, TickSteps::values, language);
+    setRange(figure.y, y.lowest, y.highest, mostTicksOfValues, TickSteps::values, language);
     return figure;
 }
 

@@ -5,6 +5,7 @@
 #include "document/documenterror.h"
 #include "import/layouts/columnrole.h"
 #include "kernel/evaluation/edition.h"
+#include "kernel/words/shortest.h"
 #include "tables/numbercell.h"
 
 #include <algorithm>
@@ -162,12 +163,6 @@ std::string listOf(std::span<const ImportWord> words) {
     for (const ImportWord &word : words)
         list += (list.empty() ? "" : ", ") + std::string(word.word);
     return list;
-}
-
-std::string shortest(double value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    return {digits.data(), end};
 }
 
 /// A number as people write it, with point or comma.

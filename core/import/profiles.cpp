@@ -15,7 +15,7 @@ namespace palmer {
 
 namespace {
 
-constexpr qint64 sizeLimit = 1 << 20;
+constexpr qint64 mostOfProfile = 1 << 20;
 constexpr auto profilesKey = QLatin1StringView("profiles");
 constexpr auto versionKey = QLatin1StringView("version");
 constexpr int version = 1;
@@ -36,7 +36,7 @@ QString importProfilesPath() {
 ImportProfiles readImportProfiles(const QString &path) {
     if (!QFileInfo::exists(path))
         return {};
-    const QJsonDocument json = QJsonDocument::fromJson(readBytes(path, sizeLimit));
+    const QJsonDocument json = QJsonDocument::fromJson(readBytes(path, mostOfProfile));
     if (!json.isObject())
         refuse();
     ImportProfiles profiles;

@@ -9,8 +9,8 @@
 #include "register/scan.h"
 #include "register/trendfigure.h"
 #include "register/trendoutput.h"
-#include "report/accordancetext.h"
-#include "report/wording.h"
+#include "report/words/accordancetext.h"
+#include "report/words/wording.h"
 
 #include <QCryptographicHash>
 #include <QFileInfo>

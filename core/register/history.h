@@ -6,7 +6,7 @@
 #include "language/language.h"
 #include "register/due.h"
 #include "register/queries.h"
-#include "report/report.h"
+#include "report/blocks/report.h"
 
 #include <QDate>
 

@@ -9,8 +9,8 @@
 #include "language/rounding.h"
 #include "register/jsonmembers.h"
 #include "register/machinetrend.h"
-#include "report/accordancetext.h"
-#include "report/wording.h"
+#include "report/words/accordancetext.h"
+#include "report/words/wording.h"
 
 #include <algorithm>
 #include <array>

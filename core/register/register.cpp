@@ -46,9 +46,9 @@ constexpr std::array firstStep{
     "insert into register (name, value) values ('writer', '')",
 };
 
-constexpr std::array<std::span<const char *const>, 1> steps{firstStep};
+constexpr std::array<std::span<const char *const>, 1> schemaSteps{firstStep};
 
-constexpr int newest = static_cast<int>(steps.size());
+constexpr int newest = static_cast<int>(schemaSteps.size());
 
 } // namespace
 
@@ -98,7 +98,7 @@ void Register::makeSchema() {
     if (m_database.isServer()) // two that begin at once: one waits for the other
         m_database.execute(QStringLiteral("select pg_advisory_xact_lock(7256637)"));
     for (int step = schemaVersion(); step < newest; ++step) {
-        for (const char *statement : steps.at(static_cast<std::size_t>(step)))
+        for (const char *statement : schemaSteps.at(static_cast<std::size_t>(step)))
             m_database.execute(QString::fromLatin1(statement));
     }
     m_database.execute(QStringLiteral("delete from register where name = 'schema'"));

@@ -7,7 +7,7 @@
 #include "language/rounding.h"
 #include "register/jsonmembers.h"
 #include "register/listing.h"
-#include "report/wording.h"
+#include "report/words/wording.h"
 
 #include <QLocale>
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "language/language.h"
 #include "register/machinetrend.h"
-#include "report/report.h"
+#include "report/blocks/report.h"
 
 #include <QByteArray>
 

@@ -4,6 +4,7 @@
 
 #include "document/filewords.h"
 #include "export/resultsjson.h"
+#include "kernel/words/shortest.h"
 #include "register/machineidentity.h"
 
 #include <array>
@@ -31,17 +32,11 @@ QVariant verdictOrNull(std::optional<Verdict> verdict) {
     return verdict ? QVariant(QString::fromLatin1(limitsWord(verdict))) : QVariant();
 }
 
-QString shortest(double value) {
-    std::array<char, 32> digits{};
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    return QString::fromLatin1(digits.data(), end - digits.data());
-}
-
 QString partsText(const std::vector<SharedPart> &parts) {
     QStringList lines;
     for (const SharedPart &part : parts) {
         QString source = QString::fromStdString(part.source);
-        lines << shortest(part.u) + u' ' + source.replace(u'\n', u' ');
+        lines << QString::fromStdString(shortest(part.u)) + u' ' + source.replace(u'\n', u' ');
     }
     return lines.join(u'\n');
 }
@@ -49,8 +44,9 @@ QString partsText(const std::vector<SharedPart> &parts) {
 QString curveText(const std::vector<CurvePoint> &curve) {
     QString result;
     for (const CurvePoint &point : curve)
-        result += shortest(point.target) + u' ' + (point.up ? shortest(*point.up) : QString()) + u' ' +
-                  (point.down ? shortest(*point.down) : QString()) + u'\n';
+        result += QString::fromStdString(shortest(point.target)) + u' ' +
+                  (point.up ? QString::fromStdString(shortest(*point.up)) : QString()) + u' ' +
+                  (point.down ? QString::fromStdString(shortest(*point.down)) : QString()) + u'\n';
     return result;
 }
 

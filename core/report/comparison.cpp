@@ -9,7 +9,7 @@
 #include "kernel/measurement/testfacts.h"
 #include "kernel/numerics/fullturn.h"
 #include "language/decimals.h"
-#include "report/wording.h"
+#include "report/words/wording.h"
 
 #include <algorithm>
 #include <array>

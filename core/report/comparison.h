@@ -5,7 +5,7 @@
 #include "document/evaluateddocument.h"
 #include "figures/figure.h"
 #include "language/language.h"
-#include "report/formula.h"
+#include "report/words/formula.h"
 
 #include <QString>
 #include <QStringList>

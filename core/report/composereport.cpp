@@ -4,18 +4,18 @@
 
 #include "figures/thinning.h"
 #include "language/papercharacters.h"
-#include "report/circularparts.h"
-#include "report/closingparts.h"
-#include "report/conditionparts.h"
-#include "report/dataparts.h"
-#include "report/diagnosisparts.h"
-#include "report/headparts.h"
-#include "report/pagetext.h"
-#include "report/resultparts.h"
-#include "report/sharedparts.h"
-#include "report/summaryparts.h"
-#include "report/testpart.h"
-#include "report/uncertaintyparts.h"
+#include "report/blocks/pagetext.h"
+#include "report/parts/circularparts.h"
+#include "report/parts/closingparts.h"
+#include "report/parts/conditionparts.h"
+#include "report/parts/dataparts.h"
+#include "report/parts/diagnosisparts.h"
+#include "report/parts/headparts.h"
+#include "report/parts/resultparts.h"
+#include "report/parts/sharedparts.h"
+#include "report/parts/summaryparts.h"
+#include "report/parts/testpart.h"
+#include "report/parts/uncertaintyparts.h"
 
 #include <array>
 #include <map>
@@ -308,8 +308,8 @@ Report composeReport(const EvaluatedDocument &evaluated, const Language &languag
         addDriftTests(report.blocks, write, evaluated);
         addTraceability(report.blocks, write, evaluated);
     }
-    addStatements(report.blocks, write, document, options, report.fingerprint, foreignCharacters(report),
-                  several ? 1 : 2);
+    addStatements(report.blocks, write, document, report.making, report.fingerprint,
+                  foreignCharacters(report), several ? 1 : 2);
     addSignatures(report.blocks, write, head);
     return report;
 }

@@ -5,7 +5,7 @@
 #include "document/evaluateddocument.h"
 #include "language/language.h"
 #include "report/attachedfile.h"
-#include "report/report.h"
+#include "report/blocks/report.h"
 
 namespace palmer {
 

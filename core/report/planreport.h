@@ -5,7 +5,7 @@
 #include "kernel/planning/cycleprogram.h"
 #include "kernel/planning/targetplan.h"
 #include "language/language.h"
-#include "report/report.h"
+#include "report/blocks/report.h"
 
 #include <QString>
 

@@ -5,13 +5,13 @@
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "kernel/measurement/testfacts.h"
-#include "report/accordancetext.h"
-#include "report/diagnosisparts.h"
-#include "report/findinglines.h"
-#include "report/kindwords.h"
-#include "report/printednumbers.h"
-#include "report/resultparts.h"
-#include "report/wording.h"
+#include "report/parts/diagnosisparts.h"
+#include "report/parts/resultparts.h"
+#include "report/tables/findinglines.h"
+#include "report/words/accordancetext.h"
+#include "report/words/kindwords.h"
+#include "report/words/printednumbers.h"
+#include "report/words/wording.h"
 
 #include <QStringList>
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include "document/evaluateddocument.h"
 #include "language/language.h"
-#include "report/report.h"
+#include "report/blocks/report.h"
 
 namespace palmer {
 

@@ -4,7 +4,7 @@
 
 #include "app/runcli.h"
 #include "import/choices.h"
-#include "report/plaintext.h"
+#include "report/blocks/plaintext.h"
 
 #include <QFile>
 #include <QTemporaryDir>

@@ -43,7 +43,6 @@ constexpr Layer layers[]{
     {"core/kernel/diagnosis", "kernel/words kernel/numerics kernel/measurement kernel/uncertainty "
                               "kernel/evaluation kernel/simulation"},
     {"core/kernel/trend", "kernel/numerics"},
-    {"core/kernel/trend", "kernel/numerics"},
     {"core/document", "kernel"},
     {"core/language", "kernel/words kernel/measurement"},
     {"core/tables", "kernel/words document"},
@@ -52,6 +51,13 @@ constexpr Layer layers[]{
     {"core/export", "kernel document language tables import"},
     {"core/figures", "kernel document language"},
     {"core/editing", "kernel document language tables import"},
+    {"core/report/blocks", "kernel document figures"},
+    {"core/report/words", "kernel document language report/blocks"},
+    {"core/report/tables", "kernel document language export report/blocks report/words"},
+    {"core/report/parts", "kernel document language export figures report/blocks report/words report/tables"},
+    {"core/report/explanations", "kernel document language export figures report/blocks report/words"},
+    {"core/report/help",
+     "kernel document language validation report/blocks report/words report/explanations"},
     {"core/report", "kernel document language tables import validation export figures"},
     {"core/proof", "kernel document language tables import validation export figures report"},
     {"core/register", "kernel document language export figures report proof"},
@@ -59,7 +65,7 @@ constexpr Layer layers[]{
      "kernel document language tables import validation export figures editing report proof register ui"},
     {"app",
      "kernel document language tables import validation export figures editing report proof register ui "
-     "commands formats"},
+     "commandline commands formats"},
 };
 
 template <class Visit>
@@ -130,7 +136,7 @@ void LayersTest::includesPointLeftwards() {
 }
 
 void LayersTest::everyFolderHasItsPlace() {
-    for (const QString &above : {QString("/core"), QString("/core/kernel")}) {
+    for (const QString &above : {QString("/core"), QString("/core/kernel"), QString("/core/report")}) {
         for (const QString &folder : QDir(root + above).entryList(QDir::Dirs | QDir::NoDotAndDotDot)) {
             const QString path = (above + '/' + folder).mid(1);
             const bool isLayer =

@@ -15,7 +15,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int mostAngleDecimals = 2;
+constexpr int arcAngleDecimals = 2;
 constexpr int radiusDecimals = 2;
 
 } // namespace
@@ -40,7 +40,7 @@ void ArcsModel::show(const EvaluatedDocument &evaluated, std::size_t test, const
         texts[sense] = arcName(*measurement, k);
         texts[points] = language.number(static_cast<double>(arc.angles.size()), Quantity::count, 0);
         if (range) {
-            const int decimals = decimalsOf(arc.angles, Quantity::angle, mostAngleDecimals);
+            const int decimals = decimalsOf(arc.angles, Quantity::angle, arcAngleDecimals);
             const auto angle = [&](double value) {
                 return language.quantity(value, Quantity::angle, decimals);
             };

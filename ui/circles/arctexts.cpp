@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t sample = 1000; ///< points looked at
 
-QString say(const char *text) {
+QString circlesText(const char *text) {
     return QCoreApplication::translate("palmer::ui::CirclesPage", text);
 }
 
@@ -22,8 +22,8 @@ QString say(const char *text) {
 
 QString senseWord(Sense sense) {
     return sense == Sense::counterclockwise
-               ? say(QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "anticlockwise"))
-               : say(QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "clockwise"));
+               ? circlesText(QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "anticlockwise"))
+               : circlesText(QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "clockwise"));
 }
 
 QString arcName(const CircularMeasurement &measurement, std::size_t arc) {
@@ -48,7 +48,7 @@ QString pointText(const CircularMeasurement &measurement, std::size_t arc, std::
                   const Language &language) {
     const Arc &measured = measurement.arcs[arc];
     constexpr int mostDecimals = 3;
-    return say(QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "%1, point %2: %3 · %4"))
+    return circlesText(QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "%1, point %2: %3 · %4"))
         .arg(senseWord(measured.sense), language.number(static_cast<double>(point + 1), Quantity::count, 0),
              language.quantity(measured.angles[point], Quantity::angle,
                                decimalsOf({&measured.angles[point], 1}, Quantity::angle, mostDecimals)),

@@ -9,6 +9,7 @@
 #include "ui/circles/arcdialog.h"
 #include "ui/circles/quiettable.h"
 #include "ui/elidedlabel.h"
+#include "ui/measures.h"
 #include "ui/model/editname.h"
 #include "ui/theme.h"
 
@@ -35,12 +36,8 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int pageMargin = 16;
-constexpr int barHeight = 44;
 constexpr int fieldGap = 12;
 constexpr int labelHeight = 16;
-constexpr int fieldHeight = 28;
-constexpr int rowHeight = 26;
 constexpr int headHeight = 26;
 constexpr int mostArcs = 4; ///< shown without scrolling
 constexpr int cellMargin = 16;
@@ -93,7 +90,7 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     m_newArc->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_newArc->setFocusPolicy(Qt::StrongFocus);
     auto *barArea = new QWidget(this);
-    barArea->setFixedHeight(barHeight);
+    barArea->setFixedHeight(pageBarHeight);
     barArea->setLayout(bar);
 
     auto *grid = new QGridLayout;
@@ -495,7 +492,7 @@ void CirclesPage::makeTables() {
         table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
         table->verticalHeader()->hide();
         table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-        table->verticalHeader()->setDefaultSectionSize(rowHeight);
+        table->verticalHeader()->setDefaultSectionSize(tableRowHeight);
         table->horizontalHeader()->setFixedHeight(headHeight);
         table->horizontalHeader()->setSectionsClickable(false);
         table->horizontalHeader()->setHighlightSections(false);
@@ -604,7 +601,7 @@ void CirclesPage::refresh() {
         m_curvesOf.clear();
     }
     const int arcs = m_arcsModel.rowCount();
-    m_arcs->setFixedHeight(headHeight + std::clamp(arcs, 1, mostArcs) * rowHeight + 2);
+    m_arcs->setFixedHeight(headHeight + std::clamp(arcs, 1, mostArcs) * tableRowHeight + 2);
     m_arcs->setCurrentIndex(m_arcsModel.index(static_cast<int>(m_arc), 0));
     showParts();
     fitColumns();

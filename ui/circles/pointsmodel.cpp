@@ -14,7 +14,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int mostAngleDecimals = 4;
+constexpr int pointAngleDecimals = 4;
 constexpr int mostDeviationDecimals = 3;
 constexpr int lengthDecimals = 5; ///< mm, as fine as the deviations
 
@@ -61,7 +61,7 @@ void PointsModel::show(const EvaluatedDocument &evaluated, std::size_t test, con
         const Arc &arc = m_measurement->arcs[k];
         rows = std::max(rows, arc.angles.size());
         m_arcs.push_back({iso230_4::evaluatedRange(arc),
-                          decimalsOf(arc.angles, Quantity::angle, mostAngleDecimals),
+                          decimalsOf(arc.angles, Quantity::angle, pointAngleDecimals),
                           decimalsOf(arc.radialDeviations, Quantity::deviation, mostDeviationDecimals)});
     }
     m_rows = static_cast<int>(std::min<std::size_t>(rows, std::numeric_limits<int>::max() / 64));

@@ -4,6 +4,7 @@
 
 #include "ui/elidedlabel.h"
 #include "ui/formulatext.h"
+#include "ui/measures.h"
 #include "ui/theme.h"
 
 #include <QPainter>
@@ -11,8 +12,6 @@
 namespace palmer::ui {
 
 namespace {
-
-constexpr int padding = 6;
 
 Qt::Alignment alignmentOf(const QVariant &value) {
     return value.isValid() ? static_cast<Qt::Alignment>(value.toInt()) : Qt::AlignLeft | Qt::AlignVCenter;
@@ -32,7 +31,7 @@ void QuietHeader::paintEvent(QPaintEvent *) {
         const QRect section(sectionViewportPosition(column), 0, sectionSize(column), height());
         if (section.right() < 0 || section.left() > viewport()->width())
             continue;
-        const QRect room = section.adjusted(padding, 0, -padding, -2);
+        const QRect room = section.adjusted(tablePadding, 0, -tablePadding, -2);
         const QVariant colour = model()->headerData(column, Qt::Horizontal, Qt::ForegroundRole);
         painter.setPen(colour.isValid() ? colour.value<QColor>() : token(Token::secondaryText, palette()));
         const QString text = model()->headerData(column, Qt::Horizontal).toString();
@@ -63,7 +62,7 @@ void QuietDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
     painter->setPen(refused            ? token(Token::bad, palette)
                     : colour.isValid() ? colour.value<QColor>()
                                        : palette.color(QPalette::Text));
-    const QRect room = option.rect.adjusted(padding, 0, -padding, 0);
+    const QRect room = option.rect.adjusted(tablePadding, 0, -tablePadding, 0);
     painter->drawText(room, alignmentOf(index.data(Qt::TextAlignmentRole)),
                       option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight, room.width()));
     if (hovered || (option.state & QStyle::State_HasFocus)) {

@@ -3,11 +3,12 @@
 #include "ui/diagnosis/diagnosispage.h"
 
 #include "kernel/diagnosis/sourcewords.h"
-#include "report/statedsources.h"
+#include "report/tables/statedsources.h"
 #include "ui/diagnosis/feedsview.h"
 #include "ui/elidedlabel.h"
 #include "ui/figures/linechart.h"
 #include "ui/figures/zoombuttons.h"
+#include "ui/measures.h"
 #include "ui/theme.h"
 #include "ui/uncertainty/rowtable.h"
 
@@ -29,8 +30,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int pageMargin = 16;
-constexpr int barHeight = 38;
+constexpr int diagnosisBarHeight = 38;
 constexpr int tickWidth = 26;
 constexpr int leastBar = 90;
 constexpr int chartHeight = 150;
@@ -131,7 +131,7 @@ QToolButton *DiagnosisPage::addSegment(const char *segment, const char *name) {
 
 QWidget *DiagnosisPage::makeBar() {
     auto *area = new QWidget(this);
-    area->setFixedHeight(barHeight);
+    area->setFixedHeight(diagnosisBarHeight);
     auto *row = new QHBoxLayout(area);
     row->setContentsMargins(pageMargin, 4, pageMargin, 4);
     row->setSpacing(0);

@@ -4,7 +4,7 @@
 
 #include "document/evaluateddocument.h"
 #include "language/language.h"
-#include "report/diagnosisrows.h"
+#include "report/tables/diagnosisrows.h"
 #include "ui/diagnosis/diagnoser.h"
 
 #include <QWidget>

@@ -10,6 +10,7 @@
 #include "ui/circles/quiettable.h"
 #include "ui/dialogs/comparisonview.h"
 #include "ui/formulatext.h"
+#include "ui/measures.h"
 #include "ui/sizeonscreen.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
@@ -38,7 +39,6 @@ namespace palmer::ui {
 namespace {
 
 constexpr int listWidth = 190;
-constexpr int rowHeight = 26;
 constexpr int cellMargin = 6;
 
 constexpr int symbolRole = Qt::UserRole + 1;
@@ -88,7 +88,7 @@ public:
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &option,
                                  const QModelIndex &index) const override {
         const QSize size = QuietDelegate::sizeHint(option, index);
-        int height = rowHeight;
+        int height = tableRowHeight;
         if (index.column() == nameColumn && option.rect.width() > 2 * cellMargin) {
             const QRect room(0, 0, option.rect.width() - 2 * cellMargin, 1000);
             const QRect text =
@@ -200,11 +200,11 @@ QTableWidget *readOnlyTable(QWidget *parent, const char *name) {
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
     table->verticalHeader()->hide();
-    table->verticalHeader()->setDefaultSectionSize(rowHeight);
+    table->verticalHeader()->setDefaultSectionSize(tableRowHeight);
     table->setShowGrid(false);
     table->setHorizontalHeader(new QuietHeader(table));
     table->setItemDelegate(new ComparedDelegate(table));
-    table->horizontalHeader()->setFixedHeight(rowHeight);
+    table->horizontalHeader()->setFixedHeight(tableRowHeight);
     table->horizontalHeader()->setHighlightSections(false);
     table->setTabKeyNavigation(false);
     table->setWordWrap(true);

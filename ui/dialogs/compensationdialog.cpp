@@ -11,6 +11,7 @@
 #include "language/entry.h"
 #include "ui/figures/lineview.h"
 #include "ui/forms/field.h"
+#include "ui/measures.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -39,9 +40,8 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int fieldsWidth = 280;
-constexpr int margin = 16;
-constexpr int tableRowHeight = 24;
+constexpr int compensationFieldsWidth = 280;
+constexpr int predictionRowHeight = 24;
 constexpr int predictionRows = 6;
 constexpr const char *editionOfAll = "ISO 230-2:2014"; ///< has E, M and B
 constexpr std::array formats{CompensationFormat::linuxcnc, CompensationFormat::siemens,
@@ -105,7 +105,7 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     auto *left = scrolledPlace(this);
     left->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     const int scrollBar = left->verticalScrollBar()->sizeHint().width();
-    left->setFixedWidth(fieldsWidth + scrollBar);
+    left->setFixedWidth(compensationFieldsWidth + scrollBar);
     left->setWidget(new QWidget(left));
     left->widget()->setLayout(fields);
     fields->setContentsMargins(0, 0, scrollBar, 0);
@@ -123,9 +123,9 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     m_prediction->setSelectionMode(QAbstractItemView::NoSelection);
     m_prediction->setTabKeyNavigation(false);
     m_prediction->verticalHeader()->hide();
-    m_prediction->verticalHeader()->setDefaultSectionSize(tableRowHeight);
+    m_prediction->verticalHeader()->setDefaultSectionSize(predictionRowHeight);
     m_prediction->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    m_prediction->setFixedHeight((predictionRows + 1) * tableRowHeight + 4);
+    m_prediction->setFixedHeight((predictionRows + 1) * predictionRowHeight + 4);
     m_note->setObjectName(QStringLiteral("compensationNote"));
     m_note->setTextFormat(Qt::PlainText);
     m_note->setProperty("secondary", true);
@@ -137,7 +137,7 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     right->addWidget(m_curveTitle);
     right->addWidget(m_curve, 1);
     auto *below = new QHBoxLayout;
-    below->setSpacing(margin);
+    below->setSpacing(pageMargin);
     auto *prediction = new QVBoxLayout;
     prediction->addWidget(m_predictionTitle);
     prediction->addWidget(m_prediction);
@@ -150,7 +150,7 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     below->addLayout(table, 1);
     right->addLayout(below);
     auto *body = new QHBoxLayout;
-    body->setSpacing(margin);
+    body->setSpacing(pageMargin);
     body->addWidget(left);
     body->addLayout(right, 1);
     m_save->setObjectName(QStringLiteral("saveCompensation"));
@@ -165,8 +165,8 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     for (QPushButton *button : {m_compare, m_save, m_close})
         button->setAutoDefault(false);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(margin, margin, margin, margin);
-    layout->setSpacing(margin);
+    layout->setContentsMargins(pageMargin, pageMargin, pageMargin, pageMargin);
+    layout->setSpacing(pageMargin);
     layout->addLayout(body, 1);
     layout->addLayout(foot);
 

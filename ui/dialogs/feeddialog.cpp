@@ -5,6 +5,7 @@
 #include "language/decimals.h"
 #include "language/entry.h"
 #include "ui/forms/field.h"
+#include "ui/measures.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
@@ -19,8 +20,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int margin = 16;
-constexpr int leastWidth = 320;
+constexpr int feedDialogWidth = 320;
 constexpr iso230_4::ContouringFeed exampleOfTheAnnex{100, 500, 125};
 
 } // namespace
@@ -47,15 +47,15 @@ FeedDialog::FeedDialog(QWidget *parent)
     result->addWidget(m_feedLabel);
     result->addWidget(m_feed, 1);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(margin, margin, margin, margin);
-    layout->setSpacing(margin);
+    layout->setContentsMargins(pageMargin, pageMargin, pageMargin, pageMargin);
+    layout->setSpacing(pageMargin);
     for (Field *field : {m_specifiedDiameter, m_specifiedFeed, m_diameter})
         layout->addWidget(field);
     layout->addLayout(result);
     layout->addWidget(m_formula);
     layout->addWidget(m_buttons);
     layout->addStretch();
-    setMinimumWidth(leastWidth);
+    setMinimumWidth(feedDialogWidth);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     retranslate();
 }

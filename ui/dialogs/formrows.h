@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/measures.h"
+
 #include <QFormLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -11,7 +13,6 @@ namespace palmer::ui {
 
 /// Puts the labels of a form on the middle of their fields, however these are made up.
 inline void alignLabels(QFormLayout &form) {
-    constexpr int fieldHeight = 28;
     form.setVerticalSpacing(8);
     form.setHorizontalSpacing(12);
     for (int row = 0; row < form.rowCount(); ++row) {

@@ -23,7 +23,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr double proposedRadius = 150;
-constexpr int leastWidth = 420;
+constexpr int newCircleDialogWidth = 420;
 
 } // namespace
 
@@ -103,7 +103,7 @@ NewCircleDialog::NewCircleDialog(Language language, const Test *like, QWidget *p
     column->addWidget(m_problem);
     column->addWidget(note);
     column->addWidget(buttons);
-    setMinimumWidth(leastWidth);
+    setMinimumWidth(newCircleDialogWidth);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     check();

@@ -7,6 +7,7 @@
 #include "language/decimals.h"
 #include "language/entry.h"
 #include "ui/dialogs/formrows.h"
+#include "ui/dialogs/limits.h"
 #include "ui/dialogs/statementsbox.h"
 #include "ui/testname.h"
 
@@ -39,16 +40,15 @@ constexpr double resolution = 0.001;
 constexpr int dialogWidth = 460;
 constexpr int runsWidth = 64;
 constexpr std::size_t fewestTargets = 2;
-constexpr std::size_t mostRuns = 1000;          ///< each way
 constexpr std::size_t mostReadings = 1'000'000; ///< places of a new test
-constexpr quint32 mostSeed = 1'000'000;         ///< short enough to be read out
+constexpr quint32 mostProposedSeed = 1'000'000; ///< short enough to be read out
 
 } // namespace
 
 NewTestDialog::NewTestDialog(Language language, const Test *like, QWidget *parent)
     : QDialog(parent)
     , m_language(std::move(language))
-    , m_seed(QRandomGenerator::global()->bounded(1U, mostSeed))
+    , m_seed(QRandomGenerator::global()->bounded(1U, mostProposedSeed))
     , m_name(new QLineEdit(this))
     , m_motion(new QComboBox(this))
     , m_travel(new QLineEdit(this))

@@ -11,6 +11,7 @@
 #include "language/entry.h"
 #include "report/planreport.h"
 #include "ui/dialogs/cycleview.h"
+#include "ui/dialogs/limits.h"
 #include "ui/model/documentmodel.h"
 #include "ui/pdf/pages.h"
 #include "ui/pdf/writepdf.h"
@@ -40,12 +41,11 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int fieldsWidth = 380;
+constexpr int planFieldsWidth = 380;
 constexpr const char *defaultEdition = "ISO 230-2:2014";
 constexpr double pointsPerInch = 72;
 constexpr double mostDecimals = 9;
 constexpr double mostSeed = 999'999'999;
-constexpr double mostRuns = 1000; ///< each way
 
 bool hasReadings(const PositioningMeasurement &measurement) {
     return std::ranges::any_of(measurement.runs,
@@ -156,7 +156,7 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     place->setFocusPolicy(Qt::NoFocus);
     place->setWidgetResizable(true);
     place->setWidget(fields);
-    place->setFixedWidth(fieldsWidth + place->verticalScrollBar()->sizeHint().width());
+    place->setFixedWidth(planFieldsWidth + place->verticalScrollBar()->sizeHint().width());
     body->addWidget(place);
     body->addLayout(right, 1);
 
@@ -185,7 +185,7 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
 
 QWidget *PlanDialog::makeFields() {
     auto *fields = new QWidget(this);
-    fields->setFixedWidth(fieldsWidth);
+    fields->setFixedWidth(planFieldsWidth);
     auto *grid = new QGridLayout(fields);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(12);

@@ -4,7 +4,7 @@
 
 #include "export/partprogram.h"
 #include "kernel/planning/targetplan.h"
-#include "report/report.h"
+#include "report/blocks/report.h"
 #include "ui/forms/field.h"
 
 #include <QDialog>

@@ -5,7 +5,7 @@
 #include "document/savefiles.h"
 #include "document/testfile.h"
 #include "report/composereport.h"
-#include "report/dataparts.h"
+#include "report/parts/dataparts.h"
 #include "ui/dialogs/pagecolumn.h"
 #include "ui/elidedlabel.h"
 #include "ui/figures/zoomkeys.h"

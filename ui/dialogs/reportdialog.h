@@ -3,7 +3,7 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
-#include "report/report.h"
+#include "report/blocks/report.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/evaluator.h"
 #include "ui/model/simulator.h"

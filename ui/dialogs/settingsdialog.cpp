@@ -3,6 +3,7 @@
 #include "ui/dialogs/settingsdialog.h"
 
 #include "ui/dialogs/formrows.h"
+#include "ui/measures.h"
 #include "ui/register/registerservice.h"
 #include "ui/register/registersettings.h"
 #include "ui/settings.h"
@@ -19,8 +20,6 @@
 namespace palmer::ui {
 
 namespace {
-
-constexpr int margin = 16;
 
 /// The words of a choice, the chosen one kept.
 void setWords(QComboBox &box, const QStringList &words, int chosen) {
@@ -52,7 +51,7 @@ SettingsDialog::SettingsDialog(QWidget *parent)
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     m_buttons = buttons;
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(margin, margin, margin, margin);
+    layout->setContentsMargins(pageMargin, pageMargin, pageMargin, pageMargin);
     layout->setSpacing(12);
     layout->addLayout(form);
     layout->addWidget(m_autosave);

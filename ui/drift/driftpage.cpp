@@ -6,6 +6,7 @@
 #include "language/decimals.h"
 #include "ui/circles/quiettable.h"
 #include "ui/elidedlabel.h"
+#include "ui/measures.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 
@@ -27,10 +28,9 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int pageMargin = 16;
 constexpr int heightOfRow = 26;
 constexpr int heightOfHead = 26;
-constexpr int columnWidth = 130;
+constexpr int driftColumnWidth = 130;
 constexpr int rangeDecimals = 2;
 
 } // namespace
@@ -78,7 +78,7 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(heightOfRow);
     m_table->horizontalHeader()->setFixedHeight(heightOfHead);
-    m_table->horizontalHeader()->setDefaultSectionSize(columnWidth);
+    m_table->horizontalHeader()->setDefaultSectionSize(driftColumnWidth);
     m_table->installEventFilter(this);
     m_readings.setWriter([this](std::size_t row, const std::vector<DriftReading> &readings) {
         write(row, readings, QT_TRANSLATE_NOOP("edits", "change a reading"));

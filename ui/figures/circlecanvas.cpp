@@ -3,6 +3,7 @@
 #include "ui/figures/circlecanvas.h"
 
 #include "ui/figures/canvaslabel.h"
+#include "ui/figures/metrics.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 
@@ -19,9 +20,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double pointerReach = 14; ///< of the pointer, pixels
-constexpr double ring = 6.5;
-constexpr double deepestZoom = 500; ///< times
+constexpr double deepestCircleZoom = 500; ///< times
 constexpr double millimetresPerPixel = 25.4 / 96;
 constexpr int angleDecimals = 2;
 constexpr int deviationDecimals = 2;
@@ -182,7 +181,7 @@ std::optional<CircleFigure> CircleCanvas::paperFigure() const {
 }
 
 CircleView CircleCanvas::within(CircleView view, const CircleFigure &figure) {
-    view.zoom = std::clamp(view.zoom, 1.0, deepestZoom);
+    view.zoom = std::clamp(view.zoom, 1.0, deepestCircleZoom);
     const double free = 1 - 1 / view.zoom;
     const double x = figure.size.width() / 2 * free;
     const double y = figure.size.height() / 2 * free;
@@ -321,7 +320,7 @@ void CircleCanvas::paintHover(QPainter &painter) const {
     const QColor accent = token(Token::accent, palette());
     painter.setPen(QPen(accent, 2));
     painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(at, ring, ring);
+    painter.drawEllipse(at, ringRadius, ringRadius);
     paintCanvasLabel(painter, *this, at, readOut(*place), accent);
 }
 
@@ -333,7 +332,7 @@ void CircleCanvas::paintMarking(QPainter &painter) const {
     painter.setBrush(Qt::NoBrush);
     for (const RulingPoint &ruling : m_ruling) {
         if (const auto point = pointOf(ruling))
-            painter.drawEllipse(shown(m_profiles[point->profile][point->point]), ring, ring);
+            painter.drawEllipse(shown(m_profiles[point->profile][point->point]), ringRadius, ringRadius);
     }
     paintCanvasLabel(painter, *this, {-10, 14}, m_markingLabel, colour);
 }
@@ -345,7 +344,7 @@ void CircleCanvas::zoom(double factor, QPointF about) {
     if (!m_figure)
         return;
     const QPointF at = m_transform.toData(about);
-    const double zoomed = std::clamp(m_view.zoom / factor, 1.0, deepestZoom);
+    const double zoomed = std::clamp(m_view.zoom / factor, 1.0, deepestCircleZoom);
     const double shrink = m_view.zoom / zoomed; // what is under the pointer stays there
     setView({at.x() + (m_view.x - at.x()) * shrink, at.y() + (m_view.y - at.y()) * shrink, zoomed});
 }

@@ -5,7 +5,7 @@
 #include "document/evaluateddocument.h"
 #include "figures/circlefigure.h"
 #include "language/language.h"
-#include "report/explanation.h"
+#include "report/explanations/explanation.h"
 #include "ui/figures/circlecanvas.h"
 #include "ui/model/selection.h"
 

@@ -3,6 +3,7 @@
 #include "ui/figures/drawbarfigure.h"
 
 #include "ui/figures/drawtext.h"
+#include "ui/figures/metrics.h"
 #include "ui/fonts.h"
 
 #include <QFontMetricsF>
@@ -17,9 +18,7 @@ constexpr double headHeight = 5.6; ///< mm: titles of the columns
 constexpr double footHeight = 12;  ///< mm: scale, its numbers and its title
 constexpr double barHeight = 1.9 * mm;
 constexpr double columnGap = 3.2 * mm;
-constexpr double tickLength = 1.2 * mm;
-constexpr double tickRow = 3.5 * mm;  ///< centre of the numbers below the scale
-constexpr double titleRow = 8.1 * mm; ///< centre of its title
+constexpr double scaleTitleRow = 8.1 * mm; ///< centre of the title of the scale
 
 class BarFigurePainter {
 public:
@@ -125,7 +124,8 @@ private:
         const TextLine title{{m_figure.x.symbol},
                              {m_figure.x.subscript, true},
                              {QStringLiteral(" (%1, k\u00A0=\u00A02)").arg(m_figure.x.unit)}}; // of a budget
-        drawText(p, {m_plot.center().x() - textWidth(title) / 2, m_plot.bottom() + titleRow}, title, text);
+        drawText(p, {m_plot.center().x() - textWidth(title) / 2, m_plot.bottom() + scaleTitleRow}, title,
+                 text);
     }
 
     QPainter &p;

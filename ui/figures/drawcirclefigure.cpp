@@ -18,8 +18,8 @@ namespace {
 // Measures of the printed page, mm of the figure unless points are said.
 constexpr double axisTip = 3.2; ///< of the positive ends, beyond the figure's radius
 constexpr double axisTail = 1.4;
-constexpr double arrowLength = 2.1;
-constexpr double arrowWidth = 1.3;
+constexpr double circleArrowLength = 2.1;
+constexpr double circleArrowWidth = 1.3;
 constexpr double dimensionArrowLength = 1.3;
 constexpr double dimensionArrowWidth = 0.9;
 constexpr double letterBeside = 3.2;
@@ -32,14 +32,14 @@ constexpr double senseRoom = 3;    ///< between the arrows of the sense and what
 constexpr int spokes = 30;         ///< degrees
 constexpr double freeOfMarks = 9;  ///< degrees
 constexpr double roomForLabel = 9; ///< between the circles of a dimension
-constexpr double limitTick = 1;
-constexpr double guardWidth = 1.2; ///< mm
-constexpr double scaleLeft = 2.8;  ///< from the left edge
+constexpr double circleLimitTick = 1;
+constexpr double circleGuardWidth = 1.2; ///< mm
+constexpr double scaleLeft = 2.8;        ///< from the left edge
 constexpr double scaleBottom = 3.9;
 constexpr double scaleTick = 1.1;
 constexpr double scaleText = 1.8;
 constexpr double ratioAbove = 4.6;
-constexpr double sampleWidth = 8;
+constexpr double circleSampleWidth = 8;
 constexpr double sampleText = 10;
 constexpr double secondColumn = 39;
 constexpr double thirdColumn = 76;
@@ -341,9 +341,9 @@ private:
         const double second = m_figure.secondAxis.startsWith(u'−') ? 270 : 90;
         for (const double angle : {first, second}) {
             p.setPen(line);
-            const double head = arrowLength / 2 / m_figure.view.zoom;
+            const double head = circleArrowLength / 2 / m_figure.view.zoom;
             drawChain({polar(angle + 180, tail), polar(angle, tip - head)});
-            drawArrowHead(polar(angle, tip), angle, arrowLength * m_unit, arrowWidth * m_unit,
+            drawArrowHead(polar(angle, tip), angle, circleArrowLength * m_unit, circleArrowWidth * m_unit,
                           colour(FigureRole::planeAxis));
         }
         const double width = textWidth(m_figure.firstAxis);
@@ -640,7 +640,7 @@ private:
     /// The guard band about a limit: both its ends may lie as much farther in or out, all in mm.
     void drawGuard(double degrees, double middle, double half, double guard) {
         const double angle = radians(degrees);
-        const QPointF across = QPointF(std::sin(angle), std::cos(angle)) * (guardWidth / 2 * mm);
+        const QPointF across = QPointF(std::sin(angle), std::cos(angle)) * (circleGuardWidth / 2 * mm);
         p.setPen(pen(FigureRole::guardBand));
         p.setBrush(colour(FigureRole::guardFill));
         for (const double side : {-1.0, 1.0}) {
@@ -672,7 +672,7 @@ private:
         p.setPen(line);
         drawChain({from, to});
         const double angle = radians(limitAngle);
-        const QPointF tick = QPointF(std::sin(angle), std::cos(angle)) * (limitTick * mm);
+        const QPointF tick = QPointF(std::sin(angle), std::cos(angle)) * (circleLimitTick * mm);
         p.drawLine(from - tick, from + tick);
         p.drawLine(to - tick, to + tick);
         if (!isFreeThere(limitAngle)) {
@@ -760,7 +760,7 @@ private:
         line.setWidthF(std::max(0.34 * mm, trace.widthF()));
         line.setCapStyle(Qt::FlatCap);
         // The line ends in the head.
-        const double headAngle = arrowLength / radius * 180 / std::numbers::pi;
+        const double headAngle = circleArrowLength / radius * 180 / std::numbers::pi;
         const double lineEnd = forwards ? end - headAngle * 0.7 : end + headAngle * 0.7;
         QPolygonF chain;
         for (int i = 0; i <= 16; ++i)
@@ -769,8 +769,8 @@ private:
         p.setBrush(Qt::NoBrush);
         p.drawPolyline(chain);
         const double heading = end + (forwards ? 90 : -90) + (forwards ? -0.5 : 0.5) * headAngle;
-        drawArrowHead(polar(end, radius), heading, arrowLength * m_unit, arrowWidth * 1.15 * m_unit,
-                      trace.color());
+        drawArrowHead(polar(end, radius), heading, circleArrowLength * m_unit,
+                      circleArrowWidth * 1.15 * m_unit, trace.color());
         const double middle = m_figure.sector ? (from + to) / 2 : forwards ? 48 : 132;
         drawLetter(polar(middle, labelRadius), arrow.index);
     }
@@ -917,7 +917,7 @@ private:
             const std::size_t line = i / columns;
             const double row = keyTop + (static_cast<double>(line) + 0.5) * keyRow;
             const QPointF at(keyLeft + left * unit, m_plot.bottom() + row * unit);
-            drawSample(QRectF(at.x(), at.y() - mm, sampleWidth * mm, 2 * mm), m_figure.legend[i]);
+            drawSample(QRectF(at.x(), at.y() - mm, circleSampleWidth * mm, 2 * mm), m_figure.legend[i]);
             drawText(p, at + QPointF(sampleText * mm, 0), m_figure.legend[i].text, colour(FigureRole::text));
         }
     }

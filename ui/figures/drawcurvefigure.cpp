@@ -5,6 +5,7 @@
 #include "figures/thinning.h"
 #include "ui/figures/bandoverlap.h"
 #include "ui/figures/drawtext.h"
+#include "ui/figures/metrics.h"
 
 #include <QPainterPath>
 #include <algorithm>
@@ -15,8 +16,6 @@ namespace palmer::ui {
 namespace {
 
 // Measures of the printed page (report), in points.
-constexpr double tickLength = 1.2 * mm;
-constexpr double tickGap = 1.0 * mm;
 constexpr double gutterWidth = 26 * mm;
 constexpr double narrowGutter = 8 * mm; ///< for one dimension
 constexpr double gutterStart = 2.4 * mm;
@@ -25,10 +24,10 @@ constexpr double besideTarget = 3.3 * mm;
 constexpr double besideStep = 3.6 * mm;
 constexpr double leaderGap = 1.3 * mm;       ///< from the ruling place
 constexpr double leaderOvershoot = 0.9 * mm; ///< past the dimension
-constexpr double arrowLength = 0.95 * mm;
-constexpr double arrowWidth = 0.76 * mm;
-constexpr double guardWidth = 1.56 * mm;
-constexpr double limitTick = 3.1 * mm;
+constexpr double curveArrowLength = 0.95 * mm;
+constexpr double curveArrowWidth = 0.76 * mm;
+constexpr double curveGuardWidth = 1.56 * mm;
+constexpr double curveLimitTick = 3.1 * mm;
 constexpr double limitStroke = 0.32 * mm;
 constexpr double triangleWidth = 1.9 * mm;
 constexpr double diamondWidth = 2.0 * mm;
@@ -41,10 +40,9 @@ constexpr std::size_t fewReadings = 2000; ///< each is a thing of its own in a f
 constexpr double markerGap = 0.7 * mm;    ///< between markers of one curve
 constexpr double pixel = 0.75;            ///< of a screen
 constexpr double densePitch = 4 * pixel;  ///< closer targets than this are drawn without their corners
-constexpr double labelGap = 1.6 * mm;     ///< between numbers of an axis
-constexpr double sampleHeight = 3 * mm;
+constexpr double numberGap = 1.6 * mm;    ///< between numbers of an axis
+constexpr double curveSampleHeight = 3 * mm;
 constexpr double readingsSampleWidth = 2.8 * mm;
-constexpr double titleCentre = 2.3 * mm; ///< of the rotated title, from the left edge
 
 /// What differs between page and screen, in points.
 struct Margins {
@@ -174,7 +172,7 @@ private:
             need = 0;
             for (const Tick &tick : axis.ticks)
                 need = std::max(need, textWidth(tick.label));
-            need += labelGap;
+            need += numberGap;
         }
         const double distance = length * axis.step / (axis.to - axis.from);
         long long stride = 1;
@@ -592,7 +590,7 @@ private:
         if (dimension.guard) {
             const double top = std::max(y(limit + *dimension.guard), m_plot.top());
             const double bottom = std::min(y(limit - *dimension.guard), m_plot.bottom());
-            drawGuard(QRectF(at - guardWidth / 2, top, guardWidth, bottom - top));
+            drawGuard(QRectF(at - curveGuardWidth / 2, top, curveGuardWidth, bottom - top));
         }
         QPen tick = pen(FigureRole::dimension);
         tick.setCapStyle(Qt::FlatCap);
@@ -601,7 +599,7 @@ private:
             p.drawLine(QPointF(at, y(dimension.upper)), QPointF(at, y(limit)));
         tick.setWidthF(limitStroke);
         p.setPen(tick);
-        p.drawLine(QPointF(at - limitTick / 2, y(limit)), QPointF(at + limitTick / 2, y(limit)));
+        p.drawLine(QPointF(at - curveLimitTick / 2, y(limit)), QPointF(at + curveLimitTick / 2, y(limit)));
     }
 
     /// Whether a curve runs through the box.
@@ -627,15 +625,15 @@ private:
             return QRectF(at - width / 2 - 1, middle - height / 2, width + 2, height);
         };
         std::vector<double> places;
-        if (bottom - top >= height + 3 * arrowLength) {
-            const double first = top + arrowLength + height / 2;
-            const double last = bottom - arrowLength - height / 2;
+        if (bottom - top >= height + 3 * curveArrowLength) {
+            const double first = top + curveArrowLength + height / 2;
+            const double last = bottom - curveArrowLength - height / 2;
             for (const double part : {0.5, 0.25, 0.75, 0.0, 1.0})
                 places.push_back(first + part * (last - first));
         }
         for (const double away : {0.5, 1.2, 2.0, 3.0}) {
-            places.push_back(top - 2.5 * arrowLength - away * height);
-            places.push_back(bottom + 2.5 * arrowLength + away * height);
+            places.push_back(top - 2.5 * curveArrowLength - away * height);
+            places.push_back(bottom + 2.5 * curveArrowLength + away * height);
         }
         const auto isFree = [&](double middle) {
             return m_plot.contains(box(middle)) && !hitsCurve(box(middle));
@@ -651,8 +649,8 @@ private:
     }
 
     void drawArrow(QPointF tip, double down) {
-        const QPolygonF head{tip, tip + QPointF(-arrowWidth / 2, down * arrowLength),
-                             tip + QPointF(arrowWidth / 2, down * arrowLength)};
+        const QPolygonF head{tip, tip + QPointF(-curveArrowWidth / 2, down * curveArrowLength),
+                             tip + QPointF(curveArrowWidth / 2, down * curveArrowLength)};
         p.setPen(Qt::NoPen);
         p.setBrush(colour(FigureRole::dimension));
         p.drawPolygon(head);
@@ -662,17 +660,17 @@ private:
     /// and where the arrows would meet, they point from outside.
     void drawDimension(double at, double top, double bottom, const TextLine &label, bool amongCurves) {
         constexpr double letterHeight = figureTextSize + 2;
-        const bool arrowsInside = bottom - top >= 2.4 * arrowLength;
-        const bool letterInside = bottom - top >= letterHeight + 3 * arrowLength;
+        const bool arrowsInside = bottom - top >= 2.4 * curveArrowLength;
+        const bool letterInside = bottom - top >= letterHeight + 3 * curveArrowLength;
         QPen line = pen(FigureRole::dimension);
         line.setCapStyle(Qt::FlatCap);
         p.setPen(line);
-        const double outside = arrowsInside ? 0 : 2.5 * arrowLength;
+        const double outside = arrowsInside ? 0 : 2.5 * curveArrowLength;
         if (arrowsInside) {
-            p.drawLine(QPointF(at, top + arrowLength / 2), QPointF(at, bottom - arrowLength / 2));
+            p.drawLine(QPointF(at, top + curveArrowLength / 2), QPointF(at, bottom - curveArrowLength / 2));
         } else {
-            p.drawLine(QPointF(at, top - outside), QPointF(at, top - arrowLength / 2));
-            p.drawLine(QPointF(at, bottom + arrowLength / 2), QPointF(at, bottom + outside));
+            p.drawLine(QPointF(at, top - outside), QPointF(at, top - curveArrowLength / 2));
+            p.drawLine(QPointF(at, bottom + curveArrowLength / 2), QPointF(at, bottom + outside));
         }
         drawArrow({at, top}, arrowsInside ? 1 : -1);
         drawArrow({at, bottom}, arrowsInside ? -1 : 1);
@@ -692,7 +690,7 @@ private:
 
     [[nodiscard]] double sampleWidth(const LegendEntry &entry) const {
         return entry.sample == LegendSample::readings ? readingsSampleWidth
-               : entry.sample == LegendSample::limit  ? limitTick
+               : entry.sample == LegendSample::limit  ? curveLimitTick
                                                       : m_margins.sampleWidth;
     }
 
@@ -714,7 +712,8 @@ private:
             left = std::max(m_area.left(), m_plot.center().x() - (width + gap * gaps) / 2);
         const double row = m_plot.bottom() + m_margins.legend;
         for (const LegendEntry &entry : shown) {
-            drawSample(QRectF(left, row - sampleHeight / 2, sampleWidth(entry), sampleHeight), entry);
+            drawSample(QRectF(left, row - curveSampleHeight / 2, sampleWidth(entry), curveSampleHeight),
+                       entry);
             left += sampleWidth(entry) + m_margins.sampleGap;
             drawText(p, {left, row}, entry.text, colour(FigureRole::text));
             left += textWidth(entry.text) + gap;
@@ -736,7 +735,7 @@ private:
             return;
         case LegendSample::limit: {
             if (entry.band)
-                drawGuard(QRectF(middle.x() - guardWidth / 2, box.top(), guardWidth, box.height()));
+                drawGuard(QRectF(middle.x() - curveGuardWidth / 2, box.top(), curveGuardWidth, box.height()));
             QPen tick = pen(FigureRole::dimension);
             tick.setWidthF(limitStroke);
             tick.setCapStyle(Qt::FlatCap);

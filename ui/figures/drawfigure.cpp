@@ -17,8 +17,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double pointsPerPixel = 72.0 / 96.0;
-
 QSizeF sizeOf(const CurveFigure &) {
     return {175, 86};
 }

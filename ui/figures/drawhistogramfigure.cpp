@@ -3,6 +3,7 @@
 #include "ui/figures/drawhistogramfigure.h"
 
 #include "ui/figures/drawtext.h"
+#include "ui/figures/metrics.h"
 
 #include <algorithm>
 #include <array>
@@ -12,16 +13,14 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double side = 2 * mm;
-constexpr double top = 2 * mm;
-constexpr double foot = 17 * mm; ///< numbers, title and legend below the plot
-constexpr double tickLength = 1.2 * mm;
-constexpr double tickRow = 3.5 * mm; ///< centres below the plot
-constexpr double titleRow = 7.8 * mm;
-constexpr double legendRow = 13 * mm;
-constexpr double sampleWidth = 5 * mm;
-constexpr double sampleHeight = 2.6 * mm;
-constexpr double sampleGap = 1.5 * mm;
+constexpr double histogramSide = 2 * mm;
+constexpr double histogramTop = 2 * mm;
+constexpr double histogramFoot = 17 * mm;      ///< numbers, title and legend below the plot
+constexpr double histogramTitleRow = 7.8 * mm; ///< centres below the plot
+constexpr double histogramLegendRow = 13 * mm;
+constexpr double histogramSampleWidth = 5 * mm;
+constexpr double histogramSampleHeight = 2.6 * mm;
+constexpr double histogramSampleGap = 1.5 * mm;
 constexpr double legendGap = 5 * mm; ///< largest
 constexpr double leastLegendGap = 1.5 * mm;
 
@@ -32,7 +31,7 @@ public:
         , m_figure(figure)
         , m_medium(medium)
         , m_area(area)
-        , m_plot(area.adjusted(side, top, -side, -foot)) {}
+        , m_plot(area.adjusted(histogramSide, histogramTop, -histogramSide, -histogramFoot)) {}
 
     FigureTransform draw() {
         if (m_plot.width() <= 0 || m_plot.height() <= 0)
@@ -70,7 +69,7 @@ private:
             drawText(p, {left, m_plot.bottom() + tickRow}, tick.label, colour(FigureRole::text));
         }
         const QString title = QStringLiteral("%1 (%2)").arg(m_figure.x.symbol, m_figure.x.unit);
-        drawText(p, {m_plot.center().x() - textWidth(title) / 2, m_plot.bottom() + titleRow}, title,
+        drawText(p, {m_plot.center().x() - textWidth(title) / 2, m_plot.bottom() + histogramTitleRow}, title,
                  colour(FigureRole::text));
     }
 
@@ -90,14 +89,16 @@ private:
                                  std::pair(Sample::coverage, m_figure.coverageText)};
         double width = 0;
         for (const auto &entry : entries)
-            width += sampleWidth + sampleGap + textWidth(entry.second);
+            width += histogramSampleWidth + histogramSampleGap + textWidth(entry.second);
         const auto gaps = static_cast<double>(entries.size() - 1);
         const double gap = std::clamp((m_area.width() - width) / gaps, leastLegendGap, legendGap);
         double left = std::max(m_area.left(), m_plot.center().x() - (width + gap * gaps) / 2);
-        const double row = m_plot.bottom() + legendRow;
+        const double row = m_plot.bottom() + histogramLegendRow;
         for (const auto &[sample, text] : entries) {
-            drawSample(QRectF(left, row - sampleHeight / 2, sampleWidth, sampleHeight), sample);
-            left += sampleWidth + sampleGap;
+            drawSample(
+                QRectF(left, row - histogramSampleHeight / 2, histogramSampleWidth, histogramSampleHeight),
+                sample);
+            left += histogramSampleWidth + histogramSampleGap;
             drawText(p, {left, row}, text, colour(FigureRole::text));
             left += textWidth(text) + gap;
         }

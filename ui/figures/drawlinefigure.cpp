@@ -3,6 +3,7 @@
 #include "ui/figures/drawlinefigure.h"
 
 #include "ui/figures/drawtext.h"
+#include "ui/figures/metrics.h"
 
 #include <QPainter>
 #include <QPolygonF>
@@ -12,17 +13,13 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double tickLength = 1.2 * mm;
-constexpr double tickGap = 1.0 * mm;
-constexpr double titleCentre = 2.3 * mm;
-constexpr double tickRow = 3.5 * mm; ///< below the plot
-constexpr double titleRow = 7.4 * mm;
-constexpr double legendRow = 12 * mm; ///< the first
+constexpr double lineTitleRow = 7.4 * mm; ///< below the plot
+constexpr double lineLegendRow = 12 * mm; ///< the first
 constexpr double legendPitch = 4.2 * mm;
-constexpr double sampleWidth = 10 * mm;
-constexpr double sampleGap = 2 * mm;
+constexpr double lineSampleWidth = 10 * mm;
+constexpr double lineSampleGap = 2 * mm;
 constexpr double entryGap = 7 * mm;
-constexpr double labelGap = 0.8 * mm;
+constexpr double endLabelGap = 0.8 * mm;
 constexpr double topMargin = 1.6 * mm;
 constexpr double rightMargin = 6 * mm;
 
@@ -65,17 +62,17 @@ public:
             if (line.name.isEmpty())
                 continue;
             m_hasLegend = true;
-            const double width = sampleWidth + sampleGap + textWidth(nameOf(line)) + entryGap;
+            const double width = lineSampleWidth + lineSampleGap + textWidth(nameOf(line)) + entryGap;
             if (used > 0 && used + width > room) {
                 ++m_rows;
                 used = 0;
             }
             used += width;
         }
-        const double title = figure.x.quantity.isEmpty() ? legendRow - titleRow : 0;
+        const double title = figure.x.quantity.isEmpty() ? lineLegendRow - lineTitleRow : 0;
         const double bottom =
-            (m_hasLegend ? legendRow + m_rows * legendPitch : titleRow + titleCentre) - title;
-        m_legendRow = legendRow - title;
+            (m_hasLegend ? lineLegendRow + m_rows * legendPitch : lineTitleRow + titleCentre) - title;
+        m_legendRow = lineLegendRow - title;
         m_plot = QRectF(area.left() + left, area.top() + topMargin, room, area.height() - topMargin - bottom);
     }
 
@@ -143,7 +140,7 @@ private:
         for (const FigureLine &line : m_figure.lines) {
             if (line.label.isEmpty() || line.points.empty())
                 continue;
-            const QPointF end(x(line.points.back().x()) + labelGap, y(line.points.back().y()));
+            const QPointF end(x(line.points.back().x()) + endLabelGap, y(line.points.back().y()));
             if (end.x() < m_plot.right() - figureTextSize) // ends earlier than the others
                 drawText(p, end, line.label, text());
             else
@@ -154,7 +151,7 @@ private:
         for (Label &label : labels) {
             label.at = std::max(label.at, last + figureTextSize);
             last = label.at;
-            drawText(p, {m_plot.right() + labelGap, label.at}, label.text, text());
+            drawText(p, {m_plot.right() + endLabelGap, label.at}, label.text, text());
         }
     }
 
@@ -178,7 +175,7 @@ private:
         }
         if (!m_figure.x.quantity.isEmpty()) {
             const TextLine across = titleOf(m_figure.x);
-            drawText(p, {m_plot.center().x() - textWidth(across) / 2, m_plot.bottom() + titleRow}, across,
+            drawText(p, {m_plot.center().x() - textWidth(across) / 2, m_plot.bottom() + lineTitleRow}, across,
                      text());
         }
         const TextLine along = titleOf(m_figure.y);
@@ -201,14 +198,14 @@ private:
         for (const FigureLine &line : m_figure.lines) {
             if (line.name.isEmpty())
                 continue;
-            const double width = sampleWidth + sampleGap + textWidth(nameOf(line)) + entryGap;
+            const double width = lineSampleWidth + lineSampleGap + textWidth(nameOf(line)) + entryGap;
             if (left > m_plot.left() && left + width > m_plot.right()) {
                 left = m_plot.left();
                 row += legendPitch;
             }
             p.setPen(penOf(line));
-            p.drawLine(QPointF(left, row), QPointF(left + sampleWidth, row));
-            drawText(p, {left + sampleWidth + sampleGap, row}, nameOf(line), text());
+            p.drawLine(QPointF(left, row), QPointF(left + lineSampleWidth, row));
+            drawText(p, {left + lineSampleWidth + lineSampleGap, row}, nameOf(line), text());
             left += width;
         }
     }
@@ -220,7 +217,7 @@ private:
     QRectF m_plot;
     int m_rows = 1;
     bool m_hasLegend = false;
-    double m_legendRow = legendRow;
+    double m_legendRow = lineLegendRow;
 };
 
 } // namespace

@@ -14,14 +14,14 @@ namespace {
 
 constexpr double markRadius = 0.75 * mm;
 constexpr double capWidth = 0.7 * mm;
-constexpr double tickLength = 0.8 * mm;
-constexpr double tickGap = 0.7 * mm;
+constexpr double trendTickLength = 0.8 * mm;
+constexpr double trendTickGap = 0.7 * mm;
 constexpr double hatchHeight = 1.2 * mm;
 constexpr double hatchStep = 0.9 * mm;
 constexpr double labelWidth = 15 * mm; ///< of a row
 constexpr double panelGap = 2.5 * mm;
 constexpr double titleHeight = 4.2 * mm;
-constexpr double tickRow = 3.2 * mm;
+constexpr double trendTickRow = 3.2 * mm;
 constexpr double thin = 0.12 * mm;
 constexpr double bandStrength = 0.13;
 
@@ -35,10 +35,10 @@ public:
         double widest = 0;
         for (const Tick &tick : panel.y.ticks)
             widest = std::max(widest, textWidth(tick.label));
-        const double left = widest + tickGap + tickLength;
+        const double left = widest + trendTickGap + trendTickLength;
         const double above = titleHeight + (large ? titleHeight : 0);
         m_area = area;
-        m_plot = area.adjusted(left, above, -1 * mm, -(tickLength + tickRow + 1.5 * mm));
+        m_plot = area.adjusted(left, above, -1 * mm, -(trendTickLength + trendTickRow + 1.5 * mm));
     }
 
     FigureTransform draw() {
@@ -195,13 +195,15 @@ private:
         for (const Tick &tick : m_panel.x.ticks) {
             setPen(FigureRole::axis, 0.2 * mm);
             p.drawLine(QPointF(x(tick.value), m_plot.bottom()),
-                       QPointF(x(tick.value), m_plot.bottom() + tickLength));
-            drawText(
-                p, {x(tick.value) - textWidth(tick.label) / 2, m_plot.bottom() + tickLength + tickRow / 1.6},
-                tick.label, colour(FigureRole::text));
+                       QPointF(x(tick.value), m_plot.bottom() + trendTickLength));
+            drawText(p,
+                     {x(tick.value) - textWidth(tick.label) / 2,
+                      m_plot.bottom() + trendTickLength + trendTickRow / 1.6},
+                     tick.label, colour(FigureRole::text));
         }
         for (const Tick &tick : m_panel.y.ticks)
-            drawText(p, {m_plot.left() - tickLength - tickGap - textWidth(tick.label), y(tick.value)},
+            drawText(p,
+                     {m_plot.left() - trendTickLength - trendTickGap - textWidth(tick.label), y(tick.value)},
                      tick.label, colour(FigureRole::text));
     }
 

@@ -3,6 +3,7 @@
 #include "ui/figures/figurecanvas.h"
 
 #include "ui/figures/canvaslabel.h"
+#include "ui/figures/metrics.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 
@@ -18,14 +19,12 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double pointerReach = 14; ///< of the pointer, pixels
-constexpr double ring = 6.5;
 constexpr double markWidth = 18;
-constexpr double deepestZoom = 1e-3; ///< of the whole range
+constexpr double leastRange = 1e-3; ///< of the whole range
 
 Interval within(const Interval &wanted, const FigureAxis &whole) {
     const double all = whole.to - whole.from;
-    const double span = std::clamp(wanted.to - wanted.from, deepestZoom * all, all);
+    const double span = std::clamp(wanted.to - wanted.from, leastRange * all, all);
     const double centre = (wanted.from + wanted.to) / 2;
     const double from = std::clamp(centre - span / 2, whole.from, whole.to - span);
     return {from, from + span};
@@ -152,7 +151,7 @@ void FigureCanvas::paintHover(QPainter &painter) const {
     const QColor accent = token(Token::accent, palette());
     painter.setPen(QPen(accent, 2));
     painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(*at, ring, ring);
+    painter.drawEllipse(*at, ringRadius, ringRadius);
     if (!m_hoverLabel.isEmpty())
         paintCanvasLabel(painter, *this, *at, m_hoverLabel, accent);
 }

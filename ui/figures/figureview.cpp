@@ -10,12 +10,13 @@
 #include "figures/thinning.h"
 #include "kernel/evaluation/correctionto20.h"
 #include "language/decimals.h"
-#include "report/explanation.h"
-#include "report/readingtable.h"
+#include "report/explanations/explanation.h"
+#include "report/tables/readingtable.h"
 #include "ui/elidedlabel.h"
 #include "ui/figures/circlefigureview.h"
 #include "ui/figures/exportfigure.h"
 #include "ui/figures/zoombuttons.h"
+#include "ui/measures.h"
 #include "ui/ruling.h"
 #include "ui/theme.h"
 
@@ -37,7 +38,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int pageMargin = 16;
 constexpr int clipboardDotsPerInch = 200;
 constexpr std::size_t drawnAtOnce = 50'000; ///< readings; figures of more are made on a thread
 

@@ -26,11 +26,10 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double pointerReach = 16; ///< of the pointer, pixels
-constexpr double ring = 5;
-constexpr double deepestZoom = 2000; ///< times
-constexpr double pointsPerPixel = 72.0 / 96;
-constexpr double ticksOfWidth = 90; ///< pixels a tick of x needs
+constexpr double chartReach = 16; ///< of the pointer, pixels
+constexpr double chartRingRadius = 5;
+constexpr double deepestChartZoom = 2000; ///< times
+constexpr double ticksOfWidth = 90;       ///< pixels a tick of x needs
 constexpr double ticksOfHeight = 28;
 constexpr std::size_t fewPoints = 12; ///< that are marked one by one
 constexpr double markerSize = 4;
@@ -172,8 +171,8 @@ void LineChart::fillLines() {
 void LineChart::setRange(const QRectF &range) {
     const QRectF home = whole();
     QRectF next = range.normalized();
-    next.setWidth(std::clamp(next.width(), home.width() / deepestZoom, home.width()));
-    next.setHeight(std::clamp(next.height(), home.height() / deepestZoom, home.height()));
+    next.setWidth(std::clamp(next.width(), home.width() / deepestChartZoom, home.width()));
+    next.setHeight(std::clamp(next.height(), home.height() / deepestChartZoom, home.height()));
     next.moveLeft(std::clamp(next.left(), home.left(), home.right() - next.width()));
     next.moveTop(std::clamp(next.top(), home.top(), home.bottom() - next.height()));
     if (next.size() == home.size())
@@ -220,10 +219,10 @@ void LineChart::zoomBy(int steps) {
 std::optional<LineChart::Place> LineChart::nearest(const QPointF &place) const {
     if (m_figure.lines.empty() || !chart()->plotArea().contains(place))
         return std::nullopt;
-    const double half = pointerReach / chart()->plotArea().width() * m_range.width();
+    const double half = chartReach / chart()->plotArea().width() * m_range.width();
     const double x = valueAt(place).x();
     std::optional<Place> found;
-    double least = pointerReach;
+    double least = chartReach;
     for (std::size_t k = 0; k < m_figure.lines.size(); ++k) {
         const std::vector<QPointF> &points = m_figure.lines[k].points;
         for (std::size_t i = 0; i < points.size(); ++i) {
@@ -280,7 +279,7 @@ void LineChart::drawForeground(QPainter *painter, const QRectF &) {
     if (m_pointed) {
         const QPointF at = placeOf(m_figure.lines[m_pointed->line].points[m_pointed->point]);
         painter->setPen(QPen(accent, 2));
-        painter->drawEllipse(at, ring, ring);
+        painter->drawEllipse(at, chartRingRadius, chartRingRadius);
         paintCanvasLabel(*painter, *this, at, words(*m_pointed), accent);
     }
     if (hasFocus()) {

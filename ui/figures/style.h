@@ -55,6 +55,7 @@ enum class FigureRole {
 
 constexpr double pointsPerMillimetre = 72 / 25.4;
 constexpr double mm = pointsPerMillimetre;
+constexpr double pointsPerPixel = 72.0 / 96.0; ///< of a screen
 
 /// Colour, width and dashes of a role; widths in points.
 [[nodiscard]] QPen figurePen(FigureRole role, Medium medium);

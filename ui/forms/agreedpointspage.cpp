@@ -7,10 +7,11 @@
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/entry.h"
-#include "report/agreedtext.h"
+#include "report/words/agreedtext.h"
 #include "ui/elidedlabel.h"
 #include "ui/forms/agreedvalue.h"
 #include "ui/forms/form.h"
+#include "ui/measures.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
 #include "ui/results/chip.h"
@@ -33,12 +34,10 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int pageMargin = 16;
-constexpr int fieldHeight = 28;
 constexpr int letterWidth = 26;
 constexpr int valueWidth = 132;
 
-constexpr const char *context = "palmer::ui::AgreedPointsPage";
+constexpr const char *agreedPointsContext = "palmer::ui::AgreedPointsPage";
 
 } // namespace
 
@@ -226,7 +225,8 @@ Field *AgreedPointsPage::makeValue(const AgreementPoint &point, Quantity quantit
     connect(field, &Field::entered, this, [this, field, quantity, name = point.point] {
         const auto value = enteredNumber(field->valueText(), quantity, m_language.units()).value;
         m_model.edit(
-            changeOf(context, QT_TRANSLATE_NOOP("palmer::ui::AgreedPointsPage", "Number of an agreement"))
+            changeOf(agreedPointsContext,
+                     QT_TRANSLATE_NOOP("palmer::ui::AgreedPointsPage", "Number of an agreement"))
                 .constData(),
             [&](Document &document) { agreedValue(name).write(document, m_test, value); },
             QStringLiteral("agreedValue/%1/%2/%3").arg(QString::fromLatin1(name)).arg(m_test).arg(m_visit));
@@ -291,7 +291,8 @@ void AgreedPointsPage::setText(const AgreementPoint &point, const QString &text)
     else if (state == AgreementState::agreed && !wasEmpty && text.isEmpty() && !before->value)
         state.reset();
     m_model.edit(
-        changeOf(context, QT_TRANSLATE_NOOP("palmer::ui::AgreedPointsPage", "Text of an agreement"))
+        changeOf(agreedPointsContext,
+                 QT_TRANSLATE_NOOP("palmer::ui::AgreedPointsPage", "Text of an agreement"))
             .constData(),
         [&](Document &document) {
             editTest(document, m_test,

@@ -6,7 +6,7 @@
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "language/decimals.h"
-#include "report/correctiontext.h"
+#include "report/words/correctiontext.h"
 #include "ui/forms/agreedvalue.h"
 #include "ui/forms/templatebutton.h"
 #include "ui/theme.h"
@@ -22,7 +22,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr const char *context = "palmer::ui::ConditionsPage";
+constexpr const char *conditionsContext = "palmer::ui::ConditionsPage";
 constexpr std::array kinds{SensorMeasures::air, SensorMeasures::machine, SensorMeasures::instrument};
 
 /// What positioning and circular tests state alike.
@@ -193,7 +193,7 @@ std::size_t shownSensors(const Conditions &conditions, SensorMeasures what) {
 } // namespace
 
 ConditionsPage::ConditionsPage(DocumentModel &model, Selection &selection, QWidget *parent)
-    : Form(context, Page::conditions, model, parent) {
+    : Form(conditionsContext, Page::conditions, model, parent) {
     follow(selection);
     addToBar(new TemplateButton(TemplateButton::Kind::conditions, model, selection, this));
     setObjectName(QStringLiteral("conditionsPage"));

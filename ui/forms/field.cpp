@@ -4,6 +4,7 @@
 
 #include "document/bounds.h"
 #include "ui/elidedlabel.h"
+#include "ui/measures.h"
 #include "ui/theme.h"
 
 #include <QComboBox>
@@ -22,7 +23,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int fieldHeight = 28;
 constexpr int linesHeight = 66;
 constexpr int labelHeight = 16;
 constexpr int labelGap = 4;

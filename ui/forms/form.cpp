@@ -4,6 +4,7 @@
 
 #include "ui/forms/columnslayout.h"
 #include "ui/forms/sectionhead.h"
+#include "ui/measures.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
 #include "ui/results/chip.h"
@@ -25,7 +26,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int pageMargin = 16;
 constexpr int fieldGap = 12;
 constexpr int sectionGap = 18;
 constexpr int barHeight = 28;

@@ -21,7 +21,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr const char *context = "palmer::ui::IdentificationPage";
+constexpr const char *identificationContext = "palmer::ui::IdentificationPage";
 constexpr QSize pictureRoom(180, 48);
 constexpr qint64 largestPicture =
     qint64{4} * 1024 * 1024; ///< bytes; it stands in every file and every report
@@ -50,7 +50,7 @@ constexpr std::array signerWords{
 } // namespace
 
 IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selection, QWidget *parent)
-    : Form(context, Page::identification, model, parent) {
+    : Form(identificationContext, Page::identification, model, parent) {
     setObjectName(QStringLiteral("identificationPage"));
     follow(selection);
     addToBar(new TemplateButton(TemplateButton::Kind::laboratory, model, selection, this));

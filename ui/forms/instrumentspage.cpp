@@ -12,7 +12,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr const char *context = "palmer::ui::InstrumentsPage";
+constexpr const char *instrumentsContext = "palmer::ui::InstrumentsPage";
 
 /// A member of the instrument of that index. Where there is none, the first thing said makes it.
 template <auto member>
@@ -49,7 +49,7 @@ Member<std::string> idOf(std::size_t index) {
 } // namespace
 
 InstrumentsPage::InstrumentsPage(DocumentModel &model, Selection &selection, QWidget *parent)
-    : Form(context, Page::instruments, model, parent)
+    : Form(instrumentsContext, Page::instruments, model, parent)
     , m_documents(model)
     , m_selection(selection) {
     setObjectName(QStringLiteral("instrumentsPage"));

@@ -5,11 +5,12 @@
 #include "document/documenterror.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "kernel/measurement/testfacts.h"
-#include "report/resulttable.h"
+#include "report/tables/resulttable.h"
 #include "ui/elidedlabel.h"
 #include "ui/forms/decisionrulemembers.h"
 #include "ui/forms/templatebutton.h"
 #include "ui/formulatext.h"
+#include "ui/measures.h"
 
 #include <QClipboard>
 #include <QCoreApplication>
@@ -27,8 +28,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr const char *context = "palmer::ui::LimitsPage";
-constexpr int fieldHeight = 28;
+constexpr const char *limitsContext = "palmer::ui::LimitsPage";
 constexpr int symbolWidth = 40;
 
 /// A member of the limit of a parameter; one that says nothing more goes.
@@ -122,7 +122,7 @@ Member<std::string> originOfAll() {
 } // namespace
 
 LimitsPage::LimitsPage(DocumentModel &model, Selection &selection, QWidget *parent)
-    : Form(context, Page::limits, model, parent) {
+    : Form(limitsContext, Page::limits, model, parent) {
     follow(selection);
     setObjectName(QStringLiteral("limitsPage"));
     addToBar(new TemplateButton(TemplateButton::Kind::limits, model, selection, this));

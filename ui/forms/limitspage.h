@@ -3,7 +3,7 @@
 #pragma once
 
 #include "editing/limitblock.h"
-#include "report/formula.h"
+#include "report/words/formula.h"
 #include "ui/forms/form.h"
 
 namespace palmer::ui {

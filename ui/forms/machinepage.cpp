@@ -11,7 +11,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr const char *context = "palmer::ui::MachinePage";
+constexpr const char *machineContext = "palmer::ui::MachinePage";
 
 template <auto member>
 auto ofMachine() {
@@ -21,7 +21,7 @@ auto ofMachine() {
 } // namespace
 
 MachinePage::MachinePage(DocumentModel &model, Selection &selection, QWidget *parent)
-    : Form(context, Page::machine, model, parent) {
+    : Form(machineContext, Page::machine, model, parent) {
     setObjectName(QStringLiteral("machinePage"));
     follow(selection);
     addToBar(new TemplateButton(TemplateButton::Kind::machine, model, selection, this));

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "report/help.h"
+#include "report/help/help.h"
 
 #include <QDialog>
 #include <optional>

@@ -14,6 +14,7 @@
 #include "ui/figures/zoombuttons.h"
 #include "ui/import/columnroles.h"
 #include "ui/import/remarklist.h"
+#include "ui/measures.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -54,7 +55,6 @@ constexpr int boxSpacing = 12;
 constexpr int boxContents = 12;     ///< letters of what is chosen
 constexpr int columnWidth = 72;     ///< of the recognised table, unless its heading is wider
 constexpr int drawnAtOnce = 50'000; ///< readings; the curve of more is made on a thread
-constexpr int rowHeight = 26;
 constexpr int remarksHeight = 150;
 constexpr int lowRemarksHeight = 72;
 constexpr int lowBelow = 700; ///< of the dialog
@@ -235,7 +235,7 @@ QWidget *ImportAssistant::makeMiddle() {
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setTabKeyNavigation(false);
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
+    m_table->verticalHeader()->setDefaultSectionSize(tableRowHeight);
     m_table->horizontalHeader()->setDefaultSectionSize(columnWidth);
     m_table->horizontalHeader()->setTextElideMode(Qt::ElideRight);
     m_curveCanvas->setObjectName(QStringLiteral("importCurve"));

@@ -12,7 +12,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int numberWidth = 44;
-constexpr int lineHeight = 20;
+constexpr int rawLineHeight = 20;
 constexpr std::size_t longestShown = 4000; ///< bytes of a line
 
 QString shown(std::string_view text) {
@@ -211,7 +211,7 @@ void RawTextDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
 QSize RawTextDelegate::sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const {
     const auto *model = qobject_cast<const RawTextModel *>(index.model());
     const int letter = QFontMetrics(option.font).horizontalAdvance(u'0');
-    return {numberWidth + (model->longestLine() + 2) * letter, lineHeight};
+    return {numberWidth + (model->longestLine() + 2) * letter, rawLineHeight};
 }
 
 } // namespace palmer::ui

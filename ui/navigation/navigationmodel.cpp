@@ -4,8 +4,8 @@
 
 #include "kernel/measurement/readingsaside.h"
 #include "kernel/measurement/testfacts.h"
-#include "report/resultparts.h"
-#include "report/wording.h"
+#include "report/parts/resultparts.h"
+#include "report/words/wording.h"
 #include "ui/testname.h"
 #include "ui/windowlanguage.h"
 

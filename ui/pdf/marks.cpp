@@ -17,7 +17,7 @@ constexpr double bandHeight = 1.56 * mm;
 constexpr double diamondHalf = 0.88 * mm;
 constexpr double haloWidth = 0.2 * mm;
 constexpr double zeroTick = 1.2 * mm;
-constexpr double barHeight = 1.9 * mm;
+constexpr double printedBarHeight = 1.9 * mm;
 constexpr double barAxis = 2.9 * mm;
 constexpr double hollowOutline = 0.2;
 constexpr QColor barColour(0x00, 0x44, 0x88);
@@ -123,7 +123,7 @@ void drawBar(QPainter &painter, QPointF left, double length, bool hollow) {
         painter.setPen(hollow ? outline : QPen(Qt::NoPen));
         painter.setBrush(hollow ? QBrush(Qt::NoBrush) : QBrush(barColour));
         const double inset = hollow ? outline.widthF() / 2 : 0; // as high and long as a full one
-        painter.drawRect(QRectF(left.x(), left.y() - barHeight / 2, length, barHeight)
+        painter.drawRect(QRectF(left.x(), left.y() - printedBarHeight / 2, length, printedBarHeight)
                              .adjusted(0, inset, -std::min(inset, length), -inset));
         painter.setBrush(Qt::NoBrush);
     }

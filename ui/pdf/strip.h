@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "report/report.h"
+#include "report/blocks/report.h"
 #include "ui/pdf/rules.h"
 
 #include <QPointF>

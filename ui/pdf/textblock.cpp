@@ -20,7 +20,7 @@ namespace {
 /// Fonts have whole sizes in pixels: text is measured and drawn in tenths of a point.
 constexpr double tenths = 10;
 constexpr double scriptSize = 0.75;
-constexpr double subscriptDrop = 0.22; ///< in sizes of the text
+constexpr double paperSubscriptDrop = 0.22; ///< in sizes of the text
 constexpr double superscriptRise = 0.36;
 /// Of Liberation Sans, in sizes.
 constexpr double fontAscent = 0.905;
@@ -64,13 +64,13 @@ bool needsOtherFont(const QString &text) {
 }
 
 /// Pieces of a text in the paper's font, and between them single characters that it lacks.
-struct Piece {
+struct TextPiece {
     QString text;
     char32_t foreign = 0; ///< 0: of the paper's font
 };
 
-std::vector<Piece> piecesOf(const QString &text) {
-    std::vector<Piece> result;
+std::vector<TextPiece> piecesOf(const QString &text) {
+    std::vector<TextPiece> result;
     for (const char32_t character : text.toUcs4()) {
         const QString sign = QString::fromUcs4(&character, 1);
         if (!isOnPaper(character))
@@ -83,7 +83,7 @@ std::vector<Piece> piecesOf(const QString &text) {
     return result;
 }
 
-double widthOf(const Piece &piece, const TextRun &look, const TextStyle &style) {
+double widthOf(const TextPiece &piece, const TextRun &look, const TextStyle &style) {
     if (piece.foreign != 0)
         return foreignWidth(piece.foreign) * sizeOf(look, style);
     return face(look, style).metrics.horizontalAdvance(piece.text) / tenths;
@@ -95,7 +95,7 @@ double widthOf(const QString &text, const TextRun &look, const TextStyle &style)
     if (!needsOtherFont(text))
         return face(look, style).metrics.horizontalAdvance(text) / tenths;
     double width = 0;
-    for (const Piece &piece : piecesOf(text))
+    for (const TextPiece &piece : piecesOf(text))
         width += widthOf(piece, look, style);
     return width;
 }
@@ -108,7 +108,7 @@ void drawRun(QPainter &painter, QPointF at, const TextRun &run, const TextStyle 
         painter.drawText(at, run.text);
         return;
     }
-    for (const Piece &piece : piecesOf(run.text)) {
+    for (const TextPiece &piece : piecesOf(run.text)) {
         const double width = widthOf(piece, run, style) * tenths;
         const double needed = piece.foreign == 0 ? 0 : own.metrics.horizontalAdvance(piece.text);
         if (foreignPlaces && piece.foreign != 0)
@@ -450,7 +450,7 @@ void TextBlock::draw(QPainter &painter, QPointF topLeft, TextAlignment alignment
         for (const Fragment &fragment : line.fragments) {
             double y = baseline;
             if (fragment.run.script == TextRun::Script::subscript)
-                y += subscriptDrop * m_style.size;
+                y += paperSubscriptDrop * m_style.size;
             else if (fragment.run.script == TextRun::Script::superscript)
                 y -= superscriptRise * m_style.size;
             painter.setPen(QColor::fromRgb(fragment.run.grey ? noteGrey : m_style.colour));

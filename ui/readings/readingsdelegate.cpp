@@ -14,7 +14,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int textMargin = 8;
 constexpr int rulingBar = 3;
 constexpr int cornerSize = 7;
 

@@ -7,6 +7,8 @@
 
 namespace palmer::ui {
 
+inline constexpr int textMargin = 8; ///< right of the text of a cell, and of the head of its column
+
 /// Draws a cell of the readings: numbers, rules, and the marks of what is current, next, pointed at, set
 /// aside, refused or ruling. Makes the field a cell is typed in, and tells what was typed and where to go.
 class ReadingsDelegate : public QStyledItemDelegate {

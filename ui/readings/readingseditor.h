@@ -5,7 +5,7 @@
 #include "editing/editreadings.h"
 #include "editing/readingblock.h"
 #include "language/language.h"
-#include "report/readingtable.h"
+#include "report/tables/readingtable.h"
 #include "ui/model/documentmodel.h"
 
 #include <QObject>

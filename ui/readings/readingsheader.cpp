@@ -3,6 +3,7 @@
 #include "ui/readings/readingsheader.h"
 
 #include "ui/formulatext.h"
+#include "ui/readings/readingsdelegate.h"
 #include "ui/theme.h"
 
 #include <QPaintEvent>
@@ -13,7 +14,6 @@ namespace palmer::ui {
 namespace {
 
 constexpr int headHeight = 44;
-constexpr int textMargin = 8;
 
 } // namespace
 

@@ -4,7 +4,7 @@
 
 #include "document/evaluateddocument.h"
 #include "language/language.h"
-#include "report/readingtable.h"
+#include "report/tables/readingtable.h"
 #include "ui/model/selection.h"
 #include "ui/refusedtexts.h"
 

@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "kernel/measurement/readingsaside.h"
+#include "ui/measures.h"
 #include "ui/readings/pastebar.h"
 #include "ui/readings/readingsview.h"
 #include "ui/ruling.h"
@@ -21,13 +22,6 @@
 #include <QVBoxLayout>
 
 namespace palmer::ui {
-
-namespace {
-
-constexpr int pageMargin = 16;
-constexpr int barHeight = 44;
-
-} // namespace
 
 ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *parent)
     : QWidget(parent)
@@ -81,7 +75,7 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
     bar->addSpacing(8);
     bar->addWidget(m_addRunButton);
     auto *barArea = new QWidget(this);
-    barArea->setFixedHeight(barHeight);
+    barArea->setFixedHeight(pageBarHeight);
     barArea->setLayout(bar);
 
     auto *layout = new QVBoxLayout(this);

@@ -4,7 +4,8 @@
 
 #include "figures/targetstrip.h"
 #include "kernel/evaluation/targetvalue.h"
-#include "report/readingtable.h"
+#include "report/tables/readingtable.h"
+#include "ui/measures.h"
 #include "ui/readings/targetstatisticsview.h"
 #include "ui/readings/targetstripview.h"
 #include "ui/theme.h"
@@ -19,8 +20,6 @@
 namespace palmer::ui {
 
 namespace {
-
-constexpr int pageMargin = 16;
 
 /// A row of the small table: quantities of targetValue for ↑, ↓ and both; none: "".
 struct Quantities {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int rowHeight = 24;
 constexpr int symbolWidth = 36;
-constexpr int columnWidth = 64;
+constexpr int statisticsColumnWidth = 64;
 
 } // namespace
 
@@ -33,7 +33,7 @@ void TargetStatisticsView::setRows(const QString &unit, const QString &both, std
 }
 
 QSize TargetStatisticsView::sizeHint() const {
-    return {symbolWidth + 3 * columnWidth, rowHeight * (static_cast<int>(m_rows.size()) + 1)};
+    return {symbolWidth + 3 * statisticsColumnWidth, rowHeight * (static_cast<int>(m_rows.size()) + 1)};
 }
 
 QSize TargetStatisticsView::minimumSizeHint() const {

@@ -5,7 +5,7 @@
 #include "figures/ticks.h"
 #include "register/listing.h"
 #include "register/machinetrend.h"
-#include "report/wording.h"
+#include "report/words/wording.h"
 #include "ui/figures/canvaslabel.h"
 #include "ui/register/numbertag.h"
 #include "ui/theme.h"

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/firstuse.h"
 
+#include "ui/measures.h"
+#include "ui/register/machinelist.h"
 #include "ui/theme.h"
 
 #include <QEvent>
@@ -19,8 +21,8 @@ namespace {
 
 constexpr int pictureHeight = 190;
 constexpr int pictureWidth = 484;
-constexpr int factsWidth = 744;
-constexpr int markSize = 16;
+constexpr int firstFactsWidth = 744;
+constexpr int factMarkSize = 16;
 
 /// Test files that fall into a folder, and the trend that becomes of them. Without words: it is a sign.
 class Picture : public QWidget {
@@ -132,7 +134,7 @@ RegisterFirstUse::RegisterFirstUse(QWidget *parent)
     auto *rule = new QFrame;
     rule->setProperty("rule", true);
     rule->setFixedHeight(1);
-    rule->setMaximumWidth(factsWidth);
+    rule->setMaximumWidth(firstFactsWidth);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(16, 8, 16, 8);
     layout->addStretch(3);
@@ -164,7 +166,7 @@ RegisterFirstUse::RegisterFirstUse(QWidget *parent)
 
 QWidget *RegisterFirstUse::makeFacts() {
     auto *facts = new QWidget;
-    facts->setMaximumWidth(factsWidth);
+    facts->setMaximumWidth(firstFactsWidth);
     auto *grid = new QGridLayout(facts);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(10);
@@ -173,7 +175,7 @@ QWidget *RegisterFirstUse::makeFacts() {
         Fact &fact = m_facts.at(i);
         const int column = 2 * static_cast<int>(i);
         fact.mark = new QLabel;
-        fact.mark->setFixedSize(markSize, markSize + 2);
+        fact.mark->setFixedSize(factMarkSize, factMarkSize + 2);
         fact.title = new QLabel;
         fact.title->setObjectName(QStringLiteral("fact%1").arg(i + 1));
         fact.title->setFont(themeFont(TextSize::base));
@@ -194,11 +196,11 @@ void RegisterFirstUse::colour() {
     constexpr std::array icons{"lock", "subfolder", "redo"};
     for (std::size_t i = 0; i < m_facts.size(); ++i) {
         const double ratio = devicePixelRatioF();
-        QPixmap mark(QSize(markSize, markSize) * ratio);
+        QPixmap mark(QSize(factMarkSize, factMarkSize) * ratio);
         mark.setDevicePixelRatio(ratio);
         mark.fill(Qt::transparent);
         QPainter painter(&mark);
-        drawLineIcon(painter, QRect(0, 0, markSize, markSize), QString::fromLatin1(icons.at(i)),
+        drawLineIcon(painter, QRect(0, 0, factMarkSize, factMarkSize), QString::fromLatin1(icons.at(i)),
                      token(Token::accent, palette()));
         painter.end();
         m_facts.at(i).mark->setPixmap(mark);
@@ -231,8 +233,6 @@ void RegisterFirstUse::changeEvent(QEvent *event) {
 }
 
 void GhostRows::paintEvent(QPaintEvent *) {
-    constexpr int margin = 16;
-    constexpr int rowHeight = 50;
     constexpr int marks = 4;
     constexpr std::array widths{92, 80, 104, 86, 98};
     constexpr double first = 0.75;
@@ -241,16 +241,17 @@ void GhostRows::paintEvent(QPaintEvent *) {
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor colour = token(Token::line, palette());
     for (std::size_t row = 0; row < widths.size(); ++row) {
-        const int top = static_cast<int>(row) * rowHeight;
+        const int top = static_cast<int>(row) * machineRowHeight;
         painter.setOpacity(first + (last - first) * static_cast<double>(row) / (widths.size() - 1.0));
         painter.setPen(Qt::NoPen);
         painter.setBrush(token(Token::lineStrong, palette()));
-        painter.drawRoundedRect(QRectF(margin, top + 7, widths.at(row), 9), 4, 4);
+        painter.drawRoundedRect(QRectF(pageMargin, top + 7, widths.at(row), 9), 4, 4);
         painter.setBrush(colour);
         for (int mark = 0; mark < marks; ++mark)
-            painter.drawRoundedRect(QRectF(margin + 40 * mark, top + 28, 22, 8), 4, 4);
+            painter.drawRoundedRect(QRectF(pageMargin + 40 * mark, top + 28, 22, 8), 4, 4);
         painter.setPen(colour);
-        painter.drawLine(margin, top + rowHeight - 3, width() - margin, top + rowHeight - 3);
+        painter.drawLine(pageMargin, top + machineRowHeight - 3, width() - pageMargin,
+                         top + machineRowHeight - 3);
     }
 }
 

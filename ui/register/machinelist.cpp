@@ -3,6 +3,7 @@
 #include "ui/register/machinelist.h"
 
 #include "register/machineidentity.h"
+#include "ui/measures.h"
 #include "ui/theme.h"
 
 #include <QPainter>
@@ -12,10 +13,8 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int rowHeight = 50;
-constexpr int margin = 16;
 constexpr int raster = 40;
-constexpr int markSize = 12;
+constexpr int machineMarkSize = 12;
 constexpr int pillHeight = 17;
 constexpr double pillRadius = 8.5;
 
@@ -162,7 +161,7 @@ void MachineDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
     } else if ((option.state & QStyle::State_MouseOver) != 0) {
         painter->fillRect(option.rect, token(Token::hover, palette));
     }
-    QRect area = option.rect.adjusted(margin, 6, -margin, -6);
+    QRect area = option.rect.adjusted(pageMargin, 6, -pageMargin, -6);
     painter->setPen(token(Token::line, palette));
     painter->drawLine(area.left(), option.rect.bottom(), area.right(), option.rect.bottom());
 
@@ -210,15 +209,15 @@ void MachineDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
         painter->drawText(QRect(left, y, raster, pillHeight), Qt::AlignLeft | Qt::AlignVCenter, state.axis);
         const int word = painter->fontMetrics().horizontalAdvance(state.axis);
         const MarkLook look = lookOf(state);
-        drawLineIcon(*painter, QRect(left + word + 3, y, markSize, pillHeight), look.icon,
+        drawLineIcon(*painter, QRect(left + word + 3, y, machineMarkSize, pillHeight), look.icon,
                      token(look.token, palette));
-        left += std::max(raster, word + markSize + 10);
+        left += std::max(raster, word + machineMarkSize + 10);
     }
     painter->restore();
 }
 
 QSize MachineDelegate::sizeHint(const QStyleOptionViewItem &, const QModelIndex &) const {
-    return {100, rowHeight};
+    return {100, machineRowHeight};
 }
 
 } // namespace palmer::ui

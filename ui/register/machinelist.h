@@ -12,6 +12,8 @@
 
 namespace palmer::ui {
 
+inline constexpr int machineRowHeight = 50;
+
 /// A machine as the list shows it.
 struct MachineRow {
     ListedMachine machine;

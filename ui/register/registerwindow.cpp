@@ -12,13 +12,14 @@
 #include "register/storedsentence.h"
 #include "register/trendfigure.h"
 #include "register/trendoutput.h"
-#include "report/accordancetext.h"
-#include "report/wording.h"
+#include "report/words/accordancetext.h"
+#include "report/words/wording.h"
 #include "ui/dialogs/aboutbox.h"
 #include "ui/dialogs/shortcutsdialog.h"
 #include "ui/elidedlabel.h"
 #include "ui/figures/zoombuttons.h"
 #include "ui/help/helpwindow.h"
+#include "ui/measures.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/register/curvechart.h"
 #include "ui/register/filterchip.h"
@@ -85,11 +86,9 @@ constexpr int listWidth = 248;
 constexpr int wideListWidth = 264;
 constexpr int headHeight = 52;
 constexpr int filterHeight = 40;
-constexpr int rowHeight = 26;
 constexpr int tableHead = 28;
-constexpr int factsWidth = 256;
+constexpr int factsColumnWidth = 256;
 constexpr int statusHeight = 27;
-constexpr int margin = 16;
 
 const QString intervalsKey = QStringLiteral("register/intervals");
 
@@ -235,7 +234,7 @@ void RegisterWindow::makeStatus() {
                                                          m_rules[1], m_unreadable})
         statusBar()->addWidget(one);
     statusBar()->addPermanentWidget(m_shown);
-    statusBar()->setContentsMargins(margin, 0, margin, 0);
+    statusBar()->setContentsMargins(pageMargin, 0, pageMargin, 0);
     statusBar()->setFixedHeight(statusHeight);
     statusBar()->setSizeGripEnabled(false);
     for (QPushButton *link : {m_unreadable, m_stop}) {
@@ -282,7 +281,7 @@ QWidget *RegisterWindow::makeLeft() {
     m_noMachine = made("noMachine", TextSize::base);
     m_noMachine->setWordWrap(true);
     auto *above = new QVBoxLayout;
-    above->setContentsMargins(margin, 10, margin, 8);
+    above->setContentsMargins(pageMargin, 10, pageMargin, 8);
     above->setSpacing(8);
     above->addWidget(m_machinesTitle);
     above->addWidget(m_search);
@@ -329,7 +328,7 @@ QWidget *RegisterWindow::makeRight() {
     names->addWidget(m_name);
     names->addWidget(m_facts);
     auto *row = new QHBoxLayout(m_head);
-    row->setContentsMargins(margin, 4, margin, 4);
+    row->setContentsMargins(pageMargin, 4, pageMargin, 4);
     row->addLayout(names, 1);
     row->addWidget(m_intervalLabel);
     row->addWidget(m_interval);
@@ -353,7 +352,7 @@ QWidget *RegisterWindow::makeTests() {
     auto *filters = new QWidget;
     filters->setFixedHeight(filterHeight);
     auto *row = new QHBoxLayout(filters);
-    row->setContentsMargins(margin, 8, margin, 8);
+    row->setContentsMargins(pageMargin, 8, pageMargin, 8);
     row->setSpacing(6);
     constexpr std::array names{"filterAxis", "filterSince",  "filterEdition",   "filterPurpose",
                                "filterRole", "filterLimits", "filterAccordance"};
@@ -395,7 +394,7 @@ QWidget *RegisterWindow::makeTests() {
     m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
     m_table->viewport()->installEventFilter(this);
     m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(rowHeight);
+    m_table->verticalHeader()->setDefaultSectionSize(tableRowHeight);
     m_table->horizontalHeader()->setFixedHeight(tableHead);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_table->horizontalHeader()->setHighlightSections(false);
@@ -410,7 +409,7 @@ QWidget *RegisterWindow::makeTests() {
     layout->setSpacing(0);
     layout->addWidget(filters);
     auto *framed = new QHBoxLayout;
-    framed->setContentsMargins(margin, 0, margin, 8);
+    framed->setContentsMargins(pageMargin, 0, pageMargin, 8);
     framed->addWidget(m_table);
     layout->addLayout(framed, 1);
     return part;
@@ -467,25 +466,25 @@ QWidget *RegisterWindow::makeTrend() {
     m_trendPart = new QWidget;
     m_trendPart->setMinimumWidth(1); // beside the curves it is hidden before it has no room
     auto *leftLayout = new QVBoxLayout(m_trendPart);
-    leftLayout->setContentsMargins(margin, 8, 8, 8);
+    leftLayout->setContentsMargins(pageMargin, 8, 8, 8);
     leftLayout->addLayout(head);
     leftLayout->addWidget(m_trend, 1);
     leftLayout->addWidget(m_legend);
     m_factsColumn = new QWidget;
-    m_factsColumn->setFixedWidth(factsWidth);
+    m_factsColumn->setFixedWidth(factsColumnWidth);
     m_statement = made("trendFacts", TextSize::base);
     m_statement->setWordWrap(true);
     m_statement->setTextFormat(Qt::RichText);
     m_statement->setAlignment(Qt::AlignTop);
     m_statement->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto *facts = new QVBoxLayout(m_factsColumn);
-    facts->setContentsMargins(margin, 12, 4, 8);
+    facts->setContentsMargins(pageMargin, 12, 4, 8);
     auto *area = new QScrollArea; // a low window has no room for the method
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     area->setWidget(m_statement);
-    m_statement->setContentsMargins(0, 0, margin - 4, 0);
+    m_statement->setContentsMargins(0, 0, pageMargin - 4, 0);
     area->viewport()->setAutoFillBackground(false);
     m_statement->setAutoFillBackground(false);
     facts->addWidget(area, 1);

@@ -4,7 +4,7 @@
 
 #include "register/listing.h"
 #include "register/machinetrend.h"
-#include "report/wording.h"
+#include "report/words/wording.h"
 #include "ui/register/numbertag.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"

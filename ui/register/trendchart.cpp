@@ -4,7 +4,7 @@
 
 #include "register/listing.h"
 #include "register/trendfigure.h"
-#include "report/wording.h"
+#include "report/words/wording.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/register/numbertag.h"
 #include "ui/theme.h"

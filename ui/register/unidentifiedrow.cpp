@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/unidentifiedrow.h"
 
+#include "ui/measures.h"
 #include "ui/register/registerwords.h"
 #include "ui/theme.h"
 
@@ -38,7 +39,6 @@ void UnidentifiedRow::retranslate() {
 }
 
 void UnidentifiedRow::paintEvent(QPaintEvent *) {
-    constexpr int margin = 16;
     constexpr int sign = 16;
     QPainter painter(this);
     if (isChecked())
@@ -51,12 +51,12 @@ void UnidentifiedRow::paintEvent(QPaintEvent *) {
         painter.setPen(QPen(token(Token::accent, palette()), 2));
         painter.drawRect(rect().adjusted(1, 1, -1, -1));
     }
-    drawLineIcon(painter, QRect(margin - 4, 0, sign, height()), QStringLiteral("ques"),
+    drawLineIcon(painter, QRect(pageMargin - 4, 0, sign, height()), QStringLiteral("ques"),
                  token(Token::unsure, palette()));
-    drawLineIcon(painter, QRect(width() - margin - sign + 4, 0, sign, height()),
+    drawLineIcon(painter, QRect(width() - pageMargin - sign + 4, 0, sign, height()),
                  isChecked() ? QStringLiteral("close") : QStringLiteral("right"),
                  token(Token::secondaryText, palette()));
-    const QRect words = rect().adjusted(margin + sign + 8, 5, -margin - sign, -5);
+    const QRect words = rect().adjusted(pageMargin + sign + 8, 5, -pageMargin - sign, -5);
     const auto line = [&](Qt::Alignment where, const QString &said) {
         painter.drawText(words, Qt::AlignLeft | where,
                          painter.fontMetrics().elidedText(said, Qt::ElideRight, words.width()));

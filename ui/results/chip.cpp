@@ -10,7 +10,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int chipHeight = 22;
-constexpr int markWidth = 22;
+constexpr int chipMarkWidth = 22;
 constexpr int margin = 9;
 
 } // namespace
@@ -31,7 +31,7 @@ void Chip::setContent(const QString &text, const QString &icon, Token colour, To
 }
 
 QSize Chip::sizeHint() const {
-    const int mark = m_icon.isEmpty() ? margin : markWidth + 4;
+    const int mark = m_icon.isEmpty() ? margin : chipMarkWidth + 4;
     return {QFontMetrics(themeFont(TextSize::small)).horizontalAdvance(m_text) + mark + margin, chipHeight};
 }
 
@@ -44,8 +44,8 @@ void Chip::paintEvent(QPaintEvent *) {
     const QColor colour = token(m_colour, palette());
     int left = margin;
     if (!m_icon.isEmpty()) {
-        drawLineIcon(painter, QRect(5, 0, markWidth - 2, height()), m_icon, colour);
-        left = markWidth + 4;
+        drawLineIcon(painter, QRect(5, 0, chipMarkWidth - 2, height()), m_icon, colour);
+        left = chipMarkWidth + 4;
     }
     painter.setFont(themeFont(TextSize::small));
     painter.setPen(colour);

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/results/explanationcard.h"
 
-#include "report/explanation.h"
+#include "report/explanations/explanation.h"
 #include "ui/elidedlabel.h"
+#include "ui/measures.h"
 #include "ui/results/explanationview.h"
 #include "ui/results/targetbarsview.h"
 #include "ui/theme.h"
@@ -22,7 +23,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int pageMargin = 16;
 constexpr int barsWidth = 180;
 
 } // namespace

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "report/explanation.h"
+#include "report/explanations/explanation.h"
 
 #include <QWidget>
 

@@ -11,8 +11,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int rowHeight = 24;
-constexpr int markWidth = 22;
+constexpr int findingMarkWidth = 22;
 constexpr int arrowWidth = 18;
 
 struct Look {
@@ -35,7 +34,7 @@ Look lookOf(Grade grade) {
 } // namespace
 
 QSize FindingsDelegate::sizeHint(const QStyleOptionViewItem &, const QModelIndex &) const {
-    return {100, rowHeight};
+    return {100, findingRowHeight};
 }
 
 void FindingsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
@@ -63,7 +62,7 @@ void FindingsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &opti
     const int clauseWidth = line.clause.isEmpty() ? 0 : metrics.horizontalAdvance(line.clause) + 6;
     painter->setPen(secondary);
     painter->drawText(row.adjusted(0, 0, -arrowWidth, 0), Qt::AlignRight | Qt::AlignVCenter, line.clause);
-    const QRect room = row.adjusted(markWidth, 0, -arrowWidth - clauseWidth, 0);
+    const QRect room = row.adjusted(findingMarkWidth, 0, -arrowWidth - clauseWidth, 0);
     painter->setPen(palette.color(QPalette::Text));
     painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
                       metrics.elidedText(line.text, Qt::ElideRight, room.width()));

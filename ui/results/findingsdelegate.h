@@ -6,6 +6,8 @@
 
 namespace palmer::ui {
 
+inline constexpr int findingRowHeight = 24;
+
 /// Draws a finding: mark of its grade, sentence, clause at the right.
 class FindingsDelegate : public QStyledItemDelegate {
     Q_OBJECT

@@ -4,7 +4,7 @@
 
 #include "export/findingtext.h"
 #include "kernel/evaluation/accordance.h"
-#include "report/wording.h"
+#include "report/words/wording.h"
 
 #include <QStringList>
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "ui/results/findingspanel.h"
 
 #include "ui/elidedlabel.h"
+#include "ui/measures.h"
 #include "ui/results/findingsdelegate.h"
 #include "ui/theme.h"
 
@@ -18,8 +19,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int pageMargin = 16;
-constexpr int rowHeight = 24;
 constexpr int visibleRows = 3;
 
 } // namespace
@@ -47,7 +46,7 @@ FindingsPanel::FindingsPanel(Selection &, QWidget *parent)
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerItem);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->setFixedHeight(visibleRows * rowHeight);
+    m_list->setFixedHeight(visibleRows * findingRowHeight);
     connect(m_list, &QAbstractItemView::clicked, this, &FindingsPanel::activate);
     connect(m_list, &QAbstractItemView::activated, this, [this](const QModelIndex &index) {
         // A click was told already.

@@ -18,7 +18,7 @@ constexpr double scaleHalf = 25;
 constexpr double bandHalfHeight = 5.5;
 constexpr double diamond = 4;
 constexpr double hatchStep = 3.2;
-constexpr int markWidth = 20;
+constexpr int resultMarkWidth = 20;
 constexpr double dimmed = 0.55;
 
 void paintScale(QPainter &painter, const QRect &area, const DecisionScale &scale, const QColor &valueColour,
@@ -70,13 +70,13 @@ QColor colourOf(const ResultLine &line, bool provisional, const QPalette &palett
 void paintVerdict(QPainter &painter, const QRect &cell, const ResultLine &line, bool provisional,
                   const QStyleOptionViewItem &option) {
     const QColor colour = colourOf(line, provisional, option.palette);
-    drawLineIcon(painter, QRect(cell.left(), cell.top(), markWidth - 4, cell.height()),
+    drawLineIcon(painter, QRect(cell.left(), cell.top(), resultMarkWidth - 4, cell.height()),
                  verdictMark(line.verdict).icon, colour);
     QFont font = option.font;
     font.setWeight(provisional ? QFont::Normal : QFont::DemiBold);
     painter.setFont(font);
     painter.setPen(colour);
-    const QRect room = cell.adjusted(markWidth, 0, 0, 0);
+    const QRect room = cell.adjusted(resultMarkWidth, 0, 0, 0);
     painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
                      QFontMetrics(font).elidedText(line.verdictWord, Qt::ElideRight, room.width()));
 }

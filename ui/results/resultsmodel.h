@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "report/resulttable.h"
+#include "report/tables/resulttable.h"
 
 #include <QAbstractTableModel>
 

@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/results/resultspanel.h"
 
-#include "report/accordancetext.h"
-#include "report/resultparts.h"
+#include "report/parts/resultparts.h"
+#include "report/words/accordancetext.h"
 #include "ui/elidedlabel.h"
 #include "ui/formulatext.h"
+#include "ui/measures.h"
 #include "ui/results/chip.h"
 #include "ui/results/resultsdelegate.h"
 #include "ui/theme.h"
@@ -30,8 +31,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int pageMargin = 16;
-constexpr int lineHeight = 20;
+constexpr int resultLineHeight = 20;
 constexpr int headHeight = 22;
 constexpr int mostRows = 13;
 constexpr int leastRows = 6;
@@ -84,7 +84,7 @@ public:
     }
 
 private:
-    static int heightOf(int rows) { return headHeight + rows * lineHeight + 2; }
+    static int heightOf(int rows) { return headHeight + rows * resultLineHeight + 2; }
 
     int m_rows = 0;
 };
@@ -132,8 +132,8 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     m_table->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-    m_table->verticalHeader()->setMinimumSectionSize(lineHeight);
-    m_table->verticalHeader()->setDefaultSectionSize(lineHeight);
+    m_table->verticalHeader()->setMinimumSectionSize(resultLineHeight);
+    m_table->verticalHeader()->setDefaultSectionSize(resultLineHeight);
     QHeaderView *header = m_table->horizontalHeader();
     header->setFixedHeight(headHeight);
     header->setSectionResizeMode(QHeaderView::Fixed);

@@ -5,6 +5,7 @@
 #include "ui/circles/quiettable.h"
 #include "ui/figures/drawbarfigure.h"
 #include "ui/figures/drawhistogramfigure.h"
+#include "ui/measures.h"
 #include "ui/theme.h"
 
 #include <QHeaderView>
@@ -18,14 +19,13 @@ namespace {
 
 constexpr int heightOfRow = 22;
 constexpr int heightOfHead = 26;
-constexpr int padding = 6;
 constexpr double barHeight = 9;
 constexpr int markSize = 16;
 constexpr double widestHistogram = 180;
 
 /// What the mark and the words of a warning take at the right of a cell.
 int warningWidth(const QString &warning, const QFontMetrics &metrics) {
-    return warning.isEmpty() ? 0 : markSize + 4 + metrics.horizontalAdvance(warning) + padding;
+    return warning.isEmpty() ? 0 : markSize + 4 + metrics.horizontalAdvance(warning) + tablePadding;
 }
 
 /// Texts as QuietDelegate has them, bold where they are to be, and the pictures of the roles.
@@ -49,7 +49,7 @@ public:
         QuietDelegate::paint(painter, shown, index);
         painter->save();
         const Medium medium = screenMedium(option.palette);
-        const QRectF inner = QRectF(option.rect).adjusted(padding, 0, -padding, -1);
+        const QRectF inner = QRectF(option.rect).adjusted(tablePadding, 0, -tablePadding, -1);
         if (const QVariant part = index.data(RowTable::barRole); part.isValid()) {
             QRectF bar = inner;
             bar.setHeight(barHeight);
@@ -64,13 +64,14 @@ public:
         }
         if (room > 0) {
             const QColor colour = token(Token::unsure, option.palette);
-            const QRect place = option.rect.adjusted(option.rect.width() - room - padding, 0, -padding, 0);
+            const QRect place =
+                option.rect.adjusted(option.rect.width() - room - tablePadding, 0, -tablePadding, 0);
             drawLineIcon(*painter, QRect(place.left(), place.top(), markSize, place.height()),
                          QStringLiteral("warn"), colour);
             painter->setPen(colour);
             painter->setFont(small);
-            painter->drawText(place.adjusted(markSize + 4, 0, padding, 0), Qt::AlignVCenter | Qt::AlignLeft,
-                              warning);
+            painter->drawText(place.adjusted(markSize + 4, 0, tablePadding, 0),
+                              Qt::AlignVCenter | Qt::AlignLeft, warning);
         }
         painter->restore();
     }
@@ -149,7 +150,7 @@ int RowTable::wantedWidth(int column) const {
         width = std::max(width, metrics.horizontalAdvance(cell->text()) +
                                     warningWidth(cell->data(warningRole).toString(), head));
     }
-    return width + 2 * padding + 2;
+    return width + 2 * tablePadding + 2;
 }
 
 void RowTable::fitColumns() {

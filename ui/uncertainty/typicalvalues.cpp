@@ -16,23 +16,24 @@ namespace {
 constexpr double micrometresPerMm = 1000;
 constexpr double typicalExpansion = 1; ///< u of what has U = 2 at k = 2, µm/(m·°C)
 
-QString say(const char *source) {
+QString uncertaintyText(const char *source) {
     return QCoreApplication::translate("palmer::ui::UncertaintyPage", source);
 }
 
 void addLinear(std::vector<TypicalValue> &values, const Language &language) {
     values.push_back(
-        {say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of α, machine: %1"))
+        {uncertaintyText(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of α, machine: %1"))
              .arg(language.quantity(typicalExpansionRange, Quantity::expansion)),
-         say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage",
-                               "gives U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2")),
+         uncertaintyText(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage",
+                                           "gives U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2")),
          [](Test &test) {
              std::get<PositioningMeasurement>(test.measurement).uncertainty.expansionRange.machine =
                  typicalExpansionRange;
          }});
     values.push_back(
-        {say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Laser interferometer: α 0")),
-         say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "light has no material that expands")),
+        {uncertaintyText(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Laser interferometer: α 0")),
+         uncertaintyText(
+             QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "light has no material that expands")),
          [](Test &test) {
              auto &measurement = std::get<PositioningMeasurement>(test.measurement);
              measurement.conditions.common.expansion.instrument = 0;
@@ -48,24 +49,26 @@ void addCircular(std::vector<TypicalValue> &values, const Document &document, co
             std::ranges::find(test.instruments, instrument.id) == test.instruments.end())
             continue;
         const double step = *instrument.resolution * micrometresPerMm;
-        values.push_back(
-            {say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Resolution: %1"))
-                 .arg(language.quantity(step, Quantity::micrometres)),
-             say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "as stated for the instrument %1"))
-                 .arg(QString::fromStdString(instrument.description.empty() ? instrument.id
-                                                                            : instrument.description)),
-             [step](Test &changed) {
-                 std::get<CircularMeasurement>(changed.measurement).uncertainty.resolution = step;
-             }});
+        values.push_back({uncertaintyText(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Resolution: %1"))
+                              .arg(language.quantity(step, Quantity::micrometres)),
+                          uncertaintyText(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage",
+                                                            "as stated for the instrument %1"))
+                              .arg(QString::fromStdString(
+                                  instrument.description.empty() ? instrument.id : instrument.description)),
+                          [step](Test &changed) {
+                              std::get<CircularMeasurement>(changed.measurement).uncertainty.resolution =
+                                  step;
+                          }});
     }
-    values.push_back({say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of α, machine: %1"))
-                          .arg(language.quantity(typicalExpansion, Quantity::expansion)),
-                      say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage",
-                                            "half of U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2")),
-                      [](Test &changed) {
-                          std::get<CircularMeasurement>(changed.measurement)
-                              .uncertainty.expansionStandardUncertainty.machine = typicalExpansion;
-                      }});
+    values.push_back(
+        {uncertaintyText(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of α, machine: %1"))
+             .arg(language.quantity(typicalExpansion, Quantity::expansion)),
+         uncertaintyText(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage",
+                                           "half of U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2")),
+         [](Test &changed) {
+             std::get<CircularMeasurement>(changed.measurement)
+                 .uncertainty.expansionStandardUncertainty.machine = typicalExpansion;
+         }});
 }
 
 } // namespace
@@ -74,7 +77,7 @@ QString driftTestName(const Test &drift) {
     if (!drift.title.empty())
         return QString::fromStdString(drift.title);
     const std::string axis = axesOf(drift);
-    return say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "drift test %1"))
+    return uncertaintyText(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "drift test %1"))
         .arg(QString::fromStdString(axis.empty() ? drift.id : axis));
 }
 
@@ -105,7 +108,7 @@ std::vector<TypicalValue> typicalValues(const Document &document, const Test &te
         if (!range || motionOf(*drift) != motionOf(test))
             continue;
         constexpr int decimals = 2;
-        values.push_back({say(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "E_VE: %1"))
+        values.push_back({uncertaintyText(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "E_VE: %1"))
                               .arg(language.quantity(*range, deviationQuantity(*drift), decimals)),
                           driftTestName(*drift), [id = drift->id](Test &changed) {
                               withUncertainty(changed, [&](auto &inputs) {

@@ -3,7 +3,7 @@
 #include "ui/window/testhead.h"
 
 #include "kernel/evaluation/edition.h"
-#include "report/wording.h"
+#include "report/words/wording.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"

@@ -16,7 +16,7 @@ namespace palmer {
 
 namespace {
 
-constexpr std::string_view mark = "Avg Error";
+constexpr std::string_view headingMark = "Avg Error";
 
 /// A table of means: below "Position  Forward Directional Avg Error".
 struct MeanTable {
@@ -52,7 +52,7 @@ std::vector<MeanTable> tablesOf(std::string_view text, std::vector<Remark> &rema
         const std::string_view line = withoutBlanks(text.substr(at, end - at));
         ++number;
         at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
-        if (line.find(mark) != std::string_view::npos) {
+        if (line.find(headingMark) != std::string_view::npos) {
             tables.push_back({directionOfTitle(line), {}});
             inTable = true;
             continue;

@@ -22,7 +22,7 @@ constexpr double mostTargets = 1e6;
 constexpr std::array<std::string_view, 7> knownSections{"HEADER",     "TARGET DATA", "USER-TEXT",  "RUNS",
                                                         "DEVIATIONS", "EQUIPMENT",   "ENVIRONMENT"};
 
-std::string place(std::size_t line) {
+std::string placeOfLine(std::size_t line) {
     return std::to_string(line) + ":1";
 }
 
@@ -95,7 +95,7 @@ private:
         }
         if (m_targets.empty())
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "there are no target positions in it")},
-                        place(section.line));
+                        placeOfLine(section.line));
         const auto stated = numberOf(section.value("Target-count"));
         const bool disagrees = stated && *stated != static_cast<double>(m_targets.size());
         if (disagrees && !areOrdered()) // a number in two pieces
@@ -104,7 +104,7 @@ private:
                 {REPORT_TEXT("report", "the head names %1 targets, the list has %2 in no order: it is "
                                        "damaged"),
                  {count(*stated), count(static_cast<double>(m_targets.size()))}},
-                place(section.line));
+                placeOfLine(section.line));
         if (disagrees)
             remark(RemarkGrade::problem,
                    {REPORT_TEXT("report", "The head names %1 targets, the list has %2; the list counts."),
@@ -121,11 +121,12 @@ private:
         if (!numbers)
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "“%1” is not a list of target positions"), {excerpt(text)}},
-                        place(line));
+                        placeOfLine(line));
         m_targets.insert(m_targets.end(), numbers->begin(), numbers->end());
         if (static_cast<double>(m_targets.size()) > mostTargets)
             throw Error(Error::Kind::tooLarge,
-                        {REPORT_TEXT("report", "more than 10 000 000 readings or points")}, place(line));
+                        {REPORT_TEXT("report", "more than 10 000 000 readings or points")},
+                        placeOfLine(line));
     }
 
     void readDeviations() {
@@ -152,7 +153,7 @@ private:
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "there are no readings in it; expected target "
                                                "positions and deviations")},
-                        place(section.line));
+                        placeOfLine(section.line));
         const double first = lowest == 0 ? 0 : 1; // some count from 0
         const bool descend = targetsDescend();
         for (const Row &row : m_rows) {
@@ -161,7 +162,7 @@ private:
                 throw Error(Error::Kind::content,
                             {REPORT_TEXT("report", "there is no target %1; the list has %2"),
                              {count(row.target), count(static_cast<double>(m_targets.size()))}},
-                            place(row.line));
+                            placeOfLine(row.line));
             RunRows &run = m_runs[row.run];
             const double along = run.readings.empty() ? 0 : index - run.last;
             const double step = descend ? -along : along;

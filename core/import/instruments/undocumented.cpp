@@ -18,7 +18,7 @@ struct Undocumented {
     Text advice;
 };
 
-const std::array formats{
+const std::array undocumentedFormats{
     Undocumented{
         {".b5r64", "", ""},
         "Renishaw .b5R64",
@@ -72,7 +72,7 @@ void refuseUndocumented(QByteArrayView bytes, const QString &fileName) {
                     {REPORT_TEXT("report", "the workbook is locked with a password; save it without one")});
     if (compound && (name.endsWith(QLatin1StringView(".xls")) || name.endsWith(QLatin1StringView(".xlsx"))))
         refuseOldWorkbook();
-    for (const Undocumented &format : formats) {
+    for (const Undocumented &format : undocumentedFormats) {
         const bool named = std::ranges::any_of(format.endings, [&](const char *ending) {
             return *ending != 0 && name.endsWith(QLatin1StringView(ending));
         });

@@ -5,6 +5,7 @@
 
 #include "document/documenterror.h"
 #include "kernel/numerics/leastsquarescircle.h"
+#include "kernel/words/degree.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,8 +14,6 @@
 namespace palmer {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 double rounded(double value, double step) {
     // Divided by whole parts, so that 13.3 is the number people write.

@@ -20,7 +20,7 @@ bool isStrictlyMonotone(std::span<const double> values) {
 }
 
 /// 1, 2, 3 … or 1, 1, 2, 2 …: numbers of runs, no positions.
-bool areRunNumbers(std::span<const double> values) {
+bool areNumbersOfRuns(std::span<const double> values) {
     double last = 0;
     for (const double value : values) {
         if (value != last && value != last + 1 && value != 1)
@@ -90,7 +90,7 @@ std::string settleLayout(TableReading &reading) {
     Origin origin = Origin::recognised;
     if (head) {
         const std::vector<double> numbers = numbersOf(reading, *head);
-        if (!areRunNumbers(numbers) && isStrictlyMonotone(numbers))
+        if (!areNumbersOfRuns(numbers) && isStrictlyMonotone(numbers))
             found = "runsDown";
     } else if (hasLabelledRuns(reading)) {
         found = "runsDown";

@@ -14,7 +14,7 @@ namespace palmer {
 
 namespace {
 
-constexpr double day = 86'400;
+constexpr double secondsPerDay = 86'400;
 
 bool hasWord(std::string_view text, std::span<const std::string_view> words) {
     std::string low;
@@ -196,7 +196,7 @@ private:
         if (!date && m_date)
             date = dayOf(m.cellText(row, *m_date));
         if (time && date) {
-            *time += static_cast<double>(*date) * day;
+            *time += static_cast<double>(*date) * secondsPerDay;
             m_isDated = true;
         }
         return time;
@@ -240,8 +240,8 @@ private:
                 std::optional<double> time = timeOf(row);
                 if (!time)
                     continue;
-                if (m_clock && !m_isDated && last && *time + turn < *last - day / 2)
-                    turn += day; // past midnight
+                if (m_clock && !m_isDated && last && *time + turn < *last - secondsPerDay / 2)
+                    turn += secondsPerDay; // past midnight
                 *time = m_clock ? *time + turn : *time * multiplier;
                 if (last && *time < *last)
                     throw Error(Error::Kind::content,

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/diagnosis/influences.h"
 
+#include "kernel/words/degree.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,8 +13,6 @@
 namespace palmer {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 // Signs and factors: the radial deviation is dx·cos θ + dy·sin θ with (dx, dy) where the machine stands minus
 // where it is sent to; the axes move with vx = −s·F·sin θ, vy = s·F·cos θ.

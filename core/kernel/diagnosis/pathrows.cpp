@@ -3,6 +3,7 @@
 #include "kernel/diagnosis/pathrows.h"
 
 #include "kernel/numerics/leastsquarescircle.h"
+#include "kernel/words/degree.h"
 
 #include <algorithm>
 #include <numbers>
@@ -11,7 +12,6 @@ namespace palmer {
 
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr std::size_t mostRows = 7200; ///< of an arc; one row is 0.05° of a circle then
 
 double extentInTurns(const DiagnosedArc &arc) {

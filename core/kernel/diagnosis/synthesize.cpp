@@ -5,6 +5,7 @@
 #include "kernel/measurement/referencetemperature.h"
 #include "kernel/numerics/points.h"
 #include "kernel/simulation/randomdraws.h"
+#include "kernel/words/degree.h"
 
 #include <cmath>
 #include <numbers>
@@ -12,8 +13,6 @@
 namespace palmer {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// Readings in the order of time, one stream a test.
 class Noise {
@@ -47,9 +46,9 @@ public:
 
 private:
     std::uint32_t word() {
-        constexpr std::uint32_t words = 4;
-        const std::uint32_t place = m_count / words;
-        return m_draws.words(0, place)[m_count++ % words];
+        constexpr std::uint32_t wordsOfDraw = 4;
+        const std::uint32_t place = m_count / wordsOfDraw;
+        return m_draws.words(0, place)[m_count++ % wordsOfDraw];
     }
 
     SynthesizedNoise m_asked;

@@ -11,15 +11,13 @@ namespace palmer {
 
 namespace {
 
-constexpr double coverage = 2; ///< k of every U here
-constexpr double micrometresPerMm = 1000;
 constexpr double rootOfTwelve = 3.4641016151377546; ///< a uniform width w has the deviation w/√12
 
 /// The budget while it is made; standard uncertainties in µm until they are stored.
-class Maker {
+class CircularBudgetMaker {
 public:
-    Maker(const CircularMeasurement &measurement, std::optional<double> environmentalVariation,
-          std::optional<double> repeatability, std::size_t points)
+    CircularBudgetMaker(const CircularMeasurement &measurement, std::optional<double> environmentalVariation,
+                        std::optional<double> repeatability, std::size_t points)
         : m_measurement(measurement)
         , m_inputs(measurement.uncertainty)
         , m_environmentalVariation(m_inputs.environmentalVariation)
@@ -227,7 +225,7 @@ bool takesUp(const CircularContributions &uses, std::string_view contribution) {
 CircularBudget circularBudget(const CircularMeasurement &measurement,
                               std::optional<double> environmentalVariation,
                               std::optional<double> repeatability, std::size_t points) {
-    return Maker(measurement, environmentalVariation, repeatability, points).make();
+    return CircularBudgetMaker(measurement, environmentalVariation, repeatability, points).make();
 }
 
 std::optional<double> combined(const CircularBudget &budget, const CircularContributions &uses,

@@ -12,6 +12,9 @@ namespace palmer {
 
 // How the budgets read their inputs: every one is a number, or a defect of the contribution it is for.
 
+inline constexpr double coverage = 2;            ///< k of every U here
+inline constexpr double micrometresPerMm = 1000; ///< certificates speak of µm
+
 /// The sizes (ranges, uncertainties) that a contribution is made of.
 class InputReader {
 public:

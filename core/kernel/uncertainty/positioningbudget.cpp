@@ -12,9 +12,7 @@ namespace palmer {
 
 namespace {
 
-constexpr double coverage = 2;            ///< k of every U here
-constexpr double mmPerMetre = 1000;       ///< L is in mm, certificates and α speak of metres
-constexpr double micrometresPerMm = 1000; ///< certificates speak of µm
+constexpr double mmPerMetre = 1000; ///< L is in mm, certificates and α speak of metres
 constexpr double arcSecondsPerDegree = 3600;
 
 /// The sensors' mean at one time; null unless each of them has it.
@@ -85,9 +83,10 @@ double readable(double value) {
 constexpr Text lengthName = REPORT_TEXT("report", "length L above 0");
 
 /// The budget while it is made. Sizes in µm (rotary: arc seconds) until they are stored.
-class Maker {
+class PositioningBudgetMaker {
 public:
-    Maker(const PositioningMeasurement &measurement, std::optional<double> environmentalVariation)
+    PositioningBudgetMaker(const PositioningMeasurement &measurement,
+                           std::optional<double> environmentalVariation)
         : m_measurement(measurement)
         , m_inputs(measurement.uncertainty)
         , m_linear(measurement.axis.motion == Motion::linear)
@@ -314,7 +313,7 @@ std::optional<double> PositioningBudget::environmental() const {
 
 PositioningBudget positioningBudget(const PositioningMeasurement &measurement,
                                     std::optional<double> environmentalVariation) {
-    return Maker(measurement, environmentalVariation).make();
+    return PositioningBudgetMaker(measurement, environmentalVariation).make();
 }
 
 } // namespace palmer

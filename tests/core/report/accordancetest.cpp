@@ -3,8 +3,8 @@
 #include "core/kernel/evaluation/positioningdata.h"
 
 #include "export/findingtext.h"
-#include "report/accordancetext.h"
-#include "report/findinglines.h"
+#include "report/tables/findinglines.h"
+#include "report/words/accordancetext.h"
 
 #include <QTest>
 

@@ -9,7 +9,7 @@
 #include "kernel/evaluation/edition.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "report/attachedfile.h"
-#include "report/pagetext.h"
+#include "report/blocks/pagetext.h"
 
 #include <QDir>
 #include <QFile>

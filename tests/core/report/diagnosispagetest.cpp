@@ -3,10 +3,10 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include "core/madecircles.h"
+#include "report/blocks/pagetext.h"
 #include "report/composereport.h"
-#include "report/diagnosisrows.h"
-#include "report/pagetext.h"
-#include "report/statedsources.h"
+#include "report/tables/diagnosisrows.h"
+#include "report/tables/statedsources.h"
 
 #include <QTest>
 

@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/explanation.h"
+#include "report/explanations/explanation.h"
 
 #include "core/kernel/evaluation/positioningdata.h"
+#include "report/blocks/plaintext.h"
 #include "report/composereport.h"
-#include "report/plaintext.h"
 #include "report/results.h"
-#include "report/resulttable.h"
+#include "report/tables/resulttable.h"
 
 #include <QTest>
 #include <cmath>

@@ -4,9 +4,9 @@
 
 #include "document/savedocument.h"
 #include "import/importmeasurement.h"
+#include "report/blocks/plaintext.h"
 #include "report/composereport.h"
-#include "report/explanation.h"
-#include "report/plaintext.h"
+#include "report/explanations/explanation.h"
 
 #include <QTest>
 

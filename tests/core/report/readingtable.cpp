@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/readingtable.h"
+#include "report/tables/readingtable.h"
 
 #include "core/kernel/evaluation/positioningdata.h"
 

@@ -4,7 +4,7 @@
 
 #include "report/results.h"
 #include "document/savedocument.h"
-#include "report/plaintext.h"
+#include "report/blocks/plaintext.h"
 
 #include <QDir>
 #include <QTest>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/resulttable.h"
+#include "report/tables/resulttable.h"
 
 #include "core/kernel/uncertainty/uncertaintydata.h"
-#include "report/plaintext.h"
-#include "report/report.h"
+#include "report/blocks/plaintext.h"
+#include "report/blocks/report.h"
 #include "report/results.h"
 
 #include <QTest>

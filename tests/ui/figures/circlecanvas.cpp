@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figures/circlecanvas.h"
 
-#include "report/explanation.h"
+#include "report/explanations/explanation.h"
 #include "ui/circles.h"
 #include "ui/figures/circlefigureview.h"
 #include "ui/figures/figureview.h"

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/pagetext.h"
+#include "report/blocks/pagetext.h"
 #include "ui/pdf/reports.h"
 #include "ui/pdf/textblock.h"
 

@@ -4,7 +4,7 @@
 
 #include "ui/pdf/textblock.h"
 
-#include "report/report.h"
+#include "report/blocks/report.h"
 #include "ui/pdf/pages.h"
 
 #include <QGuiApplication>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pdf/writepdf.h"
 
-#include "report/pagetext.h"
+#include "report/blocks/pagetext.h"
 #include "ui/figures/exportfigure.h"
 #include "ui/pdf/pages.h"
 #include "ui/pdf/reports.h"

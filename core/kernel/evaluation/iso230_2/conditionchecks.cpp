@@ -15,7 +15,7 @@ namespace palmer::iso230_2 {
 
 namespace {
 
-constexpr double rounding = 1e-9; ///< of numbers as they are written
+constexpr double roundingOfWriting = 1e-9; ///< of numbers as they are written
 constexpr double hoursBefore = 12;
 
 Number perHour(double value) {
@@ -50,12 +50,12 @@ Judgement gradient(const PositioningCase &test) {
         return Judgement::unmet({REPORT_TEXT("report", "No limit of the gradient was agreed.")});
     if (!agreed || !agreed->value || !conditions.gradientPerHour)
         return Judgement::undeclared();
-    if (std::abs(*conditions.gradientPerHour) > *agreed->value + rounding)
+    if (std::abs(*conditions.gradientPerHour) > *agreed->value + roundingOfWriting)
         return Judgement::unmet({REPORT_TEXT("report", "Gradient %1, agreed limit %2."),
                                  {perHour(*conditions.gradientPerHour), perHour(*agreed->value)}});
     // A gradient of fewer hours says nothing of the twelve that are asked for.
     const auto &hours = conditions.gradientHoursBefore;
-    return hours && *hours >= hoursBefore - rounding ? Judgement::met() : Judgement::undeclared();
+    return hours && *hours >= hoursBefore - roundingOfWriting ? Judgement::met() : Judgement::undeclared();
 }
 
 Judgement dwell(const PositioningCase &test) {
@@ -72,8 +72,8 @@ Judgement feedAsAgreed(const PositioningCase &test) {
         return Judgement::unmet();
     if (!agreed)
         return Judgement::undeclared();
-    const bool contradicted =
-        agreed->value && feed && std::abs(*feed - *agreed->value) > rounding * std::abs(*agreed->value);
+    const bool contradicted = agreed->value && feed &&
+                              std::abs(*feed - *agreed->value) > roundingOfWriting * std::abs(*agreed->value);
     return contradicted ? Judgement::unmet() : Judgement::met();
 }
 

@@ -16,7 +16,7 @@ namespace palmer::iso230_2 {
 
 namespace {
 
-constexpr int fullTest = 5; ///< approaches each way
+constexpr int approachesOfTest = 5; ///< approaches each way
 
 /// Places without a reading; those set aside have a finding of their own, `withSetAside` names them, too.
 NameList gaps(const PositioningCase &test, bool withSetAside) {
@@ -42,10 +42,10 @@ NameList gaps(const PositioningCase &test, bool withSetAside) {
 
 /// Somewhere fewer readings are left than a full test asks for, though there were enough runs.
 bool tooFewLeft(const PositioningCase &test) {
-    if (std::min(test.positiveRuns, test.negativeRuns) < fullTest)
+    if (std::min(test.positiveRuns, test.negativeRuns) < approachesOfTest)
         return false;
     const auto few = [&](const TargetStatistics &target) {
-        return target.positive.n < fullTest || target.negative.n < fullTest;
+        return target.positive.n < approachesOfTest || target.negative.n < approachesOfTest;
     };
     return std::ranges::any_of(test.statistics, few);
 }
@@ -69,7 +69,7 @@ Message gapMessage(const NameList &list) {
 } // namespace
 
 Sentence fiveApproaches(const PositioningCase &test) {
-    if (eachWay(test) >= fullTest)
+    if (eachWay(test) >= approachesOfTest)
         return std::nullopt;
     return Message{
         REPORT_TEXT("report", "Approaches in the positive direction: %1, in the negative: %2; 5 each way are "
@@ -78,7 +78,7 @@ Sentence fiveApproaches(const PositioningCase &test) {
 }
 
 Sentence moreThanFive(const PositioningCase &test) {
-    if (std::max(test.positiveRuns, test.negativeRuns) <= fullTest)
+    if (std::max(test.positiveRuns, test.negativeRuns) <= approachesOfTest)
         return std::nullopt;
     return Message{REPORT_TEXT("report",
                                "Approaches in the positive direction: %1, in the negative: %2; the text "

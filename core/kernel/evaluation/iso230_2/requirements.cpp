@@ -83,7 +83,7 @@ bool linearChosenFreely(const PositioningCase &test) {
 bool compensatingInstrument(const PositioningCase &test) {
     return test.linear() && test.common().instrumentCompensation != InstrumentCompensation::none;
 }
-bool bothWays(const PositioningCase &test) {
+bool approachedBothWays(const PositioningCase &test) {
     return test.positiveRuns > 0 && test.negativeRuns > 0;
 }
 bool corrected(const PositioningCase &test) {
@@ -131,151 +131,151 @@ bool airTemperature(const PositioningCase &test) {
     return common::anyTemperature(test.common(), SensorMeasures::air);
 }
 
-using Row = Requirement;
+using Demand = Requirement;
 
 // clang-format off
 
 // ---- ISO 230-2:1988 ------------------------------------------------------------------------------------------
 
 constexpr std::array text1988{
-    Row{"temperature", text, "3.1", shall, conditions, common::controllable, temperature1988,
+    Demand{"temperature", text, "3.1", shall, conditions, common::controllable, temperature1988,
         REPORT_TEXT("report", "temperature of the environment"), {}, {"conditions.sensors", "conditions.temperatureControlled"}},
-    Row{"soak", text, "3.1", shall, conditions, nullptr, ofConditions<common::stabilised>,
+    Demand{"soak", text, "3.1", shall, conditions, nullptr, ofConditions<common::stabilised>,
         REPORT_TEXT("report", "thermal stability before the test"),
         REPORT_TEXT("report", "Machine or instruments were not thermally stable."), {"conditions.stabilised", "conditions.soak"}},
-    Row{"shielded", text, "3.1", shall, conditions, nullptr, ofConditions<common::shielded>,
+    Demand{"shielded", text, "3.1", shall, conditions, nullptr, ofConditions<common::shielded>,
         REPORT_TEXT("report", "protection from draughts and radiation"),
         REPORT_TEXT("report", "Not protected from draughts or radiation."), {"conditions.shielded"}},
-    Row{"instrumentCompensation", text, "3.1", shall, conditions, compensatingInstrument, instrumentCompensation,
+    Demand{"instrumentCompensation", text, "3.1", shall, conditions, compensatingInstrument, instrumentCompensation,
         REPORT_TEXT("report", "compensation by the instrument"),
         REPORT_TEXT("report", "The instrument's compensation was switched off."), {"conditions.instrumentCompensation"}},
-    Row{"gradientPerHour", text, "3.1", shall, conditions, nullptr, gradient,
+    Demand{"gradientPerHour", text, "3.1", shall, conditions, nullptr, gradient,
         REPORT_TEXT("report", "temperature gradient over 12 h and its agreed limit"), {}, {"conditions.gradientPerHour", "conditions.gradientHoursBefore"}},
-    Row{"complete", text, "3.2", shall, conditions, nullptr, ofConditions<common::complete>,
+    Demand{"complete", text, "3.2", shall, conditions, nullptr, ofConditions<common::complete>,
         REPORT_TEXT("report", "machine complete and in working order"),
         REPORT_TEXT("report", "The machine was not complete or not in working order."), {"conditions.complete"}},
-    Row{"levelled", text, "3.2", shall, conditions, nullptr, ofConditions<common::levelled>,
+    Demand{"levelled", text, "3.2", shall, conditions, nullptr, ofConditions<common::levelled>,
         REPORT_TEXT("report", "levelling, alignment and functional checks"),
         REPORT_TEXT("report", "Levelling, alignment or functional checks were not done."), {"conditions.levelled"}},
-    Row{"unloaded", text, "3.2", shall, conditions, nullptr, ofConditions<common::unloaded>,
+    Demand{"unloaded", text, "3.2", shall, conditions, nullptr, ofConditions<common::unloaded>,
         REPORT_TEXT_FOR("report", "machine unloaded", "1988"),
         REPORT_TEXT_FOR("report", "The machine was loaded.", "1988"), {"conditions.unloaded"}},
-    Row{"otherAxes", text, "3.2", shall, conditions, nullptr, ofConditions<common::otherAxes>,
+    Demand{"otherAxes", text, "3.2", shall, conditions, nullptr, ofConditions<common::otherAxes>,
         REPORT_TEXT("report", "position of the axes not under test"), {}, {"conditions.otherAxes"}},
-    Row{"warmUp", text, "3.3", shall, conditions, nullptr, ofConditions<common::warmUpOrSetUp>,
+    Demand{"warmUp", text, "3.3", shall, conditions, nullptr, ofConditions<common::warmUpOrSetUp>,
         REPORT_TEXT("report", "warm-up: by whom specified"),
         REPORT_TEXT("report", "Dry run without agreed warm-up: only set-up movements are allowed."), {"conditions.warmUp"}},
-    Row{"dwell", text, "4.1", shall, conditions, nullptr, dwell,
+    Demand{"dwell", text, "4.1", shall, conditions, nullptr, dwell,
         REPORT_TEXT("report", "rest at each target"), REPORT_TEXT("report", "No rest at the targets."), {"conditions.dwell"}},
-    Row{"feed", text, "4.1", shall, conditions, nullptr, feedOrRapid,
+    Demand{"feed", text, "4.1", shall, conditions, nullptr, feedOrRapid,
         REPORT_TEXT("report", "agreed feed"), REPORT_TEXT("report", "Neither rapid nor at an agreed feed."), {"conditions.feed", "agreedPoints.feed"}},
-    Row{"targetChoice", text, "4.2", shall, conditions, linearChosenFreely, choiceOf1988,
+    Demand{"targetChoice", text, "4.2", shall, conditions, linearChosenFreely, choiceOf1988,
         REPORT_TEXT("report", "choice of targets, cyclic pitch"), {}, {"targetChoice"}},
-    Row{"instrumentPosition", text, "4.3.1", shall, conditions, nullptr, statingConditions<common::instrumentPosition>,
+    Demand{"instrumentPosition", text, "4.3.1", shall, conditions, nullptr, statingConditions<common::instrumentPosition>,
         REPORT_TEXT("report", "position of the measuring device"), {}, {"conditions.instrumentPosition", "conditions.toolOffset"}},
-    Row{"sensors", text, "4.3.1", shall, conditions, linear, sensorsOf1988,
+    Demand{"sensors", text, "4.3.1", shall, conditions, linear, sensorsOf1988,
         REPORT_TEXT("report", "position of the temperature sensor, type of compensation"), {}, {"conditions.sensors", "conditions.correctionTo20"}},
-    Row{"travel", text, "4.3.2", shall, conditions, linear, axisTravel,
+    Demand{"travel", text, "4.3.2", shall, conditions, linear, axisTravel,
         REPORT_TEXT("report", "axis travel"), {}, {"axis.travel"}},
-    Row{"spacing", text, "4.3.2", shall, readings, fullTest, unless<spacing>, {}, {}, {"targets"}},
-    Row{"targetsPerMetre", text, "4.3.2", shall, readings, fullTest, unless<targetsPerMetre>, {}, {}, {"targets"}},
-    Row{"numberOfTargets", text, "4.3.2", shall, readings, fullTest, unless<fiveTargets>, {}, {}, {"targets"}},
-    Row{"approaches", text, "4.3.2", shall, readings, fullTest, unless<fiveApproaches>, {}, {}, {"runs"}},
-    Row{"missingReadings", text, "4.3.2", shall, readings, fullTest, unless<fewReadings>, {}, {}, {"runs"}},
-    Row{"meanInterval", text, "4.3.3", shall, readings, wholeOfLinear, elements,
+    Demand{"spacing", text, "4.3.2", shall, readings, fullTest, unless<spacing>, {}, {}, {"targets"}},
+    Demand{"targetsPerMetre", text, "4.3.2", shall, readings, fullTest, unless<targetsPerMetre>, {}, {}, {"targets"}},
+    Demand{"numberOfTargets", text, "4.3.2", shall, readings, fullTest, unless<fiveTargets>, {}, {}, {"targets"}},
+    Demand{"approaches", text, "4.3.2", shall, readings, fullTest, unless<fiveApproaches>, {}, {}, {"runs"}},
+    Demand{"missingReadings", text, "4.3.2", shall, readings, fullTest, unless<fewReadings>, {}, {}, {"runs"}},
+    Demand{"meanInterval", text, "4.3.3", shall, readings, wholeOfLinear, elements,
         REPORT_TEXT("report", "elements of the measuring device"), {}, {"axis.scaleElement"}},
-    Row{"wholeLength", text, "4.3.3", shall, readings, wholeOfLinear, unless<wholeLength>, {}, {}, {"targets"}},
-    Row{"approaches", text, "4.3.3", shall, readings, wholeOfLinear, unless<oneApproach>, {}, {}, {"runs"}},
-    Row{"otherTest", text, "4.3.3", shall, readings, longLinear, unless<otherTest>},
-    Row{"zone", text, "4.3.3", shall, conditions, longLinear, zone,
+    Demand{"wholeLength", text, "4.3.3", shall, readings, wholeOfLinear, unless<wholeLength>, {}, {}, {"targets"}},
+    Demand{"approaches", text, "4.3.3", shall, readings, wholeOfLinear, unless<oneApproach>, {}, {}, {"runs"}},
+    Demand{"otherTest", text, "4.3.3", shall, readings, longLinear, unless<otherTest>},
+    Demand{"zone", text, "4.3.3", shall, conditions, longLinear, zone,
         REPORT_TEXT("report", "agreed working zone"),
         REPORT_TEXT("report", "No working zone was agreed."), {"zone", "agreedPoints.zone"}},
-    Row{"quarterTurns", text, "4.3.4", shall, readings, rotaryScale, unless<quarterTurns>, {}, {}, {"targets"}},
-    Row{"freeTargets", text, "4.3.4", shall, conditions, furtherTargets, freeTargets,
+    Demand{"quarterTurns", text, "4.3.4", shall, readings, rotaryScale, unless<quarterTurns>, {}, {}, {"targets"}},
+    Demand{"freeTargets", text, "4.3.4", shall, conditions, furtherTargets, freeTargets,
         REPORT_TEXT("report", "continuous measuring device or not"),
         REPORT_TEXT("report", "Fewer than three further targets."), {"conditions.continuousDevice"}},
-    Row{"polygonFaces", text, "4.3.4", shall, conditions, polygon, polygonFaces,
+    Demand{"polygonFaces", text, "4.3.4", shall, conditions, polygon, polygonFaces,
         REPORT_TEXT("report", "number of faces"), {}, {"targetChoice.faces"}},
-    Row{"instruments", text, "4.3.4", shall, namedInstruments, rotary, namedInstrument,
+    Demand{"instruments", text, "4.3.4", shall, namedInstruments, rotary, namedInstrument,
         REPORT_TEXT("report", "nature of the measuring device"), {}, {"instruments"}},
-    Row{"approaches", text, "5", shall, readings, rotary, unless<fiveApproaches>, {}, {}, {"runs"}},
-    Row{"missingReadings", text, "5", shall, readings, rotary, unless<fewReadings>, {}, {}, {"runs"}},
+    Demand{"approaches", text, "5", shall, readings, rotary, unless<fiveApproaches>, {}, {}, {"runs"}},
+    Demand{"missingReadings", text, "5", shall, readings, rotary, unless<fewReadings>, {}, {}, {"runs"}},
 };
 
 // ---- ISO 230-2:2006 ------------------------------------------------------------------------------------------
 
 constexpr std::array text2006{
-    Row{"uncertainty", text, "Foreword (7)", shall, uncertainty, nullptr, uncertaintyStated,
+    Demand{"uncertainty", text, "Foreword (7)", shall, uncertainty, nullptr, uncertaintyStated,
         REPORT_TEXT("report", "measurement uncertainty"), {}, {"uncertainty"}, Explains::missingUncertainty},
-    Row{"cycle", text, "1", should, conditions, notShortLinear, unless<stepCycle>, {}, {}, {"cycle", "agreedPoints.stepCycle"}},
-    Row{"ends", text, "2.2", shall, conditions, bothWays, unless<ends>, {}, {}, {"axis.range"}},
-    Row{"sensors", text, "3.1", shall, conditions, nullptr, temperaturesOf2006,
+    Demand{"cycle", text, "1", should, conditions, notShortLinear, unless<stepCycle>, {}, {}, {"cycle", "agreedPoints.stepCycle"}},
+    Demand{"ends", text, "2.2", shall, conditions, approachedBothWays, unless<ends>, {}, {}, {"axis.range"}},
+    Demand{"sensors", text, "3.1", shall, conditions, nullptr, temperaturesOf2006,
         REPORT_TEXT("report", "temperatures of machine and instrument"), {}, {"conditions.sensors"}},
-    Row{"correctionTo20", text, "3.1", shall, conditions, linear, correction,
+    Demand{"correctionTo20", text, "3.1", shall, conditions, linear, correction,
         REPORT_TEXT("report", "correction to 20 °C"), {}, {"conditions.correctionTo20"}},
-    Row{"expansionRange", text, "3.1", info, uncertainty, nullptr, unless<expansionUncertainty>, {}, {}, {"uncertainty.expansionRange"}},
-    Row{"soak", text, "3.1", shall, conditions, nullptr, ofConditions<common::stabilised>,
+    Demand{"expansionRange", text, "3.1", info, uncertainty, nullptr, unless<expansionUncertainty>, {}, {}, {"uncertainty.expansionRange"}},
+    Demand{"soak", text, "3.1", shall, conditions, nullptr, ofConditions<common::stabilised>,
         REPORT_TEXT("report", "thermal stability before the test"),
         REPORT_TEXT("report", "Machine or instruments were not thermally stable."), {"conditions.stabilised", "conditions.soak"}},
-    Row{"shielded", text, "3.1", shall, conditions, nullptr, ofConditions<common::shielded>,
+    Demand{"shielded", text, "3.1", shall, conditions, nullptr, ofConditions<common::shielded>,
         REPORT_TEXT("report", "protection from draughts and radiation"),
         REPORT_TEXT("report", "Not protected from draughts or radiation."), {"conditions.shielded"}},
-    Row{"gradientPerHour", text, "3.1", shall, conditions, nullptr, gradient,
+    Demand{"gradientPerHour", text, "3.1", shall, conditions, nullptr, gradient,
         REPORT_TEXT("report", "temperature gradient over 12 h and its agreed limit"), {}, {"conditions.gradientPerHour", "conditions.gradientHoursBefore"}},
-    Row{"compensation", text, "3.2", should, conditions, nullptr, stating<stated::common<&Conditions::compensation, PositioningCase>>,
+    Demand{"compensation", text, "3.2", should, conditions, nullptr, stating<stated::common<&Conditions::compensation, PositioningCase>>,
         REPORT_TEXT("report", "use of compensation"), {}, {"conditions.compensation"}},
-    Row{"complete", text, "3.2", shall, conditions, nullptr, ofConditions<common::complete>,
+    Demand{"complete", text, "3.2", shall, conditions, nullptr, ofConditions<common::complete>,
         REPORT_TEXT("report", "machine complete and in working order"),
         REPORT_TEXT("report", "The machine was not complete or not in working order."), {"conditions.complete"}},
-    Row{"levelled", text, "3.2", shall, conditions, nullptr, ofConditions<common::levelled>,
+    Demand{"levelled", text, "3.2", shall, conditions, nullptr, ofConditions<common::levelled>,
         REPORT_TEXT("report", "levelling and alignment"),
         REPORT_TEXT("report", "Levelling or alignment was not done."), {"conditions.levelled"}},
-    Row{"unloaded", text, "3.2", shall, conditions, nullptr, ofConditions<common::unloaded>,
+    Demand{"unloaded", text, "3.2", shall, conditions, nullptr, ofConditions<common::unloaded>,
         REPORT_TEXT("report", "machine unloaded"), REPORT_TEXT("report", "The machine was loaded."), {"conditions.unloaded"}},
-    Row{"otherAxes", text, "3.2", shall, conditions, nullptr, ofConditions<common::otherAxes>,
+    Demand{"otherAxes", text, "3.2", shall, conditions, nullptr, ofConditions<common::otherAxes>,
         REPORT_TEXT("report", "position of the axes not under test"), {}, {"conditions.otherAxes"}},
-    Row{"warmUp", text, "3.3", shall, conditions, nullptr, ofConditions<common::warmUpStated>,
+    Demand{"warmUp", text, "3.3", shall, conditions, nullptr, ofConditions<common::warmUpStated>,
         REPORT_TEXT("report", "warm-up"), {}, {"conditions.warmUp"}},
-    Row{"drift", text, "3.3", should, readings, nullptr, unless<drift>},
-    Row{"dwell", text, "4.1", shall, conditions, nullptr, dwell,
+    Demand{"drift", text, "3.3", should, readings, nullptr, unless<drift>},
+    Demand{"dwell", text, "4.1", shall, conditions, nullptr, dwell,
         REPORT_TEXT("report", "rest at each target"), REPORT_TEXT("report", "No rest at the targets."), {"conditions.dwell"}},
-    Row{"feed", text, "4.1", shall, conditions, nullptr, feedAsAgreed,
+    Demand{"feed", text, "4.1", shall, conditions, nullptr, feedAsAgreed,
         REPORT_TEXT("report", "agreed feed"),
         REPORT_TEXT("report", "The feed between targets was not agreed."), {"conditions.feed", "agreedPoints.feed"}},
-    Row{"targetChoice", text, "4.2", shall, conditions, chosenFreely, choiceOf2006,
+    Demand{"targetChoice", text, "4.2", shall, conditions, chosenFreely, choiceOf2006,
         REPORT_TEXT("report", "choice of targets, cyclic pitch"), {}, {"targetChoice"}},
-    Row{"evenSpacing", practice, "", info, readings, nullptr, unless<evenSpacing>, {}, {}, {"targets"}},
-    Row{"instrumentPosition", text, "4.3.1", shall, conditions, nullptr, statingConditions<common::instrumentPosition>,
+    Demand{"evenSpacing", practice, "", info, readings, nullptr, unless<evenSpacing>, {}, {}, {"targets"}},
+    Demand{"instrumentPosition", text, "4.3.1", shall, conditions, nullptr, statingConditions<common::instrumentPosition>,
         REPORT_TEXT("report", "position of the measuring device"), {}, {"conditions.instrumentPosition", "conditions.toolOffset"}},
-    Row{"correctionStatements", text, "4.3.1", shall, conditions, corrected, correctionStatements,
+    Demand{"correctionStatements", text, "4.3.1", shall, conditions, corrected, correctionStatements,
         REPORT_TEXT("report", "position of the temperature sensors, expansion coefficients"), {}, {"conditions.sensors", "conditions.expansion"}},
-    Row{"travel", text, "4.3.2", shall, conditions, linear, axisTravel,
+    Demand{"travel", text, "4.3.2", shall, conditions, linear, axisTravel,
         REPORT_TEXT("report", "axis travel"), {}, {"axis.travel"}},
-    Row{"cycle", text, "4.3.2", shall, conditions, shortLinear, unless<stepCycle>, {}, {}, {"cycle", "agreedPoints.stepCycle"}},
-    Row{"cycle", text, "4.3.2", info, conditions, nullptr, unless<stepCycleAgreed>, {}, {}, {"cycle", "agreedPoints.stepCycle"}},
-    Row{"targetsPerMetre", text, "4.3.2", shall, readings, shortLinear, unless<targetsPerMetre>, {}, {}, {"targets"}},
-    Row{"numberOfTargets", text, "4.3.2", shall, readings, shortLinear, unless<fiveTargets>, {}, {}, {"targets"}},
-    Row{"approaches", text, "4.3.2", shall, readings, shortLinear, unless<fiveApproaches>, {}, {}, {"runs"}},
-    Row{"missingReadings", text, "4.3.2", shall, readings, shortLinear, unless<fewReadings>, {}, {}, {"runs"}},
+    Demand{"cycle", text, "4.3.2", shall, conditions, shortLinear, unless<stepCycle>, {}, {}, {"cycle", "agreedPoints.stepCycle"}},
+    Demand{"cycle", text, "4.3.2", info, conditions, nullptr, unless<stepCycleAgreed>, {}, {}, {"cycle", "agreedPoints.stepCycle"}},
+    Demand{"targetsPerMetre", text, "4.3.2", shall, readings, shortLinear, unless<targetsPerMetre>, {}, {}, {"targets"}},
+    Demand{"numberOfTargets", text, "4.3.2", shall, readings, shortLinear, unless<fiveTargets>, {}, {}, {"targets"}},
+    Demand{"approaches", text, "4.3.2", shall, readings, shortLinear, unless<fiveApproaches>, {}, {}, {"runs"}},
+    Demand{"missingReadings", text, "4.3.2", shall, readings, shortLinear, unless<fewReadings>, {}, {}, {"runs"}},
     // long and rotary axes: the rest of 4.3 was not read
-    Row{"targetsPerMetre", practice, "", shall, readings, zoneOfLinear, unless<targetsPerMetre>, {}, {}, {"targets"}},
-    Row{"numberOfTargets", practice, "", shall, readings, zoneOfLinear, unless<fiveTargets>, {}, {}, {"targets"}},
-    Row{"approaches", practice, "", shall, readings, zoneOfLinear, unless<fiveApproaches>, {}, {}, {"runs"}},
-    Row{"missingReadings", practice, "", shall, readings, zoneOfLinear, unless<fewReadings>, {}, {}, {"runs"}},
-    Row{"meanInterval", practice, "", shall, readings, wholeOfLinear, unless<meanInterval>, {}, {}, {"targets"}},
-    Row{"wholeLength", practice, "", shall, readings, wholeOfLinear, unless<wholeLength>, {}, {}, {"targets"}},
-    Row{"approaches", practice, "", shall, readings, wholeTravel, unless<oneApproach>, {}, {}, {"runs"}},
-    Row{"numberOfTargets", practice, "", shall, readings, turnOfRotary, unless<targetsOfTravel>, {}, {}, {"targets"}},
-    Row{"approaches", practice, "", shall, readings, turnOfRotary, unless<fiveApproaches>, {}, {}, {"runs"}},
-    Row{"missingReadings", practice, "", shall, readings, turnOfRotary, unless<fewReadings>, {}, {}, {"runs"}},
-    Row{"targetsPerTurn", practice, "", shall, readings, wholeOfRotary, unless<targetsPerTurn>, {}, {}, {"targets"}},
-    Row{"zone", practice, "", shall, conditions, zoneTest, unless<zoneLength>, {}, {}, {"zone"}},
-    Row{"otherTest", practice, "", shall, readings, longAxis, unless<otherTest>},
+    Demand{"targetsPerMetre", practice, "", shall, readings, zoneOfLinear, unless<targetsPerMetre>, {}, {}, {"targets"}},
+    Demand{"numberOfTargets", practice, "", shall, readings, zoneOfLinear, unless<fiveTargets>, {}, {}, {"targets"}},
+    Demand{"approaches", practice, "", shall, readings, zoneOfLinear, unless<fiveApproaches>, {}, {}, {"runs"}},
+    Demand{"missingReadings", practice, "", shall, readings, zoneOfLinear, unless<fewReadings>, {}, {}, {"runs"}},
+    Demand{"meanInterval", practice, "", shall, readings, wholeOfLinear, unless<meanInterval>, {}, {}, {"targets"}},
+    Demand{"wholeLength", practice, "", shall, readings, wholeOfLinear, unless<wholeLength>, {}, {}, {"targets"}},
+    Demand{"approaches", practice, "", shall, readings, wholeTravel, unless<oneApproach>, {}, {}, {"runs"}},
+    Demand{"numberOfTargets", practice, "", shall, readings, turnOfRotary, unless<targetsOfTravel>, {}, {}, {"targets"}},
+    Demand{"approaches", practice, "", shall, readings, turnOfRotary, unless<fiveApproaches>, {}, {}, {"runs"}},
+    Demand{"missingReadings", practice, "", shall, readings, turnOfRotary, unless<fewReadings>, {}, {}, {"runs"}},
+    Demand{"targetsPerTurn", practice, "", shall, readings, wholeOfRotary, unless<targetsPerTurn>, {}, {}, {"targets"}},
+    Demand{"zone", practice, "", shall, conditions, zoneTest, unless<zoneLength>, {}, {}, {"zone"}},
+    Demand{"otherTest", practice, "", shall, readings, longAxis, unless<otherTest>},
 };
 
 // ---- Good practice of a laboratory ----------------------------------------------------------------------------
 
-constexpr Row laboratoryRow(const char *id, Subject subject, bool (*applies)(const PositioningCase &),
+constexpr Demand laboratoryRow(const char *id, Subject subject, bool (*applies)(const PositioningCase &),
                             Judgement (*judge)(const PositioningCase &), Text name, const char *key) {
     return {id, laboratory, "", info, subject, applies, judge, name, {}, {key}};
 }
@@ -312,7 +312,7 @@ constexpr std::array otherRows{
 
 // ---- What the program has to say -------------------------------------------------------------------------------
 
-constexpr Row programRow(const char *id, Subject subject, bool (*applies)(const PositioningCase &),
+constexpr Demand programRow(const char *id, Subject subject, bool (*applies)(const PositioningCase &),
                          Judgement (*judge)(const PositioningCase &), Explains explains = Explains::nothing) {
     return {id, program, "", info, subject, applies, judge, {}, {}, {}, explains};
 }
@@ -324,7 +324,7 @@ constexpr std::array programRows{
     programRow("refusedReadings", readings, nullptr, unless<refusedReadings>),
     programRow("unequalRuns", readings, nullptr, unless<unequalRuns>),
     programRow("excluded", readings, nullptr, unless<excludedReadings>),
-    Row{"excluded", laboratory, "", info, readings, nullptr, unless<excludedWithoutReason>},
+    Demand{"excluded", laboratory, "", info, readings, nullptr, unless<excludedWithoutReason>},
     programRow("standardDeviation", readings, nullptr, unless<rangeMethodElsewhere>),
     programRow("standardDeviation", readings, nullptr, unless<rangeMethodRuns>),
     programRow("workedExample", readings, nullptr, unless<workedExample>, Explains::substituteReadings),
@@ -334,8 +334,8 @@ constexpr std::array longLinearRows{programRow("missingReadings", readings, whol
 constexpr std::array longRows{programRow("missingReadings", readings, wholeTravel, unless<fewReadings>)};
 constexpr std::array vdiRows{programRow("missingReadings", readings, nullptr, unless<fewReadings>)};
 /// Ends of the axis: 1988 does not speak of them.
-constexpr std::array endRows{programRow("ends", conditions, bothWays, unless<ends>)};
-constexpr std::array endUnknownRows{programRow("ends", conditions, bothWays, unless<endsUnknown>)};
+constexpr std::array endRows{programRow("ends", conditions, approachedBothWays, unless<ends>)};
+constexpr std::array endUnknownRows{programRow("ends", conditions, approachedBothWays, unless<endsUnknown>)};
 constexpr std::array driftRows{programRow("drift", readings, nullptr, unless<drift>)};
 constexpr std::array moreThanFive1988{
     programRow("approaches", readings, fullTest, unless<moreThanFive>),
@@ -403,17 +403,17 @@ constexpr std::array agreed1997{
 
 // clang-format on
 
-using Rows = std::span<const Row>;
+using Rows = std::span<const Demand>;
 
-std::vector<Row> table(std::initializer_list<Rows> parts) {
-    std::vector<Row> result;
+std::vector<Demand> table(std::initializer_list<Rows> parts) {
+    std::vector<Demand> result;
     for (const Rows part : parts)
         result.insert(result.end(), part.begin(), part.end());
     return result;
 }
 
-std::vector<Row> practiceOf2006(std::initializer_list<std::string_view> without) {
-    const std::vector<Row> rows = asPractice(Rows(text2006), without);
+std::vector<Demand> practiceOf2006(std::initializer_list<std::string_view> without) {
+    const std::vector<Demand> rows = asPractice(Rows(text2006), without);
     return table({rows, laboratory::rows<PositioningCase>(), laboratoryRows,
                   laboratory::instrumentRows<PositioningCase>(), laboratory::checks<PositioningCase>(),
                   programRows, longRows, endUnknownRows});
@@ -422,9 +422,9 @@ std::vector<Row> practiceOf2006(std::initializer_list<std::string_view> without)
 } // namespace
 
 std::span<const Requirement> requirements1988() {
-    static const std::vector<Row> rows = [] {
-        std::vector<Row> instruments = table({laboratory::instrumentRows<PositioningCase>()});
-        for (Row &row : instruments) { // of rotary axes the text asks for the instrument
+    static const std::vector<Demand> rows = [] {
+        std::vector<Demand> instruments = table({laboratory::instrumentRows<PositioningCase>()});
+        for (Demand &row : instruments) { // of rotary axes the text asks for the instrument
             if (row.id == std::string_view("instruments"))
                 row.applies = linear;
         }
@@ -435,22 +435,22 @@ std::span<const Requirement> requirements1988() {
     return rows;
 }
 std::span<const Requirement> requirements1997() {
-    static const std::vector<Row> rows = practiceOf2006({"uncertainty"});
+    static const std::vector<Demand> rows = practiceOf2006({"uncertainty"});
     return rows;
 }
 std::span<const Requirement> requirements2006() {
-    static const std::vector<Row> rows =
+    static const std::vector<Demand> rows =
         table({text2006, laboratory::rows<PositioningCase>(), laboratoryRows,
                laboratory::instrumentRows<PositioningCase>(), laboratory::checks<PositioningCase>(),
                programRows, longRows, endUnknownRows, moreThanFive2006});
     return rows;
 }
 std::span<const Requirement> requirements2014() {
-    static const std::vector<Row> rows = practiceOf2006({});
+    static const std::vector<Demand> rows = practiceOf2006({});
     return rows;
 }
 std::span<const Requirement> requirementsVdi3441() {
-    static const std::vector<Row> rows =
+    static const std::vector<Demand> rows =
         table({laboratory::rows<PositioningCase>(), laboratoryRows, temperatureRows, otherRows,
                laboratory::instrumentRows<PositioningCase>(), laboratory::checks<PositioningCase>(),
                programRows, vdiRows, driftRows});

@@ -10,67 +10,67 @@ namespace palmer::iso230_2 {
 
 namespace {
 
-constexpr unsigned up = upward | scatter;
-constexpr unsigned down = downward | scatter;
+constexpr unsigned upOnly = upward | scatter;
+constexpr unsigned downOnly = downward | scatter;
 constexpr unsigned both = bothWays | scatter;
 constexpr auto deviation = Quantity::deviation;
-constexpr auto always = Printed::always;
+constexpr auto alwaysPrinted = Printed::always;
 constexpr auto onRequest = Printed::onRequest;
 constexpr bool at20 = true;
 
 // clang-format off
 constexpr std::array table1988{
-    Row{{"A", {"A"}, REPORT_TEXT_FOR("report", "accuracy of an axis", "A"), "2.13", deviation, always}, both, accuracy, at20},
-    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "accuracy of an axis, unidirectional"), "2.13", deviation, always}, up, accuracyUp, at20},
-    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "accuracy of an axis, unidirectional"), "2.13", deviation, always}, down, accuracyDown, at20},
-    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), "2.12", deviation, always}, both, repeatabilityOfAxis},
-    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.12", deviation, always}, up, repeatabilityUp},
-    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.12", deviation, always}, down, repeatabilityDown},
-    Row{{"Bmean", {"B̄"}, REPORT_TEXT_FOR("report", "mean reversal value of an axis", "1988"), "6.3", deviation, always}, bothWays, meanReversal},
+    Row{{"A", {"A"}, REPORT_TEXT_FOR("report", "accuracy of an axis", "A"), "2.13", deviation, alwaysPrinted}, both, accuracy, at20},
+    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "accuracy of an axis, unidirectional"), "2.13", deviation, alwaysPrinted}, upOnly, accuracyUp, at20},
+    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "accuracy of an axis, unidirectional"), "2.13", deviation, alwaysPrinted}, downOnly, accuracyDown, at20},
+    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), "2.12", deviation, alwaysPrinted}, both, repeatabilityOfAxis},
+    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.12", deviation, alwaysPrinted}, upOnly, repeatabilityUp},
+    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.12", deviation, alwaysPrinted}, downOnly, repeatabilityDown},
+    Row{{"Bmean", {"B̄"}, REPORT_TEXT_FOR("report", "mean reversal value of an axis", "1988"), "6.3", deviation, alwaysPrinted}, bothWays, meanReversal},
     Row{{"r", {"r̄"}, REPORT_TEXT("report", "mean repeatability"), "7", deviation, onRequest}, both, meanRepeatability},
-    Row{{"r+", {"r̄↑"}, REPORT_TEXT("report", "mean repeatability"), "7", deviation, onRequest}, up, meanRepeatabilityUp},
-    Row{{"r-", {"r̄↓"}, REPORT_TEXT("report", "mean repeatability"), "7", deviation, onRequest}, down, meanRepeatabilityDown},
+    Row{{"r+", {"r̄↑"}, REPORT_TEXT("report", "mean repeatability"), "7", deviation, onRequest}, upOnly, meanRepeatabilityUp},
+    Row{{"r-", {"r̄↓"}, REPORT_TEXT("report", "mean repeatability"), "7", deviation, onRequest}, downOnly, meanRepeatabilityDown},
 };
 
 constexpr std::array table2006{
-    Row{{"A", {"A"}, REPORT_TEXT("report", "bi-directional accuracy of positioning of an axis"), "2.24", deviation, always}, both, accuracy, at20},
-    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), "2.23", deviation, always}, up, accuracyUp, at20},
-    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), "2.23", deviation, always}, down, accuracyDown, at20},
-    Row{{"E", {"E"}, REPORT_TEXT("report", "bi-directional systematic positional deviation of an axis"), "2.21", deviation, always}, bothWays, systematic, at20},
-    Row{{"E+", {"E↑"}, REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), "2.20", deviation, always}, upward, systematicUp, at20},
-    Row{{"E-", {"E↓"}, REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), "2.20", deviation, always}, downward, systematicDown, at20},
-    Row{{"M", {"M"}, REPORT_TEXT("report", "range of the mean bi-directional positional deviation of an axis"), "2.22", deviation, always}, bothWays, meanRange, at20},
-    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), "2.19", deviation, always}, both, repeatabilityOfAxis},
-    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.18", deviation, always}, up, repeatabilityUp},
-    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.18", deviation, always}, down, repeatabilityDown},
-    Row{{"B", {"B"}, REPORT_TEXT("report", "reversal value of an axis"), "2.13", deviation, always}, bothWays, reversal},
-    Row{{"Bmean", {"B̄"}, REPORT_TEXT("report", "mean reversal value of an axis"), "2.14", deviation, always}, bothWays, meanReversal},
+    Row{{"A", {"A"}, REPORT_TEXT("report", "bi-directional accuracy of positioning of an axis"), "2.24", deviation, alwaysPrinted}, both, accuracy, at20},
+    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), "2.23", deviation, alwaysPrinted}, upOnly, accuracyUp, at20},
+    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), "2.23", deviation, alwaysPrinted}, downOnly, accuracyDown, at20},
+    Row{{"E", {"E"}, REPORT_TEXT("report", "bi-directional systematic positional deviation of an axis"), "2.21", deviation, alwaysPrinted}, bothWays, systematic, at20},
+    Row{{"E+", {"E↑"}, REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), "2.20", deviation, alwaysPrinted}, upward, systematicUp, at20},
+    Row{{"E-", {"E↓"}, REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), "2.20", deviation, alwaysPrinted}, downward, systematicDown, at20},
+    Row{{"M", {"M"}, REPORT_TEXT("report", "range of the mean bi-directional positional deviation of an axis"), "2.22", deviation, alwaysPrinted}, bothWays, meanRange, at20},
+    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), "2.19", deviation, alwaysPrinted}, both, repeatabilityOfAxis},
+    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.18", deviation, alwaysPrinted}, upOnly, repeatabilityUp},
+    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.18", deviation, alwaysPrinted}, downOnly, repeatabilityDown},
+    Row{{"B", {"B"}, REPORT_TEXT("report", "reversal value of an axis"), "2.13", deviation, alwaysPrinted}, bothWays, reversal},
+    Row{{"Bmean", {"B̄"}, REPORT_TEXT("report", "mean reversal value of an axis"), "2.14", deviation, alwaysPrinted}, bothWays, meanReversal},
 };
 
 /// Of the clauses of 2014 only 3.18 to 3.22, 3.26 and 3.27 were seen: the others are not printed.
 constexpr std::array table2014{
-    Row{{"A", {"A"}, REPORT_TEXT("report", "bi-directional positioning accuracy of an axis"), "3.27", deviation, always}, both, accuracy, at20},
-    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), "3.26", deviation, always}, up, accuracyUp, at20},
-    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), "3.26", deviation, always}, down, accuracyDown, at20},
-    Row{{"E", {"E"}, REPORT_TEXT("report", "bi-directional systematic positioning error of an axis"), "", deviation, always}, bothWays, systematic, at20},
-    Row{{"E+", {"E↑"}, REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), "", deviation, always}, upward, systematicUp, at20},
-    Row{{"E-", {"E↓"}, REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), "", deviation, always}, downward, systematicDown, at20},
-    Row{{"M", {"M"}, REPORT_TEXT("report", "mean bi-directional positioning error of an axis"), "", deviation, always}, bothWays, meanRange, at20},
-    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional positioning repeatability of an axis"), "3.22", deviation, always}, both, repeatabilityOfAxis},
-    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), "3.21", deviation, always}, up, repeatabilityUp},
-    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), "3.21", deviation, always}, down, repeatabilityDown},
-    Row{{"UPR", {"UPR"}, REPORT_TEXT("report", "unidirectional positioning repeatability (UPR)"), "", deviation, always}, both, smallerRepeatability},
-    Row{{"B", {"B"}, REPORT_TEXT("report", "reversal error of an axis"), "", deviation, always}, bothWays, reversal},
-    Row{{"Bmean", {"B̄"}, REPORT_TEXT("report", "mean reversal error of an axis"), "", deviation, always}, bothWays, meanReversal},
+    Row{{"A", {"A"}, REPORT_TEXT("report", "bi-directional positioning accuracy of an axis"), "3.27", deviation, alwaysPrinted}, both, accuracy, at20},
+    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), "3.26", deviation, alwaysPrinted}, upOnly, accuracyUp, at20},
+    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), "3.26", deviation, alwaysPrinted}, downOnly, accuracyDown, at20},
+    Row{{"E", {"E"}, REPORT_TEXT("report", "bi-directional systematic positioning error of an axis"), "", deviation, alwaysPrinted}, bothWays, systematic, at20},
+    Row{{"E+", {"E↑"}, REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), "", deviation, alwaysPrinted}, upward, systematicUp, at20},
+    Row{{"E-", {"E↓"}, REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), "", deviation, alwaysPrinted}, downward, systematicDown, at20},
+    Row{{"M", {"M"}, REPORT_TEXT("report", "mean bi-directional positioning error of an axis"), "", deviation, alwaysPrinted}, bothWays, meanRange, at20},
+    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional positioning repeatability of an axis"), "3.22", deviation, alwaysPrinted}, both, repeatabilityOfAxis},
+    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), "3.21", deviation, alwaysPrinted}, upOnly, repeatabilityUp},
+    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), "3.21", deviation, alwaysPrinted}, downOnly, repeatabilityDown},
+    Row{{"UPR", {"UPR"}, REPORT_TEXT("report", "unidirectional positioning repeatability (UPR)"), "", deviation, alwaysPrinted}, both, smallerRepeatability},
+    Row{{"B", {"B"}, REPORT_TEXT("report", "reversal error of an axis"), "", deviation, alwaysPrinted}, bothWays, reversal},
+    Row{{"Bmean", {"B̄"}, REPORT_TEXT("report", "mean reversal error of an axis"), "", deviation, alwaysPrinted}, bothWays, meanReversal},
 };
 
 constexpr std::array tableVdi3441{
-    Row{{"P", {"P"}, REPORT_TEXT("report", "positional uncertainty (VDI: Positionsunsicherheit)"), "", deviation, always}, both, vdiUncertainty, at20},
-    Row{{"Pa", {"Pa"}, REPORT_TEXT("report", "positional deviation (VDI: Positionsabweichung)"), "", deviation, always}, bothWays, meanRange, at20},
-    Row{{"Psmax", {"Ps", "max"}, REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), largest"), "", deviation, always}, both, vdiScatter},
-    Row{{"Psmean", {"P̄s"}, REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), mean"), "", deviation, always}, both, vdiMeanScatter},
-    Row{{"Umax", {"U", "max"}, REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), largest"), "", deviation, always}, bothWays, reversal},
-    Row{{"Umean", {"Ū"}, REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), mean"), "", deviation, always}, bothWays, vdiMeanReversal},
+    Row{{"P", {"P"}, REPORT_TEXT("report", "positional uncertainty (VDI: Positionsunsicherheit)"), "", deviation, alwaysPrinted}, both, vdiUncertainty, at20},
+    Row{{"Pa", {"Pa"}, REPORT_TEXT("report", "positional deviation (VDI: Positionsabweichung)"), "", deviation, alwaysPrinted}, bothWays, meanRange, at20},
+    Row{{"Psmax", {"Ps", "max"}, REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), largest"), "", deviation, alwaysPrinted}, both, vdiScatter},
+    Row{{"Psmean", {"P̄s"}, REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), mean"), "", deviation, alwaysPrinted}, both, vdiMeanScatter},
+    Row{{"Umax", {"U", "max"}, REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), largest"), "", deviation, alwaysPrinted}, bothWays, reversal},
+    Row{{"Umean", {"Ū"}, REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), mean"), "", deviation, alwaysPrinted}, bothWays, vdiMeanReversal},
 };
 
 constexpr std::array targets1988{

@@ -73,7 +73,7 @@ bool everyElementHasTarget(const PositioningCase &test, double element) {
     return next >= count;
 }
 
-Sentence meanInterval(const PositioningCase &test, bool tooLong) {
+Sentence meanIntervalWhere(const PositioningCase &test, bool tooLong) {
     if (!tooLong)
         return std::nullopt;
     return Message{
@@ -135,11 +135,11 @@ Judgement elements(const PositioningCase &test) {
         return Judgement::undeclared();
     if (*element > 0 ? everyElementHasTarget(test, *element) : !intervalsTooLong(test))
         return Judgement::met();
-    return Judgement::unmet(*meanInterval(test, true));
+    return Judgement::unmet(*meanIntervalWhere(test, true));
 }
 
 Sentence meanInterval(const PositioningCase &test) {
-    return meanInterval(test, intervalsTooLong(test));
+    return meanIntervalWhere(test, intervalsTooLong(test));
 }
 
 Sentence wholeLength(const PositioningCase &test) {

@@ -32,7 +32,7 @@ constexpr std::array points2005{
 };
 
 /// The same where the text was not read: no letters.
-constexpr auto points = [] {
+constexpr auto pointsOfOthers = [] {
     auto result = points2005;
     for (AgreementPoint &point : result)
         point.letter = "";
@@ -40,7 +40,8 @@ constexpr auto points = [] {
 }();
 
 Edition unread(const char *word, const CircularRules &rules) {
-    return {.word = word, .family = word, .kind = Kind::circular, .points = points, .circles = &rules};
+    return {
+        .word = word, .family = word, .kind = Kind::circular, .points = pointsOfOthers, .circles = &rules};
 }
 
 Edition iso2005() {

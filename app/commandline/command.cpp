@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commandline/command.h"
+
+#include "commands/check.h"
+#include "commands/evaluate.h"
+#include "commands/explain.h"
+#include "commands/export.h"
+#include "commands/feed.h"
+#include "commands/figure.h"
+#include "commands/import.h"
+#include "commands/register.h"
+#include "commands/report.h"
+#include "commands/selftest.h"
+#include "commands/synthesize.h"
+#include "commands/targets.h"
+#include "commands/verify.h"
+
+#include <algorithm>
+#include <array>
+
+namespace palmer {
+
+namespace {
+
+constexpr std::array optionsOfAll{
+    Option{"language", "fr|en", REPORT_TEXT("report", "language of tables, findings and errors")},
+    Option{"help", "", REPORT_TEXT("report", "this help")},
+};
+
+constexpr QChar valueEnd(0x1F); ///< between the values of an option that stands several times
+
+const Option *findOwnOption(const Command &command, const QString &name) {
+    const auto found = std::ranges::find_if(
+        command.options, [&name](const Option &option) { return name == QString::fromUtf8(option.name); });
+    return found == command.options.end() ? nullptr : &*found;
+}
+
+const Option *findOption(const Command &command, const QString &name) {
+    if (const Option *own = findOwnOption(command, name))
+        return own;
+    const auto found = std::ranges::find_if(
+        optionsOfAll, [&name](const Option &option) { return name == QString::fromUtf8(option.name); });
+    return found == optionsOfAll.end() ? nullptr : &*found;
+}
+
+/// Throws UsageError for a value that is none of the words of the option: a list of them ("fr,en") where one
+/// of its words is a list.
+void demandWord(const Option &option, const QString &given) {
+    const QStringList words = wordsOf(option);
+    const auto isWord = [&words](const QString &word) { return words.contains(word); };
+    const bool takesLists =
+        std::ranges::any_of(words, [](const QString &word) { return word.contains(u','); });
+    const QStringList parts = takesLists ? given.split(u',') : QStringList(given);
+    if (!words.isEmpty() && !std::ranges::all_of(parts, isWord))
+        throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
+                          {dashed(option).toStdString(), given.toStdString(),
+                           words.join(QStringLiteral(", ")).toStdString()}});
+}
+
+/// An option with its value, which is `given` ("--name=value") or the next word.
+void take(Invocation &invocation, const Option &option, std::optional<QString> given,
+          const QStringList &words, qsizetype &next) {
+    const bool wantsValue = *option.value != 0;
+    if (wantsValue && !given && next < words.size())
+        given = words[next++];
+    // Empty: of a script whose variable is not set.
+    if (wantsValue && (!given || (given->isEmpty() && !option.mayBeEmpty)))
+        throw UsageError({REPORT_TEXT("report", "the option %1 needs a value (%2)"),
+                          {dashed(option).toStdString(), std::string(option.value)}});
+    if (!wantsValue && given)
+        throw UsageError(
+            {REPORT_TEXT("report", "the option %1 takes no value"), {dashed(option).toStdString()}});
+    QString &value = invocation.options[QString::fromUtf8(option.name)]; // null: it did not stand before
+    if (!value.isNull() && wantsValue && !option.repeats)
+        throw UsageError({REPORT_TEXT("report", "the option %1 stands twice; it takes one value"),
+                          {dashed(option).toStdString()}});
+    if (given)
+        demandWord(option, *given);
+    value = (value.isNull() ? QString() : value + valueEnd) + given.value_or(QStringLiteral(""));
+    if (value.isNull())
+        value = QStringLiteral("");
+}
+
+/// Whether one of the things stands in the call that the option has an effect with.
+bool hasEffect(const Option &option, const Invocation &invocation) {
+    const QStringList partners = QString::fromUtf8(option.goesWith).split(u'|', Qt::SkipEmptyParts);
+    return partners.isEmpty() || std::ranges::any_of(partners, [&](const QString &partner) {
+               if (invocation.arguments.contains(partner))
+                   return true;
+               const auto found = invocation.options.find(partner.section(u'=', 0, 0));
+               return found != invocation.options.end() &&
+                      (!partner.contains(u'=') || found->second == partner.section(u'=', 1));
+           });
+}
+
+/// "--as csv, --as siemens": what the option goes with, as it is typed.
+std::string partnersOf(const Command &command, const Option &option) {
+    QStringList typed;
+    for (const QString &partner : QString::fromUtf8(option.goesWith).split(u'|')) {
+        const Option *other = findOwnOption(command, partner.section(u'=', 0, 0));
+        typed << (other ? dashed(*other) + partner.mid(QByteArrayView(other->name).size()).replace(u'=', u' ')
+                        : partner);
+    }
+    return typed.join(QStringLiteral(", ")).toStdString();
+}
+
+/// Throws UsageError for an option that would do nothing, and silence would say that it did.
+void demandEffects(const Command &command, const Invocation &invocation) {
+    for (const Option &option : command.options) {
+        if (invocation.has(QLatin1StringView(option.name)) && !hasEffect(option, invocation))
+            throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
+                              {dashed(option).toStdString(), partnersOf(command, option)}});
+    }
+}
+
+/// "title" of --title=x, "o" of -o; empty where it is written neither way.
+QString optionName(const QString &word) {
+    const qsizetype mark = word.indexOf(u'=');
+    const bool isLong = word.startsWith(QLatin1StringView("--"));
+    const QString longName = word.mid(2, mark < 0 ? -1 : mark - 2);
+    QString name = word.size() == 2 ? word.mid(1) : QString();
+    if (isLong)
+        name = longName.size() > 1 ? longName : QString();
+    return name == QLatin1StringView("h") ? QStringLiteral("help") : name; // as everywhere
+}
+
+void settleLanguage(Invocation &invocation) {
+    const auto chosen = invocation.value(QLatin1StringView("language")); // one of the words of the option
+    if (!chosen)
+        return;
+    invocation.language = Language::fromName(*chosen).value();
+    invocation.languageChosen = true;
+}
+
+void demandFiles(const Command &command, const Invocation &invocation) {
+    const bool takesFiles = *command.arguments != 0;
+    if (takesFiles && invocation.arguments.isEmpty())
+        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file (%2)"),
+                          {std::string(command.name), std::string(command.arguments)}});
+    if (!takesFiles && !invocation.arguments.isEmpty())
+        throw UsageError(
+            {REPORT_TEXT("report", "the command %1 takes no file"), {std::string(command.name)}});
+    if (invocation.arguments.contains(QString()))
+        throw UsageError({REPORT_TEXT("report", "the name of a file is empty")});
+}
+
+} // namespace
+
+int worse(int a, int b) {
+    return std::max(a, b); // the codes ascend in their rank
+}
+
+bool Invocation::has(QLatin1StringView option) const {
+    return options.contains(option);
+}
+
+std::optional<QString> Invocation::value(QLatin1StringView option) const {
+    const auto found = options.find(option);
+    return found == options.end() ? std::nullopt : std::optional(found->second);
+}
+
+QStringList Invocation::values(QLatin1StringView option) const {
+    const auto given = value(option);
+    return given ? given->split(valueEnd) : QStringList();
+}
+
+QString dashed(const Option &option) {
+    const QString bare = QString::fromUtf8(option.name);
+    return (bare.size() == 1 ? QStringLiteral("-") : QStringLiteral("--")) + bare;
+}
+
+QStringList wordsOf(const Option &option) {
+    const QString value = QString::fromUtf8(option.value);
+    if (!value.contains(u'|') || value.front().isUpper()) // OUT.svg|png: a name with one of these endings
+        return {};
+    return value.split(u'|');
+}
+
+std::span<const Option> commonOptions() {
+    return optionsOfAll;
+}
+
+std::span<const Command> commands() {
+    static const std::array table{evaluateCommand(), checkCommand(),   reportCommand(),     verifyCommand(),
+                                  figureCommand(),   explainCommand(), importCommand(),     exportCommand(),
+                                  targetsCommand(),  feedCommand(),    synthesizeCommand(), registerCommand(),
+                                  selftestCommand()};
+    return table;
+}
+
+bool needsDrawing(const QStringList &words) {
+    return std::ranges::any_of(commands(), [&words](const Command &command) {
+        return command.draws && words.contains(QString::fromUtf8(command.name));
+    });
+}
+
+Invocation parseArguments(const Command &command, const QStringList &words, Language language) {
+    Invocation result{std::move(language), false, {}, {}};
+    bool onlyFiles = false;
+    for (qsizetype next = 0; next < words.size();) {
+        const QString &word = words[next++];
+        if (onlyFiles || !word.startsWith(u'-') || word == QLatin1StringView("-")) {
+            result.arguments << word;
+        } else if (word == QLatin1StringView("--")) {
+            onlyFiles = true;
+        } else {
+            const Option *option = findOption(command, optionName(word));
+            if (!option)
+                throw UsageError({REPORT_TEXT("report", "unknown option %1 of the command %2"),
+                                  {word.toStdString(), std::string(command.name)}});
+            const qsizetype mark = word.indexOf(u'=');
+            take(result, *option, mark < 0 ? std::nullopt : std::optional(word.mid(mark + 1)), words, next);
+        }
+    }
+    // A command may give the option another meaning: the languages of its reports.
+    if (!findOwnOption(command, QStringLiteral("language")))
+        settleLanguage(result);
+    if (!result.has(QLatin1StringView("help"))) {
+        demandFiles(command, result);
+        demandEffects(command, result);
+    }
+    return result;
+}
+
+std::optional<Language> chosenLanguage(const QStringList &words) {
+    const QLatin1StringView option("--language");
+    std::optional<Language> result;
+    for (qsizetype i = 0; i < words.size() && words[i] != QLatin1StringView("--"); ++i) {
+        QString name;
+        if (words[i] == option)
+            name = words.value(i + 1);
+        else if (words[i].startsWith(option) && words[i].size() > option.size() &&
+                 words[i][option.size()] == u'=')
+            name = words[i].mid(option.size() + 1);
+        if (auto language = Language::fromName(name))
+            result = std::move(language);
+    }
+    return result;
+}
+
+} // namespace palmer

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commandline/optionvalues.h"
+
+#include "language/entry.h"
+
+#include <QRegularExpression>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace palmer {
+
+namespace {
+
+std::string typed(const char *option) {
+    return "--" + std::string(option);
+}
+
+Number shown(double value) {
+    return {value, Quantity::number};
+}
+
+} // namespace
+
+void refuse(const char *option, const QString &given, const std::string &form) {
+    throw UsageError(
+        {REPORT_TEXT("report", "%1 cannot be %2; expected %3"), {typed(option), given.toStdString(), form}});
+}
+
+double numberGiven(const char *option, const QString &given) {
+    // "1,000" is a thousand to some and one to others; "0,125" is not.
+    static const QRegularExpression grouped(QStringLiteral("^[+-]?[1-9][0-9]{0,2}(,[0-9]{3})+$"));
+    static const QRegularExpression power(QStringLiteral("^[^eE]+[eE][+-]?[0-9]{1,3}$"));
+    if (grouped.match(given).hasMatch())
+        throw UsageError({REPORT_TEXT("report", "%1 cannot be %2: the comma may stand before thousands or "
+                                                "before decimals; write it without"),
+                          {typed(option), given.toStdString()}});
+    std::optional<double> value = enteredNumber(given, Quantity::number).value;
+    if (bool isNumber = false; power.match(given).hasMatch()) {
+        value = QString(given).replace(u',', u'.').toDouble(&isNumber);
+        value = isNumber ? value : std::nullopt;
+    }
+    if (!value || !std::isfinite(*value))
+        throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; expected a number"),
+                          {typed(option), given.toStdString()}});
+    return *value;
+}
+
+double numberBetween(const char *option, const QString &given, double least, double most) {
+    const double value = numberGiven(option, given);
+    if (value < least || value > most)
+        throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; expected a number from %3 to %4"),
+                          {typed(option), given.toStdString(), shown(least), shown(most)}});
+    return value;
+}
+
+double numberAbove(const char *option, const QString &given, double bound) {
+    const double value = numberGiven(option, given);
+    if (!(value > bound))
+        throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; expected a number greater than %3"),
+                          {typed(option), given.toStdString(), shown(bound)}});
+    return value;
+}
+
+std::optional<double> numberOf(const Invocation &invocation, const char *option) {
+    const auto given = invocation.value(QLatin1StringView(option));
+    return given ? std::optional(numberGiven(option, *given)) : std::nullopt;
+}
+
+std::optional<long long> wholeGiven(const QString &given) {
+    bool isNumber = false;
+    const long long number = given.toLongLong(&isNumber);
+    if (isNumber)
+        return number;
+    static const QRegularExpression power(QStringLiteral("^[0-9]+([.,][0-9]+)?[eE][+]?[0-9]{1,2}$"));
+    constexpr double exact = 9e15; // a double holds all whole numbers up to here
+    const double value =
+        power.match(given).hasMatch() ? QString(given).replace(u',', u'.').toDouble(&isNumber) : 0;
+    if (!isNumber || value > exact || value != std::floor(value))
+        return {};
+    return static_cast<long long>(value);
+}
+
+long long wholeBetween(const char *option, const QString &given, long long least, long long most) {
+    const std::optional<long long> number = wholeGiven(given);
+    if (!number || *number < least || *number > most)
+        throw UsageError({REPORT_TEXT("report", "%1 cannot be %2; expected a whole number from %3 to %4"),
+                          {typed(option), given.toStdString(), std::to_string(least), std::to_string(most)}});
+    return *number;
+}
+
+std::size_t testIndex(const Invocation &invocation, std::size_t count) {
+    const QString word = invocation.value(QLatin1StringView("test")).value_or(QStringLiteral("1"));
+    bool isNumber = false;
+    const uint number = word.toUInt(&isNumber);
+    if (!isNumber || number < 1 || number > count)
+        throw UsageError({REPORT_TEXT("report", "there is no test %1; the file has %2"),
+                          {word.toStdString(), Number{static_cast<double>(count), Quantity::count}}});
+    return number - 1;
+}
+
+std::optional<std::int64_t> seedOf(const Invocation &invocation) {
+    const auto given = invocation.value(QLatin1StringView("seed"));
+    if (!given)
+        return std::nullopt;
+    return wholeBetween("seed", *given, 0, std::numeric_limits<std::int64_t>::max());
+}
+
+} // namespace palmer

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commandline/rejection.h"
+
+#include "document/testsofverdict.h"
+
+namespace palmer {
+
+namespace {
+
+bool isRejected(const Test &test, const TestEvaluation &evaluation) {
+    if (!evaluation.verdict)
+        return false;
+    if (test.decisionRule.rule == Rule::rejectionProven)
+        return *evaluation.verdict == Verdict::doesNotConform;
+    return *evaluation.verdict != Verdict::conforms;
+}
+
+} // namespace
+
+bool hasRejection(const EvaluatedDocument &evaluated) {
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        if (countsForVerdict(*evaluated.document, i) &&
+            isRejected(*evaluated.document->tests[i], *evaluated.tests[i]))
+            return true;
+    }
+    return false;
+}
+
+} // namespace palmer

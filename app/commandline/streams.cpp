@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "commandline/streams.h"
+
+#include "commandline/preparation.h"
+#include "document/filename.h"
+#include "document/readdocument.h"
+#include "document/savedocument.h"
+#include "document/setfield.h"
+#include "document/testfile.h"
+#include "import/importmeasurement.h"
+#include "import/profiles.h"
+#include "proof/readreportpdf.h"
+
+#include <QFile>
+#include <algorithm>
+#include <cstdio>
+
+namespace palmer {
+
+namespace {
+
+constexpr qint64 blockSize = qint64(1) << 20;
+
+QByteArray standardInput() {
+    QFile input;
+    if (!input.open(stdin, QIODevice::ReadOnly))
+        throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
+                                              {input.errorString().toStdString()}});
+    QByteArray bytes;
+    for (QByteArray block = input.read(blockSize); !block.isEmpty(); block = input.read(blockSize)) {
+        bytes += block;
+        demandReadable(bytes.size());
+    }
+    if (input.error() != QFileDevice::NoError)
+        throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
+                                              {input.errorString().toStdString()}});
+    return bytes;
+}
+
+QString oneLine(QString text) {
+    std::ranges::replace_if(
+        text, [](QChar c) { return c.category() == QChar::Other_Control || c == QChar::LineSeparator; },
+        u' ');
+    return text;
+}
+
+} // namespace
+
+void printOut(const QByteArray &bytes) {
+    const auto size = static_cast<std::size_t>(bytes.size());
+    if (std::fwrite(bytes.constData(), 1, size, stdout) != size || std::fflush(stdout) != 0)
+        throw Error(Error::Kind::unwritable,
+                    {REPORT_TEXT("report", "standard output cannot be written"), {}});
+}
+
+void printOut(const QString &text) {
+    printOut(text.toUtf8());
+}
+
+std::optional<JsonForm> jsonForm(const Invocation &invocation, bool several) {
+    if (invocation.has(QLatin1StringView(jsonLinesOption.name)))
+        return JsonForm::oneLine;
+    if (!invocation.has(QLatin1StringView("json")))
+        return {};
+    return several ? JsonForm::oneLine : JsonForm::pretty;
+}
+
+Language namesLanguage(const Invocation &invocation) {
+    return invocation.languageChosen ? invocation.language : Language(Language::Id::english);
+}
+
+Error notEnoughMemory() {
+    return Error(Error::Kind::tooLarge, {REPORT_TEXT("report", "not enough memory for this"), {}, {}});
+}
+
+void printError(const QString &text) {
+    const QByteArray line = (QStringLiteral("palmer-cli: ") + oneLine(shownFileName(text)) + u'\n').toUtf8();
+    std::fwrite(line.constData(), 1, static_cast<std::size_t>(line.size()), stderr);
+}
+
+void printError(const QString &file, const Error &error, const Language &language) {
+    QString text = file + QStringLiteral(": ");
+    if (!error.place.empty())
+        text += QString::fromStdString(error.place) + QStringLiteral(": ");
+    printError(text + language.sentence(error.message));
+}
+
+namespace {
+
+/// `FILE: line:column: `.
+QString placeOf(const QString &file, std::size_t line, std::size_t column) {
+    QString text = file + QStringLiteral(": ");
+    if (line > 0) {
+        text += QString::number(line);
+        if (column > 0)
+            text += u':' + QString::number(column);
+        text += QStringLiteral(": ");
+    }
+    return text;
+}
+
+QString timesOf(std::size_t times) {
+    return times > 1 ? QStringLiteral(" (× %1)").arg(times) : QString();
+}
+
+void printQuestion(const QString &file, const Question &question, const Language &language) {
+    QString text = placeOf(file, question.line, question.column) + language.sentence(question.sentence) +
+                   timesOf(question.further.size() + 1);
+    std::string answers;
+    for (const std::string &answer : question.answers)
+        answers += (answers.empty() ? "" : ", ") + answer;
+    if (const ImportKey *known = findImportKey(question.id); known && answers.empty()) {
+        for (const ImportWord &word : known->words)
+            answers += (answers.empty() ? "" : ", ") + std::string(word.word);
+    }
+    if (!question.proposal.empty()) {
+        const std::string setting = question.id + '=' + question.proposal;
+        const bool hasBlank = setting.find(' ') != std::string::npos; // for the shell
+        text += u' ' + language.sentence({REPORT_TEXT("report", "Proposed: --set %1."),
+                                          {hasBlank ? '"' + setting + '"' : setting}});
+    }
+    if (!answers.empty())
+        text += u' ' + language.sentence(
+                           {REPORT_TEXT("report", "Answers for --set %1=…: %2."), {question.id, answers}});
+    else if (question.proposal.empty())
+        text += u' ' + language.sentence({REPORT_TEXT("report", "Answer with --set %1=…."), {question.id}});
+    printError(text);
+}
+
+} // namespace
+
+void printRemarks(const QString &file, const std::vector<Remark> &remarks, const Language &language) {
+    for (const Remark &remark : remarks)
+        printError(placeOf(file, remark.line, remark.column) + language.sentence(remark.message) +
+                   timesOf(remark.times));
+}
+
+ImportOptions chosenOptions(const Invocation &invocation) {
+    ImportOptions chosen;
+    if (const auto profile = invocation.value(QLatin1StringView("profile"))) {
+        const ImportProfiles profiles = readImportProfiles(importProfilesPath());
+        const auto found = profiles.find(profile->toStdString());
+        if (found == profiles.end()) {
+            std::string known;
+            for (const auto &[name, words] : profiles)
+                known += (known.empty() ? "" : ", ") + name;
+            throw UsageError(
+                {REPORT_TEXT("report", "unknown profile %1; known: %2"), {profile->toStdString(), known}});
+        }
+        chosen = found->second;
+    }
+    for (const QString &setting : invocation.values(QLatin1StringView("set"))) {
+        const qsizetype mark = setting.indexOf(u'=');
+        if (mark < 1)
+            throw UsageError(
+                {REPORT_TEXT("report", "“%1” is no choice; expected key=value"), {setting.toStdString()}});
+        const std::string key = setting.left(mark).toStdString();
+        if (findImportKey(key) || !beginsAsField(key)) // else it is a path of the test file
+            chosen[setting.left(mark).toStdString()] = setting.mid(mark + 1).toStdString();
+    }
+    try {
+        demandKnown(chosen);
+    } catch (const Error &error) {
+        throw UsageError(error.message);
+    }
+    return chosen;
+}
+
+std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file, const ImportOptions &options,
+                                     const Invocation &invocation) {
+    Imported imported = showMeasurement(bytes, file, options);
+    if (imported.refusal) {
+        if (!imported.columns.empty())
+            printError(file + QStringLiteral(": ") +
+                       invocation.language.sentence({REPORT_TEXT("report", "Roles of the columns as read: "
+                                                                           "--set columns=%1; known: %2."),
+                                                     {wordOf(imported.columns), roleWords()}}));
+        throw Error(*imported.refusal);
+    }
+    printRemarks(file, imported.remarks, invocation.language);
+    const bool accepts = invocation.has(QLatin1StringView("accept"));
+    std::size_t open = 0;
+    for (const Question &question : imported.questions) {
+        const bool isAccepted = accepts && !question.proposal.empty();
+        open += isAccepted ? 0 : 1;
+        if (isAccepted)
+            printError(placeOf(file, question.line, question.column) +
+                       invocation.language.sentence(question.sentence) +
+                       timesOf(question.further.size() + 1));
+        else
+            printQuestion(file, question, invocation.language);
+    }
+    if (open == 0)
+        return imported;
+    Message refusal{REPORT_TEXT("report",
+                                "%1 questions are open: nothing was imported; answer them with --set, or "
+                                "take what is proposed with --accept"),
+                    {Number{static_cast<double>(open), Quantity::count}}};
+    printError(file + QStringLiteral(": ") + invocation.language.sentence(refusal));
+    return {};
+}
+
+std::vector<std::string> choicesWithoutEffect(const Imported &imported, const Invocation &invocation) {
+    std::vector<std::string> keys;
+    for (const QString &setting : invocation.values(QLatin1StringView("set"))) {
+        const std::string key = setting.section(u'=', 0, 0).toStdString();
+        const ImportKey *known = findImportKey(key);
+        const bool isAnswer = known && known->words.size() == 1; // to a question that may not come
+        if (known && !isAnswer &&
+            std::ranges::find(imported.choices, key, &ImportChoice::key) == imported.choices.end())
+            keys.push_back(key);
+    }
+    return keys;
+}
+
+void refuseChoice(const std::string &key) {
+    throw UsageError({REPORT_TEXT("report", "--set %1 has no effect here: what is read has no such choice "
+                                            "(--help KEYS lists all)"),
+                      {key}});
+}
+
+QByteArray bytesFrom(const QString &file) {
+    return file == QLatin1StringView("-") ? standardInput() : readBytes(file);
+}
+
+namespace {
+
+/// Throws Error for a document without a test: nothing could be done with it, and silence would say that all
+/// is well.
+Document withTests(Document document) {
+    if (document.tests.empty())
+        throw Error(Error::Kind::content, {REPORT_TEXT("report", "there is no test in the file"), {}});
+    return document;
+}
+
+/// Throws UsageError for a choice of the import: it would do nothing to a test file.
+void demandNoChoice(const Invocation &invocation) {
+    if (invocation.has(QLatin1StringView("profile")))
+        throw UsageError(
+            {REPORT_TEXT("report", "--%1 has no effect here: this is a test file, which needs no "
+                                   "choices of the import"),
+             {std::string("profile")}});
+    for (const QString &setting : invocation.values(QLatin1StringView("set"))) {
+        const QString key = setting.section(u'=', 0, 0);
+        if (findImportKey(key.toStdString()))
+            throw UsageError(
+                {REPORT_TEXT("report", "--set %1 is a choice of the import, and this is a test file; its "
+                                       "fields have paths, as tests[0].title"),
+                 {key.toStdString()}});
+    }
+}
+
+} // namespace
+
+std::optional<Document> documentFrom(const QString &file, const Invocation &invocation) {
+    const QByteArray bytes = bytesFrom(file);
+    const bool isReport = isPdf(bytes);
+    if (isReport || isTestFile(bytes, file))
+        demandNoChoice(invocation);
+    if (isReport)
+        return prepared(readDocument(readReportPdf(bytes).testFile), invocation);
+    if (isTestFile(bytes, file))
+        return prepared(withTests(readDocument(bytes)), invocation);
+    auto imported = importedFrom(bytes, file, chosenOptions(invocation), invocation);
+    if (!imported)
+        return {};
+    if (const std::vector<std::string> without = choicesWithoutEffect(*imported, invocation);
+        !without.empty())
+        refuseChoice(without.front());
+    Document document;
+    addImported(document, std::move(*imported), bytes, file, false);
+    return prepared(std::move(document), invocation);
+}
+
+} // namespace palmer

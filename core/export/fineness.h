@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+
+namespace palmer {
+
+/// Parts of a mm or degree that positions of a compensation table are rounded to.
+inline constexpr double positionFineness = 1e6;
+
+/// To whole `parts` of one; never −0.
+[[nodiscard]] inline double rounded(double value, double parts) {
+    return std::round(value * parts) / parts + 0.0;
+}
+
+} // namespace palmer

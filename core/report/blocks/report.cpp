@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/blocks/report.h"
+
+namespace palmer {
+
+QString Phrase::plain() const {
+    QString result;
+    for (const Span &span : spans)
+        result += span.text;
+    return result;
+}
+
+Mark markOf(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::conforms:
+        return Mark::check;
+    case Verdict::notProven:
+        return Mark::openCircle;
+    case Verdict::doesNotConform:
+        return Mark::cross;
+    }
+    return Mark::none;
+}
+
+Mark markOf(Grade grade) {
+    return grade == Grade::requirement ? Mark::cross : Mark::openCircle;
+}
+
+bool Cell::isMissing() const {
+    return !blank && mark == Mark::none && !guard && !bar && text.plain().isEmpty() && notes.empty();
+}
+
+Cell blankCell() {
+    Cell cell;
+    cell.blank = true;
+    return cell;
+}
+
+QString anchorOf(const Block &block) {
+    if (const auto *head = std::get_if<TestHead>(&block))
+        return head->anchor;
+    const auto *heading = std::get_if<Heading>(&block);
+    return heading ? heading->anchor : QString();
+}
+
+QString detailsAnchor(const QString &head) {
+    return head + QStringLiteral("-details");
+}
+
+namespace {
+
+void putPages(Table &table, const std::map<QString, int> &pages) {
+    for (std::size_t column = 0; column < table.columns.size(); ++column) {
+        if (!table.columns[column].pages)
+            continue;
+        for (std::size_t row = 0; row < table.rows.size() && row < table.links.size(); ++row) {
+            Cell &cell = table.rows[row][column];
+            if (const auto found = pages.find(table.links[row]); !cell.blank && found != pages.end())
+                cell.text = QString::number(found->second);
+        }
+    }
+}
+
+} // namespace
+
+Report withPages(Report report, const std::map<QString, int> &pages) {
+    for (Block &block : report.blocks) {
+        if (auto *table = std::get_if<Table>(&block))
+            putPages(*table, pages);
+        auto *line = std::get_if<VerdictLine>(&block);
+        if (!line || line->anchor.isEmpty())
+            continue;
+        const auto found = pages.find(line->anchor);
+        for (Span &span : line->accordance.text.spans)
+            span.text.replace(QLatin1String("%1"),
+                              found == pages.end() ? QStringLiteral("–") : QString::number(found->second));
+    }
+    return report;
+}
+
+} // namespace palmer

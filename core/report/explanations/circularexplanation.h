@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "report/explanations/explanation.h"
+#include "report/words/printednumbers.h"
+
+namespace palmer {
+
+/// What `explanation` says of a parameter of a circular test: formula with the distances from the centre and
+/// the correction put in, the circle with its certificate, the points that rule it. Nothing where the
+/// edition's parameter has no such explanation. `test` holds a CircularMeasurement, `evaluation` is its
+/// evaluation, `printed` the numbers of the parameter as everywhere.
+[[nodiscard]] std::optional<Explanation>
+circularExplanation(const Test &test, const TestEvaluation &evaluation, const Parameter &parameter,
+                    const PrintedNumbers &printed, const Language &language);
+
+} // namespace palmer

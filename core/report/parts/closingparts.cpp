@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/parts/closingparts.h"
+
+#include "language/decimals.h"
+
+#include <algorithm>
+#include <set>
+
+namespace palmer {
+
+namespace {
+
+constexpr double statementLabels = 44;  ///< mm
+constexpr double labelsBeside = 36;     ///< of two columns of statements
+constexpr qsizetype longestBeside = 26; ///< characters of a statement that finds room on a line there
+
+/// In the order of the file, those any test names.
+std::vector<const Instrument *> usedInstruments(const Document &document) {
+    std::set<std::string> used;
+    for (const TestPointer &test : document.tests)
+        used.insert(test->instruments.begin(), test->instruments.end());
+    std::vector<const Instrument *> result;
+    for (const Instrument &instrument : document.instruments) {
+        if (used.contains(instrument.id))
+            result.push_back(&instrument);
+    }
+    return result;
+}
+
+/// Millimetres or degrees: a test of a rotary axis that names the instrument makes it an angular one.
+Quantity resolutionQuantity(const Document &document, const Instrument &instrument) {
+    for (const TestPointer &test : document.tests) {
+        const auto *m = std::get_if<PositioningMeasurement>(&test->measurement);
+        if (m && std::ranges::find(test->instruments, instrument.id) != test->instruments.end())
+            return deviationQuantity(m->axis);
+    }
+    return Quantity::deviation;
+}
+
+QString machineDetails(const Writer &write, const Machine &machine) {
+    QStringList details;
+    if (!machine.controller.empty())
+        details << write.say(REPORT_TEXT("report", "control %1"), {machine.controller});
+    if (machine.year)
+        details << write.say(REPORT_TEXT("report", "year %1"), {std::to_string(*machine.year)});
+    details << QString::fromStdString(machine.location);
+    return joined(details);
+}
+
+QString selfTestText(const Writer &write, const std::optional<bool> &passed) {
+    if (!passed)
+        return write.text(REPORT_TEXT("report", "self-test not run"));
+    return write.text(*passed ? REPORT_TEXT("report", "self-test against published data passed")
+                              : REPORT_TEXT("report", "self-test against published data NOT passed"));
+}
+
+Text signerText(Signer signer) {
+    switch (signer) {
+    case Signer::operatorSigns:
+        return REPORT_TEXT("report", "Operator");
+    case Signer::laboratory:
+        return REPORT_TEXT("report", "Laboratory");
+    case Signer::supplier:
+        return REPORT_TEXT("report", "Supplier/manufacturer");
+    case Signer::customer:
+        return REPORT_TEXT("report", "Customer/user");
+    }
+    return {};
+}
+
+/// What finds room in a column that is never split: whole names stand in the head and among the statements.
+QString bounded(const QString &name) {
+    constexpr qsizetype most = 160;
+    if (name.size() <= most)
+        return name;
+    const bool splits = name.at(most - 1).isHighSurrogate();
+    return name.left(splits ? most - 1 : most).trimmed() + u'…';
+}
+
+QString authorisedText(const ReportHead &head) {
+    return joined(
+        {QString::fromStdString(head.authorisedBy.name), QString::fromStdString(head.authorisedBy.function)});
+}
+
+QString knownName(Signer signer, const ReportHead &head) {
+    switch (signer) {
+    case Signer::operatorSigns:
+        return bounded(QString::fromStdString(head.operatorName));
+    case Signer::laboratory:
+        return bounded(authorisedText(head));
+    case Signer::supplier:
+    case Signer::customer:
+        return {}; // the head names the company, not who signs for it
+    }
+    return {};
+}
+
+} // namespace
+
+void addTraceability(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated) {
+    const auto instruments = usedInstruments(*evaluated.document);
+    if (instruments.empty())
+        return;
+    Table table;
+    table.columns = {{write.text(REPORT_TEXT("report", "Instrument")), {}, Alignment::left, true, 41},
+                     {write.text(REPORT_TEXT("report", "Serial number")), {}, Alignment::left, false, 20},
+                     {write.text(REPORT_TEXT("report", "Certificate")), {}, Alignment::left, false, 21},
+                     {write.text(REPORT_TEXT("report", "Calibrated by")), {}, Alignment::left, false, 31},
+                     {write.text(REPORT_TEXT("report", "Calibrated")), {}, Alignment::left, false, 22},
+                     {write.text(REPORT_TEXT("report", "Due")), {}, Alignment::left, false, 22},
+                     {write.text(REPORT_TEXT("report", "Resolution")), {}, Alignment::left, false, 18}};
+    const auto shortDate = [&](const std::optional<std::string> &date) {
+        return date && !date->empty() ? write.language().shortDate(*date) : QString();
+    };
+    for (const Instrument *instrument : instruments)
+        table.rows.push_back(
+            {joined({QString::fromStdString(instrument->description),
+                     QString::fromStdString(instrument->manufacturer),
+                     QString::fromStdString(instrument->model)}),
+             QString::fromStdString(instrument->serialNumber),
+             QString::fromStdString(instrument->certificate),
+             QString::fromStdString(instrument->calibratedBy), shortDate(instrument->calibrationDate),
+             shortDate(instrument->calibrationDue),
+             write.quantity(instrument->resolution, resolutionQuantity(*evaluated.document, *instrument))});
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Traceability of the instruments")));
+    blocks.emplace_back(std::move(table));
+}
+
+void addDriftTests(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated) {
+    KeyValues values;
+    values.labelWidth = statementLabels;
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        const Test &test = *evaluated.document->tests[i];
+        const auto *drift = std::get_if<DriftMeasurement>(&test.measurement);
+        if (!drift)
+            continue;
+        const auto &range = resultsOf(*drift, *evaluated.tests[i]).range;
+        values.rows.push_back({joined({testName(write, test), QString::fromStdString(test.title)}),
+                               range ? write.say(REPORT_TEXT("report", "range of the deviations %1"),
+                                                 {Number{*range, deviationQuantity(drift->axis), 1}})
+                                     : QString()});
+    }
+    if (values.rows.empty())
+        return;
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Drift tests")),
+               write.text(REPORT_TEXT("report", "environmental variation error")));
+    blocks.emplace_back(std::move(values));
+}
+
+namespace {
+
+/// What is stated, the short statements in two columns beside each other, the long ones below.
+void addStated(std::vector<Block> &blocks, const std::vector<KeyValue> &rows) {
+    constexpr std::size_t fewest = 4; // are worth two columns
+    SideBySide both;
+    KeyValues left;
+    KeyValues right;
+    KeyValues below;
+    left.labelWidth = right.labelWidth = labelsBeside;
+    below.labelWidth = statementLabels;
+    const auto isShort = [](const KeyValue &row) {
+        return row.value.size() <= longestBeside && !row.value.contains(u'\n');
+    };
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(rows, isShort));
+    for (const KeyValue &row : rows) {
+        if (count < fewest || !isShort(row))
+            below.rows.push_back(row);
+        else if (2 * left.rows.size() < count)
+            left.rows.push_back(row);
+        else
+            right.rows.push_back(row);
+    }
+    if (!left.rows.empty()) {
+        both.left.emplace_back(std::move(left));
+        both.right.emplace_back(std::move(right));
+        blocks.emplace_back(std::move(both));
+    }
+    if (!below.rows.empty())
+        blocks.emplace_back(std::move(below));
+}
+
+} // namespace
+
+QString scopeText(const Writer &write) {
+    return write.text(REPORT_TEXT("report",
+                                  "The results relate only to the machine tested in the stated condition.")) +
+           u' ' + write.text(REPORT_TEXT("report", "This report may be reproduced only in full."));
+}
+
+void addStatements(std::vector<Block> &blocks, const Writer &write, const Document &document,
+                   const Making &making, const QString &fingerprint, const QString &foreign, int level) {
+    const ReportHead &head = document.report;
+    std::vector<KeyValue> rows;
+    const auto add = [&](const Text &label, const QString &value) {
+        rows.push_back({write.text(label), value});
+    };
+    const auto addKnown = [&](const Text &label, const QString &value) {
+        if (!value.isEmpty())
+            add(label, value);
+    };
+    addKnown(REPORT_TEXT("report", "Order"), QString::fromStdString(head.order));
+    addKnown(REPORT_TEXT("report", "Procedure"), QString::fromStdString(head.procedure));
+    addKnown(REPORT_TEXT("report", "Tests carried out"),
+             periodText(write, head.performedFrom, head.performedTo));
+    addKnown(REPORT_TEXT("report", "Details of the machine"), machineDetails(write, document.machine));
+    add(REPORT_TEXT("report", "Condition of the machine"),
+        QString::fromStdString(document.machine.condition));
+    add(REPORT_TEXT("report", "Adjustments made"), QString::fromStdString(head.adjustments));
+    QString revision = QString::fromStdString(head.revision);
+    if (!head.replaces.empty())
+        revision = joined({revision, write.say(REPORT_TEXT("report", "replaces %1"), {head.replaces})});
+    add(REPORT_TEXT("report", "Revision"), revision);
+    add(REPORT_TEXT("report", "Authorised by"), authorisedText(head));
+    add(REPORT_TEXT("report", "Program"),
+        joined({making.program, selfTestText(write, making.selfTestPassed)}));
+    add(REPORT_TEXT("report", "Fingerprint SHA-256"), fingerprint);
+    if (!foreign.isEmpty())
+        add(REPORT_TEXT("report", "Characters"),
+            write.say(REPORT_TEXT("report",
+                                  "not in the font of the report: %1; drawn from another font where one "
+                                  "is installed, else as boxes"),
+                      foreign));
+    blocks.emplace_back(Heading{level, write.text(REPORT_TEXT("report", "Statements"))});
+    addStated(blocks, rows);
+    blocks.emplace_back(Paragraph{
+        scopeText(write) + u' ' +
+            write.text(REPORT_TEXT(
+                "report", "The fingerprint is that of the test file attached to the PDF of this report.")),
+        TextSize::small});
+}
+
+void addResponsibility(std::vector<Block> &blocks, const Writer &write, const ReportHead &head) {
+    constexpr double height = 12.4; // mm, as the widths
+    constexpr double dateWidth = 36;
+    constexpr double signatureWidth = 62;
+    const auto column = [&](const Text &label, const QString &value, double width) {
+        return SignatureColumn{{}, {{write.text(label), value, true, height}}, width};
+    };
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Responsibility for the report")));
+    blocks.emplace_back(Signatures{
+        {column(REPORT_TEXT("report", "Authorised by: name, function"), bounded(authorisedText(head)), 0),
+         column(REPORT_TEXT("report", "Date"), {}, dateWidth),
+         column(REPORT_TEXT("report", "Signature"), {}, signatureWidth)}});
+}
+
+void addSignatures(std::vector<Block> &blocks, const Writer &write, const ReportHead &head) {
+    const bool leftOut = std::ranges::find(head.leaveOut, ReportPart::signatures) != head.leaveOut.end();
+    if (!leftOut && !head.signatures.empty()) {
+        Signatures signatures;
+        for (const Signer signer : head.signatures)
+            signatures.columns.push_back(
+                {write.text(signerText(signer)),
+                 {{write.text(REPORT_TEXT("report", "Name")), knownName(signer, head)},
+                  {write.text(REPORT_TEXT("report", "Date"))},
+                  {write.text(REPORT_TEXT("report", "Signature")), {}, true}}});
+        addHeading(blocks, write.text(REPORT_TEXT("report", "Signatures")));
+        blocks.emplace_back(std::move(signatures));
+    }
+    blocks.emplace_back(EndMark{write.text(REPORT_TEXT("report", "End of the report"))});
+}
+
+} // namespace palmer

@@ -1,0 +1,736 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/parts/conditionparts.h"
+
+#include "figures/linefigure.h"
+#include "kernel/evaluation/agreedpoints.h"
+#include "language/decimals.h"
+#include "report/parts/pagefacts.h"
+#include "report/parts/uncertaintyparts.h"
+#include "report/words/wording.h"
+
+#include <algorithm>
+#include <array>
+
+namespace palmer {
+
+namespace {
+
+constexpr double conditionsWidth = 98; ///< mm, beside the environment of 68
+constexpr double conditionLabels = 30; ///< mm
+constexpr int mostTemperatureDecimals = 3;
+constexpr int correctionDecimals = 2;
+
+QString yesNo(const Writer &write, std::optional<bool> value) {
+    if (!value)
+        return {};
+    return write.text(*value ? REPORT_TEXT("report", "yes") : REPORT_TEXT("report", "no"));
+}
+
+QString stated(const Writer &write, std::optional<bool> value, const Text &yes, const Text &no) {
+    return value ? write.text(*value ? yes : no) : QString();
+}
+
+QString specifiedText(const Writer &write, SpecifiedBy by) {
+    switch (by) {
+    case SpecifiedBy::notStated:
+        break;
+    case SpecifiedBy::maker:
+        return write.text(REPORT_TEXT("report", "as the maker specifies"));
+    case SpecifiedBy::agreement:
+        return write.text(REPORT_TEXT("report", "as agreed"));
+    }
+    return {};
+}
+
+QString warmUpText(const Writer &write, const WarmUp &warmUp) {
+    QString text = QString::fromStdString(warmUp.text);
+    const QString by = specifiedText(write, warmUp.specifiedBy);
+    switch (warmUp.kind) {
+    case WarmUpKind::notStated:
+        return joined({by, text});
+    case WarmUpKind::procedure:
+        return joined(
+            {by.isEmpty() ? write.text(REPORT_TEXT("report", "agreed or maker’s procedure")) : by, text});
+    case WarmUpKind::dryRun:
+        return joined({write.text(REPORT_TEXT("report", "dry run")), by, text});
+    case WarmUpKind::setUpOnly:
+        return joined({write.text(REPORT_TEXT("report", "set-up movements only")), text});
+    }
+    return text;
+}
+
+QString targetChoiceText(const PositioningPart &part) {
+    const TargetChoice &choice = part.measurement.targetChoice;
+    const Writer &write = part.write;
+    const auto distance = [&](double value) { return Number{value, part.along(), -1}; };
+    QStringList texts;
+    switch (choice.kind) {
+    case TargetChoiceKind::notStated:
+        return {};
+    case TargetChoiceKind::free:
+        texts << write.text(REPORT_TEXT("report", "chosen freely"));
+        break;
+    case TargetChoiceKind::polygon:
+        texts << (choice.faces ? write.say(REPORT_TEXT("report", "polygon of %1 faces"),
+                                           {Number{static_cast<double>(*choice.faces), Quantity::count, 0}})
+                               : write.text(REPORT_TEXT("report", "faces of the polygon")));
+        break;
+    case TargetChoiceKind::fixed:
+        texts << write.text(REPORT_TEXT("report", "fixed by the instrument"));
+        break;
+    }
+    if (choice.interval)
+        texts << write.say(REPORT_TEXT("report", "nominal interval %1"), {distance(*choice.interval)});
+    if (choice.period)
+        texts << write.say(REPORT_TEXT("report", "period %1"), {distance(*choice.period)});
+    if (choice.seed)
+        texts << write.say(REPORT_TEXT("report", "random part of seed %1"), {std::to_string(*choice.seed)});
+    return joined(texts);
+}
+
+QString targetList(const PositioningPart &part) {
+    const auto &targets = part.measurement.targets;
+    const int decimals = positionDecimals(targets, part.along());
+    QStringList texts;
+    for (const double target : targets)
+        texts << part.write.language().number(target, part.along(), decimals);
+    return joined(texts, part.write.semicolon()) + QStringLiteral("\u00A0") +
+           part.write.language().unit(part.along());
+}
+
+QString measuringLineText(const Writer &write, const Conditions &conditions) {
+    QStringList lines;
+    const auto add = [&](const Text &words, const Point3 &point) {
+        const QString text = pointText(write, point);
+        lines << write.say(words, text.isEmpty() ? QStringLiteral("–") : text + QStringLiteral("\u00A0mm"));
+    };
+    add(REPORT_TEXT("report", "tool offset: %1"), conditions.toolOffset);
+    add(REPORT_TEXT("report", "workpiece offset: %1"), conditions.workpieceOffset);
+    return lines.join(u'\n');
+}
+
+/// The rows of a table of conditions.
+class ConditionRows {
+public:
+    explicit ConditionRows(const Writer &write)
+        : m_write(write) {
+        m_values.labelWidth = conditionLabels;
+    }
+
+    void add(const Text &label, const QString &value) {
+        m_values.rows.push_back({m_write.text(label), value});
+    }
+    void add(const Text &label, const std::string &value) { add(label, QString::fromStdString(value)); }
+    void addStated(const Text &label, const QString &value) {
+        if (!value.isEmpty())
+            add(label, value);
+    }
+    void addStated(const Text &label, const std::string &value) {
+        addStated(label, QString::fromStdString(value));
+    }
+    [[nodiscard]] KeyValues take() { return std::move(m_values); }
+
+private:
+    const Writer &m_write;
+    KeyValues m_values;
+};
+
+void addLoadAndState(ConditionRows &rows, const TestPart &part, const Conditions &conditions) {
+    const Writer &write = part.write;
+    const Text unloaded = part.isOf1988() ? REPORT_TEXT_FOR("report", "machine unloaded", "1988")
+                                          : REPORT_TEXT("report", "machine unloaded");
+    rows.add(REPORT_TEXT("report", "Load"),
+             joined({stated(write, conditions.unloaded, unloaded, REPORT_TEXT("report", "machine loaded")),
+                     QString::fromStdString(conditions.load)}));
+    rows.add(
+        REPORT_TEXT("report", "State of the machine"),
+        joined({stated(write, conditions.complete, REPORT_TEXT("report", "complete and in working order"),
+                       REPORT_TEXT("report", "not complete")),
+                stated(write, conditions.levelled, REPORT_TEXT("report", "levelled and aligned"),
+                       REPORT_TEXT("report", "not levelled"))}));
+}
+
+QString compensationText(const Writer &write, InstrumentCompensation compensation) {
+    switch (compensation) {
+    case InstrumentCompensation::notStated:
+        break;
+    case InstrumentCompensation::on:
+        return write.text(REPORT_TEXT_FOR("report", "switched on", "compensation"));
+    case InstrumentCompensation::off:
+        return write.text(REPORT_TEXT_FOR("report", "switched off", "compensation"));
+    case InstrumentCompensation::none:
+        return write.text(REPORT_TEXT("report", "the instrument has none"));
+    }
+    return {};
+}
+
+void addPurpose(ConditionRows &rows, const TestPart &part) {
+    const Text role = roleText(part.test.role);
+    const Text purpose = purposeText(part.test.purpose);
+    QStringList texts{purpose.empty() ? QString() : part.write.text(purpose),
+                      role.empty() ? QString() : part.write.text(role)};
+    texts.removeAll(QString());
+    rows.addStated(REPORT_TEXT("report", "Purpose of the test"), texts.join(QStringLiteral(", ")));
+}
+
+void addThermalPreparation(ConditionRows &rows, const Writer &write, const Conditions &conditions) {
+    rows.addStated(REPORT_TEXT("report", "Room temperature"),
+                   stated(write, conditions.temperatureControlled, REPORT_TEXT("report", "can be controlled"),
+                          REPORT_TEXT("report", "cannot be controlled")));
+    rows.addStated(REPORT_TEXT("report", "Before the test"),
+                   stated(write, conditions.stabilised,
+                          REPORT_TEXT("report", "machine and instruments thermally stable"),
+                          REPORT_TEXT("report", "machine or instruments not thermally stable")));
+    rows.addStated(REPORT_TEXT("report", "Compensation by the instrument"),
+                   compensationText(write, conditions.instrumentCompensation));
+    rows.addStated(REPORT_TEXT("report", "Soak"), conditions.soak);
+    rows.addStated(REPORT_TEXT("report", "Thermal shielding"), yesNo(write, conditions.shielded));
+    rows.addStated(REPORT_TEXT("report", "Maker’s thermal guidelines"), conditions.thermalGuidelines);
+}
+
+KeyValues rowsOf(const PositioningPart &part) {
+    const Writer &write = part.write;
+    const PositioningConditions &conditions = part.measurement.conditions;
+    const Conditions &common = conditions.common;
+    const Quantity feed = feedQuantity(part.test);
+    ConditionRows rows(write);
+    addPurpose(rows, part);
+    rows.add(REPORT_TEXT("report", "Warm-up"), warmUpText(write, common.warmUp));
+    QString feedText = write.quantity(conditions.feed, feed);
+    if (conditions.feedMode == FeedMode::rapid)
+        feedText = joined({write.text(REPORT_TEXT("report", "rapid feed")), feedText});
+    rows.add(REPORT_TEXT("report", "Feed between targets"), feedText);
+    rows.add(REPORT_TEXT("report", "Dwell at target"), write.quantity(conditions.dwell, Quantity::time));
+    rows.addStated(REPORT_TEXT("report", "Approach distance"),
+                   write.quantity(conditions.approachDistance, part.along()));
+    addLoadAndState(rows, part, common);
+    rows.add(REPORT_TEXT("report", "Active compensation"), common.compensation);
+    rows.add(REPORT_TEXT("report", "Other axes"), common.otherAxes);
+    rows.add(REPORT_TEXT("report", "Measuring line"), measuringLineText(write, common));
+    rows.add(REPORT_TEXT("report", "Instrument"), common.instrumentPosition);
+    rows.add(REPORT_TEXT("report", "Choice of targets"), targetChoiceText(part));
+    if (part.leavesOut(ReportPart::targetTable) && part.leavesOut(ReportPart::readings))
+        rows.add(REPORT_TEXT("report", "Target positions"), targetList(part)); // in the tables otherwise
+    const auto &element = part.measurement.axis.scaleElement;
+    if (element)
+        rows.add(REPORT_TEXT("report", "Element of the scale"),
+                 *element > 0 ? write.quantity(element, Quantity::position)
+                              : write.text(REPORT_TEXT_FOR("report", "continuous", "scale")));
+    rows.addStated(REPORT_TEXT("report", "Continuous device"), yesNo(write, conditions.continuousDevice));
+    if (conditions.referencePosition)
+        rows.add(REPORT_TEXT("report", "Zero of displacement"),
+                 write.quantity(conditions.referencePosition, part.along()));
+    addThermalPreparation(rows, write, common);
+    if (conditions.gradientHoursBefore)
+        rows.add(REPORT_TEXT("report", "Temperature gradient"),
+                 write.say(REPORT_TEXT("report", "over the %1 h before the test and during it"),
+                           {Number{*conditions.gradientHoursBefore, Quantity::number, -1}}));
+    return rows.take();
+}
+
+/// The circle as it was specified.
+QString specifiedCircle(const CircularPart &part) {
+    const SpecifiedCircle &circle = part.measurement.specified;
+    QStringList texts;
+    if (circle.diameter)
+        texts << part.write.say(REPORT_TEXT("report", "diameter %1"),
+                                {Number{*circle.diameter, Quantity::position, -1}});
+    if (circle.feed)
+        texts << part.write.say(REPORT_TEXT_FOR("report", "feed %1", "contouring"),
+                                {Number{*circle.feed, Quantity::feed, -1}});
+    return texts.join(part.write.semicolon());
+}
+
+/// What the evaluated ranges leave out, as stated of each arc.
+QString leftOut(const CircularPart &part) {
+    QStringList texts;
+    for (const EvaluatedPath &path : part.results.paths) {
+        const QString text = QString::fromStdString(part.measurement.arcs[path.arc].cutOff);
+        if (!text.isEmpty() && !texts.contains(text))
+            texts << text;
+    }
+    return texts.join(u'\n');
+}
+
+QString angleReferenceText(const CircularPart &part) {
+    QStringList texts;
+    for (const Arc &arc : part.measurement.arcs) {
+        const QString text = part.write.text(
+            arc.angleReference == AngleReference::commanded
+                ? REPORT_TEXT("report", "commanded: of the programmed path; the centring error is taken out")
+                : REPORT_TEXT("report", "polar: of the measured points"));
+        if (!texts.contains(text))
+            texts << text;
+    }
+    return texts.join(u'\n');
+}
+
+KeyValues rowsOf(const CircularPart &part) {
+    const Writer &write = part.write;
+    const CircularConditions &conditions = part.measurement.conditions;
+    const Conditions &common = conditions.common;
+    ConditionRows rows(write);
+    addPurpose(rows, part);
+    rows.add(REPORT_TEXT("report", "Warm-up"), warmUpText(write, common.warmUp));
+    addLoadAndState(rows, part, common);
+    rows.addStated(REPORT_TEXT("report", "Specified circle"), specifiedCircle(part));
+    rows.addStated(REPORT_TEXT("report", "Left out"), leftOut(part));
+    rows.addStated(REPORT_TEXT("report", "Instrument"), common.instrumentPosition);
+    rows.addStated(REPORT_TEXT("report", "Angles"), angleReferenceText(part));
+    if (!part.feedback() && part.results.paths.size() > 1)
+        rows.add(REPORT_TEXT("report", "Between the runs"),
+                 stated(write, conditions.recentredBetweenRuns,
+                        REPORT_TEXT("report", "instrument re-centred"),
+                        REPORT_TEXT("report", "measured consecutively, without re-centring")));
+    addThermalPreparation(rows, write, common);
+    return rows.take();
+}
+
+using Temperature = std::optional<double> (*)(const Sensor &);
+
+/// Mean over all sensors that measure it; null unless each of them has a value.
+std::optional<double> mean(const std::vector<Sensor> &sensors, SensorMeasures what, Temperature temperature) {
+    double sum = 0;
+    int count = 0;
+    for (const Sensor &sensor : sensors) {
+        if (sensor.measures != what)
+            continue;
+        const auto value = temperature(sensor);
+        if (!value)
+            return std::nullopt;
+        sum += *value;
+        ++count;
+    }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
+/// Temperatures at start and end and what else is stated of the environment.
+class EnvironmentTable {
+public:
+    EnvironmentTable(const TestPart &part, const Conditions &conditions)
+        : m_write(part.write) {
+        m_table.columns = {{m_write.text(part.isOf1988() ? REPORT_TEXT_FOR("report", "Environment", "1988")
+                                                         : REPORT_TEXT("report", "Environment")),
+                            {},
+                            Alignment::left,
+                            true,
+                            42},
+                           {m_write.text(REPORT_TEXT("report", "Start")), {}, Alignment::decimal, false, 13},
+                           {m_write.text(REPORT_TEXT("report", "End")), {}, Alignment::decimal, false, 13}};
+        for (const SensorMeasures what :
+             {SensorMeasures::machine, SensorMeasures::instrument, SensorMeasures::air})
+            addTemperatures(what, temperaturesOf(conditions, what));
+    }
+
+    void add(const Text &name, std::optional<double> value, Quantity quantity, int decimals = -1) {
+        m_table.rows.push_back({label(name, quantity), shown(value, quantity, decimals), blankCell()});
+    }
+    void addExpansion(const Expansion &expansion) {
+        m_table.rulesAfter.push_back(m_table.rows.size() - 1);
+        add(REPORT_TEXT("report", "α machine"), expansion.machine, Quantity::expansion, expansionDecimals);
+        add(REPORT_TEXT("report", "α instrument"), expansion.instrument, Quantity::expansion,
+            expansionDecimals);
+    }
+    [[nodiscard]] Table take() { return std::move(m_table); }
+
+private:
+    void addTemperatures(SensorMeasures what, const Temperatures &temperatures) {
+        m_table.rows.push_back({label(sensorText(what), Quantity::temperature),
+                                shown(temperatures.start, Quantity::temperature, temperatureDecimals),
+                                shown(temperatures.end, Quantity::temperature, temperatureDecimals)});
+    }
+    [[nodiscard]] Cell shown(std::optional<double> value, Quantity quantity, int decimals) const {
+        return {value ? m_write.language().number(certain(*value), quantity, decimals) : QString()};
+    }
+    [[nodiscard]] Phrase label(const Text &name, Quantity quantity) const {
+        return Phrase({{m_write.text(name) + QStringLiteral("\u00A0\u00A0")},
+                       {m_write.language().unit(quantity), false, false, true}});
+    }
+
+    const Writer &m_write;
+    Table m_table;
+};
+
+Table environment(const PositioningPart &part) {
+    const PositioningConditions &conditions = part.measurement.conditions;
+    EnvironmentTable table(part, conditions.common);
+    table.add(REPORT_TEXT("report", "Air pressure"), conditions.airPressure, Quantity::pressure);
+    table.add(REPORT_TEXT("report", "Relative humidity"), conditions.airHumidity, Quantity::percent);
+    table.add(REPORT_TEXT("report", "Temperature gradient"), conditions.gradientPerHour, Quantity::gradient);
+    if (part.measurement.axis.motion == Motion::linear)
+        table.addExpansion(conditions.common.expansion);
+    return table.take();
+}
+
+/// Whether a table of the sensors says more than that of the environment: where they are, or several means.
+bool saysMore(const std::vector<Sensor> &sensors) {
+    std::array<int, 3> counts{};
+    return std::ranges::any_of(sensors, [&](const Sensor &sensor) {
+        return !sensor.position.empty() || ++counts.at(static_cast<std::size_t>(sensor.measures)) > 1;
+    });
+}
+
+void addSensors(std::vector<Block> &blocks, const TestPart &part) {
+    auto table = sensorTable(part);
+    if (!table)
+        return;
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Temperature sensors")));
+    blocks.emplace_back(std::move(*table));
+}
+
+constexpr double temperatureFigureHeight = 62; ///< mm
+
+void addConditionsHeading(std::vector<Block> &blocks, const TestPart &part) {
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Test conditions")));
+}
+
+} // namespace
+
+Text sensorText(SensorMeasures what) {
+    switch (what) {
+    case SensorMeasures::machine:
+        return REPORT_TEXT("report", "Machine");
+    case SensorMeasures::instrument:
+        return REPORT_TEXT("report", "Instrument");
+    case SensorMeasures::air:
+        return REPORT_TEXT("report", "Air");
+    }
+    return {};
+}
+
+KeyValues conditionRows(const TestPart &part) {
+    return withKind(part, [](const auto &own) { return rowsOf(own); });
+}
+
+Temperatures temperaturesOf(const Conditions &conditions, SensorMeasures what) {
+    return {mean(conditions.sensors, what, startTemperature), mean(conditions.sensors, what, endTemperature)};
+}
+
+bool statesTemperatures(const TestPart &part) {
+    const Conditions &conditions = *conditionsOf(part.test);
+    return axisOf(part.test) || withKind(part, [](const auto &own) { return own.needsLength(); }) ||
+           !conditions.sensors.empty() || conditions.expansion.machine || conditions.expansion.instrument;
+}
+
+QString correctionOf(const TestPart &part) {
+    const Writer &write = part.write;
+    const bool counts = withKind(part, [](const auto &own) { return own.needsLength(); });
+    return counts ? write.text(correctionText(conditionsOf(part.test)->correctionTo20)) : QString();
+}
+
+std::optional<Table> sensorTable(const TestPart &part) {
+    const Writer &write = part.write;
+    const std::vector<Sensor> &sensors = conditionsOf(part.test)->sensors;
+    if (!saysMore(sensors))
+        return std::nullopt;
+    Table table;
+    table.columns = {
+        {write.text(REPORT_TEXT("report", "Temperature of")), {}, Alignment::left, false, 30},
+        {write.text(REPORT_TEXT("report", "Position of the sensor")), {}, Alignment::left, true, 105},
+        {write.text(REPORT_TEXT("report", "Start")), QStringLiteral("°C"), Alignment::decimal, false, 20},
+        {write.text(REPORT_TEXT("report", "End")), QStringLiteral("°C"), Alignment::decimal, false, 20}};
+    int decimals = 0;
+    for (const Sensor &sensor : sensors) {
+        for (const auto &value : {startTemperature(sensor), endTemperature(sensor)}) {
+            if (value)
+                decimals = std::max(decimals, decimalsOf(*value, Quantity::temperature));
+        }
+    }
+    decimals = std::min(decimals, mostTemperatureDecimals);
+    const auto shown = [&](std::optional<double> value) {
+        return Cell(value ? write.language().number(*value, Quantity::temperature, decimals) : QString());
+    };
+    for (const Sensor &sensor : sensors)
+        table.rows.push_back({write.text(sensorText(sensor.measures)),
+                              QString::fromStdString(sensor.position), shown(startTemperature(sensor)),
+                              shown(endTemperature(sensor))});
+    return table;
+}
+
+void addTemperatureCurve(std::vector<Block> &blocks, const TestPart &part) {
+    if (part.leavesOut(ReportPart::temperatureCurve))
+        return;
+    LineFigure figure = temperatureFigure(conditionsOf(part.test)->sensors, part.write.language());
+    if (figure.lines.empty())
+        return;
+    addHeading(blocks, figure.title);
+    FigureBlock block{std::move(figure)};
+    block.height = temperatureFigureHeight;
+    blocks.emplace_back(std::move(block));
+}
+
+void addConditions(std::vector<Block> &blocks, const PositioningPart &part) {
+    const Writer &write = part.write;
+    addConditionsHeading(blocks, part);
+    SideBySide both;
+    both.leftWidth = conditionsWidth;
+    both.left.emplace_back(conditionRows(part));
+    both.right.emplace_back(environment(part));
+    if (part.measurement.axis.motion == Motion::linear)
+        both.right.emplace_back(
+            Paragraph{write.say(REPORT_TEXT("report", "Nominal differential expansion (NDE): %1."),
+                                {correctionText(part.measurement.conditions.common.correctionTo20)}),
+                      TextSize::small});
+    blocks.emplace_back(std::move(both));
+    addSensors(blocks, part);
+    addTemperatureCurve(blocks, part);
+}
+
+void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
+    const Writer &write = part.write;
+    const Conditions &conditions = part.measurement.conditions.common;
+    KeyValues rows = conditionRows(part);
+    const bool temperatures = statesTemperatures(part);
+    if (!temperatures && rows.rows.empty())
+        return;
+    addConditionsHeading(blocks, part);
+    if (!temperatures) {
+        blocks.emplace_back(std::move(rows));
+        return; // there are no sensors either
+    }
+    EnvironmentTable table(part, conditions);
+    table.addExpansion(conditions.expansion);
+    SideBySide both;
+    both.leftWidth = conditionsWidth;
+    both.left.emplace_back(std::move(rows));
+    both.right.emplace_back(table.take());
+    if (part.needsLength())
+        both.right.emplace_back(Paragraph{write.say(REPORT_TEXT("report", "F and D at 20 °C: correction %1."),
+                                                    {correctionText(conditions.correctionTo20)}),
+                                          TextSize::small});
+    blocks.emplace_back(std::move(both));
+    addSensors(blocks, part);
+    addTemperatureCurve(blocks, part);
+}
+
+/// The text of an agreement; the number behind it unless the text says it.
+QString agreedText(const TestPart &part, const AgreedPoint &agreed) {
+    QString text = QString::fromStdString(agreed.text);
+    if (!agreed.value)
+        return text;
+    const Quantity quantity = agreed.point == "gradient" ? Quantity::gradient
+                              : agreed.point != "feed"   ? Quantity::number
+                                                         : feedQuantity(part.test);
+    const QString value = part.write.language().quantity(*agreed.value, quantity);
+    return text.contains(value) ? text : text.isEmpty() ? value : value + part.write.semicolon() + text;
+}
+
+std::optional<AgreedPoints> agreedPointsOf(const TestPart &part) {
+    const Edition &edition = part.edition();
+    if (edition.points.empty())
+        return std::nullopt;
+    const Writer &write = part.write;
+    QString note = write.text(
+        part.isOf1988() ? REPORT_TEXT_FOR("report", "between supplier/manufacturer and user", "1988")
+                        : REPORT_TEXT("report", "between supplier/manufacturer and user"));
+    if (*edition.pointsClause != 0)
+        note +=
+            QStringLiteral(", ") + write.say(REPORT_TEXT("report", "%1, clause %2"),
+                                             {std::string(edition.word), std::string(edition.pointsClause)});
+    const bool letters =
+        std::ranges::any_of(edition.points, [](const AgreementPoint &p) { return *p.letter != 0; });
+
+    Table table;
+    if (letters)
+        table.columns.push_back({QString(), {}, Alignment::left, false, 8});
+    table.columns.push_back({write.text(REPORT_TEXT("report", "Point")), {}, Alignment::left, true, 82});
+    table.columns.push_back({write.text(REPORT_TEXT("report", "Agreement")), {}, Alignment::left, false, 30});
+    table.columns.push_back({write.text(REPORT_TEXT("report", "Agreed text")),
+                             {},
+                             Alignment::left,
+                             false,
+                             letters ? 55.0 : 63.0});
+    for (const AgreementPoint &point : edition.points) {
+        const auto found = std::ranges::find(part.test.agreedPoints, point.point, &AgreedPoint::point);
+        const bool listed = found != part.test.agreedPoints.end();
+        Cell agreement;
+        if (roleOf(point, part.test) == PointRole::notApplicable) {
+            agreement = write.text(REPORT_TEXT("report", "not applicable"));
+        } else if (!listed) {
+            agreement = write.text(REPORT_TEXT("report", "not declared"));
+        } else if (found->state == AgreementState::agreed) {
+            agreement = write.text(REPORT_TEXT("report", "agreed"));
+            agreement.mark = Mark::check;
+        } else {
+            agreement = write.text(REPORT_TEXT("report", "not agreed"));
+            agreement.mark = Mark::cross;
+            agreement.bold = true;
+        }
+        std::vector<Cell> row;
+        if (letters)
+            row.emplace_back(QString::fromUtf8(point.letter) + u')');
+        row.emplace_back(write.text(point.name));
+        row.push_back(agreement);
+        row.emplace_back(listed ? agreedText(part, *found) : QString());
+        table.rows.push_back(std::move(row));
+    }
+    return AgreedPoints{note, std::move(table), letters ? std::size_t(2) : std::size_t(1)};
+}
+
+void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part) {
+    auto points = agreedPointsOf(part);
+    if (!points)
+        return;
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Points to be agreed")), points->note);
+    blocks.emplace_back(std::move(points->table));
+}
+
+void addUncertainty(std::vector<Block> &blocks, const TestPart &part, UncertaintyMethod method) {
+    if (part.leavesOut(ReportPart::uncertainty))
+        return;
+    const Writer &write = part.write;
+    const auto &findings = part.evaluation.findings;
+    const auto found = std::ranges::find_if(findings, [](const Finding &finding) {
+        return finding.explains == Explains::missingUncertainty && finding.source == Source::text;
+    });
+    const bool asked = found != findings.end();
+    const bool any = std::ranges::any_of(
+        part.evaluation.parameters, [](const Parameter &p) { return p.expandedUncertainty.has_value(); });
+    if (!asked && (!any || usesBudget(part.evaluation)))
+        return;
+    const CoverageOfResults coverage = coverageOf(part.evaluation, part.head());
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Measurement uncertainty")),
+               coverage.simulated.empty() ? QStringLiteral("k = 2")
+                                          : coverageNote(coverage, write.language()));
+    QStringList words;
+    if (any && method == UncertaintyMethod::direct)
+        words << write.text(REPORT_TEXT(
+            "report", "The expanded uncertainties U beside the results were stated by the laboratory."));
+    if (asked && found->grade == Grade::requirement)
+        words << write.say(
+            any ? REPORT_TEXT("report",
+                              "%1 asks for the uncertainty beside every result; some are not stated.")
+                : REPORT_TEXT("report", "%1 asks for the uncertainty beside every result; none is stated."),
+            {std::string(part.edition().word)});
+    else if (asked)
+        words << write.say(
+            any ? REPORT_TEXT("report", "%1 recommends stating the uncertainty beside every result; some are "
+                                        "not stated.")
+                : REPORT_TEXT("report",
+                              "%1 recommends stating the uncertainty beside every result; none is stated."),
+            {std::string(part.edition().word)});
+    blocks.emplace_back(Paragraph{words.join(u' ')});
+}
+
+void addCorrection(std::vector<Block> &blocks, const PositioningPart &part) {
+    const Conditions &conditions = part.measurement.conditions.common;
+    if (part.measurement.axis.motion != Motion::linear ||
+        conditions.correctionTo20 != CorrectionTo20::appliedHere)
+        return; // the conditions say so
+    const Writer &write = part.write;
+    const Expansion &alpha = conditions.expansion;
+    const bool corrected = !part.results.corrections.empty();
+    const auto temperature = [&](SensorMeasures what) {
+        return Number{meanTemperature(conditions, what).value_or(0), Quantity::temperature, 2};
+    };
+    const auto expansion = [](std::optional<double> value) {
+        return Number{value.value_or(0), Quantity::expansion, -1};
+    };
+    QString words;
+    if (!corrected)
+        words = write.text(
+            REPORT_TEXT("report", "The correction was to be made here, but temperatures or coefficients of "
+                                  "expansion are missing: nothing is corrected."));
+    else if (alpha.instrument == 0.0)
+        words = write.say(REPORT_TEXT("report",
+                                      "Made here for the expansion of the machine (α = %1, θ = %2); the "
+                                      "instrument compensates the air only."),
+                          {expansion(alpha.machine), temperature(SensorMeasures::machine)});
+    else
+        words = write.say(
+            REPORT_TEXT("report", "Made here for the expansion of the machine (α = %1, θ = %2) and of the "
+                                  "instrument (α = %3, θ = %4)."),
+            {expansion(alpha.machine), temperature(SensorMeasures::machine), expansion(alpha.instrument),
+             temperature(SensorMeasures::instrument)});
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Correction to 20 °C")),
+               write.text(REPORT_TEXT("report", "nominal differential expansion (NDE)")));
+    blocks.emplace_back(Paragraph{words});
+    if (!corrected)
+        return;
+
+    const auto &targets = part.measurement.targets;
+    const double reference =
+        part.measurement.conditions.referencePosition.value_or(targets.empty() ? 0 : targets.front());
+    const int places = positionDecimals(targets, part.along());
+    const QString lengthUnit = write.language().unit(part.along());
+    Table table;
+    table.columns = {{Phrase({{QStringLiteral("i"), false, true}}), {}, Alignment::right, false, 7},
+                     {Phrase({{QStringLiteral("P")}, {QStringLiteral("i"), true}}), lengthUnit,
+                      Alignment::decimal, false, 19},
+                     {Phrase({{QStringLiteral("P")},
+                              {QStringLiteral("i"), true},
+                              {QStringLiteral(" − P")},
+                              {QStringLiteral("0"), true}}),
+                      lengthUnit, Alignment::decimal, false, 30},
+                     {write.text(REPORT_TEXT("report", "Added to the readings")),
+                      write.language().unit(part.deviation()), Alignment::decimal, false, 45},
+                     {QString(), {}, Alignment::left, true, 74}};
+    for (std::size_t i = 0; i < std::min(targets.size(), part.results.corrections.size()); ++i) {
+        if (i > 0 && i % 5 == 0)
+            table.rulesAfter.push_back(i - 1);
+        table.rows.push_back(
+            {QString::number(i + 1), write.language().number(targets[i], part.along(), places),
+             write.language().number(targets[i] - reference, part.along(), places),
+             write.language().number(part.results.corrections[i], part.deviation(), correctionDecimals),
+             blankCell()});
+    }
+    blocks.emplace_back(std::move(table));
+}
+
+void addCorrection(std::vector<Block> &blocks, const CircularPart &part) {
+    const Conditions &conditions = part.measurement.conditions.common;
+    if (!part.needsLength() || conditions.correctionTo20 != CorrectionTo20::appliedHere)
+        return; // the conditions say so
+    const Writer &write = part.write;
+    const std::optional<double> &correction = part.results.correction;
+    const QString words = write.text(
+        correction
+            ? REPORT_TEXT("report", "Made here for F and D; temperatures are means of start and end.")
+            : REPORT_TEXT("report", "The correction was to be made here, but temperatures or coefficients of "
+                                    "expansion are missing: nothing is corrected."));
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Correction to 20 °C")),
+               correction ? phraseFrom(QStringLiteral("C = R·[α_i·(T_i − 20) − α_m·(T_m − 20)]")) : Phrase());
+    blocks.emplace_back(Paragraph{words});
+    if (!correction)
+        return;
+    struct Factor {
+        const char *symbol = nullptr;
+        Quantity quantity = Quantity::number;
+        std::optional<double> value;
+        int decimals = 0;
+    };
+    const std::array factors{
+        Factor{"R", Quantity::position, part.measurement.nominalRadius, -1},
+        Factor{"α_i", Quantity::expansion, conditions.expansion.instrument, -1},
+        Factor{"T_i", Quantity::temperature, meanTemperature(conditions, SensorMeasures::instrument), 2},
+        Factor{"α_m", Quantity::expansion, conditions.expansion.machine, -1},
+        Factor{"T_m", Quantity::temperature, meanTemperature(conditions, SensorMeasures::machine), 2},
+        Factor{"C", Quantity::deviation, correction, correctionDecimals}};
+    Table table;
+    table.rows.emplace_back();
+    for (const Factor &factor : factors) {
+        table.columns.push_back({phraseFrom(QString::fromUtf8(factor.symbol)),
+                                 write.language().unit(factor.quantity), Alignment::decimal, false, 22});
+        table.rows.front().emplace_back(
+            factor.value ? write.language().number(certain(*factor.value), factor.quantity, factor.decimals)
+                         : QString());
+    }
+    table.columns.push_back({QString(), {}, Alignment::left, true, 43});
+    table.rows.front().push_back(blankCell());
+    blocks.emplace_back(std::move(table));
+}
+
+QString pointText(const Writer &write, const Point3 &point) {
+    if (std::ranges::none_of(point, [](const auto &x) { return x.has_value(); }))
+        return {};
+    constexpr std::array letters{'X', 'Y', 'Z'};
+    QStringList texts;
+    for (std::size_t i = 0; i < point.size(); ++i)
+        texts << QLatin1Char(letters[i]) + QStringLiteral("\u00A0") +
+                     (point[i] ? write.language().number(certain(*point[i]), Quantity::position)
+                               : QStringLiteral("–"));
+    return texts.join(write.semicolon());
+}
+
+} // namespace palmer

@@ -1,0 +1,635 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/parts/dataparts.h"
+
+#include "kernel/evaluation/instrumentresult.h"
+#include "kernel/evaluation/targetvalue.h"
+#include "language/rounding.h"
+#include "report/parts/pagefacts.h"
+#include "report/words/printednumbers.h"
+#include "report/words/wording.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+#include <span>
+
+namespace palmer {
+
+namespace {
+
+constexpr double positionWidth = 19;
+constexpr double directionsGap = 5;
+constexpr double digitWidth = 1.67; ///< mm, of 8.5 pt
+constexpr double readingPadding = 2;
+constexpr std::size_t mostRunsSideBySide = 7;
+constexpr std::size_t rowsOfAGroup = 5;
+constexpr double narrowestReading = 12;
+constexpr std::size_t mostRows = 2000;       ///< of readings or targets that are printed unasked
+constexpr qsizetype mostRemarksBeside = 600; ///< characters; longer remarks take the whole width
+constexpr std::size_t mostColumnsBeside = 5; ///< of editions, beside remarks
+
+Phrase indexed(const QString &base, const QString &index, const QString &after = {}) {
+    std::vector<Span> spans{{base}, {index, true}};
+    if (!after.isEmpty())
+        spans.push_back({after});
+    return Phrase(std::move(spans));
+}
+
+/// Width of column i, mm: two digits; one more for each digit more.
+double widthOfNumbers(const PositioningMeasurement &measurement) {
+    const qsizetype digits = QString::number(measurement.targets.size()).size();
+    return 7 + 2.0 * static_cast<double>(std::max<qsizetype>(0, digits - 2));
+}
+
+Column targetColumn(const PositioningPart &part) {
+    return {Phrase({{QStringLiteral("i"), false, true}}),
+            {},
+            Alignment::right,
+            false,
+            widthOfNumbers(part.measurement)};
+}
+
+Column positionColumn(const PositioningPart &part) {
+    return {indexed(QStringLiteral("P"), QStringLiteral("i")), part.write.language().unit(part.along()),
+            Alignment::decimal, false, positionWidth};
+}
+
+void addGroupRules(Table &table) {
+    for (std::size_t row = rowsOfAGroup; row < table.rows.size(); row += rowsOfAGroup)
+        table.rulesAfter.push_back(row - 1);
+}
+
+/// Targets (from 1) that rule R↑, R↓, R, B and their likes: the cells of the table per target that stand
+/// bold.
+std::set<std::pair<std::string, int>> rulingCells(const TestEvaluation &evaluation) {
+    struct Column {
+        std::string_view parameter;
+        const char *term = nullptr;
+    };
+    constexpr std::array columns{Column{"R+", "R+"},      Column{"R-", "R-"},  Column{"R", "R"},
+                                 Column{"B", "reversal"}, Column{"Umax", "U"}, Column{"Psmax", "Ps"}};
+    std::set<std::pair<std::string, int>> cells;
+    for (const Parameter &parameter : evaluation.parameters) {
+        const auto found =
+            std::ranges::find(columns, std::string_view(parameter.term.id), &Column::parameter);
+        if (parameter.ruling[0] && found != columns.end())
+            cells.emplace(found->term, parameter.ruling[0]->target);
+    }
+    return cells;
+}
+
+/// The runs of a direction in the order they were measured.
+std::vector<const Run *> runsOf(const PositioningMeasurement &measurement, Direction direction) {
+    std::vector<const Run *> runs;
+    for (const Run &run : measurement.runs) {
+        if (run.approach == direction)
+            runs.push_back(&run);
+    }
+    return runs;
+}
+
+bool printsAllRows(const PositioningPart &part) {
+    return std::ranges::find(part.head().include, ReportExtra::allReadings) != part.head().include.end();
+}
+
+void addLeftOut(std::vector<Block> &blocks, const Writer &write, std::size_t rows) {
+    const auto count = [](std::size_t value) {
+        return Number{static_cast<double>(value), Quantity::count, 0};
+    };
+    blocks.emplace_back(Paragraph{write.say(
+        REPORT_TEXT("report",
+                    "Left out: %1 rows, for a report prints no more than %2 of them unasked. The test "
+                    "file holds all readings. To print the rows as well, choose “All readings” for the "
+                    "report, or write “allReadings” under “include” in the test file."),
+        {count(rows), count(mostRows)})});
+}
+
+class ReadingTables {
+public:
+    /// Rows of all tables together, or of the least there can be where these are too many as it is.
+    static std::size_t leastRows(const PositioningMeasurement &measurement) {
+        const std::size_t up = runsOf(measurement, Direction::positive).size();
+        const std::size_t down = runsOf(measurement, Direction::negative).size();
+        const std::size_t targets = measurement.targets.size();
+        if (up > 0 && down > 0 && std::max(up, down) <= mostRunsSideBySide)
+            return targets;
+        const std::size_t atATime = runsAtATime(measurement, narrowestReading);
+        return targets * ((up + atATime - 1) / atATime + (down + atATime - 1) / atATime);
+    }
+
+    explicit ReadingTables(const PositioningPart &part)
+        : m_part(part)
+        , m_up(runsOf(part.measurement, Direction::positive))
+        , m_down(runsOf(part.measurement, Direction::negative))
+        , m_decimals(readingDecimals(part.measurement))
+        , m_positionDecimals(positionDecimals(part.measurement.targets, part.along())) {
+        qsizetype longest = 0;
+        for (const Run &run : part.measurement.runs) {
+            for (const auto &deviation : run.deviations) {
+                if (deviation)
+                    longest = std::max(longest, reading(*deviation).size());
+            }
+        }
+        m_columnWidth = static_cast<double>(longest) * digitWidth + readingPadding;
+    }
+
+    /// Adds the readings to a table per target; where they find no room there: false, and nothing is added.
+    [[nodiscard]] bool appendedTo(Table &table) const {
+        constexpr std::size_t numberAndPosition = 2;
+        double width = std::max(m_columnWidth, narrowestReading);
+        for (const std::vector<Cell> &row : table.rows) {
+            for (std::size_t i = numberAndPosition; i < row.size(); ++i)
+                width = std::max(width, widthOf(row[i].text.plain()));
+        }
+        const std::size_t columns = table.columns.size() - numberAndPosition + m_up.size() + m_down.size();
+        const double gaps = directionsGap * (m_up.empty() || m_down.empty() ? 1 : 2);
+        if (static_cast<double>(columns) * width > roomForReadings(m_part.measurement) - gaps)
+            return false;
+        append(table, Direction::positive, 0, m_up.size());
+        append(table, Direction::negative, 0, m_down.size());
+        return true;
+    }
+
+    [[nodiscard]] std::vector<Table> tables() const {
+        const double room = roomForReadings(m_part.measurement);
+        const std::size_t most = std::max(m_up.size(), m_down.size());
+        const bool sideBySide =
+            most <= mostRunsSideBySide && !m_up.empty() && !m_down.empty() &&
+            static_cast<double>(m_up.size() + m_down.size()) * m_columnWidth <= room - directionsGap;
+        std::vector<Table> result;
+        if (sideBySide) {
+            Table table = base();
+            append(table, Direction::positive, 0, m_up.size());
+            append(table, Direction::negative, 0, m_down.size());
+            result.push_back(std::move(table));
+            return result;
+        }
+        const std::size_t atATime =
+            runsAtATime(m_part.measurement, std::max(m_columnWidth, narrowestReading));
+        for (const Direction direction : {Direction::positive, Direction::negative}) {
+            const std::size_t count = runs(direction).size();
+            for (std::size_t first = 0; first < count; first += atATime) {
+                Table table = base();
+                append(table, direction, first, std::min(atATime, count - first));
+                result.push_back(std::move(table));
+            }
+        }
+        return result;
+    }
+
+private:
+    static double widthOf(const QString &number) {
+        return static_cast<double>(number.size()) * digitWidth + readingPadding;
+    }
+    static double roomForReadings(const PositioningMeasurement &measurement) {
+        return textWidth - widthOfNumbers(measurement) - positionWidth;
+    }
+    static std::size_t runsAtATime(const PositioningMeasurement &measurement, double columnWidth) {
+        return static_cast<std::size_t>(std::max(1.0, roomForReadings(measurement) / columnWidth));
+    }
+
+    [[nodiscard]] const std::vector<const Run *> &runs(Direction direction) const {
+        return direction == Direction::positive ? m_up : m_down;
+    }
+
+    [[nodiscard]] QString reading(double value) const {
+        return m_part.write.language().number(value, m_part.deviation(), m_decimals);
+    }
+
+    [[nodiscard]] Table base() const {
+        Table table;
+        table.columns = {targetColumn(m_part), positionColumn(m_part)};
+        const auto &targets = m_part.measurement.targets;
+        for (std::size_t i = 0; i < targets.size(); ++i)
+            table.rows.push_back(
+                {QString::number(i + 1),
+                 m_part.write.language().number(targets[i], m_part.along(), m_positionDecimals)});
+        addGroupRules(table);
+        return table;
+    }
+
+    void append(Table &table, Direction direction, std::size_t first, std::size_t count) const {
+        if (count == 0)
+            return;
+        const QString unit = m_part.write.language().unit(m_part.deviation());
+        table.spanners.push_back({table.columns.size(), count,
+                                  Phrase({{QStringLiteral("x")},
+                                          {QStringLiteral("ij"), true},
+                                          {arrow(direction)},
+                                          {QStringLiteral(", ") + unit, false, false, true}})});
+        for (std::size_t j = first; j < first + count; ++j) {
+            Column column{QString(), QStringLiteral("j\u00A0=\u00A0") + QString::number(j + 1),
+                          Alignment::decimal};
+            if (j == first && table.columns.size() > 2)
+                column.gapBefore = directionsGap;
+            table.columns.push_back(column);
+            const auto &deviations = runs(direction)[j]->deviations;
+            for (std::size_t i = 0; i < table.rows.size(); ++i)
+                table.rows[i].emplace_back(i < deviations.size() && deviations[i] ? reading(*deviations[i])
+                                                                                  : QString());
+        }
+    }
+
+    const PositioningPart &m_part;
+    std::vector<const Run *> m_up;
+    std::vector<const Run *> m_down;
+    int m_decimals;
+    int m_positionDecimals;
+    double m_columnWidth = 0;
+};
+
+/// Which of its direction each run is, from 1.
+std::vector<int> numbersInDirection(const PositioningMeasurement &measurement) {
+    std::vector<int> numbers;
+    int ups = 0;
+    int downs = 0;
+    for (const Run &run : measurement.runs)
+        numbers.push_back(run.approach == Direction::positive ? ++ups : ++downs);
+    return numbers;
+}
+
+/// "2006"; whole designations where there is more than the year to tell apart.
+QString shortEdition(const char *word) {
+    QString designation = QString::fromUtf8(word);
+    for (const QString &family : {QStringLiteral("ISO 230-2:"), QStringLiteral("ISO 230-4:")}) {
+        if (designation.startsWith(family))
+            return designation.mid(family.size());
+    }
+    return designation;
+}
+
+struct EditionColumn {
+    const Edition *edition = nullptr;
+    TestEvaluationPointer evaluation;
+};
+
+std::vector<EditionColumn> editionColumns(const TestPart &part) {
+    std::vector<EditionColumn> columns{{&part.edition(), part.evaluated.tests[part.index]}};
+    for (std::size_t i = 0; part.views && i < part.views->size(); ++i) {
+        const Edition *edition = findEdition(part.head().editions[i]);
+        const auto shown = [&](const EditionColumn &column) { return column.edition == edition; };
+        if (!edition || edition->kind != part.edition().kind || std::ranges::any_of(columns, shown))
+            continue;
+        columns.push_back({edition, (*part.views)[i].tests[part.index]});
+    }
+    return columns;
+}
+
+bool hasScatter(const PositioningPart &part) {
+    return std::max(part.results.positiveRuns, part.results.negativeRuns) > 1;
+}
+
+/// Of one run a direction the means are the readings.
+bool meansAreReadings(const PositioningPart &part) {
+    return !hasScatter(part) && part.results.corrections.empty() && !part.leavesOut(ReportPart::targetTable);
+}
+
+QString targetNote(const PositioningPart &part) {
+    if (hasScatter(part))
+        return part.write.say(
+            REPORT_TEXT("report", "factor %1; bold: the value governing the axis parameter"),
+            {Number{part.edition().c, Quantity::number, -1}});
+    QStringList notes;
+    if (meansAreReadings(part))
+        notes << part.write.text(REPORT_TEXT("report", "n = 1: the means are the readings"));
+    notes << part.write.text(REPORT_TEXT("report", "bold: the value governing the axis parameter"));
+    return notes.join(part.write.semicolon());
+}
+
+} // namespace
+
+namespace {
+
+/// Statistics of the targets, a row a target.
+Table targetTable(const PositioningPart &part) {
+    const auto &targets = part.results.targets;
+    const Writer &write = part.write;
+    const Edition &edition = part.edition();
+    const int places = positionDecimals(part.measurement.targets, part.along());
+    const int digits = statisticDecimals(part.measurement);
+    const auto ruling = rulingCells(part.evaluation);
+    Table table;
+    table.columns = {targetColumn(part), positionColumn(part)};
+    std::vector<const char *> ids;
+    for (const TargetTerm &term : edition.targetTerms) {
+        if (!isShown(term.id, part.results))
+            continue;
+        ids.push_back(term.id);
+        table.columns.push_back(
+            {symbolPhrase(term.symbol), write.language().unit(part.deviation()), Alignment::decimal});
+    }
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+        std::vector<Cell> row{QString::number(i + 1),
+                              write.language().number(part.measurement.targets[i], part.along(), places)};
+        for (const char *id : ids) {
+            const auto value = targetValue(id, targets[i], edition.c);
+            Cell cell(value ? write.language().number(*value, part.deviation(), digits) : QString());
+            cell.bold = ruling.contains({id, static_cast<int>(i) + 1});
+            row.push_back(std::move(cell));
+        }
+        table.rows.push_back(std::move(row));
+    }
+    addGroupRules(table);
+    return table;
+}
+
+/// A table of few columns and many rows as two halves beside each other, the second behind the last row of
+/// the first; as it is where they find no room or are too long to stand on a page whole.
+Table inHalves(Table table) {
+    constexpr std::size_t fewest = 16;
+    constexpr std::size_t most = 40;
+    constexpr double gap = 8; // mm
+    constexpr std::size_t numberAndPosition = 2;
+    const std::vector<Column> again = table.columns;
+    const std::size_t columns = again.size();
+    const std::size_t count = table.rows.size();
+    const double fixed = 2 * (again[0].width + again[1].width) + gap;
+    const double room = (textWidth - fixed) / (2 * static_cast<double>(columns - numberAndPosition));
+    if (count < fewest || count > most || room < narrowestReading)
+        return table;
+    const std::size_t groups = ((count + 1) / 2 + rowsOfAGroup - 1) / rowsOfAGroup;
+    const std::size_t half = groups * rowsOfAGroup;
+    table.columns.insert(table.columns.end(), again.begin(), again.end());
+    table.columns[columns].gapBefore = gap;
+    for (std::size_t i = 0; i < half; ++i) {
+        std::vector<Cell> &row = table.rows[i];
+        if (half + i < count)
+            std::ranges::move(table.rows[half + i], std::back_inserter(row));
+        else
+            row.insert(row.end(), columns, blankCell());
+    }
+    table.rows.resize(half);
+    table.rulesAfter.clear();
+    addGroupRules(table);
+    table.unbroken = true;
+    return table;
+}
+
+/// "positional deviations x_ij", and whether they are as read.
+Phrase readingsNote(const PositioningPart &part) {
+    const Writer &write = part.write;
+    Phrase note = indexed(write.text(part.edition().family == std::string_view("ISO 230-2:2014")
+                                         ? REPORT_TEXT("report", "positioning deviations")
+                                         : REPORT_TEXT("report", "positional deviations")) +
+                              QStringLiteral(" x"),
+                          QStringLiteral("ij"));
+    if (!part.results.corrections.empty())
+        note.spans.push_back({QStringLiteral(", ") +
+                              write.text(REPORT_TEXT("report", "as read, without the correction to 20 °C"))});
+    return note;
+}
+
+bool printsTargets(const PositioningPart &part) {
+    return !part.leavesOut(ReportPart::targetTable) && !part.results.targets.empty();
+}
+
+bool printsReadings(const PositioningPart &part) {
+    return !part.leavesOut(ReportPart::readings) && !part.measurement.runs.empty() && !meansAreReadings(part);
+}
+
+void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
+    const std::size_t count = part.results.targets.size();
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Results per target position")),
+               targetNote(part));
+    if (count > mostRows && !printsAllRows(part))
+        addLeftOut(blocks, part.write, count);
+    else
+        blocks.emplace_back(inHalves(targetTable(part)));
+}
+
+void addReadingTables(std::vector<Block> &blocks, const PositioningPart &part) {
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Readings")), readingsNote(part));
+    const bool all = printsAllRows(part);
+    std::size_t rows = ReadingTables::leastRows(part.measurement);
+    std::vector<Table> tables;
+    if (all || rows <= mostRows) {
+        tables = ReadingTables(part).tables();
+        rows = tables.size() * part.measurement.targets.size();
+    }
+    if (!all && rows > mostRows) {
+        addLeftOut(blocks, part.write, rows);
+        return;
+    }
+    for (Table &table : tables)
+        blocks.emplace_back(std::move(table));
+}
+
+/// Both in one table, where that is wide enough; else false, and nothing is added.
+bool addTargetsWithReadings(std::vector<Block> &blocks, const PositioningPart &part) {
+    if (!printsTargets(part) || !printsReadings(part) || part.results.targets.size() > mostRows)
+        return false;
+    Table table = targetTable(part);
+    if (!ReadingTables(part).appendedTo(table))
+        return false;
+    Phrase note(targetNote(part) + part.write.semicolon());
+    std::ranges::move(readingsNote(part).spans, std::back_inserter(note.spans));
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Results and readings per target position")),
+               std::move(note));
+    blocks.emplace_back(std::move(table));
+    return true;
+}
+
+} // namespace
+
+void addTargetsAndReadings(std::vector<Block> &blocks, const PositioningPart &part) {
+    if (addTargetsWithReadings(blocks, part))
+        return;
+    if (printsTargets(part))
+        addTargetTable(blocks, part);
+    if (printsReadings(part))
+        addReadingTables(blocks, part);
+}
+
+int pagesOfAllReadings(const Document &document) {
+    constexpr std::size_t rowsOfAPage = 48;
+    const auto isOut = [&](ReportPart part) {
+        return std::ranges::find(document.report.leaveOut, part) != document.report.leaveOut.end();
+    };
+    std::size_t rows = 0;
+    const auto add = [&](std::size_t more) { rows += more > mostRows ? more : 0; };
+    for (const TestPointer &test : document.tests) {
+        const auto *measurement = std::get_if<PositioningMeasurement>(&test->measurement);
+        if (!measurement)
+            continue;
+        if (!isOut(ReportPart::targetTable))
+            add(measurement->targets.size());
+        if (!isOut(ReportPart::readings) && !measurement->runs.empty())
+            add(ReadingTables::leastRows(*measurement));
+        add(measurement->excluded.size());
+    }
+    return static_cast<int>((rows + rowsOfAPage - 1) / rowsOfAPage);
+}
+
+void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part) {
+    const PositioningMeasurement &measurement = part.measurement;
+    if (measurement.excluded.empty())
+        return;
+    const Writer &write = part.write;
+    const QString unit = write.language().unit(part.deviation());
+    const int places = positionDecimals(measurement.targets, part.along());
+    Table table;
+    table.columns = {
+        targetColumn(part),
+        positionColumn(part),
+        {QStringLiteral("j"), {}, Alignment::right, false, 12},
+        {indexed(QStringLiteral("x"), QStringLiteral("ij")), unit, Alignment::decimal, false, 25},
+        {write.text(REPORT_TEXT("report", "Reason")), {}, Alignment::left, true, 112}};
+    const std::vector<int> numbers = numbersInDirection(measurement);
+    int decimals = readingDecimals(measurement);
+    for (const ExcludedReading &reading : measurement.excluded) // which may have more
+        decimals =
+            std::max(decimals, limitDecimals(reading.value, part.deviation(), write.language().units()));
+    const std::size_t shown =
+        printsAllRows(part) ? measurement.excluded.size() : std::min(mostRows, measurement.excluded.size());
+    for (const ExcludedReading &reading : std::span(measurement.excluded).first(shown)) {
+        const auto target = static_cast<std::size_t>(reading.target) - 1;
+        const auto run = static_cast<std::size_t>(reading.run) - 1;
+        table.rows.push_back({QString::number(reading.target),
+                              target < measurement.targets.size()
+                                  ? write.language().number(measurement.targets[target], part.along(), places)
+                                  : QString(),
+                              run < numbers.size()
+                                  ? QString::number(numbers[run]) + arrow(measurement.runs[run].approach)
+                                  : QString(),
+                              write.language().number(reading.value, part.deviation(), decimals),
+                              QString::fromStdString(reading.reason)});
+    }
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Excluded readings")),
+               write.text(REPORT_TEXT("report", "set aside: they have no part in the results")));
+    blocks.emplace_back(std::move(table));
+    if (shown < measurement.excluded.size())
+        addLeftOut(blocks, write, measurement.excluded.size() - shown);
+}
+
+std::optional<Table> editionsTable(const TestPart &part, bool narrow) {
+    const std::vector<EditionColumn> columns = editionColumns(part);
+    if (columns.size() < 2)
+        return std::nullopt;
+    const Writer &write = part.write;
+    const auto resolution = finestResolution(part.document(), part.test);
+    std::vector<const Parameter *> rows;
+    for (const EditionColumn &column : columns) {
+        for (const Parameter &parameter : column.evaluation->parameters) {
+            const auto same = [&](const Parameter *p) { return parameterId(*p) == parameterId(parameter); };
+            if (isPrinted(parameter, part.head()) && std::ranges::none_of(rows, same))
+                rows.push_back(&parameter);
+        }
+    }
+    Table table;
+    for (const Parameter *row : rows) {
+        Cell symbol(symbolPhrase(row->term.symbol, row->index));
+        symbol.bold = true;
+        std::vector<Cell> cells{symbol};
+        for (const EditionColumn &column : columns) {
+            const auto &parameters = column.evaluation->parameters;
+            const auto found = std::ranges::find_if(
+                parameters, [&](const Parameter &p) { return parameterId(p) == parameterId(*row); });
+            const bool known = found != parameters.end() && found->value;
+            cells.emplace_back(
+                known ? printedNumbers(*found, part.test.decisionRule, resolution, write.language()).value
+                      : QString());
+        }
+        table.rows.push_back(std::move(cells));
+    }
+    const QString unit = rows.empty() ? QString() : write.language().unit(rows.front()->term.quantity);
+    const auto *positioning = std::get_if<PositioningResults>(&part.evaluation.results);
+    const bool scatter = positioning && std::max(positioning->positiveRuns, positioning->negativeRuns) > 1;
+    table.columns.push_back({QString(), unit, Alignment::left, true, 20});
+    for (const EditionColumn &column : columns) {
+        QString factor;
+        if (column.edition->c > 0 && scatter)
+            factor = narrow ? QStringLiteral("c\u00A0=\u00A0") +
+                                  write.language().number(column.edition->c, Quantity::number)
+                            : write.say(REPORT_TEXT("report", "factor %1"),
+                                        {Number{column.edition->c, Quantity::number, -1}});
+        table.columns.push_back({shortEdition(column.edition->word), factor, Alignment::decimal, false, 0});
+    }
+    return table;
+}
+
+void addEditionsAndRemarks(std::vector<Block> &blocks, const TestPart &part, const QString &remarks) {
+    const Writer &write = part.write;
+    auto table = editionsTable(part);
+    const Heading editions{2, write.text(REPORT_TEXT("report", "Comparison of editions"))};
+    const Heading remarksHeading{2, write.text(REPORT_TEXT("report", "Remarks"))};
+    const bool fits = table && table->columns.size() <= mostColumnsBeside;
+    if (fits && !remarks.isEmpty() && remarks.size() <= mostRemarksBeside) {
+        SideBySide both;
+        both.left = {editions, std::move(*table)};
+        both.right = {remarksHeading, Paragraph{remarks}};
+        blocks.emplace_back(std::move(both));
+        return;
+    }
+    if (table) {
+        blocks.emplace_back(editions);
+        blocks.emplace_back(std::move(*table));
+    }
+    if (!remarks.isEmpty()) {
+        blocks.emplace_back(remarksHeading);
+        blocks.emplace_back(Paragraph{remarks});
+    }
+}
+
+namespace {
+
+/// The results that programs of instruments state, ours beside them where we have the same, and the
+/// difference.
+Table instrumentResultsTable(const TestPart &part) {
+    const Writer &write = part.write;
+    const Language &language = write.language();
+    Table table;
+    table.columns = {{write.text(REPORT_TEXT("report", "Result stated by the instrument’s program")),
+                      {},
+                      Alignment::left,
+                      true,
+                      60},
+                     {write.text(REPORT_TEXT("report", "Value")), {}, Alignment::decimal, false, 19},
+                     {write.text(REPORT_TEXT("report", "Unit")), {}, Alignment::left, false, 16},
+                     {write.text(REPORT_TEXT("report", "Here")), {}, Alignment::left, false, 18},
+                     {write.text(REPORT_TEXT("report", "Value here")), {}, Alignment::right, false, 27},
+                     {write.text(REPORT_TEXT("report", "Here − stated")), {}, Alignment::right, false, 27}};
+    constexpr int decimals = 2; // of µm: programs state one
+    for (const InstrumentResult &result : instrumentResults(part.test, part.evaluation)) {
+        const ImportedResult &stated = *result.stated;
+        const std::string name =
+            part.test.imports.size() > 1 ? result.file->fileName + ": " + stated.name : stated.name;
+        std::vector<Cell> row{
+            QString::fromStdString(name),
+            language.number(stated.value, Quantity::number,
+                            limitDecimals(stated.value, Quantity::number, language.units())),
+            QString::fromStdString(stated.unit)};
+        if (const Parameter *ours = result.ours) {
+            row.emplace_back(QString::fromStdString(plainSymbol(*ours)));
+            const PrintedNumbers printed = printedNumbers(
+                *ours, part.test.decisionRule, finestResolution(part.document(), part.test), language);
+            row.emplace_back(withUnit(printed.value, ours->term.quantity, language));
+            row.emplace_back(language.quantity(*ours->value - result.value, ours->term.quantity, decimals));
+        } else {
+            row.insert(row.end(), 3, Cell());
+        }
+        table.rows.push_back(std::move(row));
+    }
+    return table;
+}
+
+} // namespace
+
+void addImports(std::vector<Block> &blocks, const TestPart &part) {
+    const auto &imports = part.test.imports;
+    if (imports.empty())
+        return;
+    const Writer &write = part.write;
+    Table files;
+    files.columns = {{write.text(REPORT_TEXT("report", "File")), {}, Alignment::left, true, 63},
+                     {QStringLiteral("SHA-256"), {}, Alignment::left, false, 112}};
+    for (const ImportedFile &file : imports)
+        files.rows.push_back({QString::fromStdString(file.fileName), QString::fromStdString(file.sha256)});
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Origin of the data")));
+    blocks.emplace_back(std::move(files));
+    Table results = instrumentResultsTable(part);
+    if (!results.rows.empty())
+        blocks.emplace_back(std::move(results));
+}
+
+} // namespace palmer

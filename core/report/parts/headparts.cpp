@@ -1,0 +1,311 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/parts/headparts.h"
+
+#include "language/decimals.h"
+#include "report/words/wording.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+constexpr double leftLabels = 25;  ///< mm
+constexpr double rightLabels = 31; ///< mm
+
+class Rows {
+public:
+    Rows(const Writer &write, double labelWidth)
+        : m_write(write) {
+        m_values.labelWidth = labelWidth;
+    }
+
+    void add(const Text &label, const QString &value) {
+        m_values.rows.push_back({m_write.text(label), value});
+    }
+    void add(const Text &label, const std::string &value) { add(label, QString::fromStdString(value)); }
+    [[nodiscard]] KeyValues take() { return std::move(m_values); }
+
+private:
+    const Writer &m_write;
+    KeyValues m_values;
+};
+
+QString machineText(const Machine &machine) {
+    return joined({QString::fromStdString(machine.name), QString::fromStdString(machine.manufacturer),
+                   QString::fromStdString(machine.model)});
+}
+
+/// Laboratory, number, title: what the heads of tests and of the summary have in common.
+TestHead letterHead(const Writer &write, const ReportHead &head) {
+    TestHead result;
+    result.laboratory = QString::fromStdString(head.laboratory.name);
+    result.address = QString::fromStdString(head.laboratory.address);
+    result.accreditation = QString::fromStdString(head.laboratory.accreditation);
+    result.logo = QByteArray::fromBase64(QByteArray::fromStdString(head.laboratory.logo.value_or("")));
+    result.mark = QByteArray::fromBase64(QByteArray::fromStdString(head.laboratory.mark.value_or("")));
+    result.number = write.say(REPORT_TEXT("report", "Report No. %1"),
+                              {head.number.empty() ? std::string("–") : head.number});
+    QStringList notes;
+    if (!head.revision.empty())
+        notes << write.say(REPORT_TEXT("report", "revision %1"), {head.revision});
+    if (head.date)
+        notes << write.say(REPORT_TEXT("report", "issued %1"), dateText(write, head.date));
+    if (!notes.isEmpty())
+        result.numberNotes << notes.join(QStringLiteral(", "));
+    if (!head.replaces.empty())
+        result.numberNotes << write.say(REPORT_TEXT("report", "replaces %1"), {head.replaces});
+    result.title = reportTitle(write, head);
+    return result;
+}
+
+KeyValues partiesAndDates(const Writer &write, const ReportHead &head, const QString &date,
+                          const Text &label = REPORT_TEXT("report", "Date of test")) {
+    Rows rows(write, leftLabels);
+    rows.add(label, date);
+    rows.add(REPORT_TEXT("report", "Place"), head.place);
+    rows.add(REPORT_TEXT("report", "Operator"), head.operatorName);
+    rows.add(REPORT_TEXT("report", "Supplier"), partyText(head.supplier));
+    rows.add(REPORT_TEXT("report", "Customer"), partyText(head.customer));
+    return rows.take();
+}
+
+QString dateOfTest(const TestPart &part) {
+    const QString date = dateText(part.write, part.test.date);
+    return part.test.time ? joined({date, QString::fromStdString(*part.test.time)}) : date;
+}
+
+/// When the tests were carried out: as the head of the report says, else from the first to the last of them.
+QString periodOfTests(const std::vector<TestPart> &parts) {
+    const ReportHead &head = parts.front().head();
+    if (head.performedFrom || head.performedTo)
+        return periodText(parts.front().write, head.performedFrom, head.performedTo);
+    std::optional<std::string> from;
+    std::optional<std::string> to;
+    for (const TestPart &part : parts) {
+        if (!part.test.date || part.test.date->empty())
+            continue;
+        from = std::min(from.value_or(*part.test.date), *part.test.date);
+        to = std::max(to.value_or(*part.test.date), *part.test.date);
+    }
+    return periodText(parts.front().write, from, to);
+}
+
+std::vector<const Instrument *> instrumentsOf(const TestPart &part) {
+    std::vector<const Instrument *> result;
+    for (const std::string &id : part.test.instruments) {
+        const auto found = std::ranges::find(part.document().instruments, id, &Instrument::id);
+        if (found != part.document().instruments.end())
+            result.push_back(&*found);
+    }
+    return result;
+}
+
+QString instrumentText(const Writer &write, const Instrument &instrument) {
+    QString name = QString::fromStdString(instrument.description);
+    if (name.isEmpty())
+        name = joined(
+            {QString::fromStdString(instrument.manufacturer), QString::fromStdString(instrument.model)});
+    if (instrument.serialNumber.empty())
+        return name;
+    return joined({name, write.say(REPORT_TEXT("report", "No. %1"), {instrument.serialNumber})});
+}
+
+QString certificateText(const Writer &write, const Instrument &instrument) {
+    const QString date = dateText(write, instrument.calibrationDate);
+    if (instrument.certificate.empty() || date.isEmpty())
+        return joined({QString::fromStdString(instrument.certificate), date});
+    return write.say(REPORT_TEXT_FOR("report", "%1 of %2", "certificate, date"),
+                     {instrument.certificate, date.toStdString()});
+}
+
+void addInstruments(Rows &rows, const TestPart &part) {
+    QStringList names;
+    QStringList certificates;
+    for (const Instrument *instrument : instrumentsOf(part)) {
+        names << instrumentText(part.write, *instrument);
+        certificates << certificateText(part.write, *instrument);
+    }
+    rows.add(REPORT_TEXT("report", "Instrument"), joined(names, QStringLiteral("\n")));
+    rows.add(REPORT_TEXT("report", "Certificate"), joined(certificates, QStringLiteral("\n")));
+}
+
+QString axisText(const PositioningPart &part) {
+    const Axis &axis = part.measurement.axis;
+    const bool linear = axis.motion == Motion::linear;
+    QStringList texts{
+        QString::fromStdString(axis.name),
+        part.write.text(linear ? REPORT_TEXT("report", "linear") : REPORT_TEXT("report", "rotary"))};
+    if (axis.travel)
+        texts << part.write.say(REPORT_TEXT("report", "axis travel %1"),
+                                {Number{*axis.travel, part.along(), -1}});
+    return joined(texts);
+}
+
+/// "0.00 to 1 500.41 mm"; a sign of degrees stands at each number.
+QString intervalText(const PositioningPart &part, double from, double to, int decimals) {
+    const Language &language = part.write.language();
+    const QString first = part.along() == Quantity::angle
+                              ? language.quantity(from, part.along(), decimals)
+                              : language.number(certain(from), part.along(), decimals);
+    return part.write.say(REPORT_TEXT("report", "%1 to %2"),
+                          {first.toStdString(), Number{to, part.along(), decimals}});
+}
+
+QString travelText(const PositioningPart &part) {
+    const auto &targets = part.measurement.targets;
+    if (targets.empty())
+        return {};
+    const int decimals = positionDecimals(targets, part.along());
+    return part.write.quantity(measurementTravel(part.measurement), part.along(), decimals) +
+           QStringLiteral(" (") + intervalText(part, targets.front(), targets.back(), decimals) + u')';
+}
+
+QString countsText(const PositioningPart &part) {
+    const PositioningResults &results = part.results;
+    const auto count = [](auto n) { return Number{static_cast<double>(n), Quantity::count, 0}; };
+    const Number m = count(part.measurement.targets.size());
+    if (results.upward != results.downward)
+        return part.write.say(REPORT_TEXT("report", "m = %1; n = %2 %3"),
+                              {m, count(results.upward ? results.positiveRuns : results.negativeRuns),
+                               std::string(results.upward ? "↑" : "↓")});
+    if (results.positiveRuns == results.negativeRuns)
+        return part.write.say(REPORT_TEXT("report", "m = %1; n = %2 per direction"),
+                              {m, count(results.positiveRuns)});
+    return part.write.say(REPORT_TEXT("report", "m = %1; n = %2 ↑, %3 ↓"),
+                          {m, count(results.positiveRuns), count(results.negativeRuns)});
+}
+
+QString referenceLengthText(const CircularPart &part) {
+    const ReferenceLength &length = part.measurement.referenceLength;
+    const Writer &write = part.write;
+    if (!length.calibrated)
+        return {};
+    if (!*length.calibrated)
+        return write.text(REPORT_TEXT("report", "not calibrated"));
+    QString calibrated = write.text(REPORT_TEXT_FOR("report", "calibrated", "length"));
+    if (!length.expandedUncertainty)
+        return calibrated;
+    return joined({calibrated, write.say(REPORT_TEXT("report", "U = %1 (k = %2)"),
+                                         {Number{*length.expandedUncertainty, Quantity::micrometres, -1},
+                                          Number{length.coverageFactor, Quantity::number, -1}})});
+}
+
+QString titleAndEdition(const TestPart &part) {
+    return joined({testName(part.write, part.test), QString::fromUtf8(part.edition().word)},
+                  QStringLiteral(" · "));
+}
+
+/// What the heads of all kinds state alike; the right column is left to each.
+TestHead commonHead(const TestPart &part) {
+    TestHead head = letterHead(part.write, part.head());
+    head.anchor = part.headAnchor();
+    if (part.count > 1)
+        head.numberNotes << part.write.say(REPORT_TEXT("report", "Test %1 of %2"),
+                                           {Number{static_cast<double>(part.number), Quantity::count, 0},
+                                            Number{static_cast<double>(part.count), Quantity::count, 0}});
+    head.subtitle =
+        joined({titleAndEdition(part), QString::fromStdString(part.test.title)}, QStringLiteral(" · "));
+    if (!part.edition().title.empty())
+        head.editionTitle = part.write.text(part.edition().title);
+    head.left = partiesAndDates(part.write, part.head(), dateOfTest(part));
+    return head;
+}
+
+} // namespace
+
+QString reportTitle(const Writer &write, const ReportHead &head) {
+    return head.title.empty() ? write.text(REPORT_TEXT("report", "Acceptance test report"))
+                              : QString::fromStdString(head.title);
+}
+
+RunningHead runningHead(const TestPart &part) {
+    return {QString::fromStdString(part.head().laboratory.name), titleAndEdition(part)};
+}
+
+TestHead positioningHead(const PositioningPart &part) {
+    TestHead head = commonHead(part);
+    if (part.results.stepCycleNotAgreed)
+        head.notice =
+            part.write.text(REPORT_TEXT("report", "step cycle – not an ISO 230-2 acceptance result"));
+    const Edition &edition = part.edition();
+    const auto addLeft = [&](const Text &label, const QString &value) {
+        head.left.rows.push_back({part.write.text(label), value});
+    };
+    addLeft(REPORT_TEXT("report", "Cycle"),
+            part.write.text(part.measurement.cycle == Cycle::standard ? edition.standardCycle
+                                                                      : edition.stepCycle));
+    addLeft(REPORT_TEXT("report", "Target positions"), countsText(part));
+
+    Rows rows(part.write, rightLabels);
+    rows.add(REPORT_TEXT("report", "Machine"), machineText(part.document().machine));
+    rows.add(REPORT_TEXT("report", "Serial number"), part.document().machine.serialNumber);
+    rows.add(REPORT_TEXT("report", "Axis"), axisText(part));
+    rows.add(REPORT_TEXT("report", "Measurement travel"), travelText(part));
+    if (part.measurement.zone)
+        rows.add(REPORT_TEXT("report", "Working zone"),
+                 intervalText(part, part.measurement.zone->from, part.measurement.zone->to, -1));
+    rows.add(REPORT_TEXT("report", "Measuring system"), part.measurement.axis.positionFeedback);
+    addInstruments(rows, part);
+    head.right = rows.take();
+    return head;
+}
+
+TestHead circularHead(const CircularPart &part) {
+    const Writer &write = part.write;
+    const CircularMeasurement &measurement = part.measurement;
+    TestHead head = commonHead(part);
+    if (part.needsLength())
+        head.left.rows.push_back(
+            {write.text(REPORT_TEXT("report", "Reference length")), referenceLengthText(part)});
+
+    Rows rows(write, rightLabels);
+    rows.add(REPORT_TEXT("report", "Machine"), machineText(part.document().machine));
+    rows.add(REPORT_TEXT("report", "Serial number"), part.document().machine.serialNumber);
+    rows.add(REPORT_TEXT("report", "Plane, axes"), part.plane());
+    rows.add(REPORT_TEXT("report", "Measuring system"), measurement.positionFeedback);
+    if (part.feedback())
+        rows.add(REPORT_TEXT("report", "Measured with"),
+                 write.text(REPORT_TEXT("report", "feedback signal of the axes")));
+    if (!part.feedback() || !part.test.instruments.empty())
+        addInstruments(rows, part);
+    head.right = rows.take();
+    return head;
+}
+
+TestHead summaryHead(const std::vector<TestPart> &parts) {
+    const TestPart &first = parts.front();
+    const Writer &write = first.write;
+    const Document &document = first.document();
+    TestHead head = letterHead(write, document.report);
+    QStringList editions;
+    for (const TestPart &part : parts) {
+        if (const QString edition = QString::fromUtf8(part.edition().word); !editions.contains(edition))
+            editions << edition;
+    }
+    head.subtitle = joined(
+        {write.language().sentence(
+             {REPORT_TEXT_COUNTED("report", "Summary of %n test(s)"), {}, static_cast<int>(parts.size())}),
+         enumerated(write, editions)},
+        QStringLiteral(" · "));
+    head.left = partiesAndDates(write, document.report, periodOfTests(parts),
+                                REPORT_TEXT("report", "Dates of the tests"));
+    Rows rows(write, rightLabels);
+    rows.add(REPORT_TEXT("report", "Machine"), machineText(document.machine));
+    rows.add(REPORT_TEXT("report", "Serial number"), document.machine.serialNumber);
+    rows.add(REPORT_TEXT("report", "Control"), document.machine.controller);
+    rows.add(REPORT_TEXT("report", "Condition"), document.machine.condition);
+    QStringList instruments;
+    for (const TestPart &part : parts) {
+        for (const Instrument *instrument : instrumentsOf(part)) {
+            if (const QString text = instrumentText(write, *instrument); !instruments.contains(text))
+                instruments << text;
+        }
+    }
+    rows.add(REPORT_TEXT("report", "Instruments"), instruments.join(write.semicolon()));
+    head.right = rows.take();
+    return head;
+}
+
+} // namespace palmer

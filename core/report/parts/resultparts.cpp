@@ -1,0 +1,739 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/parts/resultparts.h"
+#include "export/findingtext.h"
+#include "report/tables/findinglines.h"
+#include "report/words/accordancetext.h"
+
+#include "figures/deviationfigure.h"
+#include "kernel/evaluation/conformity.h"
+#include "language/decimals.h"
+#include "report/words/printednumbers.h"
+#include "report/words/wording.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <ranges>
+
+namespace palmer {
+
+namespace {
+
+constexpr double earlierGuardFactor = 1.0;   ///< guard band U: earlier editions of ISO 14253-1
+constexpr double oneSidedGuardFactor = 0.83; ///< 1.65 u: its later 95 % rule for one limit
+constexpr QChar noBreakSpace(u'\u00A0');
+constexpr double symbolWidth = 7.8; ///< mm, as the widths below
+constexpr double spareBesidePicture = 2;
+constexpr double letterWidth = 1.67;
+constexpr double capitalWidth = 2.3;
+constexpr double spaceWidth = 0.9;
+constexpr double cellPadding = 2.2;
+constexpr double gapAfterName = 1.2;    ///< besides the padding, where a name fills its column
+constexpr qsizetype mostOfReason = 230; ///< characters that fit on three lines of the verdict line
+
+bool hasGuardBand(const Test &test) {
+    return test.decisionRule.rule != Rule::simpleAcceptance;
+}
+
+bool factorIsOne(const Test &test) {
+    return test.decisionRule.guardFactor == earlierGuardFactor;
+}
+
+Number factor(const Test &test) {
+    return {test.decisionRule.guardFactor, Quantity::number, -1};
+}
+
+/// "U", "0.83 U"; of a simulated U "0.83 (U + 2s)", s that of U.
+QString bandName(const TestPart &part, bool simulated) {
+    QString band = simulated ? QStringLiteral("U\u00A0+\u00A02s") : QStringLiteral("U");
+    if (factorIsOne(part.test))
+        return band;
+    return part.write.language().number(certain(part.test.decisionRule.guardFactor), Quantity::number) +
+           QStringLiteral("\u00A0") + (simulated ? u'(' + band + u')' : band);
+}
+
+/// In a sentence, without typography: "Fmax,XY".
+QString shownSymbol(const Parameter &parameter) {
+    return symbolPhrase(parameter.term.symbol, parameter.index).plain();
+}
+
+QString joinedSymbols(const std::vector<const Parameter *> &parameters) {
+    QStringList symbols;
+    for (const Parameter *parameter : parameters)
+        symbols << shownSymbol(*parameter);
+    return symbols.join(QStringLiteral(", "));
+}
+
+/// The names of the standard end in "of an axis": in a table of one axis that is said by the heading. A name
+/// that would become one word stays whole.
+QString nameInTable(const Writer &write, const Text &name) {
+    QString result = write.text(name);
+    const QString ending =
+        u' ' + write.text(REPORT_TEXT_FOR("report", "of an axis", "end of the name of a parameter"));
+    if (result.endsWith(ending) && result.chopped(ending.size()).contains(u' '))
+        result.chop(ending.size());
+    if (!result.isEmpty())
+        result[0] = result[0].toUpper();
+    return result;
+}
+
+/// One parameter with its numbers as the table prints them.
+struct PrintedResult : PrintedNumbers {
+    const Parameter *parameter = nullptr;
+};
+
+std::vector<PrintedResult> printedResults(const TestPart &part) {
+    const auto resolution = finestResolution(part.document(), part.test);
+    std::vector<PrintedResult> results;
+    for (const Parameter &parameter : part.evaluation.parameters) {
+        if (isPrinted(parameter, part.head()))
+            results.push_back(
+                {printedNumbers(parameter, part.test.decisionRule, resolution, part.write.language()),
+                 &parameter});
+    }
+    return results;
+}
+
+Phrase targetsTitle(const Writer &write) {
+    return Phrase({{write.text(REPORT_TEXT_FOR("report", "Targets", "followed by i")) + u' '},
+                   {QStringLiteral("i"), false, true}});
+}
+
+/// Estimated width of a text of 8.5 pt, mm; combining marks take none.
+double estimatedWidth(const QString &text) {
+    const bool isWord = text.size() > 2 && text == text.toUpper() && text.at(1).isLetter(); // UPR
+    double width = 0;
+    for (const QChar c : text) {
+        if (c.category() != QChar::Mark_NonSpacing)
+            width += c.isSpace() ? spaceWidth : isWord && c.isLetter() ? capitalWidth : letterWidth;
+    }
+    return width;
+}
+
+/// How the table of results is laid out: widths in mm, none for the ruling targets where there are none; and
+/// what it calls a parameter.
+struct ResultForm {
+    QString heading;
+    double symbol = 0;
+    double name = 0;
+    std::optional<double> targets;
+    double value = 0;
+    double uncertainty = 0;
+    double limit = 0;
+    double picture = 0;
+    double verdict = 0;
+    bool notCorrected = false; ///< results that depend on the temperature say so
+    bool setUpInF = false;     ///< F holds the error of the set-up: it says so
+    std::function<QString(const Parameter &)> nameOf;
+};
+
+ResultForm positioningForm(const PositioningPart &part) {
+    const std::string &axis = part.measurement.axis.name;
+    ResultForm form{part.write.say(REPORT_TEXT("report", "Results for the %1 axis"),
+                                   {axis.empty() ? std::string("–") : axis}),
+                    7.8,
+                    70.0,
+                    13.6,
+                    10.8,
+                    14.0,
+                    11.0,
+                    21.1,
+                    26.7,
+                    part.results.notCorrected,
+                    false,
+                    [&part](const Parameter &parameter) {
+                        QString name = nameInTable(part.write, parameter.term.name);
+                        const QString symbol =
+                            QStringLiteral(" (%1)").arg(shownSymbol(parameter)); // stands beside it
+                        return name.endsWith(symbol) ? name.chopped(symbol.size()) : name;
+                    }};
+    if (part.write.language().id() == Language::Id::english) {
+        form.name = 64.0;
+        form.targets = 13.6;
+        form.value = 11.0;
+        form.uncertainty = 14.2;
+        form.limit = 11.2;
+        form.picture = 21.6;
+        form.verdict = 31.6;
+    }
+    return form;
+}
+
+/// "Circular deviation, anticlockwise, minimum zone": the term, of which path, by which circle.
+QString circularName(const CircularPart &part, const Parameter &parameter) {
+    const Writer &write = part.write;
+    const std::string_view id = parameter.term.id;
+    QStringList words{nameInTable(write, parameter.term.name)};
+    const bool ofPair = id.starts_with("G(b)") || id == "D" || id == "H";
+    for (const EvaluatedPath &path : part.results.paths) {
+        if (!ofPair && path.index == parameter.index)
+            words << write.text(senseText(path.sense));
+    }
+    if (id.starts_with('G'))
+        words << write.text(part.measurement.referenceCircle == ReferenceCircle::minimumZone
+                                ? REPORT_TEXT("report", "minimum zone")
+                                : REPORT_TEXT("report", "least squares"));
+    if (parameter.dependsOnTemperature && part.holdsAt20())
+        words << write.text(REPORT_TEXT("report", "at 20 °C"));
+    return words.join(QStringLiteral(", "));
+}
+
+ResultForm circularForm(const CircularPart &part) {
+    ResultForm form{part.write.say(REPORT_TEXT("report", "Results in the %1 plane"), part.plane()),
+                    16.0,
+                    77.0,
+                    std::nullopt,
+                    12.0,
+                    15.0,
+                    12.5,
+                    22.5,
+                    20.0,
+                    part.results.notCorrected,
+                    part.measurement.centring == Centring::instrument,
+                    [&part](const Parameter &parameter) { return circularName(part, parameter); }};
+    // A verdict that is not "conforms" needs more room than the picture has.
+    const double verdict = part.write.language().id() == Language::Id::english ? 31.6 : 26.7;
+    const bool wide = std::ranges::any_of(part.evaluation.parameters, [](const Parameter &parameter) {
+        return parameter.verdict && parameter.verdict != Verdict::conforms;
+    });
+    if (wide) {
+        form.name -= verdict - form.verdict;
+        form.verdict = verdict;
+    }
+    return form;
+}
+
+/// The columns for these rows: the widths of the form, unless a symbol or the ruling targets need more. What
+/// they need is taken from the space beside the guard picture, then from the name.
+std::vector<Column> resultColumns(const TestPart &part, const ResultForm &form, const Table &table,
+                                  const QString &unit) {
+    const Writer &write = part.write;
+    QString band;
+    if (hasGuardBand(part.test))
+        band = write.text(factorIsOne(part.test) ? REPORT_TEXT("report", "Limit ± U")
+                                                 : REPORT_TEXT("report", "Limit ± g"));
+    double symbols = form.symbol;
+    double targets = form.targets.value_or(0);
+    for (const auto &row : table.rows) {
+        symbols = std::max(symbols, estimatedWidth(row[0].text.plain()) + cellPadding);
+        if (form.targets)
+            targets = std::max(targets, estimatedWidth(row[2].text.plain()) + cellPadding + gapAfterName);
+    }
+    const double more = symbols - form.symbol + targets - form.targets.value_or(0);
+    const double fromPicture = std::min(more, spareBesidePicture);
+
+    Column quantity{write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, symbols};
+    quantity.titleSpan = 2;
+    quantity.paddingLeft = 1.2;
+    Column guard{band, {}, Alignment::left, false, form.picture - fromPicture};
+    guard.paddingLeft = 3.2;
+    std::vector<Column> columns{quantity,
+                                {QString(), {}, Alignment::left, true, form.name - (more - fromPicture)}};
+    if (form.targets) {
+        columns.push_back({targetsTitle(write), {}, Alignment::left, false, targets});
+        columns.back().paddingLeft = gapAfterName;
+    }
+    columns.push_back(
+        {write.text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false, form.value});
+    columns.push_back({uncertaintyHead(coverageOf(part.evaluation, part.head()), write.language()), unit,
+                       Alignment::decimal, false, form.uncertainty});
+    columns.push_back(
+        {write.text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false, form.limit});
+    columns.push_back(guard);
+    columns.push_back(
+        {write.text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, form.verdict});
+    return columns;
+}
+
+bool isRadialDeviation(const Parameter &parameter) {
+    return *parameter.term.id == 'F' && parameter.value;
+}
+
+Table resultTable(const TestPart &part, const ResultForm &form, const std::vector<PrintedResult> &results) {
+    Table table;
+    table.unbroken = true;
+    char group = 0;
+    QString unit;
+    for (const PrintedResult &result : results) {
+        const Parameter &parameter = *result.parameter;
+        unit = part.write.language().unit(parameter.term.quantity);
+        if (group != 0 && group != *parameter.term.id)
+            table.rulesAfter.push_back(table.rows.size() - 1);
+        group = *parameter.term.id;
+        Cell symbol(symbolPhrase(parameter.term.symbol, parameter.index));
+        symbol.bold = true;
+        QString name = form.nameOf(parameter);
+        const auto own = part.test.limits.find(parameter.term.id);
+        const bool severalLimits = own != part.test.limits.end() && own->second.value;
+        if (const QString of = limitNote(parameter, part.write.language()); severalLimits && !of.isEmpty())
+            name += QStringLiteral(", ") + of;
+        if (form.notCorrected && parameter.dependsOnTemperature)
+            name += QStringLiteral("\u00A0*");
+        if (form.setUpInF && isRadialDeviation(parameter))
+            name += QStringLiteral("\u00A0†");
+        Cell value(result.value);
+        value.bold = !result.limit.isEmpty();
+        std::vector<Cell> row{symbol, name};
+        if (form.targets)
+            row.emplace_back(rulingText(parameter).replace(u' ', noBreakSpace));
+        for (Cell cell : {value, Cell(result.uncertainty), Cell(result.limit), guardCell(parameter),
+                          verdictCell(part.write, parameter)})
+            row.push_back(std::move(cell));
+        table.rows.push_back(std::move(row));
+    }
+    table.columns = resultColumns(part, form, table, unit);
+    const std::size_t uncertainty = form.targets ? 4 : 3; // U, limit, picture, verdict
+    leaveOutEmptyColumns(table, uncertainty, table.columns.size() - 1);
+    return table;
+}
+
+QString resultsNote(const TestPart &part) {
+    QStringList notes;
+    if (part.edition().rangeMethod) {
+        const auto *results = std::get_if<PositioningResults>(&part.evaluation.results);
+        const bool range = results && results->standardDeviation == DeviationMethod::range;
+        notes << part.write.text(range ? REPORT_TEXT("report", "s by the range method")
+                                       : REPORT_TEXT("report", "s by the calculation method"));
+    }
+    if (part.evaluation.verdict) {
+        notes << ruleInShort(part)
+              << part.write.text(REPORT_TEXT("report", "verdict based on unrounded values"));
+    }
+    return notes.join(part.write.semicolon());
+}
+
+void addLegend(std::vector<Block> &blocks, const TestPart &part, const ResultForm &form) {
+    const Writer &write = part.write;
+    const auto &parameters = part.evaluation.parameters;
+    const auto isMarked = [&](const Parameter &p) {
+        return p.dependsOnTemperature && isPrinted(p, part.head());
+    };
+    if (form.notCorrected && std::ranges::any_of(parameters, isMarked))
+        blocks.emplace_back(ResultsLegend{
+            {{LegendSign::none,
+              QStringLiteral("*\u00A0") + write.text(REPORT_TEXT("report", "not corrected to 20 °C"))}}});
+    const auto holdsSetUp = [&](const Parameter &p) {
+        return isRadialDeviation(p) && isPrinted(p, part.head());
+    };
+    if (form.setUpInF && std::ranges::any_of(parameters, holdsSetUp))
+        blocks.emplace_back(
+            ResultsLegend{{{LegendSign::none,
+                            QStringLiteral("†\u00A0") +
+                                write.text(REPORT_TEXT(
+                                    "report", "about the centre of the set-up: with the set-up error"))}}});
+    if (const CoverageOfResults coverage = coverageOf(part.evaluation, part.head()); coverage.mixed())
+        blocks.emplace_back(ResultsLegend{
+            {{LegendSign::none, QStringLiteral("U: ") + coverageNote(coverage, write.language())}}});
+    const bool pictures =
+        std::ranges::any_of(parameters, [](const Parameter &p) { return guardCell(p).guard.has_value(); });
+    if (!pictures)
+        return;
+    ResultsLegend legend;
+    legend.items.push_back({LegendSign::value, write.text(REPORT_TEXT_FOR("report", "value", "legend"))});
+    if (!hasGuardBand(part.test)) {
+        legend.items.push_back(
+            {LegendSign::limit,
+             write.text(
+                 REPORT_TEXT("report", "limit. Value left of the limit: met; right of it: exceeded."))});
+    } else {
+        legend.items.push_back({LegendSign::limit, write.text(REPORT_TEXT_FOR("report", "limit", "legend"))});
+    }
+    const bool bands =
+        std::ranges::any_of(parameters, [](const Parameter &p) { return p.guardBand.has_value(); });
+    if (bands) {
+        const QString band = factorIsOne(part.test) && !guardsSimulated(part.evaluation)
+                                 ? QStringLiteral("U")
+                                 : QStringLiteral("g");
+        const Text words =
+            part.test.decisionRule.rule == Rule::rejectionProven
+                ? REPORT_TEXT("report", "limit ± %1. Value left of the band: met; within: non-conformity not "
+                                        "proven; right: exceeded.")
+                : REPORT_TEXT("report",
+                              "limit ± %1. Value left of the band: met; in the band: not proven; right "
+                              "of the band: exceeded.");
+        legend.items.push_back({LegendSign::band, write.say(words, band)});
+    }
+    blocks.emplace_back(std::move(legend));
+}
+
+// ---- The verdict line
+// --------------------------------------------------------------------------------------
+
+std::vector<const PrintedResult *> resultsWith(const std::vector<PrintedResult> &results, Verdict verdict) {
+    std::vector<const PrintedResult *> found;
+    for (const PrintedResult &result : results) {
+        if (result.parameter->verdict == verdict)
+            found.push_back(&result);
+    }
+    return found;
+}
+
+std::vector<const Parameter *> parametersOf(const std::vector<const PrintedResult *> &results) {
+    std::vector<const Parameter *> parameters;
+    parameters.reserve(results.size());
+    for (const PrintedResult *result : results)
+        parameters.push_back(result->parameter);
+    return parameters;
+}
+
+std::string shownValue(const TestPart &part, const PrintedResult &result) {
+    QString value = result.value;
+    if (result.parameter->bound == Bound::magnitude && value.startsWith(u'−'))
+        value.remove(0, 1); // the limit holds for the absolute value
+    return withUnit(value, result.parameter->term.quantity, part.write.language()).toStdString();
+}
+
+std::string shownLimit(const TestPart &part, const PrintedResult &result) {
+    return withUnit(result.limit, result.parameter->term.quantity, part.write.language()).toStdString();
+}
+
+Text exceededBand(bool isLower, bool bandIsU) {
+    if (isLower)
+        return bandIsU ? REPORT_TEXT("report", "%1 is below its lower limit by more than the uncertainty: %2 "
+                                               "against %3 − %4 = %5.")
+                       : REPORT_TEXT("report", "%1 is below its lower limit by more than the guard band: %2 "
+                                               "against %3 − %4 = %5.");
+    return bandIsU
+               ? REPORT_TEXT("report",
+                             "%1 exceeds its limit by more than the uncertainty: %2 against %3 + %4 = %5.")
+               : REPORT_TEXT("report",
+                             "%1 exceeds its limit by more than the guard band: %2 against %3 + %4 = %5.");
+}
+
+/// `inShort`: the symbols only.
+QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> &results, bool inShort) {
+    const Writer &write = part.write;
+    if (results.size() > 1 || inShort) {
+        QStringList items;
+        for (const PrintedResult *result : results) {
+            const std::string symbol = shownSymbol(*result->parameter).toStdString();
+            items << (inShort ? QString::fromStdString(symbol)
+                              : write.say(REPORT_TEXT("report", "%1 (%2 against %3)"),
+                                          {symbol, shownValue(part, *result), shownLimit(part, *result)}));
+        }
+        const bool one = results.size() == 1;
+        const Text beyondBand =
+            one ? REPORT_TEXT("report", "Limit exceeded by more than the guard band: %1.")
+                : REPORT_TEXT("report", "Limits exceeded by more than the guard band: %1.");
+        const Text beyond = one ? REPORT_TEXT("report", "Limit exceeded: %1.")
+                                : REPORT_TEXT("report", "Limits exceeded: %1.");
+        return write.say(hasGuardBand(part.test) ? beyondBand : beyond, items.join(QStringLiteral(", ")));
+    }
+    const PrintedResult &result = *results.front();
+    const Parameter &parameter = *result.parameter;
+    const bool isLower = parameter.bound == Bound::lower;
+    if (!hasGuardBand(part.test) || result.reach.isEmpty())
+        return write.say(
+            isLower ? REPORT_TEXT("report", "%1 is below its lower limit: %2 against %3.")
+                    : REPORT_TEXT("report", "%1 exceeds its limit: %2 against %3."),
+            {shownSymbol(parameter).toStdString(), shownValue(part, result), shownLimit(part, result)});
+    return write.say(exceededBand(isLower, factorIsOne(part.test)),
+                     {shownSymbol(parameter).toStdString(), shownValue(part, result),
+                      shownLimit(part, result),
+                      bandName(part, parameter.decidedBy == UncertaintyMethod::monteCarlo).toStdString(),
+                      withUnit(result.reach, parameter.term.quantity, write.language()).toStdString()});
+}
+
+QString notProven(const TestPart &part, const std::vector<const PrintedResult *> &results) {
+    const QString symbols =
+        enumerated(part.write, joinedSymbols(parametersOf(results)).split(QStringLiteral(", ")));
+    const bool withoutValue =
+        std::ranges::all_of(results, [](const PrintedResult *result) { return !result->parameter->value; });
+    if (withoutValue)
+        return part.write.say(REPORT_TEXT("report", "Without a value nothing is proven for %1."), symbols);
+    const bool uncorrected =
+        notCorrected(part.evaluation) && std::ranges::all_of(results, [](const PrintedResult *result) {
+            return result->parameter->dependsOnTemperature;
+        });
+    if (uncorrected)
+        return part.write.say(REPORT_TEXT("report", "Not corrected to 20 °C, nothing is proven for %1."),
+                              symbols);
+    const bool withoutUncertainty = std::ranges::all_of(
+        results, [](const PrintedResult *result) { return !result->parameter->expandedUncertainty; });
+    if (withoutUncertainty)
+        return part.write.say(
+            REPORT_TEXT("report", "Without the measurement uncertainty nothing is proven for %1."), symbols);
+    if (part.test.decisionRule.rule == Rule::rejectionProven)
+        return part.write.say(
+            REPORT_TEXT("report", "For %1 non-conformity is not proven: no ground for rejection."), symbols);
+    return part.write.say(REPORT_TEXT("report", "For %1 neither conformity nor non-conformity is proven."),
+                          symbols);
+}
+
+QString reason(const TestPart &part, const std::vector<PrintedResult> &results) {
+    if (part.evaluation.view)
+        return part.write.say(
+            REPORT_TEXT("report", "Seen under another edition than that of the test (%1): no verdict."),
+            {part.test.edition});
+    if (!part.evaluation.verdict) {
+        return part.write.text(
+            hasLimits(part.test)
+                ? REPORT_TEXT("report", "The limits agreed do not hold for this test: no verdict.")
+                : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
+    }
+    const auto failing = resultsWith(results, Verdict::doesNotConform);
+    const auto open = resultsWith(results, Verdict::notProven);
+    const auto good = resultsWith(results, Verdict::conforms);
+    const auto sentences = [&](bool inShort) {
+        QStringList all;
+        if (!failing.empty())
+            all << exceeded(part, failing, inShort);
+        if (!open.empty())
+            all << notProven(part, open);
+        const QString met = joinedSymbols(parametersOf(good));
+        if (!good.empty() && failing.empty() && open.empty()) // the state says it
+            all << enumerated(part.write, met.split(QStringLiteral(", "))) + u'.';
+        else if (!good.empty())
+            all << part.write.say(REPORT_TEXT("report", "Within its limit: %1."), met);
+        if (failing.size() + open.size() + good.size() < results.size())
+            all << part.write.text(REPORT_TEXT("report", "Others: no limit agreed."));
+        return all.join(u' ');
+    };
+    const QString whole = sentences(false);
+    return whole.size() <= mostOfReason ? whole : sentences(true);
+}
+
+VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &results) {
+    const TestEvaluation &evaluation = part.evaluation;
+    const bool limits = hasLimits(part.test);
+    VerdictLine line;
+    line.mark = largeMark(evaluation.verdict, evaluation.accordance());
+    line.label = part.write.text(REPORT_TEXT("report", "Verdict of the test"));
+    line.word = part.write.text(largeWord(evaluation.verdict, limits, evaluation.accordance())).toUpper();
+    line.limits = {part.write.text(REPORT_TEXT_FOR("report", "Limits", "part of a verdict")),
+                   evaluation.verdict ? markOf(*evaluation.verdict) : Mark::none,
+                   part.write.text(limitsText(evaluation.verdict, limits)),
+                   withSymbols(reason(part, results), evaluation.parameters)};
+    const bool listed = !part.leavesOut(ReportPart::findings);
+    line.accordance = accordanceStatement(part.test, evaluation, part.write.language(), listed);
+    if (line.accordance.text.plain().contains(QLatin1String("%1")))
+        line.anchor = part.findingsAnchor();
+    return line;
+}
+
+void addResultsAs(std::vector<Block> &blocks, const TestPart &part, const ResultForm &form) {
+    const auto results = printedResults(part);
+    if (!results.empty()) {
+        addHeading(blocks, form.heading, resultsNote(part));
+        blocks.emplace_back(resultTable(part, form, results));
+        addLegend(blocks, part, form);
+    }
+    blocks.emplace_back(verdictLine(part, results));
+}
+
+} // namespace
+
+Text largeWord(std::optional<Verdict> verdict, bool anyLimit, Accordance accordance) {
+    if (!verdict)
+        return anyLimit ? REPORT_TEXT("report", "no verdict") : REPORT_TEXT("report", "no limit");
+    if (accordance != Accordance::no && accordance != Accordance::notShown)
+        return verdictText(*verdict);
+    switch (*verdict) {
+    case Verdict::conforms:
+        break;
+    case Verdict::notProven:
+        return REPORT_TEXT("report", "limits not proven");
+    case Verdict::doesNotConform:
+        return REPORT_TEXT("report", "limits exceeded");
+    }
+    return accordance == Accordance::no ? REPORT_TEXT("report", "no verdict")
+                                        : REPORT_TEXT("report", "limits met");
+}
+
+Mark largeMark(std::optional<Verdict> verdict, Accordance accordance) {
+    if (!verdict)
+        return Mark::none;
+    const bool open = accordance == Accordance::no || accordance == Accordance::notShown;
+    return *verdict == Verdict::conforms && open ? Mark::warning : markOf(*verdict);
+}
+
+Cell guardCell(const Parameter &parameter) {
+    Cell cell = blankCell();
+    if (!parameter.verdict || !parameter.value || !parameter.limit || !parameter.limit->value)
+        return cell;
+    const double limit = judgedLimit(*parameter.limit->value, parameter.bound);
+    if (limit <= 0)
+        return cell;
+    cell.blank = false;
+    cell.guard = Guard{limit, judgedValue(*parameter.value, parameter.bound), parameter.guardBand};
+    return cell;
+}
+
+Cell verdictCell(const Writer &write, const Parameter &parameter) {
+    if (!parameter.verdict)
+        return {};
+    Cell cell(write.text(limitText(*parameter.verdict)));
+    cell.mark = markOf(*parameter.verdict);
+    cell.bold = parameter.verdict == Verdict::doesNotConform;
+    return cell;
+}
+
+QString ruleInShort(const TestPart &part) {
+    QString rule;
+    switch (part.test.decisionRule.rule) {
+    case Rule::simpleAcceptance:
+        rule = part.write.text(REPORT_TEXT("report", "simple acceptance"));
+        break;
+    case Rule::iso14253_1:
+        rule = part.write.text(REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven"));
+        break;
+    case Rule::rejectionProven:
+        rule = part.write.text(REPORT_TEXT("report", "non-conformity has to be proven"));
+        break;
+    }
+    if (hasGuardBand(part.test) && !factorIsOne(part.test))
+        rule += QStringLiteral(", g = ") + bandName(part, guardsSimulated(part.evaluation));
+    return rule;
+}
+
+bool hasLimits(const Test &test) {
+    return std::ranges::any_of(test.limits, [](const auto &limit) { return limit.second.value.has_value(); });
+}
+
+void addFigure(std::vector<Block> &blocks, const PositioningPart &part) {
+    const Writer &write = part.write;
+    const PositioningResults &results = part.results;
+    const auto &include = part.head().include;
+    DeviationFigureOptions options;
+    options.readingMarks = std::ranges::find(include, ReportExtra::readingMarks) != include.end();
+    CurveFigure figure = deviationFigure(part.test, part.evaluation, write.language(), options);
+    QStringList notes;
+    notes << (figure.bands.empty() ? write.text(REPORT_TEXT_FOR("report", "means", "figure"))
+                                   : write.say(REPORT_TEXT("report", "means and ±%1s limits"),
+                                               {Number{part.edition().c, Quantity::number, -1}}));
+    notes << write.text(results.upward && results.downward ? REPORT_TEXT("report", "bi-directional test")
+                                                           : REPORT_TEXT("report", "unidirectional test"));
+    const QString n = results.positiveRuns == results.negativeRuns || !results.downward
+                          ? QString::number(results.positiveRuns)
+                      : !results.upward
+                          ? QString::number(results.negativeRuns)
+                          : QStringLiteral("%1↑, %2↓").arg(results.positiveRuns).arg(results.negativeRuns);
+    notes << QStringLiteral("n\u00A0=\u00A0") + n;
+    if (!figure.note.isEmpty())
+        notes << figure.note;
+    addHeading(blocks, figure.title, notes.join(QStringLiteral(", ")));
+    blocks.emplace_back(FigureBlock{std::move(figure)});
+}
+
+void addResults(std::vector<Block> &blocks, const PositioningPart &part) {
+    addResultsAs(blocks, part, positioningForm(part));
+}
+
+void addResults(std::vector<Block> &blocks, const CircularPart &part) {
+    addResultsAs(blocks, part, circularForm(part));
+}
+
+void addFindings(std::vector<Block> &blocks, const TestPart &part) {
+    if (part.leavesOut(ReportPart::findings)) {
+        // That readings are substitutes is said wherever they are shown.
+        for (const Finding &finding : part.evaluation.findings) {
+            if (finding.explains == Explains::substituteReadings)
+                blocks.emplace_back(Paragraph{findingText(finding, part.write.language()), TextSize::small});
+        }
+        return;
+    }
+    FindingsBlock block = findingLines(part.evaluation, part.write.language());
+    const bool none = block.lines.empty(); // is said beside the heading
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Findings")),
+               part.write.text(
+                   none ? REPORT_TEXT("report", "No findings.")
+                        : REPORT_TEXT("report", "what the edition asks for and this test does not have")),
+               part.findingsAnchor());
+    if (!none)
+        blocks.emplace_back(std::move(block));
+}
+
+QString decisionText(const TestPart &part) {
+    const Writer &write = part.write;
+    QStringList words;
+    switch (part.test.decisionRule.rule) {
+    case Rule::simpleAcceptance:
+        words << write.text(
+            REPORT_TEXT("report", "Simple acceptance: a value conforms when it is not above its limit; the "
+                                  "uncertainty has no part in it."));
+        break;
+    case Rule::iso14253_1:
+        words << write.say(
+            REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven: a value conforms when it is at "
+                                  "least g below its limit, does not conform when it is more than g above "
+                                  "it, and is not proven between; g = %1·U."),
+            {factor(part.test)});
+        break;
+    case Rule::rejectionProven:
+        words << write.say(
+            REPORT_TEXT("report",
+                        "Non-conformity has to be proven: a value conforms when it is at least g "
+                        "below its limit and does not conform when it is more than g above it; "
+                        "between, non-conformity is not proven: no ground for rejection; g = %1·U."),
+            {factor(part.test)});
+        break;
+    }
+    if (hasGuardBand(part.test) && guardsSimulated(part.evaluation))
+        words << write.say(
+            REPORT_TEXT("report", "Where U comes from a simulation, g = %1·(U + 2s): our safety rule, s the "
+                                  "standard deviation of U over the blocks of trials."),
+            {factor(part.test)});
+    if (hasGuardBand(part.test) && factorIsOne(part.test))
+        words << write.text(
+            REPORT_TEXT("report", "The factor 1 is the guard band of the earlier editions of ISO 14253-1."));
+    if (hasGuardBand(part.test) && part.test.decisionRule.guardFactor == oneSidedGuardFactor)
+        words << write.text(REPORT_TEXT(
+            "report", "The factor 0.83 (1.65 u) is the later 95 % rule of ISO 14253-1 for one limit."));
+    words << write.text(
+        REPORT_TEXT("report", "Signed results are compared by their absolute value; the verdict is based "
+                              "on the unrounded values."));
+    const auto &limits = part.test.limits;
+    if (limits.contains("Fmax") || limits.contains("Fmin"))
+        words << write.text(REPORT_TEXT(
+            "report", "The limits of Fmax and Fmin hold with their signs, that of Fmin as a lower "
+                      "limit: for it, above and below change places."));
+    return words.join(u' ');
+}
+
+Table limitsTable(const TestPart &part) {
+    const Writer &write = part.write;
+    const Quantity quantity = deviationQuantity(part.test);
+    Table table;
+    table.columns = {
+        {write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, 22},
+        {write.text(REPORT_TEXT("report", "Limit")), {}, Alignment::left, false, 22},
+        {write.text(REPORT_TEXT("report", "Agreed for")), {}, Alignment::left, false, 45},
+        {write.text(REPORT_TEXT_FOR("report", "Source", "of a limit")), {}, Alignment::left, true, 86}};
+    const auto addRow = [&](Cell symbol, const Limit &limit) {
+        symbol.bold = true;
+        table.rows.push_back({std::move(symbol), write.quantity(limit.value, quantity),
+                              QString::fromStdString(limit.edition.value_or(part.test.edition)),
+                              QString::fromStdString(limit.source)});
+    };
+    Limits others = part.test.limits; // those of no parameter of this test come last
+    for (const Parameter &parameter : part.evaluation.parameters) {
+        const auto found = others.find(parameter.term.id);
+        if (found == others.end())
+            continue;
+        if (found->second.value)
+            addRow(symbolPhrase(parameter.term.symbol), found->second);
+        others.erase(found);
+    }
+    for (const auto &[id, limit] : others) {
+        if (limit.value)
+            addRow(QString::fromStdString(id), limit);
+    }
+    return table;
+}
+
+void addLimits(std::vector<Block> &blocks, const TestPart &part) {
+    const Writer &write = part.write;
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")));
+    Table table = limitsTable(part);
+    if (table.rows.empty()) {
+        blocks.emplace_back(Paragraph{
+            write.text(REPORT_TEXT("report", "No limit was agreed: the results have no verdict."))});
+        return;
+    }
+    blocks.emplace_back(std::move(table));
+    blocks.emplace_back(Paragraph{decisionText(part), TextSize::small});
+}
+
+} // namespace palmer

@@ -1,0 +1,754 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/parts/sharedparts.h"
+
+#include "language/decimals.h"
+#include "report/parts/circularparts.h"
+#include "report/parts/conditionparts.h"
+#include "report/parts/dataparts.h"
+#include "report/parts/pagefacts.h"
+#include "report/parts/resultparts.h"
+#include "report/tables/resulttable.h"
+#include "report/words/printednumbers.h"
+#include "report/words/wording.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace palmer {
+
+namespace {
+
+constexpr double testsWidth = 16; ///< mm, of the numbers of tests
+
+struct TableOfTest {
+    int test = 1;
+    Table table;
+};
+
+/// Tables of the same columns as one: rows whose first `keyCells` cells are the same stand below each other,
+/// with the numbers of the tests that state the rest. What several tests state stands once.
+class MergedTable {
+public:
+    MergedTable(const Writer &write, int count, std::size_t keyCells)
+        : m_write(write)
+        , m_count(count)
+        , m_keys(keyCells) {}
+
+    void add(const TableOfTest &source) {
+        if (m_columns.empty())
+            m_columns = source.table.columns;
+        const auto &rows = source.table.rows;
+        std::vector<std::size_t> known(rows.size() + 1, rows.size()); // the next row whose subject is
+        for (std::size_t i = rows.size(); i-- > 0;)
+            known[i] = find(rows[i]) != m_subjects.end() ? i : known[i + 1];
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            auto subject = find(rows[i]);
+            if (subject == m_subjects.end()) { // stands before that
+                const auto next = known[i] < rows.size() ? find(rows[known[i]]) : m_subjects.end();
+                const auto end = rows[i].begin() + static_cast<std::ptrdiff_t>(m_keys);
+                subject = m_subjects.insert(next, {{rows[i].begin(), end}, {}});
+            }
+            addStatement(*subject, rows[i], source.test);
+        }
+    }
+
+    /// Without rows where there was nothing to add.
+    [[nodiscard]] Table take() const {
+        Table table;
+        if (m_subjects.empty())
+            return table;
+        table.columns = m_columns;
+        const auto tests = static_cast<std::ptrdiff_t>(m_keys);
+        std::ranges::find_if(table.columns, &Column::flexible)->width -= testsWidth; // there is one
+        table.columns.insert(
+            table.columns.begin() + tests,
+            {m_write.text(REPORT_TEXT("report", "Tests")), {}, Alignment::left, false, testsWidth});
+        for (const Subject &subject : m_subjects) {
+            if (!table.rows.empty())
+                table.rulesAfter.push_back(table.rows.size() - 1);
+            for (const Statement &statement : subject.statements) {
+                std::vector<Cell> row(m_keys, blankCell());
+                if (&statement == &subject.statements.front()) {
+                    row = subject.key;
+                    for (Cell &cell : row)
+                        cell.rows = subject.statements.size();
+                }
+                row.emplace_back(testNumbers(m_write, statement.tests, m_count));
+                row.insert(row.end(), statement.cells.begin(), statement.cells.end());
+                table.rows.push_back(std::move(row));
+            }
+        }
+        return table;
+    }
+
+private:
+    struct Statement {
+        std::vector<Cell> cells;
+        std::vector<int> tests;
+    };
+    struct Subject {
+        std::vector<Cell> key;
+        std::vector<Statement> statements;
+    };
+
+    [[nodiscard]] std::vector<Subject>::iterator find(const std::vector<Cell> &row) {
+        return std::ranges::find_if(m_subjects, [&](const Subject &subject) {
+            return std::equal(subject.key.begin(), subject.key.end(), row.begin());
+        });
+    }
+
+    void addStatement(Subject &subject, const std::vector<Cell> &row, int test) const {
+        std::vector<Cell> cells(row.begin() + static_cast<std::ptrdiff_t>(m_keys), row.end());
+        const auto same = std::ranges::find(subject.statements, cells, &Statement::cells);
+        if (same == subject.statements.end())
+            subject.statements.push_back({std::move(cells), {test}});
+        else if (same->tests.back() != test)
+            same->tests.push_back(test);
+    }
+
+    const Writer &m_write;
+    int m_count;
+    std::size_t m_keys;
+    std::vector<Column> m_columns;
+    std::vector<Subject> m_subjects;
+};
+
+Table conditionTable(const TestPart &part) {
+    Table table;
+    table.columns = {
+        {part.write.text(REPORT_TEXT_FOR("report", "Condition", "of a test")),
+         {},
+         Alignment::left,
+         false,
+         42},
+        {part.write.text(REPORT_TEXT_FOR("report", "Stated", "condition")), {}, Alignment::left, true, 133}};
+    QStringList missing;
+    for (const KeyValue &row : conditionRows(part).rows) {
+        if (row.value.isEmpty())
+            missing << row.key;
+        else
+            table.rows.push_back({row.key, row.value});
+    }
+    if (const QString correction = correctionOf(part); !correction.isEmpty())
+        table.rows.push_back({part.write.text(REPORT_TEXT("report", "Correction to 20 °C")), correction});
+    if (!missing.isEmpty()) // in one row, for the dashes would take a line each
+        table.rows.push_back({part.write.text(REPORT_TEXT_FOR("report", "Not stated", "conditions")),
+                              missing.join(part.write.semicolon())});
+    return table;
+}
+
+/// Temperatures and what else is stated of the environment, a row a test.
+class EnvironmentOfTests {
+public:
+    explicit EnvironmentOfTests(const Writer &write)
+        : m_write(write) {
+        const auto column = [&](const Text &title, Quantity unit, double width) {
+            return Column{write.text(title), write.language().unit(unit), Alignment::decimal, false, width};
+        };
+        m_table.columns = {{write.text(REPORT_TEXT("report", "Test")), {}, Alignment::left, false, 9}};
+        for (const SensorMeasures what : measured) {
+            m_table.spanners.push_back({m_table.columns.size(), 2, write.text(sensorText(what))});
+            m_table.columns.push_back(column(REPORT_TEXT("report", "Start"), Quantity::temperature, 12));
+            m_table.columns.push_back(column(REPORT_TEXT("report", "End"), Quantity::temperature, 12));
+        }
+        m_table.columns.push_back(column(REPORT_TEXT("report", "Air pressure"), Quantity::pressure, 17));
+        m_table.columns.back().gapBefore = 2;
+        m_table.columns.push_back(column(REPORT_TEXT("report", "Relative humidity"), Quantity::percent, 17));
+        m_table.columns.push_back(
+            column(REPORT_TEXT("report", "Temperature gradient"), Quantity::gradient, 19));
+        m_table.columns.push_back(column(REPORT_TEXT("report", "α machine"), Quantity::expansion, 19));
+        m_table.columns.push_back(column(REPORT_TEXT("report", "α instrument"), Quantity::expansion, 19));
+    }
+
+    void add(const TestPart &part) {
+        if (!statesTemperatures(part))
+            return;
+        const Conditions &conditions = *conditionsOf(part.test);
+        std::vector<Cell> row{QString::number(part.number)};
+        for (const SensorMeasures what : measured) {
+            const Temperatures temperatures = temperaturesOf(conditions, what);
+            row.push_back(shown(temperatures.start, Quantity::temperature, temperatureDecimals));
+            row.push_back(shown(temperatures.end, Quantity::temperature, temperatureDecimals));
+        }
+        withKind(part, [&](const auto &own) { addAir(row, own.measurement.conditions); });
+        const bool expands = motionOf(part.test) == Motion::linear;
+        row.push_back(expands ? shown(conditions.expansion.machine, Quantity::expansion, expansionDecimals)
+                              : blankCell());
+        row.push_back(expands ? shown(conditions.expansion.instrument, Quantity::expansion, expansionDecimals)
+                              : blankCell());
+        m_table.rows.push_back(std::move(row));
+    }
+
+    [[nodiscard]] Table take() {
+        constexpr std::size_t behindTemperatures = 7;
+        for (std::size_t i = m_table.columns.size(); i-- > behindTemperatures;) {
+            const auto isBlank = [i](const std::vector<Cell> &row) { return row[i].blank; };
+            if (std::ranges::all_of(m_table.rows, isBlank)) // what is asked for and missing is a dash
+                leaveOutEmptyColumns(m_table, i, i);
+        }
+        // What is left over stands behind them.
+        m_table.columns.push_back({QString(), {}, Alignment::left, true, 1});
+        for (std::vector<Cell> &row : m_table.rows)
+            row.push_back(blankCell());
+        return std::move(m_table);
+    }
+
+private:
+    static constexpr std::array measured{SensorMeasures::machine, SensorMeasures::instrument,
+                                         SensorMeasures::air};
+
+    void addAir(std::vector<Cell> &row, const PositioningConditions &conditions) const {
+        row.push_back(shown(conditions.airPressure, Quantity::pressure));
+        row.push_back(shown(conditions.airHumidity, Quantity::percent));
+        row.push_back(shown(conditions.gradientPerHour, Quantity::gradient));
+    }
+    static void addAir(std::vector<Cell> &row, const CircularConditions & /*conditions*/) {
+        row.insert(row.end(), 3, blankCell()); // nobody asks for them
+    }
+
+    [[nodiscard]] Cell shown(std::optional<double> value, Quantity quantity, int decimals = -1) const {
+        return {value ? m_write.language().number(certain(*value), quantity, decimals) : QString()};
+    }
+
+    const Writer &m_write;
+    Table m_table;
+};
+
+/// Whether the row of a test in the table of the environment holds all that its sensors measured.
+bool environmentSaysAll(const TestPart &part) {
+    std::array<int, 3> counts{};
+    const auto more = [](const std::optional<double> &value) {
+        return value && decimalsOf(*value, Quantity::temperature) > temperatureDecimals;
+    };
+    return std::ranges::none_of(conditionsOf(part.test)->sensors, [&](const Sensor &sensor) {
+        return ++counts.at(static_cast<std::size_t>(sensor.measures)) > 1 || more(startTemperature(sensor)) ||
+               more(endTemperature(sensor));
+    });
+}
+
+void leaveOutTemperatures(Table &sensors) {
+    constexpr std::size_t kindAndPlace = 2;
+    sensors.columns.resize(kindAndPlace);
+    for (std::vector<Cell> &row : sensors.rows)
+        row.resize(kindAndPlace);
+}
+
+/// What some of the tests say alike.
+struct TextOfTests {
+    QString text;
+    std::vector<int> tests;
+};
+using TextsOfTests = std::vector<TextOfTests>;
+
+void addText(TextsOfTests &texts, const QString &text, int test) {
+    const auto same = std::ranges::find(texts, text, &TextOfTests::text);
+    if (same == texts.end())
+        texts.push_back({text, {test}});
+    else
+        same->tests.push_back(test);
+}
+
+QString ofTests(const Writer &write, const std::vector<int> &numbers, const QString &text) {
+    if (numbers.size() == 1)
+        return write.say(REPORT_TEXT("report", "Test %1: %2"),
+                         {std::to_string(numbers.front()), text.toStdString()});
+    return write.say(REPORT_TEXT("report", "Tests %1: %2"),
+                     {testNumbers(write, numbers, 0).toStdString(), text.toStdString()});
+}
+
+/// Results under several editions, as many tests beside each other as find room.
+class EditionsOfTests {
+public:
+    /// False, and nothing added, where there is no room left.
+    bool add(const TestPart &part, const Table &editions) {
+        constexpr std::size_t mostColumns = 15;
+        const std::size_t count = editions.columns.size() - 1;
+        if (!m_table.spanners.empty() && m_table.columns.size() - 1 + count > mostColumns)
+            return false;
+        if (m_table.columns.empty())
+            m_table.columns.push_back({QString(), {}, Alignment::left, false, symbolWidth});
+        const std::size_t first = m_table.columns.size();
+        m_table.spanners.push_back({first, count, title(part, editions.columns.front().unit)});
+        for (std::size_t i = 1; i <= count; ++i) {
+            m_table.columns.push_back(editions.columns[i]);
+            m_table.columns.back().gapBefore = i == 1 && first > 1 ? gap : 0;
+        }
+        for (std::vector<Cell> &row : m_table.rows)
+            row.resize(first + count);
+        for (const std::vector<Cell> &row : editions.rows) {
+            auto own = std::ranges::find_if(
+                m_table.rows, [&](const std::vector<Cell> &known) { return known.front() == row.front(); });
+            if (own == m_table.rows.end()) {
+                m_table.rows.emplace_back(first + count).front() = row.front();
+                own = m_table.rows.end() - 1;
+            }
+            std::copy(row.begin() + 1, row.end(), own->begin() + static_cast<std::ptrdiff_t>(first));
+        }
+        return true;
+    }
+
+    [[nodiscard]] Table take() {
+        constexpr double widest = 20;
+        const auto columns = static_cast<double>(m_table.columns.size() - 1);
+        const auto gaps = gap * static_cast<double>(m_table.spanners.size() - 1);
+        for (Column &column : m_table.columns) {
+            if (column.width <= 0)
+                column.width = std::min(widest, (textWidth - symbolWidth - gaps - 1) / columns);
+        }
+        m_table.columns.push_back({QString(), {}, Alignment::left, true, 1}); // what is left over
+        for (std::vector<Cell> &row : m_table.rows)
+            row.push_back(blankCell());
+        return std::exchange(m_table, {});
+    }
+
+    [[nodiscard]] bool empty() const { return m_table.rows.empty(); }
+
+private:
+    static constexpr double symbolWidth = 14; ///< mm
+    static constexpr double gap = 2.5;        ///< mm, between tests
+
+    static Phrase title(const TestPart &part, const QString &unit) {
+        return Phrase({{part.write.say(REPORT_TEXT("report", "Test %1"), QString::number(part.number))},
+                       {QStringLiteral(", ") + unit, false, false, true}});
+    }
+
+    Table m_table;
+};
+
+/// Lines that a text takes in a column of a width, mm: enough to balance columns by.
+std::size_t linesOf(const QString &text, double width) {
+    constexpr double letter = 1.55; // mm, of 8.5 pt
+    std::size_t lines = 0;
+    for (const QString &line : text.split(u'\n'))
+        lines += 1 + static_cast<std::size_t>(static_cast<double>(line.size()) * letter / width);
+    return lines;
+}
+
+/// A table as two halves beside each other, where these find room on a page; else as it is. Rows that a cell
+/// stands beside stay together.
+void addInHalves(std::vector<Block> &blocks, Table table) {
+    constexpr std::size_t mostLines = 44; // of a half
+    constexpr double widthOfText = 40;    // mm, there
+    std::vector<std::size_t> above{0};    // lines above each row
+    for (const std::vector<Cell> &row : table.rows)
+        above.push_back(above.back() + linesOf(row.back().text.plain(), widthOfText));
+    std::size_t cut = 0;
+    for (const std::size_t end : table.rulesAfter) {
+        if (2 * above[end + 1] <= above.back() + 1)
+            cut = end + 1;
+    }
+    if (cut == 0 || above.back() - above[cut] > mostLines) {
+        blocks.emplace_back(std::move(table));
+        return;
+    }
+    constexpr std::array widths{32.0, 10.0, 41.0};
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+        table.columns[i].width = widths.at(i);
+    Table second = table;
+    second.rows.erase(second.rows.begin(), second.rows.begin() + static_cast<std::ptrdiff_t>(cut));
+    std::erase_if(second.rulesAfter, [&](std::size_t row) { return row < cut; });
+    for (std::size_t &row : second.rulesAfter)
+        row -= cut;
+    table.rows.resize(cut);
+    std::erase_if(table.rulesAfter, [&](std::size_t row) { return row + 1 >= cut; });
+    SideBySide both;
+    both.left.emplace_back(std::move(table));
+    both.right.emplace_back(std::move(second));
+    blocks.emplace_back(std::move(both));
+}
+
+/// Limits of one origin, agreed for one edition: quantity by quantity on one line.
+struct LimitsOfOrigin {
+    Cell limits;
+    Cell edition;
+    Cell source;
+    std::vector<int> tests;
+};
+
+class LimitsOfTests {
+public:
+    explicit LimitsOfTests(const Writer &write)
+        : m_write(write) {}
+
+    /// Rows of `limitsTable`: quantity, limit, edition, source.
+    void add(const Table &table, int test) {
+        std::vector<LimitsOfOrigin> own;
+        for (const std::vector<Cell> &row : table.rows) {
+            auto origin = std::ranges::find_if(own, [&](const LimitsOfOrigin &each) {
+                return each.edition == row[2] && each.source == row[3];
+            });
+            if (origin == own.end())
+                origin = own.insert(own.end(), {{}, row[2], row[3], {test}});
+            std::vector<Span> &spans = origin->limits.text.spans;
+            if (!spans.empty())
+                spans.push_back({m_write.semicolon()});
+            for (Span span : row[0].text.spans) {
+                span.bold = true;
+                spans.push_back(std::move(span));
+            }
+            spans.push_back({u'\u00A0' + row[1].text.plain().replace(u' ', u'\u00A0')});
+        }
+        for (LimitsOfOrigin &each : own) {
+            const auto same = std::ranges::find_if(m_rows, [&](const LimitsOfOrigin &known) {
+                return known.limits == each.limits && known.edition == each.edition &&
+                       known.source == each.source;
+            });
+            if (same == m_rows.end())
+                m_rows.push_back(std::move(each));
+            else
+                same->tests.push_back(test);
+        }
+    }
+
+    [[nodiscard]] Table take(int count) const {
+        Table table;
+        table.columns = {
+            {m_write.text(REPORT_TEXT("report", "Tests")), {}, Alignment::left, false, testsWidth},
+            {m_write.text(REPORT_TEXT_FOR("report", "Limits", "part of a verdict")),
+             {},
+             Alignment::left,
+             true,
+             79},
+            {m_write.text(REPORT_TEXT("report", "Agreed for")), {}, Alignment::left, false, 30},
+            {m_write.text(REPORT_TEXT_FOR("report", "Source", "of a limit")),
+             {},
+             Alignment::left,
+             false,
+             50}};
+        for (const LimitsOfOrigin &row : m_rows)
+            table.rows.push_back(
+                {testNumbers(m_write, row.tests, count), row.limits, row.edition, row.source});
+        return table;
+    }
+
+private:
+    const Writer &m_write;
+    std::vector<LimitsOfOrigin> m_rows;
+};
+
+/// A section that several tests have, as one: the heading of the first, each text once, and one table with a
+/// column of the numbers of the tests.
+class SectionOfTests {
+public:
+    explicit SectionOfTests(const Writer &write)
+        : m_write(write) {}
+
+    void add(const std::vector<Block> &section, int test) {
+        m_tests += section.empty() ? 0 : 1;
+        for (const Block &block : section) {
+            if (const auto *heading = std::get_if<Heading>(&block))
+                m_heading = m_heading ? m_heading : *heading;
+            else if (const auto *paragraph = std::get_if<Paragraph>(&block))
+                addText(m_texts, paragraph->text, test);
+            else if (const auto *table = std::get_if<Table>(&block))
+                addRows(*table, test);
+        }
+    }
+
+    void addTo(std::vector<Block> &blocks) {
+        if (!m_heading)
+            return;
+        blocks.emplace_back(std::move(*m_heading));
+        for (const TextOfTests &text : m_texts) {
+            const bool all = text.tests.size() == m_tests;
+            blocks.emplace_back(Paragraph{all ? text.text : ofTests(m_write, text.tests, text.text)});
+        }
+        if (!m_table.rows.empty())
+            blocks.emplace_back(std::move(m_table));
+    }
+
+private:
+    void addRows(const Table &table, int test) {
+        constexpr double width = 9; // mm
+        if (m_table.columns.empty()) {
+            m_table.columns = table.columns;
+            std::ranges::find_if(m_table.columns, &Column::flexible)->width -= width; // there is one
+            m_table.columns.insert(
+                m_table.columns.begin(),
+                {m_write.text(REPORT_TEXT("report", "Test")), {}, Alignment::left, false, width});
+        } else {
+            m_table.rulesAfter.push_back(m_table.rows.size() - 1);
+        }
+        const std::size_t first = m_table.rows.size();
+        for (const std::vector<Cell> &row : table.rows) {
+            m_table.rows.push_back(row);
+            m_table.rows.back().insert(m_table.rows.back().begin(), blankCell());
+        }
+        Cell number(QString::number(test));
+        number.rows = table.rows.size();
+        m_table.rows[first].front() = std::move(number);
+    }
+
+    const Writer &m_write;
+    std::size_t m_tests = 0;
+    std::optional<Heading> m_heading;
+    TextsOfTests m_texts;
+    Table m_table;
+};
+
+/// What two tests of the same gave, quantity by quantity.
+class BeforeAndAfter {
+public:
+    BeforeAndAfter(const TestPart &before, const TestPart &after, const RolesBeside &roles)
+        : m_before(before)
+        , m_after(after)
+        , m_write(after.write) {
+        addColumns();
+        for (const QuantityOfRoles &quantity : roles.quantities)
+            addRow(quantity);
+    }
+
+    [[nodiscard]] Table take() { return std::move(m_table); }
+
+private:
+    void addColumns() {
+        const auto &parameters = m_after.evaluation.parameters;
+        const QString unit =
+            parameters.empty() ? QString() : m_write.language().unit(parameters.front().term.quantity);
+        const auto number = [&](const Text &title, double width) {
+            return Column{m_write.text(title), unit, Alignment::decimal, false, width};
+        };
+        Column quantity{m_write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, 15};
+        quantity.titleSpan = 2;
+        m_table.columns = {quantity, {QString(), {}, Alignment::left, true, 44}};
+        for (const TestPart *part : {&m_before, &m_after}) {
+            const Text role = roleText(part->test.role);
+            m_table.spanners.push_back(
+                {m_table.columns.size(), 3,
+                 m_write.text(role) + QStringLiteral(" (") + QString::number(part->number) + u')'});
+            m_table.columns.push_back(number(REPORT_TEXT("report", "Value"), 14));
+            m_table.columns.push_back({QStringLiteral("U"), unit, Alignment::decimal, false, 12});
+            m_table.columns.push_back(
+                {m_write.text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, 22});
+        }
+        m_table.columns.push_back(number(REPORT_TEXT("report", "Change"), 20));
+        m_table.unbroken = true;
+    }
+
+    void addSide(std::vector<Cell> &row, const TestPart &part, const Parameter &parameter) const {
+        const PrintedNumbers numbers =
+            printedNumbers(parameter, part.test.decisionRule, finestResolution(part.document(), part.test),
+                           m_write.language());
+        row.emplace_back(numbers.value);
+        row.emplace_back(numbers.uncertainty);
+        row.push_back(verdictCell(m_write, parameter));
+    }
+
+    void addRow(const QuantityOfRoles &quantity) {
+        Cell symbol(symbolPhrase(quantity.left->term.symbol, quantity.left->index));
+        symbol.bold = true;
+        std::vector<Cell> row{symbol, m_write.text(briefName(*quantity.left, m_after.evaluation))};
+        addSide(row, m_before, *quantity.found);
+        addSide(row, m_after, *quantity.left);
+        row.emplace_back(quantity.change);
+        m_table.rows.push_back(std::move(row));
+    }
+
+    const TestPart &m_before;
+    const TestPart &m_after;
+    const Writer &m_write;
+    Table m_table;
+};
+
+} // namespace
+
+void addRemarksOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    const TestPart &first = parts.front();
+    std::vector<Block> remarks;
+    if (const std::string &ofReport = first.head().remarks; !ofReport.empty())
+        remarks.emplace_back(Paragraph{QString::fromStdString(ofReport)});
+    TextsOfTests texts;
+    for (const TestPart &part : parts) {
+        if (!part.test.remarks.empty())
+            addText(texts, QString::fromStdString(part.test.remarks), part.number);
+    }
+    for (const TextOfTests &text : texts)
+        remarks.emplace_back(Paragraph{ofTests(first.write, text.tests, text.text)});
+    if (remarks.empty())
+        return;
+    addHeading(blocks, first.write.text(REPORT_TEXT("report", "Remarks")));
+    blocks.insert(blocks.end(), remarks.begin(), remarks.end());
+}
+
+QString testNumbers(const Writer &write, const std::vector<int> &numbers, int count) {
+    if (static_cast<int>(numbers.size()) == count)
+        return write.text(REPORT_TEXT_FOR("report", "all", "tests"));
+    QStringList texts;
+    for (std::size_t i = 0; i < numbers.size();) {
+        std::size_t end = i + 1;
+        while (end < numbers.size() && numbers[end] == numbers[end - 1] + 1)
+            ++end;
+        const QString first = QString::number(numbers[i]);
+        const QString last = QString::number(numbers[end - 1]);
+        if (end - i > 2)
+            texts << first + QStringLiteral("–") + last;
+        else
+            texts << (end - i == 2 ? first + QStringLiteral(", ") + last : first);
+        i = end;
+    }
+    return texts.join(QStringLiteral(", "));
+}
+
+void addConditionsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    const Writer &write = parts.front().write;
+    const int count = static_cast<int>(parts.size());
+    MergedTable conditions(write, count, 1);
+    EnvironmentOfTests environment(write);
+    const bool placesOnly = std::ranges::all_of(parts, environmentSaysAll);
+    MergedTable sensors(write, count, placesOnly ? 1 : 2);
+    for (const TestPart &part : parts) {
+        conditions.add({part.number, conditionTable(part)});
+        environment.add(part);
+        if (auto table = sensorTable(part)) {
+            if (placesOnly)
+                leaveOutTemperatures(*table);
+            sensors.add({part.number, std::move(*table)});
+        }
+    }
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Test conditions")));
+    addInHalves(blocks, conditions.take());
+    if (Table table = environment.take(); !table.rows.empty()) {
+        addHeading(blocks, write.text(REPORT_TEXT("report", "Environment")));
+        blocks.emplace_back(std::move(table));
+    }
+    if (Table table = sensors.take(); !table.rows.empty()) {
+        addHeading(blocks, write.text(REPORT_TEXT("report", "Temperature sensors")));
+        if (placesOnly)
+            addInHalves(blocks, std::move(table));
+        else
+            blocks.emplace_back(std::move(table));
+    }
+}
+
+void addPathsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    SectionOfTests paths(parts.front().write);
+    SectionOfTests corrections(parts.front().write);
+    for (const TestPart &part : parts) {
+        const auto *measurement = std::get_if<CircularMeasurement>(&part.test.measurement);
+        if (!measurement)
+            continue;
+        const CircularPart circular{part, *measurement, std::get<CircularResults>(part.evaluation.results)};
+        std::vector<Block> own;
+        addPaths(own, circular);
+        paths.add(own, part.number);
+        own.clear();
+        addCorrection(own, circular);
+        corrections.add(own, part.number);
+    }
+    paths.addTo(blocks);
+    corrections.addTo(blocks);
+}
+
+void addAgreedPointsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    struct Group {
+        AgreedPoints points; ///< of its first test
+        std::vector<TableOfTest> tests;
+    };
+    const auto samePoints = [](const AgreedPoints &a, const AgreedPoints &b) {
+        const auto sameKeys = [&](const std::vector<Cell> &x, const std::vector<Cell> &y) {
+            return std::equal(x.begin(), x.begin() + static_cast<std::ptrdiff_t>(a.keys), y.begin());
+        };
+        return a.note == b.note && a.keys == b.keys &&
+               std::ranges::equal(a.table.rows, b.table.rows, sameKeys);
+    };
+    std::vector<Group> groups;
+    for (const TestPart &part : parts) {
+        auto points = agreedPointsOf(part);
+        if (!points)
+            continue;
+        auto group =
+            std::ranges::find_if(groups, [&](const Group &each) { return samePoints(each.points, *points); });
+        if (group == groups.end())
+            group = groups.insert(group, {*points, {}});
+        group->tests.push_back({part.number, std::move(points->table)});
+    }
+    for (const Group &group : groups) {
+        MergedTable table(parts.front().write, static_cast<int>(parts.size()), group.points.keys);
+        for (const TableOfTest &test : group.tests)
+            table.add(test);
+        addHeading(blocks, parts.front().write.text(REPORT_TEXT("report", "Points to be agreed")),
+                   group.points.note);
+        blocks.emplace_back(table.take());
+    }
+}
+
+void addLimitsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    const Writer &write = parts.front().write;
+    TextsOfTests rules;
+    LimitsOfTests limits(write);
+    for (const TestPart &part : parts) {
+        const Table table = limitsTable(part);
+        if (table.rows.empty())
+            continue;
+        limits.add(table, part.number);
+        addText(rules, decisionText(part), part.number);
+    }
+    // By the anchor who makes pages knows that it, and what follows, may stand behind the summary.
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")), {},
+               QStringLiteral("limits"));
+    if (rules.empty()) {
+        blocks.emplace_back(Paragraph{
+            write.text(REPORT_TEXT("report", "No limit was agreed: the results have no verdict."))});
+        return;
+    }
+    blocks.emplace_back(limits.take(static_cast<int>(parts.size())));
+    for (const TextOfTests &rule : rules)
+        blocks.emplace_back(Paragraph{rules.size() == 1 ? rule.text : ofTests(write, rule.tests, rule.text),
+                                      TextSize::small});
+}
+
+void addBeforeAndAfter(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    const Writer &write = parts.front().write;
+    bool any = false;
+    for (const TestPart &after : parts) {
+        const auto roles = rolesBeside(after.evaluated, after.index, write.language());
+        if (!roles || roles->left != after.index)
+            continue;
+        const auto before = std::ranges::find(parts, roles->found, &TestPart::index);
+        if (before == parts.end())
+            continue;
+        Table table = BeforeAndAfter(*before, after, *roles).take();
+        if (table.rows.empty())
+            continue;
+        if (!any) {
+            addHeading(blocks, write.text(REPORT_TEXT("report", "Before and after adjustment")));
+            if (const std::string &made = after.head().adjustments; !made.empty())
+                blocks.emplace_back(Paragraph{QString::fromStdString(made)});
+        }
+        any = true;
+        blocks.emplace_back(Heading{3, testName(write, after.test), QString::fromUtf8(after.edition().word)});
+        blocks.emplace_back(std::move(table));
+    }
+}
+
+void addComparisonsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    std::vector<Block> tables;
+    bool factors = false;
+    for (const Kind kind : {Kind::positioning, Kind::circular}) {
+        EditionsOfTests beside;
+        for (const TestPart &part : parts) {
+            const auto table = part.edition().kind == kind ? editionsTable(part, true) : std::nullopt;
+            if (!table)
+                continue;
+            factors = factors || std::ranges::any_of(std::span(table->columns).subspan(1),
+                                                     [](const Column &c) { return !c.unit.isEmpty(); });
+            if (!beside.add(part, *table)) {
+                tables.emplace_back(beside.take());
+                beside.add(part, *table);
+            }
+        }
+        if (!beside.empty())
+            tables.emplace_back(beside.take());
+    }
+    if (tables.empty())
+        return;
+    const Writer &write = parts.front().write;
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Comparison of editions")),
+               factors ? write.text(REPORT_TEXT("report", "c: factor of s")) : QString());
+    blocks.insert(blocks.end(), std::make_move_iterator(tables.begin()),
+                  std::make_move_iterator(tables.end()));
+}
+
+} // namespace palmer

@@ -1,0 +1,432 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/parts/summaryparts.h"
+
+#include "document/testsofverdict.h"
+#include "kernel/evaluation/conformity.h"
+#include "report/parts/closingparts.h"
+#include "report/parts/headparts.h"
+#include "report/parts/resultparts.h"
+#include "report/tables/resulttable.h"
+#include "report/words/accordancetext.h"
+#include "report/words/printednumbers.h"
+#include "report/words/wording.h"
+
+#include <algorithm>
+
+namespace palmer {
+
+namespace {
+
+// Widths, mm.
+constexpr double numberWidth = 5;
+constexpr double testWidth = 38.2;
+constexpr double quantityWidth = 12.5;
+constexpr double nameWidth = 29; ///< and what is left over
+constexpr double valueWidth = 11.5;
+constexpr double uncertaintyWidth = 13.5;
+constexpr double limitWidth = 11;
+constexpr double unitWidth = 5.6; ///< where tests differ in it
+constexpr double unitGap = 0.3;   ///< to its number
+constexpr double pictureWidth = 18.7;
+constexpr double pictureGap = 2.3;
+constexpr double verdictWidth = 20.8;
+constexpr double pageWidth = 9.2;
+
+constexpr qsizetype mostNamed = 6; ///< quantities in the verdict
+
+bool counts(const TestPart &part) {
+    return countsForVerdict(part.document(), part.index);
+}
+
+bool isLimited(const Parameter &parameter, const ReportHead &head) {
+    return isPrinted(parameter, head) && parameter.verdict && parameter.limit;
+}
+
+/// "X axis", "XY circle, R 150 mm".
+QString briefTestName(const TestPart &part) {
+    const Writer &write = part.write;
+    const std::string stated = axesOf(part.test);
+    const std::string axes = stated.empty() ? "–" : stated;
+    const auto *circle = std::get_if<CircularMeasurement>(&part.test.measurement);
+    return circle ? write.say(REPORT_TEXT("report", "%1 circle, R %2"),
+                              {axes, Number{circle->nominalRadius, Quantity::position, -1}})
+                  : write.say(REPORT_TEXT("report", "%1 axis"), {axes});
+}
+
+CellNote accordanceNote(const TestPart &part) {
+    const Accordance accordance = part.evaluation.accordance();
+    const RequirementCounts found = countRequirements(part.evaluation.findings);
+    QString words = part.write.text(accordanceWords(accordance));
+    if (accordance == Accordance::no)
+        words = part.write.language().sentence(
+            {REPORT_TEXT_COUNTED("report", "%n requirement(s) not met"), {}, found.unmet});
+    else if (accordance == Accordance::notShown)
+        words = part.write.language().sentence(
+            {REPORT_TEXT_COUNTED("report", "%n requirement(s) not declared"), {}, found.undeclared});
+    return {words, markOf(accordance)};
+}
+
+Cell testCell(const TestPart &part, bool pale) {
+    const Text role = roleText(part.test.role);
+    Cell cell(joined({briefTestName(part), role.empty() ? QString() : part.write.text(role)}));
+    cell.bold = true;
+    cell.pale = pale;
+    if (!part.test.title.empty())
+        cell.notes.push_back({QString::fromStdString(part.test.title)});
+    const QString date = part.test.date && !part.test.date->empty()
+                             ? part.write.language().shortDate(*part.test.date)
+                             : QString();
+    cell.notes.push_back({joined({date, QString::fromUtf8(part.edition().word)}, QStringLiteral(" · "))});
+    cell.notes.push_back(accordanceNote(part));
+    if (pale)
+        cell.notes.push_back(
+            {part.write.text(REPORT_TEXT("report", "for information, not part of the verdict"))});
+    return cell;
+}
+
+/// What the tables of all tests have in common; without that, it is said row by row or not at all.
+struct Shared {
+    QString unit; ///< empty: several
+    QString rule;
+    CoverageOfResults coverage;
+    bool band = false; ///< a limit has a guard band
+};
+
+Shared sharedBy(const std::vector<TestPart> &parts) {
+    Shared shared;
+    QStringList units;
+    QStringList rules;
+    for (const TestPart &part : parts) {
+        const CoverageOfResults coverage = coverageOf(part.evaluation, part.head());
+        shared.coverage.factor |= coverage.factor;
+        shared.coverage.simulated.insert(shared.coverage.simulated.end(), coverage.simulated.begin(),
+                                         coverage.simulated.end());
+        for (const Parameter &parameter : part.evaluation.parameters) {
+            if (!isLimited(parameter, part.head()))
+                continue;
+            units << part.write.language().unit(parameter.term.quantity);
+            rules << ruleInShort(part);
+            shared.band |= parameter.guardBand.has_value();
+        }
+    }
+    units.removeDuplicates();
+    rules.removeDuplicates();
+    shared.unit = units.size() == 1 ? units.front() : QString();
+    shared.rule = rules.size() == 1 ? rules.front() : QString();
+    return shared;
+}
+
+class LimitedQuantities {
+public:
+    LimitedQuantities(const std::vector<TestPart> &parts, const Shared &shared)
+        : m_parts(parts)
+        , m_write(parts.front().write)
+        , m_shared(shared) {
+        addColumns();
+        for (std::size_t i = 0; i < parts.size(); ++i)
+            addTest(i);
+        constexpr std::size_t uncertainty = 5;
+        constexpr std::size_t units = 7;
+        leaveOutEmptyColumns(m_table, units, units);
+        leaveOutEmptyColumns(m_table, uncertainty, uncertainty);
+    }
+
+    [[nodiscard]] Table take() { return std::move(m_table); }
+
+private:
+    void addColumns() {
+        const auto text = [&](const Text &words) { return m_write.text(words); };
+        const QString &unit = m_shared.unit;
+        Column test{text(REPORT_TEXT("report", "Test")), {}, Alignment::left, false, numberWidth};
+        test.titleSpan = 2;
+        test.paddingLeft = 1.2;
+        Column quantity{text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, quantityWidth};
+        quantity.titleSpan = 2;
+        Column guard{m_shared.band ? text(REPORT_TEXT("report", "Limit ± U")) : QString(),
+                     {},
+                     Alignment::left,
+                     false,
+                     pictureWidth};
+        guard.paddingLeft = pictureGap;
+        Column units{QString(), {}, Alignment::left, false, unitWidth};
+        units.paddingLeft = unitGap;
+        Column page{text(REPORT_TEXT("report", "Page")), {}, Alignment::right, false, pageWidth};
+        page.pages = true;
+        m_table.columns = {
+            test,
+            {QString(), {}, Alignment::left, false, testWidth},
+            quantity,
+            {QString(), {}, Alignment::left, true, nameWidth},
+            {text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false, valueWidth},
+            {uncertaintyHead(m_shared.coverage, m_write.language()), unit, Alignment::decimal, false,
+             uncertaintyWidth},
+            {text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false, limitWidth},
+            units,
+            guard,
+            {text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, verdictWidth},
+            page};
+    }
+
+    void addTest(std::size_t index) {
+        const TestPart &part = m_parts[index];
+        const bool pale = !counts(part);
+        const std::size_t first = m_table.rows.size();
+        for (const Parameter &parameter : part.evaluation.parameters) {
+            if (isLimited(parameter, part.head()))
+                addResult(part, parameter, pale);
+        }
+        if (m_table.rows.size() == first)
+            addWithoutLimit(part, pale);
+        Cell number(QString::number(part.number));
+        Cell test = testCell(part, pale);
+        number.pale = pale;
+        number.rows = test.rows = m_table.rows.size() - first;
+        m_table.rows[first][0] = number;
+        m_table.rows[first][1] = test;
+        const bool last = index + 1 == m_parts.size();
+        if (!last && part.test.role == TestRole::asFound &&
+            m_parts[index + 1].test.role == TestRole::asLeft && !part.head().adjustments.empty())
+            addAdjustment(part);
+        else if (!last)
+            m_table.strongRulesAfter.push_back(m_table.rows.size() - 1);
+    }
+
+    void addRow(const TestPart &part, std::vector<Cell> cells, bool pale) {
+        for (Cell &cell : cells) {
+            cell.pale = pale;
+            cell.bold = cell.bold && !pale;
+        }
+        m_table.rows.push_back(std::move(cells));
+        m_table.links.push_back(part.headAnchor());
+    }
+
+    void addResult(const TestPart &part, const Parameter &parameter, bool pale) {
+        const PrintedNumbers numbers =
+            printedNumbers(parameter, part.test.decisionRule, finestResolution(part.document(), part.test),
+                           m_write.language());
+        Cell symbol(symbolPhrase(parameter.term.symbol, parameter.index));
+        symbol.bold = true;
+        const QString name = m_write.text(briefName(parameter, part.evaluation));
+        const Cell unit =
+            m_shared.unit.isEmpty() ? Cell(m_write.language().unit(parameter.term.quantity)) : blankCell();
+        Cell value(numbers.value);
+        value.bold = true;
+        addRow(part,
+               {blankCell(), blankCell(), symbol, name, value, numbers.uncertainty, numbers.limit, unit,
+                guardCell(parameter), verdictCell(m_write, parameter), Cell()},
+               pale);
+    }
+
+    void addWithoutLimit(const TestPart &part, bool pale) {
+        std::vector<Cell> cells(m_table.columns.size(), blankCell());
+        cells[2] = Cell(m_write.text(hasLimits(part.test)
+                                         ? REPORT_TEXT("report", "The limits agreed do not hold: no verdict.")
+                                         : REPORT_TEXT("report", "no limit agreed")));
+        cells[2].columns = cells.size() - 3;
+        cells.back() = Cell();
+        addRow(part, std::move(cells), pale);
+    }
+
+    /// Between a test as found and the one as left.
+    void addAdjustment(const TestPart &part) {
+        m_table.rulesAfter.push_back(m_table.rows.size() - 1);
+        std::vector<Cell> cells(m_table.columns.size(), blankCell());
+        cells[0] = Cell(QStringLiteral("↓"));
+        cells[1] = Cell(
+            Phrase({{m_write.text(REPORT_TEXT("report", "Adjustment:")) + u' ', false, false, false, true},
+                    {QString::fromStdString(part.head().adjustments)}}));
+        cells[1].columns = m_table.columns.size() - 1;
+        m_table.rows.push_back(std::move(cells));
+        m_table.links.emplace_back();
+    }
+
+    const std::vector<TestPart> &m_parts;
+    const Writer &m_write;
+    const Shared &m_shared;
+    Table m_table;
+};
+
+/// What the verdict of the report rests on.
+struct Whole {
+    std::optional<Verdict> verdict;
+    std::vector<Accordance> accordances;
+    bool anyLimit = false;
+    bool asLeft = false;
+    int limits = 0;
+    int met = 0;
+    int unmet = 0; ///< requirements
+    int undeclared = 0;
+    QStringList editions;
+    QStringList asFound; ///< numbers of the tests that do not count
+
+    [[nodiscard]] Accordance weakest() const {
+        for (const Accordance each :
+             {Accordance::no, Accordance::notShown, Accordance::notChecked, Accordance::partly}) {
+            if (std::ranges::find(accordances, each) != accordances.end())
+                return each;
+        }
+        return Accordance::yes;
+    }
+};
+
+Whole wholeOf(const std::vector<TestPart> &parts) {
+    Whole whole;
+    for (const TestPart &part : parts) {
+        whole.anyLimit |= hasLimits(part.test);
+        if (!counts(part)) {
+            whole.asFound << QString::number(part.number);
+            continue;
+        }
+        whole.verdict = worst(whole.verdict, part.evaluation.verdict);
+        whole.accordances.push_back(part.evaluation.accordance());
+        const RequirementCounts requirements = countRequirements(part.evaluation.findings);
+        whole.unmet += requirements.unmet;
+        whole.undeclared += requirements.undeclared;
+        whole.asLeft |= part.test.role == TestRole::asLeft;
+        whole.editions << standardName(part.write.language(), &part.edition());
+        for (const Parameter &parameter : part.evaluation.parameters) {
+            if (!isLimited(parameter, part.head()))
+                continue;
+            ++whole.limits;
+            whole.met += parameter.verdict == Verdict::conforms ? 1 : 0;
+        }
+    }
+    whole.editions.removeDuplicates();
+    return whole;
+}
+
+/// "E (Y axis), A (Z axis)": those with the verdict of the report.
+Phrase namedQuantities(const std::vector<TestPart> &parts, Verdict verdict) {
+    Phrase result;
+    qsizetype named = 0;
+    for (const TestPart &part : parts) {
+        for (const Parameter &parameter : part.evaluation.parameters) {
+            if (!counts(part) || !isLimited(parameter, part.head()) || parameter.verdict != verdict)
+                continue;
+            if (++named > mostNamed)
+                continue;
+            if (named > 1)
+                result.spans.push_back({QStringLiteral(", ")});
+            const Phrase symbol = symbolPhrase(parameter.term.symbol, parameter.index);
+            result.spans.insert(result.spans.end(), symbol.spans.begin(), symbol.spans.end());
+            result.spans.push_back({QStringLiteral(" (") + briefTestName(part) + u')'});
+        }
+    }
+    if (named > mostNamed)
+        result.spans.push_back({QStringLiteral(", …")});
+    return result;
+}
+
+Phrase limitsText(const std::vector<TestPart> &parts, const Whole &whole, const QString &rule) {
+    const Writer &write = parts.front().write;
+    if (!whole.verdict)
+        return write.text(
+            whole.anyLimit
+                ? REPORT_TEXT("report", "The limits agreed do not hold for these tests: no verdict.")
+                : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
+    const bool one = whole.limits == 1;
+    const Number limits{static_cast<double>(whole.limits), Quantity::count, 0};
+    if (whole.verdict == Verdict::conforms) {
+        const QString met =
+            one ? write.text(REPORT_TEXT("report", "1 limit"))
+                : write.language().sentence(
+                      {REPORT_TEXT_COUNTED("report", "%n of %1 limits"), {limits}, whole.met});
+        return joined({met, rule}, write.semicolon()) + u'.';
+    }
+    Phrase result = namedQuantities(parts, *whole.verdict);
+    QString rest(u'.');
+    if (!one)
+        rest += u' ' + write.language().sentence(
+                           {REPORT_TEXT_COUNTED("report", "Met: %n of %1 limits."), {limits}, whole.met});
+    result.spans.push_back({rest});
+    return result;
+}
+
+VerdictLine verdictLine(const std::vector<TestPart> &parts, const Whole &whole, const QString &rule) {
+    const Writer &write = parts.front().write;
+    const Accordance weakest = whole.weakest();
+    VerdictLine line;
+    line.large = true;
+    line.mark = largeMark(whole.verdict, weakest);
+    line.label = write.text(REPORT_TEXT("report", "Verdict of the report"));
+    line.word = write.text(largeWord(whole.verdict, whole.anyLimit, weakest)).toUpper();
+    if (whole.asLeft)
+        line.note = write.text(REPORT_TEXT("report", "machine in its final condition, as left"));
+    line.limits = {write.text(REPORT_TEXT_FOR("report", "Limits", "part of a verdict")),
+                   whole.verdict ? markOf(*whole.verdict) : Mark::none,
+                   write.text(palmer::limitsText(whole.verdict, whole.anyLimit)),
+                   limitsText(parts, whole, rule)};
+    QString state = write.text(accordanceWords(weakest));
+    if (weakest == Accordance::yes)
+        state = write.say(REPORT_TEXT("report", "in accordance with %1"), enumerated(write, whole.editions));
+    else if (weakest == Accordance::no)
+        state = write.language().sentence(
+            {REPORT_TEXT_COUNTED("report", "%n requirement(s) not met"), {}, whole.unmet});
+    else if (weakest == Accordance::notShown)
+        state = write.language().sentence(
+            {REPORT_TEXT_COUNTED("report", "%n requirement(s) not declared"), {}, whole.undeclared});
+    line.accordance = {write.text(REPORT_TEXT_FOR("report", "Tests", "part of a verdict")), markOf(weakest),
+                       state, accordanceOfAll(whole.accordances, write.language())};
+    return line;
+}
+
+ResultsLegend legendOf(const Writer &write, const Shared &shared) {
+    ResultsLegend legend;
+    const auto add = [&](LegendSign sign, const QString &text) { legend.items.push_back({sign, text}); };
+    add(LegendSign::value, write.text(REPORT_TEXT_FOR("report", "value", "legend")));
+    add(LegendSign::limit, write.text(REPORT_TEXT_FOR("report", "limit", "legend")));
+    if (shared.band)
+        add(LegendSign::band, write.text(REPORT_TEXT("report", "guard band about the limit")));
+    add(LegendSign::check, write.text(limitText(Verdict::conforms)));
+    add(LegendSign::cross, write.text(limitText(Verdict::doesNotConform)));
+    add(LegendSign::openCircle, write.text(limitText(Verdict::notProven)));
+    add(LegendSign::warning, write.text(REPORT_TEXT("report", "requirement not met")));
+    return legend;
+}
+
+QString closingText(const Writer &write, const Whole &whole) {
+    QStringList sentences;
+    if (whole.asFound.isEmpty())
+        sentences << write.text(
+            REPORT_TEXT("report", "The verdict of the report is the worst of the verdicts of the tests."));
+    else if (whole.asFound.size() == 1)
+        sentences << write.say(
+            REPORT_TEXT("report", "The verdict of the report is the worst of the verdicts of the tests "
+                                  "in the final condition; test %1, as found, does not enter."),
+            whole.asFound.front());
+    else
+        sentences << write.say(
+            REPORT_TEXT("report", "The verdict of the report is the worst of the verdicts of the tests "
+                                  "in the final condition; tests %1, as found, do not enter."),
+            enumerated(write, whole.asFound));
+    sentences << scopeText(write);
+    return sentences.join(u' ');
+}
+
+} // namespace
+
+void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
+    const TestPart &first = parts.front();
+    const Writer &write = first.write;
+    const Shared shared = sharedBy(parts);
+    const Whole whole = wholeOf(parts);
+    TestHead head = summaryHead(parts);
+    blocks.emplace_back(RunningHead{head.laboratory, head.title});
+    blocks.emplace_back(std::move(head));
+    blocks.emplace_back(verdictLine(parts, whole, shared.rule));
+
+    QStringList notes{shared.rule};
+    if (whole.limits > 0)
+        notes << write.text(REPORT_TEXT("report", "verdict based on unrounded values"));
+    addHeading(blocks, write.text(REPORT_TEXT("report", "Limited quantities")),
+               joined(notes, write.semicolon()));
+    blocks.emplace_back(LimitedQuantities(parts, shared).take());
+    if (whole.limits > 0)
+        blocks.emplace_back(legendOf(write, shared));
+    blocks.emplace_back(Paragraph{closingText(write, whole)});
+    if (!first.leavesOut(ReportPart::signatures))
+        addResponsibility(blocks, write, first.head());
+}
+
+} // namespace palmer

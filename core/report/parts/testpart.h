@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/evaluateddocument.h"
+#include "kernel/evaluation/edition.h"
+#include "kernel/evaluation/resultsof.h"
+#include "kernel/measurement/testfacts.h"
+#include "language/language.h"
+#include "report/blocks/report.h"
+
+#include <QStringList>
+
+namespace palmer {
+
+/// Texts of one language; what every part of a report is written with.
+class Writer {
+public:
+    explicit Writer(const Language &language)
+        : m_language(language) {}
+
+    [[nodiscard]] const Language &language() const { return m_language; }
+    [[nodiscard]] QString text(const Text &words) const { return m_language.text(words); }
+    [[nodiscard]] QString say(const Text &words, std::vector<Argument> arguments = {}) const {
+        return m_language.sentence({words, std::move(arguments), {}});
+    }
+    [[nodiscard]] QString say(const Text &words, const QString &name) const {
+        return say(words, {Argument(name.toStdString())});
+    }
+    [[nodiscard]] QString quantity(std::optional<double> value, Quantity quantity, int decimals = -1) const {
+        return value ? m_language.quantity(*value, quantity, decimals) : QString();
+    }
+
+    /// "; " as the language spaces it.
+    [[nodiscard]] QString semicolon() const {
+        return m_language.id() == Language::Id::french ? QStringLiteral("\u202F; ") : QStringLiteral("; ");
+    }
+
+private:
+    const Language &m_language;
+};
+
+/// One test with all that its part of a report is made from. Owns nothing.
+struct TestPart {
+    const Writer &write;
+    const EvaluatedDocument &evaluated;
+    const Test &test;
+    const TestEvaluation &evaluation; ///< has an edition: no drift test
+    std::size_t index = 0;            ///< in the document
+    int number = 1;                   ///< in the report
+    int count = 1;
+    /// The file under each edition the head names, in its order: evaluated once for all tests.
+    const std::vector<EvaluatedDocument> *views = nullptr;
+
+    [[nodiscard]] const Document &document() const { return *evaluated.document; }
+    [[nodiscard]] const ReportHead &head() const { return document().report; }
+    [[nodiscard]] const Edition &edition() const { return *evaluation.edition; }
+    [[nodiscard]] bool isOf1988() const { return std::string_view(edition().family) == "ISO 230-2:1988"; }
+    [[nodiscard]] bool leavesOut(ReportPart part) const;
+    [[nodiscard]] QString findingsAnchor() const;
+    [[nodiscard]] QString headAnchor() const;
+};
+
+/// A positioning test with its measurement at hand.
+struct PositioningPart : TestPart {
+    const PositioningMeasurement &measurement;
+    const PositioningResults &results;
+
+    [[nodiscard]] Quantity along() const;
+    [[nodiscard]] Quantity deviation() const;
+    /// Temperatures count: of lengths.
+    [[nodiscard]] bool needsLength() const { return measurement.axis.motion == Motion::linear; }
+};
+
+/// A circular test with its measurement at hand.
+struct CircularPart : TestPart {
+    const CircularMeasurement &measurement;
+    const CircularResults &results;
+
+    [[nodiscard]] bool feedback() const { return measurement.source == SignalSource::feedback; }
+    /// The parties ask for it and the edition has it: "F", "D".
+    [[nodiscard]] bool asksFor(std::string_view quantity) const;
+    /// F or D is asked for and can be: the reference length and the temperatures count.
+    [[nodiscard]] bool needsLength() const;
+    /// F and D are corrected to 20 °C, or temperatures are known that need no correction.
+    [[nodiscard]] bool holdsAt20() const;
+    /// "XY": the axes in the order of the plane.
+    [[nodiscard]] QString plane() const;
+};
+
+/// What `use` makes of the part as that of its kind: a test with an edition is of one of two.
+template <class Use>
+auto withKind(const TestPart &part, Use use) {
+    if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
+        return use(PositioningPart{part, *positioning, resultsOf(*positioning, part.evaluation)});
+    const auto &circular = std::get<CircularMeasurement>(part.test.measurement);
+    return use(CircularPart{part, circular, resultsOf(circular, part.evaluation)});
+}
+
+/// "Positioning test of the X axis".
+[[nodiscard]] QString testName(const Writer &write, const Test &test);
+
+/// Those of the texts that say something, joined.
+[[nodiscard]] QString joined(const QStringList &texts, const QString &separator = QStringLiteral(", "));
+
+/// "A, B and C".
+[[nodiscard]] QString enumerated(const Writer &write, QStringList texts);
+
+/// A date in words; empty for none.
+[[nodiscard]] QString dateText(const Writer &write, const std::optional<std::string> &date);
+
+/// "20 to 21 November 2026": from one date to another; one of them where there is no other.
+[[nodiscard]] QString periodText(const Writer &write, const std::optional<std::string> &from,
+                                 const std::optional<std::string> &to);
+
+/// Name and address on one line.
+[[nodiscard]] QString partyText(const Party &party);
+
+/// Takes the columns from `first` to `last` in which nothing stands out of a table without spanners.
+void leaveOutEmptyColumns(Table &table, std::size_t first, std::size_t last);
+
+/// A section: heading and what follows it.
+void addHeading(std::vector<Block> &blocks, const QString &text, Phrase note = {},
+                const QString &anchor = {});
+
+} // namespace palmer

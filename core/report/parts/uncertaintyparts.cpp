@@ -1,0 +1,377 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/parts/uncertaintyparts.h"
+
+#include "figures/budgetfigure.h"
+#include "figures/driftfigure.h"
+#include "figures/ticks.h"
+#include "kernel/evaluation/decideuncertainty.h"
+#include "language/decimals.h"
+#include "language/rounding.h"
+#include "report/words/kindwords.h"
+#include "report/words/printednumbers.h"
+#include "report/words/wording.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr double percent = 100;
+
+/// With a capital, and the index of E_VE set lower.
+Phrase nameOf(const Writer &write, const Contribution &contribution) {
+    QString name = contributionName(contribution, write.language());
+    const QString index = QStringLiteral("_VE");
+    const qsizetype at = name.indexOf(index);
+    if (at < 0)
+        return name;
+    return Phrase({{name.left(at)}, {index.mid(1), true}, {name.mid(at + index.size())}});
+}
+
+/// "1 500.41 mm; k = 2": what the budget is made after.
+QString budgetNote(const TestPart &part) {
+    const Writer &write = part.write;
+    QStringList notes{write.text(kindWords(part.test).model)};
+    if (motionOf(part.test) == Motion::linear && part.evaluation.uncertainty.length)
+        notes << QStringLiteral("L = ") +
+                     write.quantity(part.evaluation.uncertainty.length, Quantity::position);
+    notes << QStringLiteral("k = 2");
+    return notes.join(write.semicolon());
+}
+
+Table contributionTable(const TestPart &part) {
+    const Writer &write = part.write;
+    const auto &contributions = part.evaluation.uncertainty.contributions;
+    const Quantity quantity = deviationQuantity(part.test);
+    double largest = 0;
+    for (const Contribution &contribution : contributions)
+        largest = std::max(largest, contribution.expanded.value_or(0));
+    const double unit = quantity == Quantity::deviation ? 1e-3 : 1.0 / 3600; // µm, arc seconds
+    const double end = scaleEnd(largest / unit) * unit;
+    Table table;
+    table.unbroken = true;
+    table.columns = {
+        {write.text(REPORT_TEXT_FOR("report", "Component", "of a budget")), {}, Alignment::left, false, 57},
+        {write.text(REPORT_TEXT("report", "Inputs")), {}, Alignment::left, true, 56},
+        {Phrase({{QStringLiteral("U")}, {QStringLiteral("i"), true}}), write.language().unit(quantity),
+         Alignment::decimal, false, 12},
+        {write.text(REPORT_TEXT_FOR("report", "Share", "of a budget")), QStringLiteral("%"), Alignment::right,
+         false, 12},
+        {QString(),
+         largest > 0
+             ? write.say(REPORT_TEXT("report", "0 to %1"), {Number{end, quantity, decimalsOf(end, quantity)}})
+             : QString(),
+         Alignment::left, false, 38}};
+    table.columns.back().paddingLeft = 3.2;
+    for (const Contribution *contribution : bySize(contributions)) {
+        const bool shown = contribution->expanded && contribution->applies;
+        Cell bar = blankCell();
+        if (largest > 0) {
+            bar.blank = false;
+            bar.bar = contribution->expanded.value_or(0) / end;
+        }
+        table.rows.push_back(
+            {nameOf(write, *contribution),
+             contribution->expanded ? write.language().sentence(contribution->inputs)
+                                    : write.text(REPORT_TEXT("report", "not stated")),
+             shown ? Cell(write.language().number(*contribution->expanded, quantity, contributionDecimals))
+                   : Cell(),
+             shown ? Cell(shareText(shareOf(*contribution, contributions), write.language())) : Cell(), bar});
+    }
+    return table;
+}
+
+/// A name of a method and what its U stands for.
+QString withCoverage(const QString &method, const QString &coverage) {
+    return method + QStringLiteral(", ") + coverage;
+}
+
+constexpr double inThousandths = 1000; ///< of the unit of deviations: the columns are narrow
+
+QString thousandthOf(Quantity quantity, const Language &language) {
+    return quantity == Quantity::deviation
+               ? QStringLiteral("nm")
+               : language.number(1 / inThousandths, Quantity::number) + language.unit(quantity);
+}
+
+/// U of each result, a row a method; bold what decides.
+Table resultTable(const TestPart &part) {
+    const Writer &write = part.write;
+    const Quantity quantity = deviationQuantity(part.test);
+    const auto resolution = finestResolution(part.document(), part.test);
+    Table table;
+    table.unbroken = true;
+    table.columns.push_back({write.say(REPORT_TEXT("report", "U in %1"), write.language().unit(quantity)),
+                             {},
+                             Alignment::left,
+                             false,
+                             56});
+    const bool simulated = part.evaluation.uncertainty.simulation != nullptr;
+    const QString factor = QStringLiteral("k\u00A0=\u00A02");
+    std::vector<Cell> budget{withCoverage(write.text(kindWords(part.test).budget), factor)};
+    std::vector<Cell> actual{
+        withCoverage(write.text(REPORT_TEXT("report", "With the actual targets (ours)")), factor)};
+    std::vector<Cell> monteCarlo{withCoverage(write.text(REPORT_TEXT("report", "Monte Carlo (GUM-S1)")),
+                                              write.text(REPORT_TEXT("report", "95.45 %")))};
+    const std::string thousandth = thousandthOf(quantity, write.language()).toStdString();
+    std::vector<Cell> error{write.say(REPORT_TEXT("report", "2s of this U, in %1"), {thousandth})};
+    std::vector<Cell> tolerance{write.say(REPORT_TEXT("report", "Tolerance of u, in %1"), {thousandth})};
+    std::vector<Cell> shift{write.text(REPORT_TEXT("report", "Shift of the mean"))};
+    for (const Parameter &parameter : part.evaluation.parameters) {
+        if (!isPrinted(parameter, part.head()))
+            continue;
+        table.columns.push_back(
+            {symbolPhrase(parameter.term.symbol, parameter.index), {}, Alignment::decimal, false, 0});
+        // The U that decides reads as in the results.
+        const auto shown = [&](std::optional<double> value, UncertaintyMethod method) {
+            if (!value)
+                return Cell();
+            const bool decides = parameter.decidedBy == method;
+            Cell cell(decides
+                          ? printedNumbers(parameter, part.test.decisionRule, resolution, write.language())
+                                .uncertainty
+                          : write.language().uncertainty(
+                                *value, quantity, decimalsWithUncertainty(*value, quantity, resolution)));
+            cell.bold = decides;
+            return cell;
+        };
+        budget.push_back(shown(parameter.budgetUncertainty, UncertaintyMethod::budget));
+        actual.push_back(shown(parameter.actualUncertainty, UncertaintyMethod::budgetActual));
+        const auto &simulation = parameter.simulated;
+        const auto small = [&](std::optional<double> value, int digits) {
+            return value && *value > 0 ? Cell(significant(*value * unitScale(quantity) * inThousandths,
+                                                          digits, 2, write.language()))
+                                       : Cell();
+        };
+        error.push_back(small(simulation && simulation->expandedError
+                                  ? std::optional(2 * *simulation->expandedError)
+                                  : std::nullopt,
+                              2));
+        tolerance.push_back(small(simulation ? std::optional(simulation->tolerance()) : std::nullopt, 1));
+        monteCarlo.push_back(shown(simulation ? std::optional(simulation->expanded()) : std::nullopt,
+                                   UncertaintyMethod::monteCarlo));
+        shift.push_back(simulation
+                            ? Cell(write.language().number(
+                                  simulation->shift(), quantity,
+                                  decimalsWithUncertainty(simulation->expanded(), quantity, resolution)))
+                            : Cell());
+    }
+    table.rows = {budget};
+    if (axisOf(part.test)) // which has targets
+        table.rows.push_back(actual);
+    if (simulated) {
+        table.rows.push_back(monteCarlo);
+        table.rows.push_back(error);
+        table.rows.push_back(tolerance);
+        table.rows.push_back(shift);
+    }
+    return table;
+}
+
+QString symbolsOf(const TestPart &part, bool (*holds)(const Parameter &)) {
+    QStringList symbols;
+    for (const Parameter &parameter : part.evaluation.parameters) {
+        if (isPrinted(parameter, part.head()) && holds(parameter))
+            symbols << QString::fromStdString(plainSymbol(parameter));
+    }
+    return symbols.join(QStringLiteral(", "));
+}
+
+/// The drift test that E_VE is taken from; null where it is typed in.
+const Test *driftTestOf(const TestPart &part) {
+    std::optional<std::string> id;
+    withUncertainty(part.test, [&](const auto &inputs) {
+        if (!inputs.environmentalVariation)
+            id = inputs.driftTest;
+    });
+    if (!id)
+        return nullptr;
+    const auto &tests = part.document().tests;
+    const auto found = std::ranges::find_if(tests, [&](const TestPointer &other) {
+        return other->id == *id && std::holds_alternative<DriftMeasurement>(other->measurement);
+    });
+    return found == tests.end() ? nullptr : found->get();
+}
+
+/// The curve of that drift test.
+void addDriftCurve(std::vector<Block> &blocks, const TestPart &part) {
+    const Test *drift = driftTestOf(part);
+    if (!drift)
+        return;
+    const auto &tests = part.document().tests;
+    const auto index = static_cast<std::size_t>(
+        std::ranges::find(tests, drift, [](const TestPointer &test) { return test.get(); }) - tests.begin());
+    FigureBlock block;
+    CurveFigure figure = driftFigure(*drift, *part.evaluated.tests[index], part.write.language());
+    if (figure.curves.empty())
+        return;
+    blocks.emplace_back(Heading{3, figure.title});
+    constexpr double width = 120;
+    constexpr double height = 50;
+    block.figure = std::move(figure);
+    block.width = width;
+    block.height = height;
+    blocks.emplace_back(std::move(block));
+}
+
+/// "To improve first: …"; empty where nothing stands out.
+QString adviceText(const TestPart &part) {
+    const auto &contributions = part.evaluation.uncertainty.contributions;
+    const Contribution *first = toImproveFirst(contributions);
+    if (!first || !part.evaluation.uncertainty.complete)
+        return {};
+    QString name = part.write.text(first->name);
+    name.replace(QStringLiteral("E_VE"), QStringLiteral("EVE"));
+    return part.write.say(
+        REPORT_TEXT("report", "Improve first: %1 (%2 % of the budget)."),
+        {name.toStdString(), Number{shareOf(*first, contributions) * percent, Quantity::number, 0}});
+}
+
+} // namespace
+
+bool usesBudget(const TestEvaluation &evaluation) {
+    const UncertaintyMethod method = evaluation.uncertainty.method;
+    return !evaluation.view && usesContributions(method) && !evaluation.uncertainty.contributions.empty();
+}
+
+namespace {
+
+/// What the methods of a test's uncertainties are explained by, numbers aside.
+struct Explained {
+    bool actual = false;
+    bool simulated = false;
+    bool stable = false;
+
+    explicit Explained(const TestEvaluation &evaluation)
+        : actual(evaluation.uncertainty.systematic &&
+                 std::ranges::any_of(evaluation.parameters,
+                                     [](const Parameter &p) { return p.actualUncertainty.has_value(); }))
+        , simulated(evaluation.uncertainty.simulation != nullptr)
+        , stable(simulated && evaluation.uncertainty.simulation->stable &&
+                 evaluation.uncertainty.simulation->mayDecide()) {}
+
+    bool operator==(const Explained &) const = default;
+};
+
+bool showsBudgetOf(const TestEvaluation &evaluation, const ReportHead &head) {
+    return usesBudget(evaluation) && std::ranges::any_of(evaluation.parameters, [&](const Parameter &p) {
+               return isPrinted(p, head) && p.budgetUncertainty.has_value();
+           });
+}
+
+/// Number of an earlier test of the report whose methods are the same.
+std::optional<int> explainedBefore(const TestPart &part) {
+    int number = 0;
+    for (std::size_t i = 0; i < part.index; ++i) {
+        const TestEvaluation &before = *part.evaluated.tests[i];
+        number += before.edition ? 1 : 0; // drift tests have no number
+        if (before.edition && before.edition->kind == part.edition().kind &&
+            showsBudgetOf(before, part.head()) && Explained(before) == Explained(part.evaluation))
+            return number;
+    }
+    return std::nullopt;
+}
+
+Number trialsOf(const TestPart &part) {
+    return {static_cast<double>(part.evaluation.uncertainty.simulation->trials), Quantity::count};
+}
+
+/// How the methods came to their U: once for all tests that use the same.
+void addMethods(QStringList &words, const TestPart &part) {
+    const Writer &write = part.write;
+    const UncertaintyEvaluation &uncertainty = part.evaluation.uncertainty;
+    const Explained explained(part.evaluation);
+    if (explained.actual)
+        words << write.say(
+            REPORT_TEXT("report", "With the actual targets: in place of S = %1 what the positions that rule "
+                                  "really carry of it, the readings tilted by ±S over L and evaluated anew; "
+                                  "an explanation, unless it is chosen to decide."),
+            {Number{*uncertainty.systematic, deviationQuantity(part.test), contributionDecimals}});
+    if (explained.simulated)
+        words << write.say(
+            REPORT_TEXT("report", "Monte Carlo: %1 trials of the whole evaluation, seed %2; U is half of the "
+                                  "shortest interval that holds 95.45 % of the results, the shift their mean "
+                                  "less the evaluated value."),
+            {trialsOf(part), std::to_string(uncertainty.simulation->seed)});
+    if (explained.stable)
+        words << write.text(REPORT_TEXT(
+            "report", "Over the blocks of trials twice the standard deviation of mean, u, both ends "
+                      "and U is below the tolerance of u, half a unit of its second digit."));
+}
+
+/// The same where the methods were explained for an earlier test: its numbers alone.
+void addMethodsAsFor(QStringList &words, const TestPart &part, int before) {
+    const Writer &write = part.write;
+    const UncertaintyEvaluation &uncertainty = part.evaluation.uncertainty;
+    const Explained explained(part.evaluation);
+    if (explained.actual)
+        words << write.say(
+            REPORT_TEXT("report", "With the actual targets: S = %1, otherwise as for test %2."),
+            {Number{*uncertainty.systematic, deviationQuantity(part.test), contributionDecimals},
+             std::to_string(before)});
+    if (explained.simulated)
+        words << write.say(
+            REPORT_TEXT("report", "Monte Carlo: %1 trials, seed %2, otherwise as for test %3."),
+            {trialsOf(part), std::to_string(uncertainty.simulation->seed), std::to_string(before)});
+}
+
+} // namespace
+
+QString methodText(const TestPart &part, std::optional<int> before) {
+    const Writer &write = part.write;
+    const UncertaintyEvaluation &uncertainty = part.evaluation.uncertainty;
+    QStringList words;
+    if (before)
+        addMethodsAsFor(words, part, *before);
+    else
+        addMethods(words, part);
+    if (uncertainty.simulation) {
+        const QString differing =
+            uncertainty.simulation->mayDecide() ? symbolsOf(part, methodsDiffer) : QString();
+        if (!differing.isEmpty())
+            words << write.say(
+                REPORT_TEXT("report",
+                            "The methods differ by more than 20 % for %1; reason: see the findings."),
+                differing);
+    }
+    const bool trusted = !uncertainty.simulation || uncertainty.simulation->mayDecide();
+    if (uncertainty.method == UncertaintyMethod::budgetActual) {
+        words << write.text(
+            REPORT_TEXT("report", "The U of the budget with the actual targets is used for the verdict."));
+    } else if (uncertainty.method == UncertaintyMethod::monteCarlo && !trusted) {
+        words << write.text(
+            REPORT_TEXT("report", "Too few trials to decide: the budget U is used for the verdict."));
+    } else if (uncertainty.method == UncertaintyMethod::monteCarlo) {
+        const QString byBudget =
+            symbolsOf(part, [](const Parameter &p) { return p.decidedBy == UncertaintyMethod::budget; });
+        words << (byBudget.isEmpty()
+                      ? write.text(REPORT_TEXT("report", "The U of the Monte Carlo simulation decides."))
+                      : write.say(REPORT_TEXT("report",
+                                              "The U of the Monte Carlo simulation decides; for %1, which it "
+                                              "shifts by more than a third of its U, that of the budget."),
+                                  byBudget));
+    } else {
+        words << write.text(REPORT_TEXT("report", "The budget U is used for the verdict."));
+    }
+    return words.join(u' ');
+}
+
+void addBudget(std::vector<Block> &blocks, const TestPart &part) {
+    if (part.leavesOut(ReportPart::uncertainty) || !usesBudget(part.evaluation))
+        return;
+    addHeading(blocks, part.write.text(REPORT_TEXT("report", "Uncertainty budget")), budgetNote(part));
+    blocks.emplace_back(contributionTable(part));
+    if (showsBudgetOf(part.evaluation, part.head())) {
+        blocks.emplace_back(resultTable(part));
+        blocks.emplace_back(Paragraph{
+            joined({methodText(part, explainedBefore(part)), adviceText(part)}, QStringLiteral(" ")),
+            TextSize::small});
+    }
+    addDriftCurve(blocks, part);
+}
+
+} // namespace palmer

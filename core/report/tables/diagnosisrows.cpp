@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/tables/diagnosisrows.h"
+
+#include "kernel/diagnosis/sourcewords.h"
+#include "kernel/diagnosis/traces.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+class RowMaker {
+public:
+    RowMaker(const Diagnosis &diagnosis, const Language &language)
+        : m_diagnosis(diagnosis)
+        , m_language(language) {}
+
+    [[nodiscard]] DiagnosisRow rowOf(std::size_t place) const {
+        const SourceEstimate &source = m_diagnosis.sources[place];
+        DiagnosisRow row;
+        const bool frame = source.id == InfluenceId::centre || source.id == InfluenceId::radius;
+        row.kind = frame              ? DiagnosisRowKind::fitCircle
+                   : source.separable ? DiagnosisRowKind::source
+                                      : DiagnosisRowKind::notTold;
+        row.sources = {place};
+        row.name = nameOf(source);
+        row.unit = QString::fromUtf8(influence(source.id).unit);
+        if (source.value && source.u)
+            setNumbers(row, shownParameter(source.id, *source.value), shownUncertainty(source));
+        row.contribution = source.contribution;
+        row.meaning =
+            source.separable ? m_language.sentence(sourceMeaning(m_diagnosis, source)) : reasonOf(source);
+        if (source.separable)
+            row.advice = adviceOf(source);
+        return row;
+    }
+
+    /// "Backlash X + 1.02 · Lateral play Y"
+    [[nodiscard]] DiagnosisRow rowOf(const DiagnosedPart &part) const {
+        if (!part.sum)
+            return rowOf(part.sources.front());
+        const SourceSum &sum = *part.sum;
+        DiagnosisRow row;
+        row.kind = DiagnosisRowKind::sum;
+        row.sources = part.sources;
+        for (const SourceSum::Part &one : sum.of) {
+            if (&one != &sum.of.front())
+                row.name += one.factor < 0 ? QStringLiteral(" − ") : QStringLiteral(" + ");
+            constexpr double asGoodAsOne = 5e-4;
+            if (std::abs(std::abs(one.factor) - 1) > asGoodAsOne)
+                row.name +=
+                    m_language.number(std::abs(one.factor), Quantity::number, 3) + QStringLiteral(" · ");
+            row.name += m_language.sentence(sourceName(m_diagnosis.sources[one.source]));
+        }
+        row.unit = QString::fromUtf8(influence(m_diagnosis.sources[sum.of.front().source].id).unit);
+        setNumbers(row, sum.value, sum.u);
+        row.contribution = part.contribution;
+        row.meaning = m_language.text(
+            REPORT_TEXT("report", "These arcs tell the sum alone, not how it is shared out."));
+        row.advice =
+            m_language.text(REPORT_TEXT("report", "A full circle in both senses tells more of them apart."));
+        return row;
+    }
+
+private:
+    void setNumbers(DiagnosisRow &row, double value, double u) const {
+        const int decimals = decimalsOfEstimate(u);
+        row.value = m_language.number(value, Quantity::number, decimals);
+        const double last = std::pow(10.0, -decimals);
+        row.u = u < last / 2 ? QStringLiteral("<\u00A0") + m_language.number(last, Quantity::number, decimals)
+                             : m_language.number(u, Quantity::number, decimals);
+    }
+
+    [[nodiscard]] QString nameOf(const SourceEstimate &source) const {
+        QString name = m_language.sentence(sourceName(source));
+        if (source.pitch)
+            name += QStringLiteral(", ") + m_language.quantity(*source.pitch, Quantity::position);
+        if (source.width)
+            name += QStringLiteral(", ") + m_language.quantity(*source.width, Quantity::angle, 1);
+        return name;
+    }
+
+    [[nodiscard]] QString reasonOf(const SourceEstimate &source) const {
+        QStringList others;
+        for (const std::size_t other : source.with)
+            others << m_language.sentence(sourceName(m_diagnosis.sources[other]));
+        if (others.isEmpty())
+            return m_language.sentence(sourceMeaning(m_diagnosis, source));
+        return m_language.sentence({REPORT_TEXT("report", "These arcs do not tell it from: %1."),
+                                    {others.join(QStringLiteral(", ")).toStdString()}});
+    }
+
+    /// There is nothing to look for on a machine where nothing is seen.
+    [[nodiscard]] QString adviceOf(const SourceEstimate &source) const {
+        const auto interval = source.interval();
+        if (interval && interval->from <= 0 && interval->to >= 0)
+            return {};
+        const Message advice = sourceAdvice(m_diagnosis, source);
+        return advice.text.empty() ? QString() : m_language.sentence(advice);
+    }
+
+    const Diagnosis &m_diagnosis;
+    const Language &m_language;
+};
+
+} // namespace
+
+std::vector<DiagnosisRow> diagnosisRows(const Diagnosis &diagnosis, const Language &language) {
+    const RowMaker make(diagnosis, language);
+    std::vector<DiagnosisRow> rows;
+    for (const DiagnosedPart &part : rankedParts(diagnosis))
+        rows.push_back(make.rowOf(part));
+    std::vector<DiagnosisRow> circle;
+    for (std::size_t i = 0; i < diagnosis.sources.size(); ++i) {
+        DiagnosisRow row = make.rowOf(i);
+        if (row.kind == DiagnosisRowKind::fitCircle)
+            circle.push_back(std::move(row));
+        else if (!row.contribution)
+            rows.push_back(std::move(row));
+    }
+    std::ranges::move(circle, std::back_inserter(rows));
+    return rows;
+}
+
+int decimalsOfEstimate(double standardUncertainty) {
+    if (!(standardUncertainty > 0))
+        return 1;
+    constexpr int most = 4;
+    return std::clamp(1 - static_cast<int>(std::floor(std::log10(standardUncertainty))), 0, most);
+}
+
+} // namespace palmer

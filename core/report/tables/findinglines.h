@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/evaluation/testevaluation.h"
+#include "language/language.h"
+#include "report/blocks/report.h"
+
+namespace palmer {
+
+/// The findings as they are printed: by source, what the text asks for first; one line per clause and state.
+[[nodiscard]] FindingsBlock findingLines(const TestEvaluation &evaluation, const Language &language);
+
+} // namespace palmer

@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/tables/resulttable.h"
+
+#include "document/testsofverdict.h"
+#include "kernel/evaluation/conformity.h"
+#include "report/words/printednumbers.h"
+#include "report/words/wording.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace palmer {
+
+namespace {
+
+/// What the window calls the parameters of each term: the standards' own names are too long for a column.
+struct ShortName {
+    Text term;
+    Text name;
+    Text alone = {}; ///< where its bidirectional companion does not stand above it; empty: the name
+};
+
+// clang-format off
+constexpr std::array shortNames{
+    ShortName{REPORT_TEXT_FOR("report", "accuracy of an axis", "A"), REPORT_TEXT_FOR("report", "accuracy", "1988")},
+    ShortName{REPORT_TEXT("report", "bi-directional accuracy of positioning of an axis"), REPORT_TEXT("report", "accuracy")},
+    ShortName{REPORT_TEXT("report", "bi-directional positioning accuracy of an axis"), REPORT_TEXT("report", "accuracy")},
+    ShortName{REPORT_TEXT("report", "bi-directional systematic positional deviation of an axis"), REPORT_TEXT("report", "systematic deviation")},
+    ShortName{REPORT_TEXT("report", "bi-directional systematic positioning error of an axis"), REPORT_TEXT("report", "systematic error")},
+    ShortName{REPORT_TEXT("report", "range of the mean bi-directional positional deviation of an axis"), REPORT_TEXT("report", "range of x̄")},
+    ShortName{REPORT_TEXT("report", "mean bi-directional positioning error of an axis"), REPORT_TEXT("report", "range of x̄")},
+    ShortName{REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), REPORT_TEXT("report", "repeatability")},
+    ShortName{REPORT_TEXT("report", "bi-directional positioning repeatability of an axis"), REPORT_TEXT("report", "repeatability")},
+    ShortName{REPORT_TEXT("report", "reversal value of an axis"), REPORT_TEXT("report", "reversal value")},
+    ShortName{REPORT_TEXT("report", "reversal error of an axis"), REPORT_TEXT("report", "reversal error")},
+    ShortName{REPORT_TEXT_FOR("report", "mean reversal value of an axis", "1988"), REPORT_TEXT_FOR("report", "mean reversal value", "1988")},
+    ShortName{REPORT_TEXT("report", "mean reversal value of an axis"), REPORT_TEXT("report", "signed mean"), REPORT_TEXT("report", "mean reversal value")},
+    ShortName{REPORT_TEXT("report", "mean reversal error of an axis"), REPORT_TEXT("report", "signed mean"), REPORT_TEXT("report", "mean reversal error")},
+    ShortName{REPORT_TEXT("report", "accuracy of an axis, unidirectional"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT_FOR("report", "unidirectional accuracy", "1988")},
+    ShortName{REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional accuracy")},
+    ShortName{REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional accuracy")},
+    ShortName{REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine"), REPORT_TEXT("report", "unidirectional systematic deviation")},
+    ShortName{REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine"), REPORT_TEXT("report", "unidirectional systematic error")},
+    ShortName{REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional repeatability")},
+    ShortName{REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional repeatability")},
+    ShortName{REPORT_TEXT("report", "unidirectional positioning repeatability (UPR)"), REPORT_TEXT("report", "smaller of R↑, R↓")},
+    ShortName{REPORT_TEXT("report", "positional uncertainty (VDI: Positionsunsicherheit)"), REPORT_TEXT("report", "positional uncertainty")},
+    ShortName{REPORT_TEXT("report", "positional deviation (VDI: Positionsabweichung)"), REPORT_TEXT_FOR("report", "positional deviation", "VDI")},
+    ShortName{REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), largest"), REPORT_TEXT("report", "scatter, largest")},
+    ShortName{REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), mean"), REPORT_TEXT("report", "scatter, mean")},
+    ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), largest"), REPORT_TEXT("report", "reversal range, largest")},
+    ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), mean"), REPORT_TEXT("report", "reversal range, mean")},
+    ShortName{REPORT_TEXT("report", "bi-directional circular deviation"), REPORT_TEXT_FOR("report", "bi-directional", "circular deviation"), REPORT_TEXT("report", "bi-directional circular deviation")},
+    ShortName{REPORT_TEXT("report", "mean bi-directional radial deviation"), REPORT_TEXT_FOR("report", "mean radial", "deviation"), REPORT_TEXT("report", "mean bi-directional radial deviation")},
+    ShortName{REPORT_TEXT("report", "bi-directional circular deviation using feed back signal"), REPORT_TEXT("report", "bi-directional, feed back")},
+    ShortName{REPORT_TEXT("report", "bi-directional circular error"), REPORT_TEXT_FOR("report", "bi-directional", "circular error"), REPORT_TEXT("report", "bi-directional circular error")},
+    ShortName{REPORT_TEXT("report", "mean bi-directional radial error"), REPORT_TEXT_FOR("report", "mean radial", "error"), REPORT_TEXT("report", "mean bi-directional radial error")},
+    ShortName{REPORT_TEXT("report", "bi-directional circular error using feed back signal"), REPORT_TEXT("report", "bi-directional, feed back")},
+};
+// clang-format on
+
+Text shortName(const Text &term, bool alone) {
+    const auto found = std::ranges::find(shortNames, term, &ShortName::term);
+    if (found == shortNames.end())
+        return term;
+    return alone && !found->alone.empty() ? found->alone : found->name;
+}
+
+/// Of a path its sense: the symbol tells the rest.
+Text shortNameOf(const Parameter &parameter, const TestEvaluation &evaluation, bool alone) {
+    const std::string_view id = parameter.term.id;
+    const auto *results = std::get_if<CircularResults>(&evaluation.results);
+    const bool ofPath = id == "G" || id == "Gf" || id.starts_with('F');
+    for (std::size_t k = 0; results && ofPath && k < results->paths.size(); ++k) {
+        if (results->paths[k].index == parameter.index)
+            return senseText(results->paths[k].sense);
+    }
+    const auto *positioning = std::get_if<PositioningResults>(&evaluation.results);
+    const bool oneDirection = positioning && positioning->upward != positioning->downward;
+    return shortName(parameter.term.name, alone || oneDirection);
+}
+
+Text ruleName(Rule rule) {
+    switch (rule) {
+    case Rule::simpleAcceptance:
+        return REPORT_TEXT("report", "simple acceptance");
+    case Rule::iso14253_1:
+        return REPORT_TEXT("report", "ISO 14253-1");
+    case Rule::rejectionProven:
+        return REPORT_TEXT("report", "rejection proven");
+    }
+    return {};
+}
+
+/// What A, A+ and A-, B and Bmean, Psmax and Psmean have in common.
+std::string_view familyOf(std::string_view id) {
+    for (const std::string_view end : {"+", "-", "mean", "max"}) {
+        if (id.ends_with(end))
+            return id.substr(0, id.size() - end.size());
+    }
+    return id;
+}
+
+/// What a spreadsheet reads as a number.
+QString plainNumber(QString text) {
+    return text.remove(QChar(u'\u202F')).remove(QChar(u'\u00A0')).replace(QChar(u'\u2212'), u'-');
+}
+
+/// But for what depends on the lines before it: its short name, and whether it is the first of its family.
+ResultLine lineOf(const Parameter &parameter, const PrintedNumbers &numbers, const Language &language) {
+    const auto orDash = [](const QString &text) { return text.isEmpty() ? QStringLiteral("–") : text; };
+    ResultLine line;
+    line.id = QString::fromStdString(parameterId(parameter));
+    line.symbol = symbolFormula(parameter.term.symbol, parameter.index);
+    line.fullName = language.text(parameter.term.name);
+    if (const QString of = limitNote(parameter, language); !of.isEmpty())
+        line.fullName += QStringLiteral(" (") + of + u')';
+    line.ruling = rulingText(parameter);
+    line.value = orDash(numbers.value);
+    line.uncertainty = orDash(numbers.uncertainty);
+    line.limit = orDash(numbers.alignedLimit);
+    line.verdict = parameter.verdict;
+    if (parameter.verdict)
+        line.verdictWord = language.text(limitText(*parameter.verdict));
+    line.scale = decisionScale(parameter);
+    return line;
+}
+
+/// The test of the other role, in the rows of its quantities.
+void addOtherRole(ResultTable &table, const EvaluatedDocument &evaluated, std::size_t test,
+                  const Language &language) {
+    const auto both = table.view ? std::nullopt : rolesBeside(evaluated, test, language);
+    if (!both)
+        return;
+    table.otherIsFound = both->left == test;
+    const std::size_t place = table.otherIsFound ? both->found : both->left;
+    table.otherTest = place;
+    const Test &other = *evaluated.document->tests[place];
+    const std::optional<double> resolution = finestResolution(*evaluated.document, other);
+    for (const QuantityOfRoles &quantity : both->quantities) {
+        const Parameter &parameter = table.otherIsFound ? *quantity.found : *quantity.left;
+        const auto line =
+            std::ranges::find(table.lines, QString::fromStdString(parameterId(parameter)), &ResultLine::id);
+        if (line == table.lines.end())
+            continue;
+        const PrintedNumbers numbers = printedNumbers(parameter, other.decisionRule, resolution, language);
+        line->other = numbers.value;
+        line->otherUncertainty = numbers.uncertainty;
+        line->otherVerdict = parameter.verdict;
+        if (parameter.verdict)
+            line->otherVerdictWord = language.text(limitText(*parameter.verdict));
+        line->change = quantity.change;
+    }
+}
+
+struct Head {
+    QString symbol, name, value, uncertainty, limit, verdict;
+    QStringList others; ///< of the other role: value, U, change; none where there is no other
+};
+
+QStringList othersOf(const ResultTable &table, const Language &language) {
+    if (!table.otherTest)
+        return {};
+    const QString unit = QStringLiteral(" (") + table.unit + u')';
+    const QString role = language.text(roleText(table.otherIsFound ? TestRole::asFound : TestRole::asLeft));
+    return {role + unit, QStringLiteral("U, ") + role + unit,
+            language.text(REPORT_TEXT("report", "Change")) + unit};
+}
+
+Head head(const ResultTable &table, const Language &language) {
+    const auto withUnit = [&](const Text &text) {
+        return language.text(text) + QStringLiteral(" (") + table.unit + u')';
+    };
+    QString uncertainty = QStringLiteral("U (") + table.unit;
+    if (!table.coverage.isEmpty())
+        uncertainty += QStringLiteral(", ") + table.coverage;
+    return {language.text(REPORT_TEXT("report", "Symbol")),
+            language.text(REPORT_TEXT("report", "Result")),
+            withUnit(REPORT_TEXT("report", "Value")),
+            uncertainty + u')',
+            withUnit(REPORT_TEXT("report", "Limit")),
+            language.text(REPORT_TEXT("report", "Verdict")),
+            othersOf(table, language)};
+}
+
+} // namespace
+
+Text briefName(const Parameter &parameter, const TestEvaluation &evaluation) {
+    return shortNameOf(parameter, evaluation, true);
+}
+
+Text listedName(const Text &term) {
+    return shortName(term, false);
+}
+
+std::optional<DecisionScale> decisionScale(const Parameter &parameter) {
+    if (!parameter.value || !parameter.limit || !parameter.limit->value ||
+        !(judgedLimit(*parameter.limit->value, parameter.bound) > 0))
+        return std::nullopt;
+    const double limit = judgedLimit(*parameter.limit->value, parameter.bound);
+    DecisionScale scale;
+    scale.band = parameter.guardBand && *parameter.guardBand > 0;
+    const double half = scale.band ? *parameter.guardBand / DecisionScale::guard : limit;
+    const double place = (judgedValue(*parameter.value, parameter.bound) - limit) / half;
+    scale.below = place < -1;
+    scale.above = place > 1;
+    scale.value = std::clamp(place, -1.0, 1.0);
+    return scale;
+}
+
+bool isUnfinished(const Test &test) {
+    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+    if (!measurement)
+        return false;
+    std::ptrdiff_t missing = 0;
+    for (const Run &run : measurement->runs)
+        missing += std::ranges::count_if(run.deviations, [](const auto &x) { return !x; });
+    return measurement->runs.empty() || missing > std::ssize(measurement->excluded);
+}
+
+ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
+    ResultTable table;
+    if (test >= evaluated.tests.size() || !evaluated.tests[test]->edition)
+        return table;
+    const Document &document = *evaluated.document;
+    const Test &source = *document.tests[test];
+    const TestEvaluation &evaluation = *evaluated.tests[test];
+    table.edition = QString::fromUtf8(evaluation.edition->word);
+    table.view = evaluation.view;
+    table.provisional = isUnfinished(source) || evaluation.provisional;
+    if (table.view)
+        table.viewNote = language.sentence(
+            {REPORT_TEXT("report", "Seen under another edition than that of the test (%1): no verdict."),
+             {source.edition},
+             {}});
+    else
+        table.verdict = evaluation.verdict;
+    if (table.verdict)
+        table.verdictWord = language.text(verdictText(*table.verdict));
+    table.rule = language.text(ruleName(source.decisionRule.rule));
+
+    if (const auto *circular = std::get_if<CircularMeasurement>(&source.measurement))
+        table.circle = circular->referenceCircle == ReferenceCircle::minimumZone ? QStringLiteral("MZC")
+                                                                                 : QStringLiteral("LSC");
+
+    table.coverage = coverageNote(coverageOf(evaluation, document.report), language);
+    const std::optional<double> resolution = finestResolution(document, source);
+    std::string_view family;
+    for (const Parameter &parameter : evaluation.parameters) {
+        if (!isPrinted(parameter, document.report))
+            continue;
+        if (table.unit.isEmpty())
+            table.unit = language.unit(parameter.term.quantity);
+        ResultLine line =
+            lineOf(parameter, printedNumbers(parameter, source.decisionRule, resolution, language), language);
+        const bool circular = !table.circle.isEmpty();
+        const std::string_view id = parameter.term.id;
+        const std::string_view own = circular ? id.substr(0, 1) : familyOf(id);
+        line.isFirst = own != family;
+        line.main = circular ? own != "F" : line.isFirst;
+        line.name = language.text(shortNameOf(parameter, evaluation, line.isFirst && !circular));
+        family = own;
+        table.lines.push_back(std::move(line));
+    }
+    addOtherRole(table, evaluated, test, language);
+    return table;
+}
+
+std::optional<RolesBeside> rolesBeside(const EvaluatedDocument &evaluated, std::size_t test,
+                                       const Language &language) {
+    const Document &document = *evaluated.document;
+    RolesBeside both{test, test, {}};
+    if (document.tests[test]->role == TestRole::asLeft) {
+        const auto found = testAsFound(document, test);
+        if (!found)
+            return std::nullopt;
+        both.found = *found;
+    } else { // the last state that was left
+        for (std::size_t i = 0; i < document.tests.size(); ++i)
+            both.left = testAsFound(document, i) == test ? i : both.left;
+    }
+    const auto counts = [&](std::size_t i) {
+        return !evaluated.isPending(i) && evaluated.tests[i]->edition && !evaluated.tests[i]->view;
+    };
+    if (both.found == both.left || !counts(both.found) || !counts(both.left))
+        return std::nullopt;
+    constexpr int decimals = 1;
+    const auto &found = evaluated.tests[both.found]->parameters;
+    for (const Parameter &left : evaluated.tests[both.left]->parameters) {
+        const auto same = std::ranges::find_if(
+            found, [&](const Parameter &parameter) { return parameterId(parameter) == parameterId(left); });
+        if (!isPrinted(left, document.report) || same == found.end())
+            continue;
+        both.quantities.push_back({&*same, &left,
+                                   same->value && left.value ? language.number(*left.value - *same->value,
+                                                                               left.term.quantity, decimals)
+                                                             : QString()});
+    }
+    return both;
+}
+
+QString asTabSeparated(const ResultTable &table, const Language &language) {
+    const Head titles = head(table, language);
+    QStringList rows{QStringList{titles.symbol, titles.name, titles.value, titles.uncertainty, titles.limit,
+                                 titles.verdict}
+                         .join(u'\t')};
+    if (!titles.others.isEmpty())
+        rows.front() += u'\t' + titles.others.join(u'\t');
+    const auto cell = [](const QString &text) {
+        return text == QStringLiteral("–") ? QString() : plainNumber(text);
+    };
+    for (const ResultLine &line : table.lines) {
+        rows << QStringList{line.symbol.plain(),    line.fullName,    cell(line.value),
+                            cell(line.uncertainty), cell(line.limit), line.verdictWord}
+                    .join(u'\t');
+        if (!titles.others.isEmpty())
+            rows.back() +=
+                u'\t' +
+                QStringList{cell(line.other), cell(line.otherUncertainty), cell(line.change)}.join(u'\t');
+    }
+    return rows.join(u'\n') + u'\n';
+}
+
+QString asHtml(const ResultTable &table, const Language &language) {
+    const Head titles = head(table, language);
+    QString html = QStringLiteral("<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n<tr>");
+    for (const QString &title : QStringList{titles.symbol, titles.name, titles.value, titles.uncertainty,
+                                            titles.limit, titles.verdict} +
+                                    titles.others)
+        html += QStringLiteral("<th>") + title.toHtmlEscaped() + QStringLiteral("</th>");
+    html += QStringLiteral("</tr>\n");
+    for (const ResultLine &line : table.lines) {
+        html += QStringLiteral("<tr><td>");
+        for (const FormulaSpan &span : line.symbol.spans)
+            html += span.subscript
+                        ? QStringLiteral("<sub>") + span.text.toHtmlEscaped() + QStringLiteral("</sub>")
+                        : span.text.toHtmlEscaped();
+        html += QStringLiteral("</td><td>") + line.fullName.toHtmlEscaped() + QStringLiteral("</td>");
+        for (const QString &number : {line.value, line.uncertainty, line.limit})
+            html += QStringLiteral("<td align=\"right\">") + number.toHtmlEscaped() + QStringLiteral("</td>");
+        html += QStringLiteral("<td>") + line.verdictWord.toHtmlEscaped() + QStringLiteral("</td>");
+        for (const QString &number : titles.others.isEmpty()
+                                         ? QStringList()
+                                         : QStringList{line.other, line.otherUncertainty, line.change})
+            html += QStringLiteral("<td align=\"right\">") + number.toHtmlEscaped() + QStringLiteral("</td>");
+        html += QStringLiteral("</tr>\n");
+    }
+    return html + QStringLiteral("</table>\n");
+}
+
+} // namespace palmer

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/tables/summary.h"
+
+#include "document/filewords.h"
+#include "export/csvwriter.h"
+#include "export/resultsjson.h"
+#include "kernel/measurement/testfacts.h"
+#include "kernel/words/shortest.h"
+#include "report/blocks/plaintext.h"
+#include "report/tables/resulttable.h"
+#include "report/words/accordancetext.h"
+#include "report/words/wording.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+/// A column and how its cells stand below each other on a terminal.
+struct SummaryColumn {
+    const char *word = nullptr;
+    Text title;
+    bool atRight = false;
+};
+
+const std::array columns{
+    SummaryColumn{"file", REPORT_TEXT("report", "File")},
+    SummaryColumn{"test", REPORT_TEXT("report", "Test"), true},
+    SummaryColumn{"machine", REPORT_TEXT("report", "Machine")},
+    SummaryColumn{"axis", REPORT_TEXT("report", "Axis")},
+    SummaryColumn{"date", REPORT_TEXT("report", "Date")},
+    SummaryColumn{"edition", REPORT_TEXT("report", "Edition")},
+    SummaryColumn{"role", REPORT_TEXT("report", "Role")},
+    SummaryColumn{"parameter", REPORT_TEXT("report", "Quantity")},
+    SummaryColumn{"value", REPORT_TEXT("report", "Value"), true},
+    SummaryColumn{"U", REPORT_TEXT("report", "U"), true},
+    SummaryColumn{"limit", REPORT_TEXT("report", "Limit"), true},
+    SummaryColumn{"unit", REPORT_TEXT("report", "Unit")},
+    SummaryColumn{"limits", REPORT_TEXT("report", "Verdict")},
+    SummaryColumn{"accordance", REPORT_TEXT("report", "Accordance")},
+};
+
+QString fromUtf8(const std::string &text) {
+    return QString::fromStdString(text);
+}
+
+QString exact(std::optional<double> value) {
+    if (!value || !std::isfinite(*value))
+        return {};
+    return QString::fromStdString(shortest(*value));
+}
+
+/// What all rows of a test begin with.
+QStringList headOf(const EvaluatedDocument &evaluated, std::size_t index, const QString &file,
+                   SummaryForm form, const Language &language) {
+    const Test &test = *evaluated.document->tests[index];
+    const TestEvaluation &evaluation = *evaluated.tests[index];
+    const bool csv = form == SummaryForm::csv;
+    QString date;
+    if (test.date)
+        date = csv ? fromUtf8(*test.date) : language.shortDate(*test.date);
+    QString role;
+    if (test.role != TestRole::notStated)
+        role = csv ? QString::fromUtf8(fileWord(test.role)) : language.text(roleText(test.role));
+    return {file,
+            QString::number(index + 1),
+            fromUtf8(evaluated.document->machine.name),
+            fromUtf8(axesOf(test)),
+            date,
+            evaluation.edition ? QString::fromUtf8(evaluation.edition->word) : QString(),
+            role};
+}
+
+QString accordanceCell(Accordance accordance, SummaryForm form, const Language &language) {
+    if (form == SummaryForm::csv)
+        return QString::fromUtf8(accordanceWord(accordance));
+    return language.text(accordance == Accordance::yes ? REPORT_TEXT("report", "in accordance")
+                                                       : accordanceWords(accordance));
+}
+
+} // namespace
+
+QStringList summaryHead(SummaryForm form, const Language &language) {
+    QStringList head;
+    for (const SummaryColumn &column : columns)
+        head << (form == SummaryForm::csv ? QString::fromUtf8(column.word) : language.text(column.title));
+    return head;
+}
+
+std::vector<QStringList> summaryRows(const EvaluatedDocument &evaluated, const QString &file,
+                                     SummaryForm form, const Language &language) {
+    std::vector<QStringList> rows;
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        const TestEvaluation &evaluation = *evaluated.tests[i];
+        const QStringList head = headOf(evaluated, i, file, form, language);
+        const QString accordance = accordanceCell(evaluation.accordance(), form, language);
+        if (form == SummaryForm::csv) {
+            for (const Parameter &parameter : evaluation.parameters)
+                rows.push_back(
+                    head +
+                    QStringList{fromUtf8(parameterId(parameter)), exact(parameter.value),
+                                exact(parameter.expandedUncertainty),
+                                exact(parameter.limit ? std::optional(parameter.limit->value) : std::nullopt),
+                                QString::fromUtf8(resultUnit(parameter.term.quantity)),
+                                QString::fromUtf8(limitsWord(parameter.verdict)), accordance});
+        } else {
+            const ResultTable table = resultTable(evaluated, i, language);
+            for (const ResultLine &line : table.lines)
+                rows.push_back(head + QStringList{line.symbol.plain(), line.value, line.uncertainty,
+                                                  line.limit, table.unit, line.verdictWord, accordance});
+        }
+        if (evaluation.parameters.empty()) {
+            QStringList row = head;
+            row.resize(columns.size());
+            row.last() = accordance;
+            rows.push_back(row);
+        }
+    }
+    return rows;
+}
+
+QByteArray summaryCsv(const std::vector<QStringList> &rows) {
+    CsvWriter csv('.');
+    for (const QStringList &row : rows) {
+        for (const QString &cell : row)
+            csv.text(cell.toStdString());
+        csv.endRow();
+    }
+    return csv.bytes();
+}
+
+namespace {
+
+constexpr int gap = 2;            ///< between two columns
+constexpr int narrowestPath = 16; ///< columns; other texts are as wide as their longest word
+
+/// Breaks at blanks, and anywhere in what is longer than a line: a path.
+QStringList broken(const QString &cell, int width) {
+    QStringList lines;
+    for (QString line : wrapped(cell, width)) {
+        for (; displayWidth(line) > width; line.remove(0, width))
+            lines << line.left(width);
+        lines << line;
+    }
+    return lines;
+}
+
+int longestWord(const QString &cell) {
+    int longest = 0;
+    for (const QString &word : cell.split(u' '))
+        longest = std::max(longest, displayWidth(word));
+    return longest;
+}
+
+/// Takes from the widest texts what a row is too wide, down to `least`.
+void narrow(std::vector<int> &widths, const std::vector<int> &least, int width) {
+    const auto total = [&] {
+        int sum = gap * (static_cast<int>(widths.size()) - 1);
+        for (const int column : widths)
+            sum += column;
+        return sum;
+    };
+    while (total() > width) {
+        int *widest = nullptr;
+        for (std::size_t c = 0; c < widths.size(); ++c) {
+            if (widths[c] > least[c] && (!widest || widths[c] > *widest))
+                widest = &widths[c];
+        }
+        if (!widest)
+            return;
+        --*widest;
+    }
+}
+
+} // namespace
+
+QString summaryText(const QStringList &head, const std::vector<QStringList> &rows, std::optional<int> width) {
+    std::vector<int> widths(columns.size());
+    std::vector<int> least(columns.size());
+    const auto widen = [&](const QStringList &row) {
+        for (std::size_t c = 0; c < widths.size(); ++c) {
+            const QString &cell = row[static_cast<qsizetype>(c)];
+            widths[c] = std::max(widths[c], displayWidth(cell));
+            least[c] = std::max(least[c], columns.at(c).atRight ? displayWidth(cell) : longestWord(cell));
+        }
+    };
+    widen(head);
+    std::ranges::for_each(rows, widen);
+    least.front() = std::min(least.front(), narrowestPath);
+    if (width)
+        narrow(widths, least, *width);
+    QString text;
+    const auto print = [&](const QStringList &row) {
+        std::vector<QStringList> cells;
+        qsizetype height = 1;
+        for (std::size_t c = 0; c < widths.size(); ++c) {
+            cells.push_back(broken(row[static_cast<qsizetype>(c)], widths[c]));
+            height = std::max(height, cells.back().size());
+        }
+        for (qsizetype i = 0; i < height; ++i) {
+            QString line;
+            for (std::size_t c = 0; c < widths.size(); ++c) {
+                const QString cell = cells[c].value(i);
+                const QString blanks(widths[c] - displayWidth(cell), u' ');
+                line += (c == 0 ? QString() : QString(gap, u' ')) +
+                        (columns.at(c).atRight ? blanks + cell : cell + blanks);
+            }
+            while (line.endsWith(u' '))
+                line.chop(1);
+            text += line + u'\n';
+        }
+    };
+    print(head);
+    std::ranges::for_each(rows, print);
+    return text;
+}
+
+} // namespace palmer

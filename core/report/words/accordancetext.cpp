@@ -1,0 +1,214 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/words/accordancetext.h"
+
+#include "kernel/words/blank.h"
+#include "report/words/wording.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <array>
+
+namespace palmer {
+
+namespace {
+
+class Sentence {
+public:
+    Sentence(const Test &test, const TestEvaluation &evaluation, const Language &language)
+        : m_test(test)
+        , m_evaluation(evaluation)
+        , m_language(language)
+        , m_standard(standardName(language, evaluation.edition))
+        , m_counts(countRequirements(evaluation.findings)) {
+        const auto *results = std::get_if<PositioningResults>(&evaluation.results);
+        m_countByPractice = results && results->countByPractice;
+        m_stepCycle = results && results->stepCycleAgreed;
+    }
+
+    [[nodiscard]] QString text(bool page) const {
+        QString result;
+        switch (m_evaluation.accordance()) {
+        case Accordance::notChecked:
+            result = notChecked(page) + declared();
+            break;
+        case Accordance::no:
+            result = unmet() + see(page);
+            break;
+        case Accordance::notShown:
+            result = counted(REPORT_TEXT_COUNTED(
+                                 "report", "Accordance with %1 not shown: %n requirement(s) not declared"),
+                             m_counts.undeclared) +
+                     see(page);
+            break;
+        case Accordance::partly:
+            result = partly() + declared();
+            break;
+        case Accordance::yes:
+            result = say(REPORT_TEXT("report", "Test carried out in accordance with %1"),
+                         {m_standard.toStdString()});
+            break;
+        }
+        if (m_stepCycle)
+            result += m_language.text(REPORT_TEXT("report", "; step cycle by written agreement"));
+        return result + u'.';
+    }
+
+private:
+    [[nodiscard]] QString say(const Text &words, std::vector<Argument> arguments) const {
+        return m_language.sentence({words, std::move(arguments)});
+    }
+
+    /// The standard, with what was checked of it where that is a part.
+    [[nodiscard]] QString counted(const Text &words, int count) const {
+        QString standard = m_standard;
+        if (m_evaluation.edition->textRead == TextRead::part)
+            standard += u' ' + m_language.text(m_countByPractice
+                                                   ? REPORT_TEXT("report", "(clauses 1 to 4.3.1 checked)")
+                                                   : REPORT_TEXT("report", "(clauses 1 to 4.3.2 checked)"));
+        return m_language.sentence({words, {standard.toStdString()}, count});
+    }
+
+    [[nodiscard]] QString unmet() const {
+        QString result = counted(
+            REPORT_TEXT_COUNTED("report", "Test NOT in accordance with %1: %n requirement(s) not met"),
+            m_counts.unmet);
+        if (m_counts.undeclared > 0)
+            result += QStringLiteral(", ") +
+                      m_language.sentence(
+                          {REPORT_TEXT_COUNTED("report", "%n not declared"), {}, m_counts.undeclared});
+        return result;
+    }
+
+    [[nodiscard]] QString notChecked(bool page) const {
+        const QString result =
+            say(REPORT_TEXT("report", "The text of %1 was not available: its requirements were not checked"),
+                {m_standard.toStdString()});
+        if (m_counts.departures == 0)
+            return result + m_language.text(REPORT_TEXT("report", "; no departure from practice found"));
+        return result +
+               m_language.sentence({REPORT_TEXT_COUNTED("report", "; %n departure(s) from practice"),
+                                    {},
+                                    m_counts.departures}) +
+               see(page);
+    }
+
+    [[nodiscard]] QString partly() const {
+        const std::string word = m_evaluation.edition->word;
+        return m_countByPractice
+                   ? say(REPORT_TEXT(
+                             "report",
+                             "%1: the requirements of clauses 1 to 4.3.1 are met; the rest of 4.3 and "
+                             "clauses 5 to 7 were not available and not checked; number of targets and "
+                             "approaches by practice"),
+                         {word})
+                   : say(REPORT_TEXT(
+                             "report",
+                             "%1: the requirements of clauses 1 to 4.3.2 are met; the rest of 4.3 and "
+                             "clauses 5 to 7 were not available and not checked"),
+                         {word});
+    }
+
+    [[nodiscard]] QString declared() const {
+        const DeclaredAccordance &declared = m_test.declaredAccordance;
+        if (isBlank(declared.by))
+            return {};
+        QStringList words{QString::fromStdString(declared.by)};
+        if (declared.date && !declared.date->empty())
+            words << m_language.date(*declared.date);
+        if (!isBlank(declared.text))
+            words << QString::fromStdString(declared.text);
+        return say(REPORT_TEXT("report", "; the laboratory declares the rest met (%1)"),
+                   {words.join(QStringLiteral(", ")).toStdString()});
+    }
+
+    [[nodiscard]] QString see(bool page) const {
+        return page ? QStringLiteral(", ") + m_language.text(REPORT_TEXT("report", "see page %1"))
+                    : QString();
+    }
+
+    const Test &m_test;
+    const TestEvaluation &m_evaluation;
+    const Language &m_language;
+    QString m_standard;
+    RequirementCounts m_counts;
+    bool m_countByPractice = false;
+    bool m_stepCycle = false;
+};
+
+} // namespace
+
+QString accordanceText(const Test &test, const TestEvaluation &evaluation, const Language &language,
+                       bool page) {
+    return evaluation.edition ? Sentence(test, evaluation, language).text(page) : QString();
+}
+
+Text accordanceWords(Accordance accordance) {
+    switch (accordance) {
+    case Accordance::notChecked:
+        return REPORT_TEXT("report", "text of the edition not available");
+    case Accordance::no:
+        return REPORT_TEXT("report", "NOT in accordance with the edition");
+    case Accordance::notShown:
+        return REPORT_TEXT("report", "accordance not shown");
+    case Accordance::partly:
+        return REPORT_TEXT("report", "in accordance in part");
+    case Accordance::yes:
+        return REPORT_TEXT("report", "in accordance with the edition");
+    }
+    return {};
+}
+
+Mark markOf(Accordance accordance) {
+    switch (accordance) {
+    case Accordance::no:
+        return Mark::warning;
+    case Accordance::notShown:
+    case Accordance::notChecked:
+        return Mark::openCircle;
+    case Accordance::partly:
+    case Accordance::yes:
+        return Mark::check;
+    }
+    return Mark::none;
+}
+
+VerdictStatement accordanceStatement(const Test &test, const TestEvaluation &evaluation,
+                                     const Language &language, bool page) {
+    VerdictStatement result{language.text(REPORT_TEXT_FOR("report", "Test", "part of a verdict")),
+                            markOf(evaluation.accordance()),
+                            accordanceText(test, evaluation, language, page),
+                            {}};
+    const qsizetype colon = result.state.indexOf(QLatin1String(": "));
+    if (colon > 0) {
+        result.text = result.state.mid(colon + 2);
+        result.state.truncate(colon + 1);
+    }
+    return result;
+}
+
+QString accordanceOfAll(std::span<const Accordance> tests, const Language &language) {
+    const auto count = [&](Accordance one) { return static_cast<int>(std::ranges::count(tests, one)); };
+    if (count(Accordance::yes) == static_cast<int>(tests.size()))
+        return language.text(
+            REPORT_TEXT("report", "All tests carried out in accordance with their editions."));
+    struct CountedPart {
+        Accordance accordance = Accordance::notChecked;
+        Text words;
+    };
+    const std::array parts{
+        CountedPart{Accordance::yes, REPORT_TEXT("report", "Tests in accordance: %1")},
+        CountedPart{Accordance::partly, REPORT_TEXT("report", "; in part: %1")},
+        CountedPart{Accordance::notShown, REPORT_TEXT("report", "; not shown: %1")},
+        CountedPart{Accordance::no, REPORT_TEXT("report", "; NOT: %1")},
+        CountedPart{Accordance::notChecked, REPORT_TEXT("report", "; text not available: %1")}};
+    QString result;
+    for (const CountedPart &part : parts) {
+        const Number number{static_cast<double>(count(part.accordance)), Quantity::count, 0};
+        if (number.value > 0 || part.accordance == Accordance::yes)
+            result += language.sentence({part.words, {number}});
+    }
+    return result + u'.';
+}
+
+} // namespace palmer

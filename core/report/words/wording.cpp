@@ -1,0 +1,331 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report/words/wording.h"
+
+#include "report/words/formula.h"
+
+#include "language/rounding.h"
+
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr int decimalsOfLengths = 2; ///< positions along a linear axis: 0.01 mm
+constexpr int mostPositionDecimals = 3;
+constexpr std::size_t readingsLooked = 2000; ///< enough to see how many decimals positions have
+
+} // namespace
+
+Text verdictText(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::conforms:
+        return REPORT_TEXT("report", "conforms");
+    case Verdict::notProven:
+        return REPORT_TEXT("report", "not proven");
+    case Verdict::doesNotConform:
+        return REPORT_TEXT("report", "does not conform");
+    }
+    return {};
+}
+
+Text limitText(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::conforms:
+        return REPORT_TEXT_FOR("report", "met", "a limit");
+    case Verdict::notProven:
+        return REPORT_TEXT("report", "not proven");
+    case Verdict::doesNotConform:
+        return REPORT_TEXT_FOR("report", "exceeded", "a limit");
+    }
+    return {};
+}
+
+Text limitsText(std::optional<Verdict> verdict, bool anyLimit) {
+    if (!verdict)
+        return anyLimit ? REPORT_TEXT("report", "no verdict")
+                        : REPORT_TEXT_FOR("report", "none agreed", "limits");
+    switch (*verdict) {
+    case Verdict::conforms:
+        return REPORT_TEXT_FOR("report", "met", "limits");
+    case Verdict::notProven:
+        return REPORT_TEXT_FOR("report", "not proven", "limits");
+    case Verdict::doesNotConform:
+        return REPORT_TEXT_FOR("report", "exceeded", "limits");
+    }
+    return {};
+}
+
+Text gradeText(Grade grade) {
+    switch (grade) {
+    case Grade::requirement:
+        return REPORT_TEXT("report", "requirement");
+    case Grade::recommendation:
+        return REPORT_TEXT("report", "recommendation");
+    case Grade::note:
+        return REPORT_TEXT("report", "note");
+    }
+    return {};
+}
+
+Text roleText(TestRole role) {
+    switch (role) {
+    case TestRole::notStated:
+        break;
+    case TestRole::asFound:
+        return REPORT_TEXT("report", "as found");
+    case TestRole::asLeft:
+        return REPORT_TEXT("report", "as left");
+    }
+    return {};
+}
+
+Text purposeText(Purpose purpose) {
+    switch (purpose) {
+    case Purpose::notStated:
+        break;
+    case Purpose::type:
+        return REPORT_TEXT("report", "type test");
+    case Purpose::acceptance:
+        return REPORT_TEXT_FOR("report", "acceptance", "purpose");
+    case Purpose::comparison:
+        return REPORT_TEXT_FOR("report", "comparison", "purpose");
+    case Purpose::periodic:
+        return REPORT_TEXT("report", "periodic check");
+    case Purpose::compensation:
+        return REPORT_TEXT_FOR("report", "compensation", "purpose");
+    case Purpose::afterRepair:
+        return REPORT_TEXT("report", "after repair");
+    case Purpose::afterCollision:
+        return REPORT_TEXT("report", "after collision");
+    case Purpose::other:
+        return REPORT_TEXT("report", "other purpose");
+    }
+    return {};
+}
+
+Text correctionText(CorrectionTo20 correction) {
+    switch (correction) {
+    case CorrectionTo20::notStated:
+        return REPORT_TEXT("report", "not stated");
+    case CorrectionTo20::notApplied:
+        return REPORT_TEXT("report", "not applied");
+    case CorrectionTo20::appliedByInstrument:
+        return REPORT_TEXT("report", "applied by the instrument");
+    case CorrectionTo20::appliedHere:
+        return REPORT_TEXT("report", "applied here");
+    }
+    return {};
+}
+
+QString clauseText(const std::string &clause, const Language &language) {
+    struct Word {
+        std::string_view before; ///< what it stands behind, as the tables write it
+        std::string_view word;
+        Text text;
+    };
+    constexpr std::array words{Word{"", "Annex ", REPORT_TEXT("report", "Annex %1")},
+                               Word{"", "Foreword ", REPORT_TEXT("report", "Foreword %1")},
+                               Word{", ", "Table ", REPORT_TEXT("report", "Table %1")}};
+    for (const Word &one : words) {
+        const std::string mark = std::string(one.before) + std::string(one.word);
+        const auto at = clause.find(mark);
+        if (at == std::string::npos || (one.before.empty() && at != 0))
+            continue;
+        return QString::fromStdString(clause.substr(0, at) + std::string(one.before)) +
+               language.sentence({one.text, {clause.substr(at + mark.size())}, {}});
+    }
+    return QString::fromStdString(clause);
+}
+
+QString standardName(const Language &language, const Edition *edition) {
+    QString word = edition ? QString::fromUtf8(edition->word) : QString();
+    const QLatin1String iso("ISO ");
+    if (!word.startsWith(iso))
+        return word;
+    return language.sentence({REPORT_TEXT_FOR("report", "ISO %1", "after a preposition"),
+                              {word.mid(iso.size()).toStdString()},
+                              {}});
+}
+
+Text senseText(Sense sense) {
+    return sense == Sense::counterclockwise ? REPORT_TEXT("report", "anticlockwise")
+                                            : REPORT_TEXT("report", "clockwise");
+}
+
+bool notCorrected(const TestEvaluation &evaluation) {
+    return std::visit(
+        [](const auto &results) {
+            if constexpr (requires { results.notCorrected; })
+                return results.notCorrected;
+            else
+                return false;
+        },
+        evaluation.results);
+}
+
+QString arrow(Direction direction) {
+    return direction == Direction::positive ? QStringLiteral("↑") : QStringLiteral("↓");
+}
+
+Phrase symbolPhrase(const Symbol &symbol, const std::string &index) {
+    std::vector<Span> spans{{QString::fromUtf8(symbol.base)}};
+    const QString lower = lowerPart(symbol, index);
+    if (!lower.isEmpty())
+        spans.push_back({lower, true});
+    if (*symbol.arrow != 0)
+        spans.push_back({QString::fromUtf8(symbol.arrow)});
+    return Phrase(std::move(spans));
+}
+
+Phrase withSymbols(const QString &sentence, std::span<const Parameter> parameters) {
+    struct Name {
+        QString text;
+        Phrase phrase;
+    };
+    std::vector<Name> names;
+    for (const Parameter &parameter : parameters) {
+        const Phrase phrase = symbolPhrase(parameter.term.symbol, parameter.index);
+        if (phrase.spans.size() < 2 || !phrase.spans[1].subscript)
+            continue;
+        for (const QString &text : {phrase.plain(), QString::fromStdString(plainSymbol(parameter)),
+                                    QString::fromStdString(parameterId(parameter))})
+            names.push_back({text, phrase});
+    }
+    std::ranges::stable_sort(names, {}, [](const Name &name) { return -name.text.size(); });
+
+    const auto isPart = [&](qsizetype at) {
+        return at >= 0 && at < sentence.size() && (sentence[at].isLetterOrNumber() || sentence[at] == u'_');
+    };
+    Phrase result;
+    qsizetype from = 0;
+    for (qsizetype at = 0; at < sentence.size();) {
+        const auto found = std::ranges::find_if(names, [&](const Name &name) {
+            return QStringView(sentence).mid(at).startsWith(name.text) && !isPart(at - 1) &&
+                   !isPart(at + name.text.size());
+        });
+        if (found == names.end()) {
+            ++at;
+            continue;
+        }
+        if (at > from)
+            result.spans.push_back({sentence.mid(from, at - from)});
+        result.spans.insert(result.spans.end(), found->phrase.spans.begin(), found->phrase.spans.end());
+        at += found->text.size();
+        from = at;
+    }
+    if (from < sentence.size())
+        result.spans.push_back({sentence.mid(from)});
+    return result;
+}
+
+Phrase phraseFrom(const QString &formula) {
+    std::vector<Span> spans;
+    for (const FormulaSpan &span : formulaFrom(formula).spans)
+        spans.push_back({span.text, span.subscript});
+    return Phrase(std::move(spans));
+}
+
+QString rulingText(const Parameter &parameter) {
+    QStringList ends;
+    for (const auto &ruling : parameter.ruling) {
+        if (ruling)
+            ends << QString::number(ruling->target) +
+                        (ruling->approach ? arrow(*ruling->approach) : QString());
+    }
+    return ends.join(QStringLiteral(" – "));
+}
+
+Quantity positionQuantity(const PositioningMeasurement &measurement) {
+    return positionQuantity(measurement.axis);
+}
+
+Quantity deviationQuantity(const PositioningMeasurement &measurement) {
+    return deviationQuantity(measurement.axis);
+}
+
+int positionDecimals(const std::vector<double> &positions, Quantity quantity) {
+    if (quantity == Quantity::position)
+        return decimalsOfLengths;
+    int result = 0;
+    for (std::size_t i = 0; i < std::min(positions.size(), readingsLooked); ++i)
+        result = std::max(result, decimalsOf(positions[i], quantity));
+    return std::min(result, mostPositionDecimals);
+}
+
+std::optional<double> finestResolution(const Document &document, const Test &test) {
+    std::optional<double> result;
+    for (const std::string &id : test.instruments) {
+        const auto found = std::ranges::find(document.instruments, id, &Instrument::id);
+        if (found != document.instruments.end() && found->resolution)
+            result = std::min(result.value_or(*found->resolution), *found->resolution);
+    }
+    return result;
+}
+
+CoverageOfResults coverageOf(const TestEvaluation &evaluation, const ReportHead &head) {
+    CoverageOfResults result;
+    for (const Parameter &parameter : evaluation.parameters) {
+        if (!parameter.expandedUncertainty || !isPrinted(parameter, head))
+            continue;
+        if (parameter.decidedBy == UncertaintyMethod::monteCarlo)
+            result.simulated.push_back(symbolPhrase(parameter.term.symbol, parameter.index).plain());
+        else
+            result.factor = true;
+    }
+    return result;
+}
+
+QString uncertaintyHead(const CoverageOfResults &coverage, const Language &language) {
+    if (coverage.mixed())
+        return QStringLiteral("U");
+    return coverage.simulated.empty() ? QStringLiteral("U (k = 2)")
+                                      : language.text(REPORT_TEXT("report", "U (95.45 %)"));
+}
+
+QString coverageNote(const CoverageOfResults &coverage, const Language &language) {
+    if (coverage.simulated.empty())
+        return coverage.factor ? QStringLiteral("k = 2") : QString();
+    if (!coverage.factor)
+        return language.text(REPORT_TEXT("report", "95.45 %"));
+    const QStringList symbols(coverage.simulated.begin(), coverage.simulated.end());
+    return language.sentence({REPORT_TEXT("report", "95.45 % for %1; k = 2 for the others"),
+                              {symbols.join(QStringLiteral(", ")).toStdString()}});
+}
+
+bool guardsSimulated(const TestEvaluation &evaluation) {
+    return std::ranges::any_of(evaluation.parameters, [](const Parameter &p) {
+        return p.guardBand && p.decidedBy == UncertaintyMethod::monteCarlo;
+    });
+}
+
+bool isPrinted(const Parameter &parameter, const ReportHead &head) {
+    if (!parameter.required)
+        return false;
+    return parameter.term.printed == Printed::always ||
+           std::ranges::find(head.include, ReportExtra::meanRepeatability) != head.include.end();
+}
+
+bool isShown(std::string_view targetTerm, const PositioningResults &results) {
+    const bool scatter = std::max(results.positiveRuns, results.negativeRuns) > 1;
+    if (targetTerm.starts_with("range") && results.standardDeviation != DeviationMethod::range)
+        return false;
+    if (!scatter && (targetTerm.starts_with("s") || targetTerm.starts_with("R") || targetTerm == "Ps"))
+        return false;
+    if (targetTerm.ends_with('+'))
+        return results.upward;
+    if (targetTerm.ends_with('-'))
+        return results.downward;
+    return results.upward && results.downward;
+}
+
+const Row *rowOf(const Edition &edition, const Parameter &parameter) {
+    const auto found = std::ranges::find(edition.rows, std::string_view(parameter.term.id),
+                                         [](const Row &row) { return std::string_view(row.term.id); });
+    return found == edition.rows.end() ? nullptr : &*found;
+}
+
+} // namespace palmer
