@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # Run by moc_headers: MOC is the program, FOLDER holds headers.txt and gets mocs.cpp, written anew when it changes.
+cmake_policy(VERSION 3.25)
 file(READ ${FOLDER}/headers.txt headers)
 set(all)
 foreach(header IN LISTS headers)

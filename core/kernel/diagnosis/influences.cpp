@@ -120,7 +120,7 @@ constexpr double micro = 1e6;
 constexpr double milli = 1e3;
 
 // clang-format off
-const std::array rows{
+const std::array influenceRows{
     Influence{InfluenceId::centre, "centre", REPORT_TEXT("report", "Centre %1"), true, "µm", milli, centre},
     Influence{InfluenceId::radius, "radius", REPORT_TEXT("report", "Radius, mean scale"), false, "µm", milli,
               radius},
@@ -152,17 +152,17 @@ const std::array rows{
 } // namespace
 
 std::span<const Influence> influences() {
-    return rows;
+    return influenceRows;
 }
 
 const Influence &influence(InfluenceId id) {
-    return rows[static_cast<std::size_t>(id)];
+    return influenceRows[static_cast<std::size_t>(id)];
 }
 
 const Influence *findInfluence(const char *word) {
-    const auto *const found =
-        std::ranges::find(rows, std::string_view(word), [](const Influence &row) { return row.word; });
-    return found == rows.end() ? nullptr : &*found;
+    const auto *const found = std::ranges::find(influenceRows, std::string_view(word),
+                                                [](const Influence &row) { return row.word; });
+    return found == influenceRows.end() ? nullptr : &*found;
 }
 
 double sinceReversal(const PathPosition &position, PlaneAxis axis) {
