@@ -17,9 +17,18 @@ Number count(std::size_t n) {
     return {static_cast<double>(n), Quantity::count};
 }
 
-double deviation(double position, double value, const PassForm &form) {
+/// What is the same for all readings is settled once: millions are asked for.
+struct DeviationForm : PassForm {
+    explicit DeviationForm(const PassForm &form)
+        : PassForm(form) {}
+
+    bool arePositions = content == "positions";
+    bool isReversed = sign == "targetMinusActual";
+};
+
+double deviation(double position, double value, const DeviationForm &form) {
     double result = 0;
-    if (form.content == "positions") {
+    if (form.arePositions) {
         // Subtracted in the file's units where they are the same: the decimals of the file stay.
         result = form.unit == form.positionUnit
                      ? std::round((value - position) * finest) / finest
@@ -30,7 +39,7 @@ double deviation(double position, double value, const PassForm &form) {
     } else {
         result = form.unit->toBase(value);
     }
-    return form.sign == "targetMinusActual" ? 0 - result : result;
+    return form.isReversed ? 0 - result : result;
 }
 
 void remarkGaps(const PositioningMeasurement &measurement, std::vector<Remark> &remarks) {
@@ -64,10 +73,11 @@ namespace {
 /// The positions of all passes, each once, rising. Most files list the same ones for each pass, in order.
 std::vector<double> positionsOf(const std::vector<Pass> &passes) {
     std::vector<double> positions;
+    if (!passes.empty())
+        positions.reserve(passes.front().readings.size());
     for (const Pass &pass : passes) {
-        if (std::ranges::equal(pass.readings, passes.front().readings, {}, &PassReading::position,
-                               &PassReading::position) &&
-            &pass != &passes.front())
+        if (&pass != &passes.front() && std::ranges::equal(pass.readings, passes.front().readings, {},
+                                                           &PassReading::position, &PassReading::position))
             continue;
         for (const PassReading &reading : pass.readings)
             positions.push_back(reading.position + 0.0); // −0 is 0
@@ -87,7 +97,7 @@ std::size_t placeOf(double position, const std::vector<double> &positions, std::
 
 } // namespace
 
-PositioningMeasurement measurementOf(const std::vector<Pass> &passes, const PassForm &form,
+PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &form,
                                      std::vector<Remark> &remarks) {
     PositioningMeasurement result;
     std::vector<double> positions = positionsOf(passes);
@@ -101,9 +111,10 @@ PositioningMeasurement measurementOf(const std::vector<Pass> &passes, const Pass
                     {REPORT_TEXT("report", "%1 targets and %2 runs are no positioning test; look at the kind "
                                            "and the columns"),
                      {count(positions.size()), count(passes.size())}});
+    const DeviationForm deviations(form);
     std::size_t repeated = 0;
     std::size_t firstRepeated = 0;
-    for (const Pass &pass : passes) {
+    for (Pass &pass : passes) {
         Run run{pass.direction, std::vector<std::optional<double>>(positions.size())};
         std::vector<bool> taken(positions.size());
         std::size_t next = 0;
@@ -116,9 +127,10 @@ PositioningMeasurement measurementOf(const std::vector<Pass> &passes, const Pass
             }
             taken[at] = true;
             if (reading.value)
-                run.deviations[at] = deviation(reading.position, *reading.value, form);
+                run.deviations[at] = deviation(reading.position, *reading.value, deviations);
         }
         result.runs.push_back(std::move(run));
+        pass.readings = {}; // the next run stands where they did
     }
     for (double &position : positions)
         position = form.positionUnit->toBase(position);
