@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace palmer {
 
@@ -40,8 +41,13 @@ char *printParts(double size, char *text) {
     if (digits == 0)
         return at;
     *at++ = '.';
-    for (unsigned i = 0; i < 8; ++i) // one store where the lowest byte is the first
-        at[i] = static_cast<char>('0' + (digits >> 8 * i & 0xFFU));
+    const std::uint64_t signs = digits | 0x3030303030303030U;
+    if constexpr (std::endian::native == std::endian::little) { // the lowest byte is the first: one store
+        std::memcpy(at, &signs, sizeof signs);
+    } else {
+        for (unsigned i = 0; i < sizeof signs; ++i)
+            at[i] = static_cast<char>(signs >> 8 * i & 0xFFU);
+    }
     return at + (8 - std::countl_zero(digits) / 8);
 }
 

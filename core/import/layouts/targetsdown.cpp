@@ -183,8 +183,8 @@ private:
         std::size_t most = 0;
         for (const Line &line : m_lines)
             most = std::max(most, sizeOf(line));
-        const auto found =
-            std::ranges::find_if(m_lines, [&](const Line &line) { return 2 * sizeOf(line) < most; });
+        const auto found = std::ranges::find_if(
+            m_lines, [&](const Line &line) { return sizeOf(line) > 0 && 2 * sizeOf(line) < most; });
         return found == m_lines.end() ? std::nullopt
                                       : std::optional(found->placed.pass.readings.front().line);
     }
