@@ -45,12 +45,12 @@ std::future<std::string> hashOf(const QByteArray &bytes) {
 void keepMemory([[maybe_unused]] qint64 fileSize) {
 #ifdef __GLIBC__
     constexpr qint64 isLong = 4 << 20;
-    constexpr qint64 mostAtOnce = 512 << 20;
+    constexpr qint64 mostAtOnce = 256 << 20;
     if (fileSize < isLong)
         return;
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-    const QByteArray room(std::min(16 * fileSize, mostAtOnce), Qt::Uninitialized);
+    const QByteArray room(std::min(8 * fileSize, mostAtOnce), Qt::Uninitialized);
     inLargePages(room.constData(), static_cast<std::size_t>(room.size())); // for all that will stand there
 #endif
 }

@@ -19,7 +19,11 @@ struct PlacedPass {
     std::vector<std::uint32_t> cells; ///< of the table
 
     void add(TableReading &reading, std::uint32_t row, double position, std::size_t column) {
-        pass.readings.push_back({position, reading.number(row, column), reading.row(row).line});
+        PassReading &added = pass.readings.emplace_back(); // in its place: each copy waited for its parts
+        added.position = position;
+        added.line = reading.row(row).line;
+        if (const auto value = reading.number(row, column))
+            added.value = *value;
         if (column < reading.row(row).count)
             cells.push_back(reading.row(row).first + static_cast<std::uint32_t>(column));
     }

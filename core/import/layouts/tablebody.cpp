@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/tablebody.h"
 
+#include "document/digit.h"
 #include "document/documenterror.h"
 #include "import/filenotes.h"
 #include "import/layouts/tableheadings.h"
@@ -225,6 +226,8 @@ private:
         std::size_t dashes = 0;
         for (const TableCell &cell : m_table.cells(row)) {
             const std::string_view text = m_table.text(cell);
+            if (!text.empty() && isDigit(text.front())) // as in most rows
+                return false;
             if (text.find_first_not_of("-:=_+ ") != std::string_view::npos)
                 return false;
             dashes += text.find("--") != std::string_view::npos ? 1 : 0;
