@@ -5528,6 +5528,10 @@
         <translation>Le classeur a %1 feuilles&#x202f;; «&#xa0;%2&#xa0;» est lue, qui est masquée.</translation>
     </message>
     <message>
+        <source>Hidden sheets: %1.</source>
+        <translation>Feuilles masquées&#xa0;: %1.</translation>
+    </message>
+    <message>
         <source>The workbook has %1 sheets, several with a measurement; “%2” is read.</source>
         <translation>Le classeur a %1 feuilles, dont plusieurs avec une mesure&#x202f;; «&#xa0;%2&#xa0;» est lue.</translation>
     </message>

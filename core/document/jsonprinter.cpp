@@ -8,31 +8,47 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <cstring>
 
 namespace palmer {
 
 namespace {
 
+/// A number below 10⁸ with all eight digits, the first in the lowest byte: pairs, then digits at once.
+std::uint64_t eightDigits(std::uint64_t number) {
+    const std::uint64_t fours = number / 10000 | number % 10000 << 32U;
+    const std::uint64_t hundreds = fours * 10486 >> 20U & 0x0000007F0000007FU; // each / 100
+    const std::uint64_t pairs = hundreds | (fours - 100 * hundreds) << 16U;
+    const std::uint64_t tens = pairs * 103 >> 10U & 0x000F000F000F000FU; // each / 10
+    return tens | (pairs - 10 * tens) << 8U;
+}
+
 /// The digits of a number with at most seven decimals, as those of readings, or null: a whole number of such
 /// parts below 10¹⁵ is the shortest decimal that says the double nearest to it.
 char *printParts(double size, char *text) {
-    constexpr double parts = 1e7;
-    constexpr std::ptrdiff_t decimals = 7;
-    const double whole = std::nearbyint(size * parts);
-    if (!(whole < 1e15) || whole / parts != size)
+    constexpr std::int64_t parts = 10'000'000;
+    constexpr double scale = parts;
+    if (!(size < 1e8))
         return nullptr;
-    std::array<char, 24> digits{};
-    const char *const end =
-        std::to_chars(digits.data(), digits.data() + digits.size(), static_cast<std::uint64_t>(whole)).ptr;
-    const std::ptrdiff_t zeros = std::max<std::ptrdiff_t>(decimals + 1 - (end - digits.data()), 0);
-    char *at = std::fill_n(text, zeros, '0');
-    at = std::copy(static_cast<const char *>(digits.data()), end, at);
-    std::copy_backward(at - decimals, at, at + 1);
-    at[-decimals] = '.';
-    while (*at == '0')
-        --at;
-    return *at == '.' ? at : at + 1;
+    const auto whole = static_cast<std::int64_t>(size * scale + 0.5);
+    if (static_cast<double>(whole) / scale != size)
+        return nullptr;
+    constexpr std::size_t longest = 9;
+    char *at = std::to_chars(text, text + longest, whole / parts).ptr;
+    const std::uint64_t digits = eightDigits(static_cast<std::uint64_t>(whole % parts) * 10);
+    if (digits == 0)
+        return at;
+    *at++ = '.';
+    const std::uint64_t signs = digits | 0x3030303030303030U;
+    if constexpr (std::endian::native == std::endian::little) { // the lowest byte is the first: one store
+        std::memcpy(at, &signs, sizeof signs);
+    } else {
+        for (unsigned i = 0; i < sizeof signs; ++i)
+            at[i] = static_cast<char>(signs >> 8 * i & 0xFFU);
+    }
+    return at + (8 - std::countl_zero(digits) / 8);
 }
 
 } // namespace
@@ -42,24 +58,24 @@ void JsonPrinter::number(double value, const Place &place) {
         throw Error(Error::Kind::unwritable,
                     {REPORT_TEXT("report", "a file cannot hold a number that is not finite"), {}, {}},
                     place.text());
-    std::array<char, 64> digits{};
+    constexpr std::size_t longest = 64;
+    char *const begin = room(longest);
     const double size = std::abs(value);
-    if (char *const end = printParts(size, digits.data() + 1)) {
-        digits[0] = '-';
-        const std::ptrdiff_t first = value < 0 ? 0 : 1;
-        append(digits.data() + first, end);
-        return;
+    *begin = '-';
+    char *end = printParts(size, begin + (value < 0 ? 1 : 0));
+    if (!end) {
+        // Positions and deviations as people write them; an exponent only beyond.
+        const bool plain = size >= 1e-7 && size < 1e15;
+        end = std::to_chars(begin, begin + longest, value,
+                            plain ? std::chars_format::fixed : std::chars_format::scientific)
+                  .ptr;
     }
-    // Positions and deviations as people write them; an exponent only beyond.
-    const bool plain = size >= 1e-7 && size < 1e15;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value,
-                                   plain ? std::chars_format::fixed : std::chars_format::scientific);
-    append(digits.data(), end.ptr);
+    m_size += static_cast<std::size_t>(end - begin);
 }
 
 void JsonPrinter::expect(std::size_t characters) {
-    m_text.reserve(m_text.size() + static_cast<qsizetype>(characters));
-    inLargePages(m_text.constData(), static_cast<std::size_t>(m_text.capacity()));
+    m_text.resize(std::max(m_text.size(), static_cast<qsizetype>(m_size + characters)));
+    inLargePages(m_text.constData(), static_cast<std::size_t>(m_text.size()));
 }
 
 void JsonPrinter::text(std::string_view utf8) {
@@ -69,9 +85,9 @@ void JsonPrinter::text(std::string_view utf8) {
         append(nlohmann::json(utf8).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
         return;
     }
-    m_text += '"';
+    append('"');
     append(utf8);
-    m_text += '"';
+    append('"');
 }
 
 void JsonPrinter::object(std::span<const JsonMember> members, const Place &place) {
@@ -81,7 +97,7 @@ void JsonPrinter::object(std::span<const JsonMember> members, const Place &place
     open('{');
     for (const JsonMember &member : members) {
         if (&member != &members.front()) {
-            m_text += ',';
+            append(',');
             newLine();
         }
         text(member.key);
@@ -92,31 +108,43 @@ void JsonPrinter::object(std::span<const JsonMember> members, const Place &place
 }
 
 bool JsonPrinter::printOnThisLine(std::span<const JsonMember> members, const Place &place) {
-    const qsizetype begin = m_text.size();
+    const std::size_t begin = m_size;
     const bool whole = std::exchange(m_oneLine, true);
-    m_text += '{';
+    append('{');
     for (const JsonMember &member : members) {
         append(&member != &members.front() ? ", " : "");
         text(member.key);
         append(": ");
         member.print(*this, Place(place, member.key));
     }
-    m_text += '}';
+    append('}');
     m_oneLine = whole;
     if (whole || members.empty() || column() < lineLength)
         return true;
-    m_text.resize(begin);
+    m_size = begin;
     return false;
 }
 
+/// In the place of a character; what follows it moves behind the blanks of the next line.
+void JsonPrinter::breakLine(std::size_t at) {
+    char *const end = room(m_indent);
+    char *const next = m_text.data() + at;
+    std::copy_backward(next + 1, end, end + m_indent);
+    *next = '\n';
+    std::fill_n(next + 1, m_indent, ' ');
+    m_size += m_indent;
+    m_lineBegin = at + 1;
+}
+
 void JsonPrinter::newLine() {
-    m_text += '\n';
+    append('\n');
     m_lineBegin = size();
-    m_text.append(static_cast<qsizetype>(m_indent), ' ');
+    std::fill_n(room(m_indent), m_indent, ' ');
+    m_size += m_indent;
 }
 
 void JsonPrinter::open(char bracket) {
-    m_text += bracket;
+    append(bracket);
     m_indent += indentation;
     newLine();
 }
@@ -124,7 +152,7 @@ void JsonPrinter::open(char bracket) {
 void JsonPrinter::close(char bracket) {
     m_indent -= indentation;
     newLine();
-    m_text += bracket;
+    append(bracket);
 }
 
 } // namespace palmer

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace palmer {
 
@@ -21,18 +22,27 @@ Number counted(std::size_t n) {
     return {static_cast<double>(n), Quantity::count};
 }
 
-std::vector<double> readingsOf(const Run &run) {
-    std::vector<double> values;
-    for (const auto &value : run.deviations) {
-        if (value)
-            values.push_back(*value);
-    }
-    return values;
-}
+struct ReadingRange {
+    std::size_t readings = 0;
+    double low = std::numeric_limits<double>::infinity();
+    double high = -std::numeric_limits<double>::infinity();
 
-double spreadOf(const std::vector<double> &values) {
-    const auto [low, high] = std::ranges::minmax(values);
-    return high - low;
+    [[nodiscard]] double farthest() const {
+        return readings > 0 ? std::max(std::abs(low), std::abs(high)) : 0;
+    }
+    [[nodiscard]] double spread() const { return readings > 1 ? high - low : 0; }
+};
+
+ReadingRange rangeOf(const Run &run) {
+    ReadingRange range;
+    for (const auto &value : run.deviations) {
+        if (!value)
+            continue;
+        ++range.readings;
+        range.low = std::min(range.low, *value);
+        range.high = std::max(range.high, *value);
+    }
+    return range;
 }
 
 void questionSize(double largest, bool angular, std::vector<Remark> &remarks) {
@@ -50,6 +60,8 @@ bool equalTargets(const PositioningMeasurement &measurement, const Run &run) {
     for (std::size_t i = 0; i < run.deviations.size(); ++i) {
         if (!run.deviations[i])
             continue;
+        if (!same && !opposite)
+            return false;
         // As numbers of any unit: 100 µm at 100 mm.
         const double value = *run.deviations[i];
         const auto equals = [&](double target) {
@@ -66,12 +78,10 @@ void question(const PositioningMeasurement &measurement, std::vector<Remark> &re
     std::vector<double> spreads;
     double largest = 0;
     for (std::size_t j = 0; j < measurement.runs.size(); ++j) {
-        const std::vector<double> values = readingsOf(measurement.runs[j]);
-        for (const double value : values)
-            largest = std::max(largest, std::abs(value));
-        spreads.push_back(values.size() > 1 ? spreadOf(values) : 0);
-        const bool zero = std::ranges::all_of(values, [](double value) { return value == 0; });
-        if (values.size() > 1 && zero)
+        const ReadingRange range = rangeOf(measurement.runs[j]);
+        largest = std::max(largest, range.farthest());
+        spreads.push_back(range.spread());
+        if (range.readings > 1 && range.farthest() == 0)
             doubt(remarks,
                   {REPORT_TEXT("report", "All readings of run %1 are zero: was it measured at all?"),
                    {counted(j + 1)}},

@@ -162,8 +162,10 @@ std::string fromGb18030(std::string_view bytes) {
 void demandText(std::string &text) {
     if (text.ends_with('\x1A'))
         text.pop_back();
+    constexpr unsigned allowed = 1U << '\t' | 1U << '\n' | 1U << '\r' | 1U << '\f';
     const auto isControl = [](char c) {
-        return static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
+        const unsigned byte = static_cast<unsigned char>(c);
+        return byte < 0x20 && (allowed >> byte & 1U) == 0;
     };
     auto found = text.begin();
     for (std::uint64_t block = 0; text.end() - found >= static_cast<std::ptrdiff_t>(sizeof block);

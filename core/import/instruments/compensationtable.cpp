@@ -194,7 +194,7 @@ FoundTable readControlTable(QByteArrayView bytes, QStringView fileName) {
         return readWeihongTable(text, false);
     if (name == "Palmer") // what was written for LinuxCNC with a comment before it
         return readLinuxcncTable(text, LinuxcncValues::positions);
-    if (name == linuxcnc) {
+    if (name == linuxcnc || (!control && isTriplets(text))) { // who compares a table says that it is one
         const LinuxcncValues values = valuesOf(text);
         FoundTable found = readLinuxcncTable(text, values);
         found.remarks.push_back(

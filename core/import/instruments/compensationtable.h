@@ -43,8 +43,9 @@ struct FoundTable {
 /// without it they may be a measurement.
 [[nodiscard]] const char *controlOfTable(QByteArrayView bytes, QStringView fileName);
 
-/// The table as that control reads it, as far as its rules are public. Throws Error, with line and column
-/// where there is one, for what is no table or one whose rules are not known.
+/// The table as that control reads it, as far as its rules are public; three numbers a line are one of
+/// LinuxCNC under any name. Throws Error, with line and column where there is one, for what is no table or
+/// one whose rules are not known.
 [[nodiscard]] FoundTable readControlTable(QByteArrayView bytes, QStringView fileName);
 
 /// How the values of LinuxCNC are meant: COMP_FILE_TYPE 0, actual positions, or 1, what is added.

@@ -77,7 +77,7 @@ public:
 
     void read() {
         collect();
-        const std::vector<Pass> passes = passesOf();
+        std::vector<Pass> passes = passesOf();
         m_choices.settle("content", "positions", Origin::recognised);
         const bool stated = m_unit != nullptr;
         const auto choice =
@@ -101,7 +101,7 @@ public:
                          {"positionUnit", std::string(form.positionUnit->word)}});
         form.sign = "actualMinusTarget";
         Test test;
-        PositioningMeasurement measurement = measurementOf(passes, form, m.remarks);
+        PositioningMeasurement measurement = measurementOf(std::move(passes), form, m.remarks);
         measurement.axis.name = m_choices.settle("axis", m_axis, Origin::recognised).value;
         test.edition = m_choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
         test.measurement = std::move(measurement);

@@ -120,7 +120,7 @@ void readPosText(const ImportSource &source, Choices &choices, Imported &importe
         throw Error(
             Error::Kind::content,
             {REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations")});
-    const std::vector<Pass> passes = passesOf(tables, choices, imported.remarks);
+    std::vector<Pass> passes = passesOf(tables, choices, imported.remarks);
     imported.remarks.push_back(
         {RemarkGrade::note,
          {REPORT_TEXT("report", "The file holds means of runs, not the runs: R and A say little.")}});
@@ -142,7 +142,7 @@ void readPosText(const ImportSource &source, Choices &choices, Imported &importe
                     {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
                      {"positionUnit", std::string(form.positionUnit->word)}});
     Test test;
-    PositioningMeasurement measurement = measurementOf(passes, form, imported.remarks);
+    PositioningMeasurement measurement = measurementOf(std::move(passes), form, imported.remarks);
     measurement.axis.name = choices.settle("axis", "", Origin::recognised).value;
     test.edition = choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
     test.measurement = std::move(measurement);

@@ -13,8 +13,10 @@ std::vector<double> ColumnStep::valuesOf(std::size_t column) const {
     for (const TableBlock &block : m.body.blocks) {
         for (const std::uint32_t row : block.rows) {
             const TableCell *cell = m.cell(row, column);
-            if (cell && cell->isNumber() && values.size() < enough)
+            if (cell && cell->isNumber())
                 values.push_back(cell->value);
+            if (values.size() == enough)
+                return values;
         }
     }
     return values;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <future>
 
 namespace palmer {
 
@@ -17,9 +18,18 @@ Number count(std::size_t n) {
     return {static_cast<double>(n), Quantity::count};
 }
 
-double deviation(double position, double value, const PassForm &form) {
+/// What is the same for all readings is settled once: millions are asked for.
+struct DeviationForm : PassForm {
+    explicit DeviationForm(const PassForm &form)
+        : PassForm(form) {}
+
+    bool arePositions = content == "positions";
+    bool isReversed = sign == "targetMinusActual";
+};
+
+double deviation(double position, double value, const DeviationForm &form) {
     double result = 0;
-    if (form.content == "positions") {
+    if (form.arePositions) {
         // Subtracted in the file's units where they are the same: the decimals of the file stay.
         result = form.unit == form.positionUnit
                      ? std::round((value - position) * finest) / finest
@@ -30,7 +40,7 @@ double deviation(double position, double value, const PassForm &form) {
     } else {
         result = form.unit->toBase(value);
     }
-    return form.sign == "targetMinusActual" ? 0 - result : result;
+    return form.isReversed ? 0 - result : result;
 }
 
 void remarkGaps(const PositioningMeasurement &measurement, std::vector<Remark> &remarks) {
@@ -64,10 +74,11 @@ namespace {
 /// The positions of all passes, each once, rising. Most files list the same ones for each pass, in order.
 std::vector<double> positionsOf(const std::vector<Pass> &passes) {
     std::vector<double> positions;
+    if (!passes.empty())
+        positions.reserve(passes.front().readings.size());
     for (const Pass &pass : passes) {
-        if (std::ranges::equal(pass.readings, passes.front().readings, {}, &PassReading::position,
-                               &PassReading::position) &&
-            &pass != &passes.front())
+        if (&pass != &passes.front() && std::ranges::equal(pass.readings, passes.front().readings, {},
+                                                           &PassReading::position, &PassReading::position))
             continue;
         for (const PassReading &reading : pass.readings)
             positions.push_back(reading.position + 0.0); // −0 is 0
@@ -85,9 +96,35 @@ std::size_t placeOf(double position, const std::vector<double> &positions, std::
     return static_cast<std::size_t>(std::ranges::lower_bound(positions, position) - positions.begin());
 }
 
+/// A run, its readings at the positions of all.
+struct SortedPass {
+    Run run;
+    std::size_t repeated = 0; ///< readings where one is already
+    std::size_t firstRepeated = 0;
+};
+
+SortedPass sortedPass(Pass &pass, const std::vector<double> &positions, const DeviationForm &form) {
+    SortedPass result{{pass.direction, std::vector<std::optional<double>>(positions.size())}};
+    std::vector<bool> taken(positions.size());
+    std::size_t next = 0;
+    for (const PassReading &reading : pass.readings) {
+        const std::size_t at = placeOf(reading.position, positions, next);
+        next = at + 1;
+        if (taken[at]) {
+            result.firstRepeated = result.repeated++ == 0 ? reading.line : result.firstRepeated;
+            continue;
+        }
+        taken[at] = true;
+        if (reading.value)
+            result.run.deviations[at] = deviation(reading.position, *reading.value, form);
+    }
+    pass.readings = {}; // the next run stands where they did
+    return result;
+}
+
 } // namespace
 
-PositioningMeasurement measurementOf(const std::vector<Pass> &passes, const PassForm &form,
+PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &form,
                                      std::vector<Remark> &remarks) {
     PositioningMeasurement result;
     std::vector<double> positions = positionsOf(passes);
@@ -101,24 +138,24 @@ PositioningMeasurement measurementOf(const std::vector<Pass> &passes, const Pass
                     {REPORT_TEXT("report", "%1 targets and %2 runs are no positioning test; look at the kind "
                                            "and the columns"),
                      {count(positions.size()), count(passes.size())}});
+    const DeviationForm deviations(form);
     std::size_t repeated = 0;
     std::size_t firstRepeated = 0;
-    for (const Pass &pass : passes) {
-        Run run{pass.direction, std::vector<std::optional<double>>(positions.size())};
-        std::vector<bool> taken(positions.size());
-        std::size_t next = 0;
-        for (const PassReading &reading : pass.readings) {
-            const std::size_t at = placeOf(reading.position, positions, next);
-            next = at + 1;
-            if (taken[at]) {
-                firstRepeated = repeated++ == 0 ? reading.line : firstRepeated;
-                continue;
-            }
-            taken[at] = true;
-            if (reading.value)
-                run.deviations[at] = deviation(reading.position, *reading.value, form);
-        }
-        result.runs.push_back(std::move(run));
+    const auto take = [&](SortedPass sorted) {
+        firstRepeated = repeated == 0 ? sorted.firstRepeated : firstRepeated;
+        repeated += sorted.repeated;
+        result.runs.push_back(std::move(sorted.run));
+    };
+    // Two passes at once where they are long.
+    constexpr std::size_t isLong = 100'000;
+    const auto when = positions.size() > isLong ? std::launch::async : std::launch::deferred;
+    for (std::size_t j = 0; j < passes.size(); j += 2) {
+        std::future<SortedPass> second;
+        if (j + 1 < passes.size())
+            second = std::async(when, [&, j] { return sortedPass(passes[j + 1], positions, deviations); });
+        take(sortedPass(passes[j], positions, deviations));
+        if (second.valid())
+            take(second.get());
     }
     for (double &position : positions)
         position = form.positionUnit->toBase(position);
@@ -150,25 +187,45 @@ std::vector<Pass> inCycles(std::vector<Pass> passes) {
     return result;
 }
 
-bool arePositions(const std::vector<Pass> &passes) {
-    double low = INFINITY;
+namespace {
+
+/// Of all readings.
+struct PassRange {
+    double low = INFINITY; ///< of the positions
     double high = -INFINITY;
-    double largest = 0;    // of the values
-    double difference = 0; // of value and position
-    std::size_t n = 0;
+    double lowValue = INFINITY;
+    double highValue = -INFINITY;
+    double difference = 0; ///< of value and position
+    std::size_t readings = 0;
+
+    [[nodiscard]] bool arePositions() const {
+        const double largest = std::max(std::abs(lowValue), std::abs(highValue));
+        const double size = std::max(high - low, std::abs(high));
+        return readings > 1 && high > low && difference < 0.1 * size && largest > 0.5 * size;
+    }
+};
+
+PassRange passRange(const std::vector<Pass> &passes) {
+    PassRange range;
     for (const Pass &pass : passes) {
         for (const PassReading &reading : pass.readings) {
             if (!reading.value)
                 continue;
-            ++n;
-            low = std::min(low, reading.position);
-            high = std::max(high, reading.position);
-            largest = std::max(largest, std::abs(*reading.value));
-            difference = std::max(difference, std::abs(*reading.value - reading.position));
+            ++range.readings;
+            range.low = std::min(range.low, reading.position);
+            range.high = std::max(range.high, reading.position);
+            range.lowValue = std::min(range.lowValue, *reading.value);
+            range.highValue = std::max(range.highValue, *reading.value);
+            range.difference = std::max(range.difference, std::abs(*reading.value - reading.position));
         }
     }
-    const double size = std::max(high - low, std::abs(high));
-    return n > 1 && high > low && difference < 0.1 * size && largest > 0.5 * size;
+    return range;
+}
+
+} // namespace
+
+bool arePositions(const std::vector<Pass> &passes) {
+    return passRange(passes).arePositions();
 }
 
 namespace {
@@ -176,22 +233,15 @@ namespace {
 /// The choices of the form, one after the other: each may hang on those before.
 class FormSettler {
 public:
-    FormSettler(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
+    FormSettler(const PassRange &range, const StatedForm &stated, Choices &choices,
                 std::vector<Remark> &remarks)
         : m_stated(stated)
         , m_choices(choices)
         , m_remarks(remarks)
-        , m_followTargets(arePositions(passes)) {
-        for (const Pass &pass : passes) {
-            for (const PassReading &reading : pass.readings) {
-                if (!reading.value)
-                    continue;
-                m_low = std::min(m_low, *reading.value);
-                m_high = std::max(m_high, *reading.value);
-                m_farthest = std::max(m_farthest, std::abs(reading.position));
-            }
-        }
-    }
+        , m_low(range.lowValue)
+        , m_high(range.highValue)
+        , m_farthest(range.readings > 0 ? std::max(std::abs(range.low), std::abs(range.high)) : 0)
+        , m_followTargets(range.arePositions()) {}
 
     PassForm settle() {
         settleContent();
@@ -323,10 +373,10 @@ private:
     Choices &m_choices;
     std::vector<Remark> &m_remarks;
     PassForm m_form;
-    double m_low = INFINITY;
-    double m_high = -INFINITY;
-    double m_farthest = 0; ///< target, by size
-    bool m_followTargets = false;
+    double m_low;
+    double m_high;
+    double m_farthest; ///< target, by size
+    bool m_followTargets;
     bool m_positions = false;
     bool m_angular = false;
 };
@@ -335,7 +385,7 @@ private:
 
 PassForm settleForm(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
                     std::vector<Remark> &remarks) {
-    return FormSettler(passes, stated, choices, remarks).settle();
+    return FormSettler(passRange(passes), stated, choices, remarks).settle();
 }
 
 } // namespace palmer

@@ -39,7 +39,7 @@ struct PassForm {
 /// actual − target in mm or degrees. Differences of positions are rounded to 1e-10, far below any
 /// instrument: 150.712 − 150.71 is 0.002. Remarks: two readings in one place (the first stays), a run of
 /// zeros, gaps, runs that differ in number.
-[[nodiscard]] PositioningMeasurement measurementOf(const std::vector<Pass> &passes, const PassForm &form,
+[[nodiscard]] PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &form,
                                                    std::vector<Remark> &remarks);
 
 /// The numbers of both directions, one after the other: ↑1 ↓1 ↑2 ↓2 …, as the standard cycle measures.

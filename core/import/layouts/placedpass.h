@@ -11,12 +11,22 @@
 
 namespace palmer {
 
-/// A pass with the places its readings stand at, for the colours, and what the table says of it.
+/// A pass with the cells its readings stand in, for the colours, and what the table says of it.
 struct PlacedPass {
     std::optional<Direction> direction;
     unsigned number = 0; ///< of the run, from 1; 0: not stated
     Pass pass;
-    std::vector<std::pair<std::uint32_t, std::size_t>> places;
+    std::vector<std::uint32_t> cells; ///< of the table
+
+    void add(TableReading &reading, std::uint32_t row, double position, std::size_t column) {
+        PassReading &added = pass.readings.emplace_back(); // in its place: each copy waited for its parts
+        added.position = position;
+        added.line = reading.row(row).line;
+        if (const auto value = reading.number(row, column))
+            added.value = *value;
+        if (column < reading.row(row).count)
+            cells.push_back(reading.row(row).first + static_cast<std::uint32_t>(column));
+    }
 };
 
 /// What is found in a table of a positioning test, before units and signs.

@@ -129,10 +129,9 @@ std::string axisName(const TableReading &reading) {
 
 void colour(const std::vector<PlacedPass> &passes, TableReading &reading) {
     for (const PlacedPass &placed : passes) {
-        for (const auto &[row, column] : placed.places)
-            reading.setRole(row, column,
-                            *placed.direction == Direction::positive ? CellRole::positive
-                                                                     : CellRole::negative);
+        for (const std::uint32_t cell : placed.cells)
+            reading.result.roles[cell] =
+                *placed.direction == Direction::positive ? CellRole::positive : CellRole::negative;
     }
 }
 
@@ -196,7 +195,7 @@ void readPositioning(TableReading &reading) {
     askForOtherQuantity(reading);
     settleDirections(found, reading);
     colour(found.passes, reading);
-    const std::vector<Pass> passes = inOrder(std::move(found.passes));
+    std::vector<Pass> passes = inOrder(std::move(found.passes));
     // "Unit: µm" above positions is that of something else: asked.
     const Unit *noted = reading.notes.unit;
     const bool isTooSmall = noted && noted->toBase(1) < 1 && arePositions(passes);
@@ -204,7 +203,7 @@ void readPositioning(TableReading &reading) {
     const PassForm form =
         settleForm(passes, {found.content, found.sign, unit, found.positionUnit, signOf(reading)},
                    reading.choices, reading.result.remarks);
-    PositioningMeasurement measurement = measurementOf(passes, form, reading.result.remarks);
+    PositioningMeasurement measurement = measurementOf(std::move(passes), form, reading.result.remarks);
     measurement.axis.name = reading.choices.settle("axis", axisName(reading), Origin::recognised).value;
     Test test;
     test.edition = reading.choices.settle("edition", latestPositioningEdition, Origin::recognised).value;

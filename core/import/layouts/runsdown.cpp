@@ -89,10 +89,8 @@ private:
         else if (heading.direction)
             placed.direction = heading.direction;
         placed.number = heading.number.value_or(0);
-        for (const auto &[column, position] : m_targets) {
-            placed.pass.readings.push_back({position, m.number(row, column), m.row(row).line});
-            placed.places.emplace_back(row, column);
-        }
+        for (const auto &[column, position] : m_targets)
+            placed.add(m, row, position, column);
         m_found.passes.push_back(std::move(placed));
         m_labels.push_back({heading, unit, label, m.row(row).line});
     }

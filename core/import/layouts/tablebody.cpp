@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/tablebody.h"
 
+#include "document/digit.h"
 #include "document/documenterror.h"
 #include "import/filenotes.h"
 #include "import/layouts/tableheadings.h"
@@ -35,7 +36,7 @@ bool isAxisLetter(const CellTable &table, const TableCell &cell) {
 }
 
 std::size_t numberCount(std::span<const TableCell> cells) {
-    return static_cast<std::size_t>(std::ranges::count_if(cells, &TableCell::isNumber));
+    return static_cast<std::size_t>(std::ranges::count(cells, CellKind::number, &TableCell::kind));
 }
 
 /// The number of columns under which most numbers stand.
@@ -127,13 +128,17 @@ public:
     }
 
     void sort() {
-        const bool gapsCount = gapsSeparate();
+        std::vector<bool> areBody;
+        areBody.reserve(m_table.rows().size());
+        for (const TableRow &row : m_table.rows())
+            areBody.push_back(!row.comment && isBodyRow(row));
+        const bool gapsCount = gapsSeparate(areBody);
         std::uint32_t lastLine = 0; // that belongs to the table
         for (std::uint32_t i = 0; i < m_table.rows().size(); ++i) {
             const TableRow &row = m_table.rows()[i];
             if (isRule(row)) {
                 lastLine = row.line;
-            } else if (row.comment || !isBodyRow(row)) {
+            } else if (!areBody[i]) {
                 if (takeHead(i, row))
                     lastLine = row.line;
             } else if (hasNumbersBeyond(row)) {
@@ -221,6 +226,8 @@ private:
         std::size_t dashes = 0;
         for (const TableCell &cell : m_table.cells(row)) {
             const std::string_view text = m_table.text(cell);
+            if (!text.empty() && isDigit(text.front())) // as in most rows
+                return false;
             if (text.find_first_not_of("-:=_+ ") != std::string_view::npos)
                 return false;
             dashes += text.find("--") != std::string_view::npos ? 1 : 0;
@@ -282,12 +289,13 @@ private:
     }
 
     /// Empty lines part blocks, unless they stand everywhere.
-    [[nodiscard]] bool gapsSeparate() const {
+    [[nodiscard]] bool gapsSeparate(const std::vector<bool> &areBody) const {
         std::size_t gaps = 0;
         std::size_t rows = 0;
         std::uint32_t last = 0;
-        for (const TableRow &row : m_table.rows()) {
-            if (row.comment || !isBodyRow(row))
+        for (std::size_t i = 0; i < areBody.size(); ++i) {
+            const TableRow &row = m_table.rows()[i];
+            if (!areBody[i])
                 continue;
             gaps += rows > 0 && row.line > last + 1 ? 1 : 0;
             ++rows;

@@ -24,11 +24,6 @@ TableReading::TableReading(Imported &imported, Choices &chosen)
     result.remarks.insert(result.remarks.end(), body.remarks.begin(), body.remarks.end());
 }
 
-const TableCell *TableReading::cell(std::uint32_t index, std::size_t column) const {
-    const auto cells = table().cells(row(index));
-    return column < cells.size() ? &cells[column] : nullptr;
-}
-
 std::string_view TableReading::cellText(std::uint32_t index, std::size_t column) const {
     const TableCell *found = cell(index, column);
     return found ? table().text(*found) : std::string_view();
@@ -41,12 +36,10 @@ std::string TableReading::textOf(std::uint32_t index) const {
     return line;
 }
 
-std::optional<double> TableReading::number(std::uint32_t index, std::size_t column) {
+std::optional<double> TableReading::noNumber(std::uint32_t index, std::size_t column) {
     const TableCell *found = cell(index, column);
     if (!found || found->kind == CellKind::empty)
         return {};
-    if (found->isNumber())
-        return found->value;
     if (found->kind == CellKind::missing) {
         if (++m_missingWords == 1)
             remark(RemarkGrade::note,
@@ -67,11 +60,6 @@ std::optional<double> TableReading::number(std::uint32_t index, std::size_t colu
          column + 1,
          "unread"});
     return {};
-}
-
-void TableReading::setRole(std::uint32_t index, std::size_t column, CellRole role) {
-    if (column < row(index).count)
-        result.roles[row(index).first + column] = role;
 }
 
 void TableReading::remark(RemarkGrade grade, Message message, std::size_t line, std::string choice) {

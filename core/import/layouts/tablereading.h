@@ -15,14 +15,23 @@ public:
     [[nodiscard]] const CellTable &table() const { return result.table; }
     [[nodiscard]] const TableRow &row(std::uint32_t index) const { return result.table.rows()[index]; }
     /// The cell of the row of that index, or null where the row is too short.
-    [[nodiscard]] const TableCell *cell(std::uint32_t index, std::size_t column) const;
+    [[nodiscard]] const TableCell *cell(std::uint32_t index, std::size_t column) const {
+        const auto cells = table().cells(row(index));
+        return column < cells.size() ? &cells[column] : nullptr;
+    }
     [[nodiscard]] std::string_view cellText(std::uint32_t index, std::size_t column) const;
     /// All cells of a row, a blank before each.
     [[nodiscard]] std::string textOf(std::uint32_t index) const;
 
     /// The number of a cell; null for a missing one. What is neither is a problem and missing.
-    [[nodiscard]] std::optional<double> number(std::uint32_t index, std::size_t column);
-    void setRole(std::uint32_t index, std::size_t column, CellRole role);
+    [[nodiscard]] std::optional<double> number(std::uint32_t index, std::size_t column) {
+        const TableCell *found = cell(index, column);
+        return found && found->isNumber() ? found->value : noNumber(index, column);
+    }
+    void setRole(std::uint32_t index, std::size_t column, CellRole role) {
+        if (column < row(index).count)
+            result.roles[row(index).first + column] = role;
+    }
 
     void remark(RemarkGrade grade, Message message, std::size_t line = 0, std::string choice = {});
     /// The headings of a block as one text, without those of the columns.
@@ -35,6 +44,8 @@ public:
     std::string axisFound; ///< the one of several in the table that is read
 
 private:
+    std::optional<double> noNumber(std::uint32_t index, std::size_t column);
+
     std::size_t m_missingWords = 0;
 };
 

@@ -83,16 +83,18 @@ private:
     }
 
     void add(PlacedPass &placed, std::uint32_t row, double target, std::size_t column) {
-        const auto own = m_columns.ownTargets.find(column);
-        if (own != m_columns.ownTargets.end()) {
-            const auto ofColumn = targetOf(row, own->second);
-            if (!ofColumn)
-                return;
-            target = *ofColumn;
+        std::size_t targets = m_target;
+        if (!m_columns.ownTargets.empty()) { // seldom, and this is done for each reading
+            if (const auto own = m_columns.ownTargets.find(column); own != m_columns.ownTargets.end()) {
+                const auto ofColumn = targetOf(row, own->second);
+                if (!ofColumn)
+                    return;
+                target = *ofColumn;
+                targets = own->second;
+            }
         }
-        placed.pass.readings.push_back({target, m.number(row, column), m.row(row).line});
-        placed.places.emplace_back(row, column);
-        m.setRole(row, own != m_columns.ownTargets.end() ? own->second : m_target, CellRole::position);
+        placed.add(m, row, target, column);
+        m.setRole(row, targets, CellRole::position);
     }
 
     // ---- several axes: a column that names them, or titles of blocks
@@ -165,8 +167,8 @@ private:
             }
         }
         m_found.hasHints |= m_codesAreGuessed;
-        if (const auto row = m_repeated ? m_repeated : fragment())
-            askForRepeated(*row);
+        if (const auto line = m_repeated ? m_repeated : fragment())
+            askForRepeated(*line);
         for (Line &line : m_lines)
             m_found.passes.push_back(std::move(line.placed));
         const bool stated = std::ranges::all_of(
@@ -175,15 +177,16 @@ private:
             directionsFromOrder();
     }
 
-    /// The first row of a pass that has less than half the readings of another.
-    [[nodiscard]] std::optional<std::uint32_t> fragment() const {
-        const auto sizeOf = [](const Line &line) { return line.placed.places.size(); };
+    /// The line where a pass begins that has less than half the readings of another.
+    [[nodiscard]] std::optional<std::size_t> fragment() const {
+        const auto sizeOf = [](const Line &line) { return line.placed.pass.readings.size(); };
         std::size_t most = 0;
         for (const Line &line : m_lines)
             most = std::max(most, sizeOf(line));
-        const auto found =
-            std::ranges::find_if(m_lines, [&](const Line &line) { return 2 * sizeOf(line) < most; });
-        return found == m_lines.end() ? std::nullopt : std::optional(found->placed.places.front().first);
+        const auto found = std::ranges::find_if(
+            m_lines, [&](const Line &line) { return sizeOf(line) > 0 && 2 * sizeOf(line) < most; });
+        return found == m_lines.end() ? std::nullopt
+                                      : std::optional(found->placed.pass.readings.front().line);
     }
 
     void readLine(std::size_t section, std::uint32_t row) {
@@ -203,7 +206,7 @@ private:
             // The same target again in one run: the next pass.
             const std::size_t time = m_times[{column, number, side, *target}]++;
             if (time > 0 && number > 0 && direction && !m_repeated)
-                m_repeated = row;
+                m_repeated = m.row(row).line;
             const auto [place, isNew] = m_passes.try_emplace({column, number, side, time}, m_lines.size());
             if (isNew)
                 m_lines.push_back({{direction, what.number > 0 ? what.number : number, {}, {}}});
@@ -281,7 +284,7 @@ private:
                 const ImportColumn what = columnIn(piece.section, column);
                 PlacedPass placed{what.direction ? what.direction : piece.direction, what.number, {}, {}};
                 placed.pass.readings.reserve(piece.rows.size());
-                placed.places.reserve(piece.rows.size());
+                placed.cells.reserve(piece.rows.size());
                 for (const std::uint32_t row : piece.rows)
                     add(placed, row, m.cell(row, m_target)->value, column);
                 // A column that is not continued in a second block is no run there.
@@ -357,12 +360,12 @@ private:
                 m.row(other->rows.front()).line, "layout");
     }
 
-    void askForRepeated(std::uint32_t row) {
+    void askForRepeated(std::size_t line) {
         m.remark(
             RemarkGrade::assumption,
             {REPORT_TEXT("report", "Layout: targets stand twice in a run; the readings there are read as "
                                    "runs of their own.")},
-            m.row(row).line, "layout");
+            line, "layout");
     }
 
     /// 0, 100, 100, 200: a reading that was repeated, and no run that begins.
@@ -376,7 +379,7 @@ private:
             const Piece &next = m_pieces[i];
             if (piece.block == next.block && piece.rows.size() > 1 && next.rows.size() > 1 &&
                 targetAt(piece.rows.back()) == targetAt(next.rows.front()) && rises(piece) == rises(next))
-                return askForRepeated(next.rows.front());
+                return askForRepeated(m.row(next.rows.front()).line);
         }
     }
 
@@ -521,7 +524,7 @@ private:
     std::map<std::tuple<std::size_t, unsigned, int, std::size_t>, std::size_t> m_passes;
     std::map<std::tuple<std::size_t, unsigned, int, double>, std::size_t> m_times;
     std::map<double, int> m_codes;
-    std::optional<std::uint32_t> m_repeated; ///< the first row whose target its run has already
+    std::optional<std::size_t> m_repeated; ///< the first line whose target its run has already
     std::optional<Direction> m_titled;
     std::optional<std::size_t> m_axisColumn;
     std::string m_axis;

@@ -661,11 +661,11 @@ public:
                 take(i, sheet);
             }
         }
+        std::ranges::stable_sort(m.sheets, {}, &ImportSheet::isHidden);
         if (hasTable()) {
             settle();
             remarkOnCells();
         }
-        std::ranges::stable_sort(m.sheets, {}, &ImportSheet::isHidden);
     }
 
     [[nodiscard]] bool hasTable() const { return m_best != none; }
@@ -753,6 +753,14 @@ private:
         for (const ImportSheet &each : m.sheets)
             remark.answers.push_back(each.name);
         m.remarks.push_back(std::move(remark));
+        std::string hidden;
+        for (const ImportSheet &each : m.sheets) {
+            if (each.isHidden && each.name != choice.value)
+                hidden += (hidden.empty() ? "" : ", ") + each.name;
+        }
+        if (!hidden.empty())
+            m.remarks.push_back(
+                {RemarkGrade::note, {REPORT_TEXT("report", "Hidden sheets: %1."), {excerpt(hidden)}}});
     }
 
     const std::vector<SheetName> &m_sheets;

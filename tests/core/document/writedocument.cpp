@@ -6,11 +6,14 @@
 #include "document/fields.h"
 #include "document/filewords.h"
 #include "document/json.h"
+#include "document/jsonprinter.h"
 #include "document/readdocument.h"
 
 #include <QTest>
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -201,6 +204,37 @@ private slots:
         QFETCH(QByteArray, text);
         const QByteArray written = writeDocument(documentWithTargets({value}));
         QVERIFY2(written.contains("\"targets\": [" + text + "]"), written.constData());
+    }
+
+    /// Eight digits at a time where there are at most seven decimals below 10⁸, and what is beyond: as the
+    /// library prints them.
+    void decimalsKeepTheirDigits() {
+        std::mt19937_64 random(5);
+        const auto check = [](double value) {
+            std::array<char, 64> digits{};
+            const char *const end =
+                std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed)
+                    .ptr;
+            JsonPrinter printer(JsonPrinter::Form::oneLine);
+            printer.number(value, {});
+            QCOMPARE(printer.take(), QByteArray(digits.data(), end - digits.data()));
+        };
+        for (const double value : {99999999.9999999, 99999999.99999999, 1e8, 100000000.5, 0.0000001,
+                                   0.00000015, 9.9999999, 10000000.0000001, -0.0021})
+            check(value);
+        double scale = 1;
+        for (int decimals = 0; decimals < 10; ++decimals, scale *= 10) {
+            for (int digits = 1; digits <= 15; ++digits) {
+                for (int i = 0; i < 100; ++i) {
+                    const double whole =
+                        std::floor(std::pow(10, digits) * static_cast<double>(random() >> 11) /
+                                   static_cast<double>(std::uint64_t(1) << 53U));
+                    const double value = (i % 2 == 0 ? 1 : -1) * (whole + 1) / scale;
+                    if (std::abs(value) >= 1e-7 && std::abs(value) < 1e15)
+                        check(value);
+                }
+            }
+        }
     }
 
     void everyDoubleRoundTrips() {

@@ -339,6 +339,11 @@ void ImportedFilesTest::readsWhatStandsBesideTheTable() {
     QCOMPARE(imported.sheets.size(), std::size_t(3));
     QVERIFY(imported.sheets.at(1) == (ImportSheet{"Data", false, true}));
     QVERIFY(imported.sheets.at(2).isHidden && imported.sheets.at(2).name == "Old");
+    // A hidden sheet that comes first is offered last.
+    const Imported hidden = importMeasurement(contents(DATA "workbooks/hidden-first.xlsx"), "x.xlsx");
+    const auto sheet = std::ranges::find(hidden.questions, "sheet", &Question::id);
+    QVERIFY(sheet != hidden.questions.end());
+    QCOMPARE(sheet->answers, (std::vector<std::string>{"X", "Y", "Old"}));
     // A label with its colon in one cell, values in other languages, a date that can be read in two ways.
     const Imported text = importMeasurement("Maschine: Mill 5\nSeriennummer: 4711\nOpérateur : J. "
                                             "Martin\n03/04/2024\nP (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3;4\n",

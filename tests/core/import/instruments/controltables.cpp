@@ -107,6 +107,9 @@ private slots:
         QVERIFY(!refusal("0 0.002 -0.003\n100 0.003 -0.002\n200 0.004 -0.001\n", "x.txt")
                      .startsWith("this is a compensation table"));
         QVERIFY(controlOfTable("0 0.002 -0.003\n", u"x.txt") == nullptr);
+        // Who compares it says that it is a table.
+        QCOMPARE(read("0 0.002 -0.003\n100 0.003 -0.002\n").control, "LinuxCNC");
+        QVERIFY_EXCEPTION_THROWN((void)read("0 0.002\n100 0.003\n"), Error);
         QVERIFY(controlOfTable("Target;1;2\n0;1;2\n", u"x.comp") == nullptr);
     }
 
