@@ -3,30 +3,22 @@
 #include "ui/model/documentmodel.h"
 
 #include "document/savedocument.h"
-#include "kernel/measurement/testfacts.h"
 #include "ui/model/editcommand.h"
 
 #include <QFileInfo>
+#include <QSignalBlocker>
 #include <QUndoStack>
-#include <algorithm>
-#include <variant>
+#include <vector>
 
 namespace palmer::ui {
 
 namespace {
 
-constexpr std::size_t mostMemory = std::size_t{256} * 1024 * 1024; ///< of all steps together, about
-constexpr std::size_t readingSize = 24; ///< bytes a reading takes in a test that is copied
-constexpr int leastSteps = 10;
 constexpr int mostSteps = 1000;
+constexpr std::size_t mostReadings = 6'000'000; ///< of large tests, in all steps together: about 100 MB
 
-/// A step holds the test it changed anew; the other tests of the file are shared.
-int stepsFor(const Document &document) {
-    std::size_t most = 1;
-    for (const TestPointer &test : document.tests)
-        most = std::max(most, readingsOf(*test));
-    const std::size_t steps = mostMemory / (most * readingSize);
-    return std::clamp(static_cast<int>(std::min<std::size_t>(steps, mostSteps)), leastSteps, mostSteps);
+const KeptDocument &keptAt(const QUndoStack &stack, int index) {
+    return static_cast<const EditCommand *>(stack.command(index))->kept();
 }
 
 } // namespace
@@ -35,6 +27,7 @@ DocumentModel::DocumentModel(QObject *parent)
     : QObject(parent)
     , m_document(std::make_shared<const Document>())
     , m_stack(new QUndoStack(this)) {
+    m_stack->setUndoLimit(mostSteps);
     connect(m_stack, &QUndoStack::cleanChanged, this, &DocumentModel::fileChanged);
 }
 
@@ -50,7 +43,6 @@ void DocumentModel::setDocument(Document document, const QString &path, bool mod
     m_path = path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath();
     m_document = std::make_shared<const Document>(std::move(document));
     m_stack->clear();
-    m_stack->setUndoLimit(stepsFor(*m_document)); // of an empty stack only
     if (modified)
         m_stack->resetClean();
     emit changed();
@@ -64,6 +56,30 @@ void DocumentModel::edit(const char *text, const std::function<void(Document &)>
     if (*after == *m_document)
         return;
     m_stack->push(new EditCommand(*this, text, std::move(after), mergeKey));
+    boundSteps();
+}
+
+/// A QUndoStack forgets its first steps by their number alone: it is filled anew with those that stay.
+void DocumentModel::boundSteps() {
+    int first = m_stack->count() - 1; // the last one stays whatever it keeps
+    std::size_t readings = first < 0 ? 0 : keptAt(*m_stack, first).readings();
+    while (first > 0 && readings + keptAt(*m_stack, first - 1).readings() <= mostReadings)
+        readings += keptAt(*m_stack, --first).readings();
+    if (first <= 0)
+        return;
+    const QSignalBlocker quiet(m_stack); // what is undone next, and whether anything is to be saved, stays
+    const int clean = m_stack->cleanIndex() - first;
+    std::vector<EditCommand *> kept;
+    for (int i = first; i < m_stack->count(); ++i)
+        kept.push_back(new EditCommand(*this, m_stack->text(i), keptAt(*m_stack, i)));
+    m_stack->clear();
+    if (clean != 0)
+        m_stack->resetClean();
+    for (EditCommand *command : kept) {
+        m_stack->push(command);
+        if (m_stack->index() == clean)
+            m_stack->setClean();
+    }
 }
 
 void DocumentModel::save(const QString &path) {

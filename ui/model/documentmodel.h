@@ -53,6 +53,7 @@ signals:
 private:
     friend class EditCommand;
     void put(DocumentPointer document);
+    void boundSteps();
 
     DocumentPointer m_document;
     QString m_path;
