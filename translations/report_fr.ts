@@ -2109,7 +2109,7 @@
     </message>
     <message>
         <source>Non-conformity has to be proven: a value conforms when it is at least g below its limit and does not conform when it is more than g above it; between, non-conformity is not proven: no ground for rejection; g = %1·U.</source>
-        <translation>Non-conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g et non conforme lorsqu’elle la dépasse de plus de g&#x202f;; entre les deux, non-conformité non démontrée&#xa0;: ne peut être refusé&#x202f;; g = %1·U.</translation>
+        <translation>Non-conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g et non conforme lorsqu’elle la dépasse de plus de g&#x202f;; entre les deux, la non-conformité n’est pas démontrée&#xa0;: la machine ne peut être refusée à ce titre&#x202f;; g = %1·U.</translation>
     </message>
     <message>
         <source>The factor 1 is the guard band of the earlier editions of ISO 14253-1.</source>
@@ -2690,11 +2690,11 @@
     </message>
     <message>
         <source>targets down, runs across</source>
-        <translation>points en lignes, passes en colonnes</translation>
+        <translation>une ligne par point visé</translation>
     </message>
     <message>
         <source>runs down, targets across</source>
-        <translation>passes en lignes, points en colonnes</translation>
+        <translation>une ligne par passe</translation>
     </message>
     <message>
         <source>one reading a line</source>

@@ -272,7 +272,7 @@ void CataloguesTest::leaveOutWordsThatWereGivenUp_data() {
                                 "[Ll]igne de mesurage :",
                                 "Précisions sur la machine",
                                 "ne connaît pas de rejet",
-                                "[Vv]aleur ici|^Ici ",
+                                "[Vv]aleur ici|^Ici −",
                                 "exigences? non tenue",
                                 "avertissement",
                                 "[Rr]efus prouvé",

@@ -3,6 +3,7 @@
 #include "ui/forms/field.h"
 
 #include "document/bounds.h"
+#include "ui/elidedbox.h"
 #include "ui/elidedlabel.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
@@ -84,7 +85,7 @@ Field::Field(Kind kind, QWidget *parent)
     , m_mark(new QLabel(this)) {
     QWidget *edit = nullptr;
     if (kind == Kind::choice) {
-        edit = m_choice = new QComboBox(this);
+        edit = m_choice = new ElidedBox(this);
         m_choice->setFixedHeight(fieldHeight);
         m_choice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         connect(m_choice, &QComboBox::activated, this, &Field::entered);
