@@ -31,6 +31,7 @@ QString ElidedLabel::shownText() const {
             if (metrics.horizontalAdvance(shown) <= width())
                 return shown;
         }
+        return {};
     }
     return metrics.elidedText(text(), Qt::ElideRight, width());
 }

@@ -18,7 +18,7 @@ class ElidedLabel : public QLabel {
 public:
     explicit ElidedLabel(QWidget *parent = nullptr);
 
-    /// Of parts that stand between this, whole ones are left out at the end, as long as one has room.
+    /// Of parts that stand between this, those that have no room are left out as a whole, from the last.
     void setSeparator(const QString &separator);
     [[nodiscard]] QString shownText() const;
 

@@ -168,8 +168,10 @@ QPushButton[large="true"] { min-height: 34px; }
 QPushButton[large="true"]:focus { min-height: 32px; }
 QPushButton[link="true"] { background: transparent; color: @accent; border-color: transparent; padding: 0 4px; }
 QPushButton[link="true"][bad="true"] { color: @bad; }
+QPushButton[link="true"][opens="true"] { padding: 0 18px 0 4px; }
 QPushButton[link="true"]:hover { text-decoration: underline; }
 QPushButton[link="true"]:focus { border: 2px solid @accent; padding: 0 3px; }
+QPushButton[link="true"][opens="true"]:focus { padding: 0 17px 0 3px; }
 QToolButton { background: transparent; color: @text; border: 1px solid transparent; border-radius: 4px;
     min-height: 26px; padding: 0 7px; icon-size: 16px; }
 QToolButton[iconOnly="true"] { padding: 0 5px; min-width: 16px; }

@@ -39,7 +39,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int tightWidth = 420;
+constexpr int tightWidth = 520;
 constexpr int clipboardDotsPerInch = 200;
 constexpr std::size_t drawnAtOnce = 50'000; ///< readings; figures of more are made on a thread
 
