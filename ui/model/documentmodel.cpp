@@ -3,12 +3,19 @@
 #include "ui/model/documentmodel.h"
 
 #include "document/savedocument.h"
+#include "kernel/measurement/testfacts.h"
 #include "ui/model/editcommand.h"
 
 #include <QFileInfo>
 #include <QSignalBlocker>
+#include <QTimer>
 #include <QUndoStack>
+#include <algorithm>
 #include <vector>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace palmer::ui {
 
@@ -16,6 +23,16 @@ namespace {
 
 constexpr int mostSteps = 1000;
 constexpr std::size_t mostReadings = 6'000'000; ///< of large tests, in all steps together: about 100 MB
+
+constexpr int untilRest = 1000;             ///< ms without a change
+constexpr std::size_t muchMemory = 100'000; ///< readings
+
+/// What an edit of 10⁶ readings took for a moment stays with the allocator otherwise.
+void giveMemoryBack() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
 
 const KeptDocument &keptAt(const QUndoStack &stack, int index) {
     return static_cast<const EditCommand *>(stack.command(index))->kept();
@@ -26,7 +43,11 @@ const KeptDocument &keptAt(const QUndoStack &stack, int index) {
 DocumentModel::DocumentModel(QObject *parent)
     : QObject(parent)
     , m_document(std::make_shared<const Document>())
-    , m_stack(new QUndoStack(this)) {
+    , m_stack(new QUndoStack(this))
+    , m_rest(new QTimer(this)) {
+    m_rest->setSingleShot(true);
+    m_rest->setInterval(untilRest);
+    connect(m_rest, &QTimer::timeout, this, [] { giveMemoryBack(); });
     m_stack->setUndoLimit(mostSteps);
     connect(m_stack, &QUndoStack::cleanChanged, this, &DocumentModel::fileChanged);
 }
@@ -91,6 +112,9 @@ void DocumentModel::save(const QString &path) {
 
 void DocumentModel::put(DocumentPointer document) {
     m_document = std::move(document);
+    if (std::ranges::any_of(m_document->tests,
+                            [](const TestPointer &test) { return readingsOf(*test) >= muchMemory; }))
+        m_rest->start();
     emit changed();
 }
 

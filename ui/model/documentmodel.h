@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 
+class QTimer;
 class QUndoStack;
 
 namespace palmer::ui {
@@ -58,6 +59,7 @@ private:
     DocumentPointer m_document;
     QString m_path;
     QUndoStack *m_stack;
+    QTimer *m_rest; ///< since the last change
 };
 
 } // namespace palmer::ui
