@@ -1735,11 +1735,11 @@
     </message>
     <message>
         <source>%1 asks for the uncertainty beside every result; some are not stated.</source>
-        <translation>L’édition %1 demande l’incertitude de chaque résultat&#x202f;; certaines ne sont pas indiquées.</translation>
+        <translation>L’%1 demande d’indiquer l’incertitude à côté de chaque résultat&#x202f;; certaines ne sont pas indiquées.</translation>
     </message>
     <message>
         <source>%1 asks for the uncertainty beside every result; none is stated.</source>
-        <translation>L’édition %1 demande l’incertitude de chaque résultat&#x202f;; aucune n’est indiquée.</translation>
+        <translation>L’%1 demande d’indiquer l’incertitude à côté de chaque résultat&#x202f;; aucune n’est indiquée.</translation>
     </message>
     <message>
         <source>The correction was to be made here, but temperatures or coefficients of expansion are missing: nothing is corrected.</source>
@@ -2109,7 +2109,7 @@
     </message>
     <message>
         <source>Non-conformity has to be proven: a value conforms when it is at least g below its limit and does not conform when it is more than g above it; between, non-conformity is not proven: no ground for rejection; g = %1·U.</source>
-        <translation>Non-conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g et non conforme lorsqu’elle la dépasse de plus de g&#x202f;; entre les deux, non-conformité non démontrée&#xa0;: ne peut être refusé&#x202f;; g = %1·U.</translation>
+        <translation>Non-conformité à prouver&#xa0;: une valeur est conforme lorsqu’elle est inférieure à sa limite d’au moins g et non conforme lorsqu’elle la dépasse de plus de g&#x202f;; entre les deux, la non-conformité n’est pas démontrée&#xa0;: la machine ne peut être refusée à ce titre&#x202f;; g = %1·U.</translation>
     </message>
     <message>
         <source>The factor 1 is the guard band of the earlier editions of ISO 14253-1.</source>
@@ -2690,11 +2690,11 @@
     </message>
     <message>
         <source>targets down, runs across</source>
-        <translation>points en lignes, passes en colonnes</translation>
+        <translation>une ligne par point visé</translation>
     </message>
     <message>
         <source>runs down, targets across</source>
-        <translation>passes en lignes, points en colonnes</translation>
+        <translation>une ligne par passe</translation>
     </message>
     <message>
         <source>one reading a line</source>
@@ -3298,7 +3298,7 @@
     </message>
     <message>
         <source>“%1” has another decimal mark or thousands separators. The reading stays missing.</source>
-        <translation>«&#xa0;%1&#xa0;» a une autre marque décimale ou des séparateurs de milliers. Le relevé reste manquant.</translation>
+        <translation>«&#xa0;%1&#xa0;» a un autre séparateur décimal ou des séparateurs de milliers. Le relevé reste manquant.</translation>
     </message>
     <message>
         <source>Kind: nothing in the file says it; read as a circular test.</source>
@@ -3330,11 +3330,11 @@
     </message>
     <message>
         <source>Decimal mark: the numbers can be read in several ways; the comma is taken as decimal mark.</source>
-        <translation>Décimales&#xa0;: les nombres peuvent se lire de plusieurs façons&#x202f;; la virgule est prise comme marque décimale.</translation>
+        <translation>Décimales&#xa0;: les nombres peuvent se lire de plusieurs façons&#x202f;; la virgule est prise comme séparateur décimal.</translation>
     </message>
     <message>
         <source>Decimal mark: the numbers can be read in several ways; the point is taken as decimal mark.</source>
-        <translation>Décimales&#xa0;: les nombres peuvent se lire de plusieurs façons&#x202f;; le point est pris comme marque décimale.</translation>
+        <translation>Décimales&#xa0;: les nombres peuvent se lire de plusieurs façons&#x202f;; le point est pris comme séparateur décimal.</translation>
     </message>
     <message>
         <source>save the test from Ballbar 20 as .b5r (XML), or export its readings as text</source>
@@ -4350,7 +4350,7 @@
     </message>
     <message>
         <source>The indices name the axes in the order in which the path crosses their positive ends: counterclockwise XY, clockwise YX. Figure 6 of the standard contradicts its clause 3.8; Palmer follows the clause.</source>
-        <translation>Les indices nomment les axes dans l’ordre où la trajectoire croise leurs extrémités positives&#xa0;: antihoraire XY, horaire YX. La figure 6 de la norme contredit son article 3.8&#x202f;; Palmer suit l’article.</translation>
+        <translation>Les indices nomment les axes dans l’ordre où la trajectoire croise leurs extrémités positives&#xa0;: antihoraire XY, horaire YX. La figure 6 de la norme contredit son paragraphe 3.8&#x202f;; Palmer suit le paragraphe.</translation>
     </message>
     <message>
         <source>Workflow</source>
@@ -4406,7 +4406,7 @@
         <translation>Décider</translation>
     </message>
     <message>
-        <source>Limits with their edition, the uncertainty, the decision rule: then there is a verdict. It is taken from unrounded numbers.</source>
+        <source>Limits with their edition, the uncertainty, the decision rule: then there is a verdict. It is based on unrounded numbers.</source>
         <translation>Les limites avec leur édition, l’incertitude, la règle de décision&#xa0;: alors il y a un verdict. Il est établi sur les nombres non arrondis.</translation>
     </message>
     <message>
@@ -4556,11 +4556,11 @@
         <translation>Les méthodes diffèrent de plus de 20&#xa0;% pour %1&#x202f;; raison&#xa0;: voir les constats.</translation>
     </message>
     <message>
-        <source>The U of the Monte Carlo simulation decides.</source>
+        <source>The U of the Monte Carlo simulation is used for the verdict.</source>
         <translation>Le verdict est fondé sur l’U de la simulation de Monte-Carlo.</translation>
     </message>
     <message>
-        <source>The U of the Monte Carlo simulation decides; for %1, which it shifts by more than a third of its U, that of the budget.</source>
+        <source>The U of the Monte Carlo simulation is used for the verdict; for %1, which it shifts by more than a third of its U, that of the budget.</source>
         <translation>Le verdict est fondé sur l’U de la simulation de Monte-Carlo&#x202f;; pour %1, qu’elle décale de plus d’un tiers de son U, sur celle du budget.</translation>
     </message>
     <message>

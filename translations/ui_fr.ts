@@ -720,7 +720,7 @@
     </message>
     <message>
         <source>Contouring feed</source>
-        <translation>Vitesse d’avance de contournage</translation>
+        <translation>Avance de contournage</translation>
     </message>
     <message>
         <source>Source</source>
@@ -913,8 +913,12 @@
         <translation>Ce que la plage évaluée laisse de côté</translation>
     </message>
     <message>
-        <source>left out: feed-in, overshoot…</source>
-        <translation>laissé de côté&#xa0;: entrée, dépassement…</translation>
+        <source>What the evaluated range leaves out: feed-in, overshoot…</source>
+        <translation>Ce que la plage évaluée laisse de côté&#xa0;: entrée, dépassement…</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>partie exclue</translation>
     </message>
 </context>
 <context>
@@ -5595,6 +5599,14 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
 <context>
     <name>palmer::ui::UncertaintyPage</name>
     <message>
+        <source>uncertainty not stated</source>
+        <translation>incertitude non indiquée</translation>
+    </message>
+    <message>
+        <source>not every uncertainty stated</source>
+        <translation>incertitudes non toutes indiquées</translation>
+    </message>
+    <message>
         <source>Range of α, machine: %1</source>
         <translation>Étendue α machine&#xa0;: %1</translation>
     </message>
@@ -5798,7 +5810,7 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Incertitudes élargies, k = 2</translation>
     </message>
     <message>
-        <source>U of %1</source>
+        <source>U(%1)</source>
         <translation>U(%1)</translation>
     </message>
     <message>
@@ -6106,8 +6118,8 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>&amp;Ouvrir…</translation>
     </message>
     <message>
-        <source>a test file, .palmer</source>
-        <translation>un fichier d’essais, .palmer</translation>
+        <source>a test file, .palmer, or a report</source>
+        <translation>un fichier d’essais .palmer ou un rapport</translation>
     </message>
     <message>
         <source>Recent files</source>
@@ -6142,8 +6154,8 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>tableaux et fichiers d’instruments</translation>
     </message>
     <message>
-        <source>or drop files into the window — .palmer, .csv, .xlsx, .rtl, .b5r …</source>
-        <translation>ou déposez des fichiers dans la fenêtre — .palmer, .csv, .xlsx, .rtl, .b5r …</translation>
+        <source>or drop files into the window — .palmer, .pdf, .csv, .xlsx, .rtl, .b5r …</source>
+        <translation>ou déposez des fichiers dans la fenêtre — .palmer, .pdf, .csv, .xlsx, .rtl, .b5r …</translation>
     </message>
     <message>
         <source>New &amp;circular test…</source>

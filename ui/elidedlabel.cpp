@@ -17,6 +17,25 @@ ElidedLabel::ElidedLabel(QWidget *parent)
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Preferred);
 }
 
+void ElidedLabel::setSeparator(const QString &separator) {
+    m_separator = separator;
+    update();
+}
+
+QString ElidedLabel::shownText() const {
+    const QFontMetrics metrics = fontMetrics();
+    if (!m_separator.isEmpty() && metrics.horizontalAdvance(text()) > width()) {
+        for (qsizetype end = text().lastIndexOf(m_separator); end > 0;
+             end = text().lastIndexOf(m_separator, end - 1)) {
+            const QString shown = text().first(end) + QStringLiteral(" …");
+            if (metrics.horizontalAdvance(shown) <= width())
+                return shown;
+        }
+        return {};
+    }
+    return metrics.elidedText(text(), Qt::ElideRight, width());
+}
+
 void ElidedLabel::paintEvent(QPaintEvent *) {
     QPainter painter(this);
     const QColor colour = palette().color(foregroundRole());
@@ -29,7 +48,7 @@ void ElidedLabel::paintEvent(QPaintEvent *) {
         }
     }
     painter.setPen(colour);
-    const QString shown = fontMetrics().elidedText(text(), Qt::ElideRight, width());
+    const QString shown = shownText();
     painter.drawText(rect(), static_cast<int>(alignment()), shown);
     setToolTip(shown == text() ? QString() : text());
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QLabel>
+#include <QString>
 
 namespace palmer::ui {
 
@@ -17,10 +18,17 @@ class ElidedLabel : public QLabel {
 public:
     explicit ElidedLabel(QWidget *parent = nullptr);
 
+    /// Of parts that stand between this, those that have no room are left out as a whole, from the last.
+    void setSeparator(const QString &separator);
+    [[nodiscard]] QString shownText() const;
+
     [[nodiscard]] QSize minimumSizeHint() const override { return {0, QLabel::minimumSizeHint().height()}; }
 
 protected:
     void paintEvent(QPaintEvent *event) override;
+
+private:
+    QString m_separator;
 };
 
 } // namespace palmer::ui

@@ -168,16 +168,20 @@ QPushButton[large="true"] { min-height: 34px; }
 QPushButton[large="true"]:focus { min-height: 32px; }
 QPushButton[link="true"] { background: transparent; color: @accent; border-color: transparent; padding: 0 4px; }
 QPushButton[link="true"][bad="true"] { color: @bad; }
+QPushButton[link="true"][opens="true"] { padding: 0 18px 0 4px; }
 QPushButton[link="true"]:hover { text-decoration: underline; }
 QPushButton[link="true"]:focus { border: 2px solid @accent; padding: 0 3px; }
+QPushButton[link="true"][opens="true"]:focus { padding: 0 17px 0 3px; }
 QToolButton { background: transparent; color: @text; border: 1px solid transparent; border-radius: 4px;
     min-height: 26px; padding: 0 7px; icon-size: 16px; }
 QToolButton[iconOnly="true"] { padding: 0 5px; min-width: 16px; }
+QToolButton[tight="true"] { padding: 0 1px; }
 QToolButton:hover { background: @hover; }
 QToolButton:pressed, QToolButton:checked { background: @selected; border-color: @accent; }
 QToolButton:disabled { color: @disabled; }
 QToolButton:focus { border: 2px solid @accent; min-height: 24px; padding: 0 6px; }
 QToolButton[iconOnly="true"]:focus { padding: 0 4px; }
+QToolButton[tight="true"]:focus { padding: 0; }
 QToolButton[segment="first"], QToolButton[segment="middle"], QToolButton[segment="last"] {
     background: @base; border: 1px solid @field; border-radius: 0; padding: 0 9px; min-height: 24px; }
 QToolButton[segment="only"] { background: @base; border: 1px solid @field; padding: 0 22px 0 9px; min-height: 24px; }

@@ -102,4 +102,8 @@ void restoreWindowLanguage() {
         install(Language::fromLocale(QLocale::system().name()).id());
 }
 
+QString withGroups(QString text, int count) {
+    return text.replace(QString::number(count), windowLanguage().number(count, Quantity::count, 0));
+}
+
 } // namespace palmer::ui

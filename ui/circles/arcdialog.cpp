@@ -8,6 +8,7 @@
 #include "ui/circles/arctexts.h"
 #include "ui/dialogs/formrows.h"
 #include "ui/theme.h"
+#include "ui/windowlanguage.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -232,7 +233,8 @@ void ArcDialog::showTable(const ArcTable &table) {
     }
     m_remarks->setText(remarks.join(u'\n'));
     m_remarks->setVisible(!remarks.isEmpty());
-    m_add->setText(tr("&Add %n point(s)", nullptr, static_cast<int>(table.points)));
+    const auto points = static_cast<int>(table.points);
+    m_add->setText(withGroups(tr("&Add %n point(s)", nullptr, points), points));
     m_add->setEnabled(true);
 }
 

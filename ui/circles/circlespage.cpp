@@ -783,7 +783,8 @@ void CirclesPage::retranslate() {
     for (Field *end : {m_from, m_to})
         end->setUnit(m_language.unit(Quantity::angle));
     m_cutOff->setLabel(tr("What the evaluated range leaves out"));
-    m_cutOff->setPlaceholder(tr("left out: feed-in, overshoot…"));
+    m_cutOff->setToolTip(tr("What the evaluated range leaves out: feed-in, overshoot…"));
+    m_cutOff->setPlaceholder(tr("left out"));
     m_whole->setText(tr("Whole arc"));
     m_whole->setToolTip(tr("Evaluate all of the arc, of more than 360° the middle 360°"));
     m_reverse->setAccessibleName(tr("Reverse sense"));

@@ -57,6 +57,7 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
         label->setProperty("secondary", true);
     m_explained->setWordWrap(true);
     m_taken->setWordWrap(true);
+    m_taken->setTextFormat(Qt::RichText);
     m_reason->setProperty("reason", true);
     m_reason->setTextFormat(Qt::PlainText);
     m_reason->hide();
@@ -190,8 +191,10 @@ void DriftPage::refresh() {
                                                                   rangeDecimals))
                                    : tr("No readings yet"));
     const QString taken = takenBy();
-    m_taken->setText(taken.isEmpty() ? tr("No test takes its E_VE from here yet: page “Uncertainty”.")
-                                     : tr("Taken by: %1").arg(taken));
+    m_taken->setText(taken.isEmpty()
+                         ? tr("No test takes its E_VE from here yet: page “Uncertainty”.")
+                               .replace(QLatin1StringView("E_VE"), QLatin1StringView("E<sub>VE</sub>"))
+                         : tr("Taken by: %1").arg(taken).toHtmlEscaped());
 }
 
 void DriftPage::write(std::size_t row, const std::vector<DriftReading> &readings, const char *name) {

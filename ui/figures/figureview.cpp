@@ -29,6 +29,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -38,6 +39,7 @@ namespace palmer::ui {
 
 namespace {
 
+constexpr int tightWidth = 520;
 constexpr int clipboardDotsPerInch = 200;
 constexpr std::size_t drawnAtOnce = 50'000; ///< readings; figures of more are made on a thread
 
@@ -101,6 +103,7 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     , m_maximise(addButton(QStringLiteral("maximiseFigure"), QStringLiteral("maxi"))) {
     setObjectName(QStringLiteral("figureView"));
     m_note->setProperty("secondary", true);
+    m_note->setSeparator(QStringLiteral(" · "));
     m_marks->setCheckable(true);
     m_marks->setChecked(m_readingMarks);
     connect(m_marks, &QToolButton::toggled, this, [this](bool on) {
@@ -137,6 +140,21 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     layout->addWidget(m_circles, 1);
     m_circles->hide();
     retranslate();
+}
+
+/// In a narrow panel the buttons leave the title its room.
+void FigureView::resizeEvent(QResizeEvent *event) {
+    QWidget::resizeEvent(event);
+    const bool tight = width() < tightWidth;
+    if (m_copy->property("tight").toBool() == tight)
+        return;
+    for (QToolButton *button : findChildren<QToolButton *>()) {
+        if (!button->property("iconOnly").toBool())
+            continue;
+        button->setProperty("tight", tight);
+        button->style()->unpolish(button); // lets the rules be matched anew
+        button->style()->polish(button);
+    }
 }
 
 QToolButton *FigureView::addButton(const QString &name, const QString &icon) {
@@ -270,7 +288,7 @@ void FigureView::namePositioning() {
                        ? QStringLiteral("n = %1").arg(results.positiveRuns)
                        : QStringLiteral("n = %1 ↑, %2 ↓").arg(results.positiveRuns).arg(results.negativeRuns);
     if (!m_whole->bands.empty())
-        note += QStringLiteral(", ") +
+        note += QStringLiteral(" · ") +
                 tr("band ±%1s").arg(m_language.number(evaluation.edition->c, Quantity::number, -1));
     if (measurement.axis.motion == Motion::linear && isCorrectedTo20(measurement.conditions.common))
         note += QStringLiteral(" · ") + tr("at 20 °C");

@@ -20,6 +20,7 @@ class QToolButton;
 namespace palmer::ui {
 
 class CircleFigureView;
+class ElidedLabel;
 struct SyntheticPaths;
 class ZoomButtons;
 
@@ -57,6 +58,7 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     struct Leaving {
@@ -102,7 +104,7 @@ private:
     QString m_sentence;
     bool m_readingMarks = true;
     QLabel *m_title;
-    QLabel *m_note;
+    ElidedLabel *m_note;
     FigureCanvas *m_canvas;
     CircleFigureView *m_circles;
     QToolButton *m_marks;

@@ -3,10 +3,12 @@
 #include "ui/forms/field.h"
 
 #include "document/bounds.h"
+#include "ui/elidedbox.h"
 #include "ui/elidedlabel.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
 
+#include <QAbstractScrollArea>
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
@@ -17,6 +19,7 @@
 #include <QPlainTextEdit>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <limits>
 
 namespace palmer::ui {
@@ -28,7 +31,7 @@ constexpr int labelHeight = 16;
 constexpr int labelGap = 4;
 constexpr int barWidth = 4;
 constexpr int margin = 8;
-constexpr int iconSize = 16;
+constexpr int iconSize = 12;
 constexpr qsizetype longestToolTip = 1000;
 
 /// The bar at the left of a field that is required and empty.
@@ -82,7 +85,7 @@ Field::Field(Kind kind, QWidget *parent)
     , m_mark(new QLabel(this)) {
     QWidget *edit = nullptr;
     if (kind == Kind::choice) {
-        edit = m_choice = new QComboBox(this);
+        edit = m_choice = new ElidedBox(this);
         m_choice->setFixedHeight(fieldHeight);
         m_choice->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
         connect(m_choice, &QComboBox::activated, this, &Field::entered);
@@ -113,15 +116,16 @@ Field::Field(Kind kind, QWidget *parent)
     m_unit->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_bar->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_reasonRow = new QWidget(this);
-    m_reason = new QLabel(m_reasonRow);
+    m_reason = new ElidedLabel(m_reasonRow);
     m_reason->setObjectName(QStringLiteral("refusal"));
     m_reason->setProperty("tone", QStringLiteral("bad"));
-    m_reason->setWordWrap(true);
     auto *reasonLayout = new QHBoxLayout(m_reasonRow);
     reasonLayout->setContentsMargins(0, 0, 0, 0);
     reasonLayout->setSpacing(4);
-    reasonLayout->addWidget(new RefusedMark(m_reasonRow), 0, Qt::AlignTop);
+    reasonLayout->addWidget(new RefusedMark(m_reasonRow));
     reasonLayout->addWidget(m_reason, 1);
+    m_reasonRow->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_reasonRow->setAutoFillBackground(true);
     m_reasonRow->hide();
     auto *head = new QHBoxLayout;
     head->setContentsMargins(0, 0, 0, 0);
@@ -132,10 +136,13 @@ Field::Field(Kind kind, QWidget *parent)
     layout->setSpacing(labelGap);
     layout->addLayout(head);
     layout->addWidget(edit);
-    layout->addWidget(m_reasonRow);
-    layout->addStretch(); // a neighbour with a reason below is taller
+    layout->addStretch();
     setFocusProxy(edit);
     retranslate();
+}
+
+Field::~Field() {
+    delete m_reasonRow;
 }
 
 QWidget *Field::edit() const {
@@ -332,6 +339,33 @@ void Field::placeParts() {
     m_unit->setVisible(unitWidth > 0);
 }
 
+/// Puts the reason into the gap below the field: as long as it has to be, so that nothing is moved by a text
+/// that is not finished yet.
+void Field::placeReason() {
+    if (!m_reasonRow)
+        return;
+    if (!isRefused() || m_bare || !isVisible()) {
+        m_reasonRow->hide();
+        return;
+    }
+    const QSize size = m_reasonRow->layout()->sizeHint();
+    const QPoint below = edit()->geometry().bottomLeft() + QPoint(0, 1);
+    QWidget *around = parentWidget() ? parentWidget() : this;
+    // What surrounds it alone may end with it, as the row of a table.
+    while (!around->isWindow() && around->parentWidget() &&
+           mapTo(around, below).y() + size.height() > around->height() &&
+           !qobject_cast<QAbstractScrollArea *>(around->parentWidget()->parentWidget()))
+        around = around->parentWidget();
+    if (m_reasonRow->parentWidget() != around)
+        m_reasonRow->setParent(around);
+    const QPoint at = mapTo(around, below);
+    const int width = std::min(size.width(), around->width());
+    m_reasonRow->setGeometry(std::max(0, std::min(at.x(), around->width() - width)), at.y(), width,
+                             size.height());
+    m_reasonRow->show();
+    m_reasonRow->raise();
+}
+
 /// Why the text in the field is no value, and what stays in its place.
 QString Field::refusalText() const {
     QString reason = m_refusal;
@@ -357,7 +391,8 @@ void Field::retranslate() {
     m_label->setFont(themeFont(TextSize::small));
     m_unit->setFont(themeFont(TextSize::small));
     m_mark->setFont(themeFont(TextSize::tiny));
-    m_reason->setFont(themeFont(TextSize::small));
+    if (m_reasonRow)
+        m_reason->setFont(themeFont(TextSize::tiny));
     const QString label = m_labelArgument.isEmpty() || m_labelSource.isEmpty()
                               ? m_labelSource
                               : m_labelSource.arg(m_labelArgument);
@@ -372,7 +407,7 @@ void Field::retranslate() {
         m_lines->setPlaceholderText(placeholder);
     if (isRefused())
         m_reason->setText(refusalText());
-    m_reasonRow->setVisible(isRefused() && !m_bare);
+    placeReason();
     QWidget *shown = edit();
     setStyled(shown, "refused", isRefused());
     shown->setAccessibleName(label);
@@ -413,6 +448,22 @@ void Field::changeEvent(QEvent *event) {
 void Field::resizeEvent(QResizeEvent *event) {
     QWidget::resizeEvent(event);
     placeParts();
+    placeReason();
+}
+
+void Field::moveEvent(QMoveEvent *event) {
+    QWidget::moveEvent(event);
+    placeReason();
+}
+
+void Field::showEvent(QShowEvent *event) {
+    QWidget::showEvent(event);
+    placeReason();
+}
+
+void Field::hideEvent(QHideEvent *event) {
+    QWidget::hideEvent(event);
+    placeReason();
 }
 
 } // namespace palmer::ui

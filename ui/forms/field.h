@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QPointer>
 #include <QString>
 #include <QStringList>
 #include <QWidget>
@@ -17,7 +18,8 @@ namespace palmer::ui {
 
 /// A field of a form: label above, unit inside at the right, and where something required is missing a mark
 /// and a bar. Empty means not stated. What is typed is read at once: what can be read is told by entered(),
-/// what cannot stays in red with a short reason below, and the value before it is kept.
+/// what cannot stays in red with a short reason in the gap below, which moves nothing, and the value before
+/// it is kept.
 class Field : public QWidget {
     Q_OBJECT
 
@@ -32,6 +34,8 @@ public:
     using Reader = std::function<Reading(const QString &)>;
 
     explicit Field(Kind kind, QWidget *parent = nullptr);
+    ~Field() override;
+    Q_DISABLE_COPY_MOVE(Field)
 
     void setLabel(const QString &label);
     /// What is shown in the place of the label, which stays the name of the field: the head of a column.
@@ -87,6 +91,9 @@ signals:
 protected:
     void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
+    void moveEvent(QMoveEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
@@ -99,6 +106,7 @@ private:
     [[nodiscard]] QString refusalText() const;
     [[nodiscard]] QString description() const;
     void placeParts();
+    void placeReason();
 
     Kind m_kind;
     Reader m_reader;
@@ -123,7 +131,7 @@ private:
     QComboBox *m_choice = nullptr;
     QLabel *m_unit;
     QWidget *m_bar;
-    QWidget *m_reasonRow;
+    QPointer<QWidget> m_reasonRow; ///< over what surrounds the field, as a child of it
     QLabel *m_reason;
 };
 

@@ -6,17 +6,18 @@
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "kernel/measurement/testfacts.h"
 #include "report/tables/resulttable.h"
-#include "ui/elidedlabel.h"
 #include "ui/forms/decisionrulemembers.h"
 #include "ui/forms/templatebutton.h"
 #include "ui/formulatext.h"
 #include "ui/measures.h"
+#include "ui/theme.h"
 
 #include <QClipboard>
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QMessageBox>
 #include <QPainter>
 #include <QPushButton>
@@ -181,7 +182,9 @@ void LimitsPage::addLimit(const Formula &symbol, const Text &name, const std::st
     const bool first = m_names.empty();
     beginRow();
     auto *place = new QWidget(body());
-    auto *label = new ElidedLabel(place);
+    auto *label = new QLabel(place); // the longest names take two lines
+    label->setWordWrap(true);
+    label->setFont(themeFont(TextSize::small));
     label->setFixedHeight(fieldHeight);
     label->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);

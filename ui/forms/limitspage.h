@@ -6,9 +6,9 @@
 #include "report/words/formula.h"
 #include "ui/forms/form.h"
 
-namespace palmer::ui {
+class QLabel;
 
-class ElidedLabel;
+namespace palmer::ui {
 
 /// The agreed limits of a test and the decision rule. Never beside a verdict.
 class LimitsPage : public Form {
@@ -31,7 +31,7 @@ private:
     void addLimit(const Formula &symbol, const Text &name, const std::string &id, Kind kind);
 
     struct Name {
-        ElidedLabel *label = nullptr;
+        QLabel *label = nullptr;
         Text name;
     };
 

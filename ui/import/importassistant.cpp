@@ -8,6 +8,7 @@
 #include "figures/driftfigure.h"
 #include "figures/linefigure.h"
 #include "figures/thinning.h"
+#include "ui/elidedbox.h"
 #include "ui/figures/circlecanvas.h"
 #include "ui/figures/figurecanvas.h"
 #include "ui/figures/lineview.h"
@@ -53,6 +54,7 @@ namespace {
 constexpr int mostBoxColumns = 6;
 constexpr int boxSpacing = 12;
 constexpr int boxContents = 12;     ///< letters of what is chosen
+constexpr int linesAtOnce = 50'000; ///< of the text, that are given their place
 constexpr int columnWidth = 72;     ///< of the recognised table, unless its heading is wider
 constexpr int drawnAtOnce = 50'000; ///< readings; the curve of more is made on a thread
 constexpr int remarksHeight = 150;
@@ -124,9 +126,9 @@ ImportAssistant::ImportAssistant(MeasurementFile file, const Document *open, QWi
     , m_paste(new QPushButton(this))
     , m_choices(new QGridLayout)
     , m_destinationName(new QLabel(this))
-    , m_destination(new QComboBox(this))
+    , m_destination(new ElidedBox(this))
     , m_profileName(new QLabel(this))
-    , m_profile(new QComboBox(this))
+    , m_profile(new ElidedBox(this))
     , m_rawTitle(new QLabel(this))
     , m_rawSize(new QLabel(this))
     , m_rawView(new QListView(this))
@@ -225,6 +227,8 @@ QWidget *ImportAssistant::makeMiddle() {
     m_rawView->setModel(&m_raw);
     m_rawView->setItemDelegate(new RawTextDelegate(m_rawView));
     m_rawView->setUniformItemSizes(true);
+    m_rawView->setLayoutMode(QListView::Batched); // of 10⁶ lines it takes a blink
+    m_rawView->setBatchSize(linesAtOnce);
     m_rawView->setFrameShape(QFrame::NoFrame);
     QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
     fixed.setPointSizeF(font().pointSizeF());
@@ -614,7 +618,7 @@ void ImportAssistant::makeBoxes() {
         QWidget *control = nullptr;
         const bool isSheet = choice.key == "sheet" && !m_file.imported.sheets.empty();
         if (key->value == ImportValue::word || isSheet) {
-            box.words = new QComboBox(box.cell);
+            box.words = new ElidedBox(box.cell);
             box.words->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
             box.words->setMinimumContentsLength(boxContents);
             if (isSheet)
@@ -784,7 +788,7 @@ void ImportAssistant::showEvaluated(const EvaluatedDocument &evaluated, std::opt
 }
 
 void ImportAssistant::showSizes() {
-    m_rawSize->setText(tr("%n line(s)", nullptr, m_raw.rowCount()));
+    m_rawSize->setText(withGroups(tr("%n line(s)", nullptr, m_raw.rowCount()), m_raw.rowCount()));
     QStringList sizes;
     if (m_file.imported.test) {
         const auto &measurement = m_file.imported.test->measurement;
@@ -797,9 +801,11 @@ void ImportAssistant::showSizes() {
             }
         } else if (const auto *circular = std::get_if<CircularMeasurement>(&measurement)) {
             sizes << tr("%n arc(s)", nullptr, static_cast<int>(circular->arcs.size()))
-                  << tr("%n point(s)", nullptr, readingsOf(m_file.imported));
+                  << withGroups(tr("%n point(s)", nullptr, readingsOf(m_file.imported)),
+                                readingsOf(m_file.imported));
         } else {
-            sizes << tr("%n point(s)", nullptr, readingsOf(m_file.imported));
+            sizes << withGroups(tr("%n point(s)", nullptr, readingsOf(m_file.imported)),
+                                readingsOf(m_file.imported));
         }
     } else if (!m_file.imported.refusal) {
         sizes << tr("%n sensor(s)", nullptr, static_cast<int>(m_file.imported.sensors.size()));
@@ -826,7 +832,7 @@ void ImportAssistant::refresh() {
 void ImportAssistant::showState() {
     const int readings = readingsOf(m_file.imported);
     const auto questions = static_cast<int>(m_file.imported.questions.size());
-    m_import->setText(tr("&Import %n reading(s)", nullptr, readings));
+    m_import->setText(withGroups(tr("&Import %n reading(s)", nullptr, readings), readings));
     m_import->setEnabled(!m_refusal && readings > 0 && questions == 0 && !m_reader.isBusy());
     const int missing = missingOf(m_file.imported);
     QStringList open;

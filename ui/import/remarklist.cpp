@@ -203,6 +203,7 @@ void RemarkList::addAnswers(QHBoxLayout &row, const Question &question, const QS
     } else if (!answers.empty()) {
         QPushButton *button =
             addLink(row, proposal.isEmpty() ? tr("answer") : tr("another answer"), sentence);
+        button->setProperty("opens", true); // a menu: room for its mark
         button->setObjectName(QStringLiteral("other.") + id);
         auto *menu = new QMenu(button);
         menu->setObjectName(QStringLiteral("answers.") + id);

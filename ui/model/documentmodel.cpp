@@ -7,26 +7,35 @@
 #include "ui/model/editcommand.h"
 
 #include <QFileInfo>
+#include <QSignalBlocker>
+#include <QTimer>
 #include <QUndoStack>
 #include <algorithm>
-#include <variant>
+#include <vector>
+
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 namespace palmer::ui {
 
 namespace {
 
-constexpr std::size_t mostMemory = std::size_t{256} * 1024 * 1024; ///< of all steps together, about
-constexpr std::size_t readingSize = 24; ///< bytes a reading takes in a test that is copied
-constexpr int leastSteps = 10;
 constexpr int mostSteps = 1000;
+constexpr std::size_t mostReadings = 6'000'000; ///< of large tests, in all steps together: about 100 MB
 
-/// A step holds the test it changed anew; the other tests of the file are shared.
-int stepsFor(const Document &document) {
-    std::size_t most = 1;
-    for (const TestPointer &test : document.tests)
-        most = std::max(most, readingsOf(*test));
-    const std::size_t steps = mostMemory / (most * readingSize);
-    return std::clamp(static_cast<int>(std::min<std::size_t>(steps, mostSteps)), leastSteps, mostSteps);
+constexpr int untilRest = 1000;             ///< ms without a change
+constexpr std::size_t muchMemory = 100'000; ///< readings
+
+/// What an edit of 10⁶ readings took for a moment stays with the allocator otherwise.
+void giveMemoryBack() {
+#ifdef __GLIBC__
+    malloc_trim(0);
+#endif
+}
+
+const KeptDocument &keptAt(const QUndoStack &stack, int index) {
+    return static_cast<const EditCommand *>(stack.command(index))->kept();
 }
 
 } // namespace
@@ -34,7 +43,12 @@ int stepsFor(const Document &document) {
 DocumentModel::DocumentModel(QObject *parent)
     : QObject(parent)
     , m_document(std::make_shared<const Document>())
-    , m_stack(new QUndoStack(this)) {
+    , m_stack(new QUndoStack(this))
+    , m_rest(new QTimer(this)) {
+    m_rest->setSingleShot(true);
+    m_rest->setInterval(untilRest);
+    connect(m_rest, &QTimer::timeout, this, [] { giveMemoryBack(); });
+    m_stack->setUndoLimit(mostSteps);
     connect(m_stack, &QUndoStack::cleanChanged, this, &DocumentModel::fileChanged);
 }
 
@@ -50,7 +64,6 @@ void DocumentModel::setDocument(Document document, const QString &path, bool mod
     m_path = path.isEmpty() ? QString() : QFileInfo(path).absoluteFilePath();
     m_document = std::make_shared<const Document>(std::move(document));
     m_stack->clear();
-    m_stack->setUndoLimit(stepsFor(*m_document)); // of an empty stack only
     if (modified)
         m_stack->resetClean();
     emit changed();
@@ -64,6 +77,30 @@ void DocumentModel::edit(const char *text, const std::function<void(Document &)>
     if (*after == *m_document)
         return;
     m_stack->push(new EditCommand(*this, text, std::move(after), mergeKey));
+    boundSteps();
+}
+
+/// A QUndoStack forgets its first steps by their number alone: it is filled anew with those that stay.
+void DocumentModel::boundSteps() {
+    int first = m_stack->count() - 1; // the last one stays whatever it keeps
+    std::size_t readings = first < 0 ? 0 : keptAt(*m_stack, first).readings();
+    while (first > 0 && readings + keptAt(*m_stack, first - 1).readings() <= mostReadings)
+        readings += keptAt(*m_stack, --first).readings();
+    if (first <= 0)
+        return;
+    const QSignalBlocker quiet(m_stack); // what is undone next, and whether anything is to be saved, stays
+    const int clean = m_stack->cleanIndex() - first;
+    std::vector<EditCommand *> kept;
+    for (int i = first; i < m_stack->count(); ++i)
+        kept.push_back(new EditCommand(*this, m_stack->text(i), keptAt(*m_stack, i)));
+    m_stack->clear();
+    if (clean != 0)
+        m_stack->resetClean();
+    for (EditCommand *command : kept) {
+        m_stack->push(command);
+        if (m_stack->index() == clean)
+            m_stack->setClean();
+    }
 }
 
 void DocumentModel::save(const QString &path) {
@@ -75,6 +112,9 @@ void DocumentModel::save(const QString &path) {
 
 void DocumentModel::put(DocumentPointer document) {
     m_document = std::move(document);
+    if (std::ranges::any_of(m_document->tests,
+                            [](const TestPointer &test) { return readingsOf(*test) >= muchMemory; }))
+        m_rest->start();
     emit changed();
 }
 

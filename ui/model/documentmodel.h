@@ -9,6 +9,7 @@
 #include <functional>
 #include <memory>
 
+class QTimer;
 class QUndoStack;
 
 namespace palmer::ui {
@@ -53,10 +54,12 @@ signals:
 private:
     friend class EditCommand;
     void put(DocumentPointer document);
+    void boundSteps();
 
     DocumentPointer m_document;
     QString m_path;
     QUndoStack *m_stack;
+    QTimer *m_rest; ///< since the last change
 };
 
 } // namespace palmer::ui

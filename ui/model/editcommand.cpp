@@ -2,50 +2,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/model/editcommand.h"
 
+#include <utility>
+
 namespace palmer::ui {
 
 namespace {
 
 constexpr int mergeable = 1;
-constexpr std::size_t largeTest = 20'000; ///< readings; a step of less needs no thrift
+constexpr std::size_t largeTest = 2000; ///< readings; a step of less needs no thrift
 
 } // namespace
 
 EditCommand::EditCommand(DocumentModel &model, const char *text, DocumentPointer after, QString mergeKey)
     : QUndoCommand(QString::fromUtf8(text))
     , m_model(model)
-    , m_before(model.document())
-    , m_after(std::move(after))
-    , m_mergeKey(std::move(mergeKey)) {
-    m_readings = changedReadings(*m_before, *m_after, largeTest);
-    if (m_readings)
-        m_before.reset();
-}
+    , m_kept(*model.document(), *after, largeTest)
+    , m_new(std::move(after))
+    , m_mergeKey(std::move(mergeKey)) {}
+
+EditCommand::EditCommand(DocumentModel &model, const QString &text, KeptDocument before)
+    : QUndoCommand(text)
+    , m_model(model)
+    , m_kept(std::move(before))
+    , m_done(true) {}
 
 void EditCommand::undo() {
-    m_model.put(m_readings
-                    ? std::make_shared<const Document>(withReadingsBefore(*m_model.document(), *m_readings))
-                    : m_before);
+    const DocumentPointer from = m_model.document();
+    auto to = std::make_shared<const Document>(m_kept.with(*from));
+    m_kept = KeptDocument(*from, *to, largeTest);
+    m_model.put(std::move(to));
 }
 
 void EditCommand::redo() {
-    m_model.put(m_after
-                    ? m_after
-                    : std::make_shared<const Document>(withReadingsAfter(*m_model.document(), *m_readings)));
-    if (m_readings)
-        m_after.reset();
+    if (m_new)
+        m_model.put(std::exchange(m_new, nullptr));
+    else if (!std::exchange(m_done, false))
+        undo(); // to the other end again
 }
 
 int EditCommand::id() const {
-    return m_mergeKey.isEmpty() || m_readings ? -1 : mergeable;
+    return m_mergeKey.isEmpty() ? -1 : mergeable;
 }
 
 bool EditCommand::mergeWith(const QUndoCommand *other) {
     const auto *next = static_cast<const EditCommand *>(other); // same id: the only class of this stack
     if (next->m_mergeKey != m_mergeKey)
         return false;
-    m_after = next->m_after;
-    setObsolete(*m_after == *m_before);
+    const Document &after = *m_model.document(); // `other` was done already
+    const Document before = m_kept.with(next->m_kept.with(after));
+    m_kept = KeptDocument(before, after, largeTest);
+    setObsolete(before == after);
     return true;
 }
 

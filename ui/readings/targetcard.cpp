@@ -136,7 +136,10 @@ void TargetCard::refresh() {
     const ReadingTexts texts(measurement, m_language, ReadingUnit::deviations);
     m_title->setText(tr("Target %1").arg(target + 1));
     m_title->setFont(themeFont(TextSize::head));
-    m_position->setText(QStringLiteral("P = %1\u00a0%2").arg(texts.position(target), texts.positionUnit()));
+    const QString unit = texts.positionUnit(); // degrees follow their number at once
+    m_position->setText(
+        QStringLiteral("P = %1%2%3")
+            .arg(texts.position(target), unit.size() == 1 ? QString() : QString(QChar(u'\u00a0')), unit));
     m_strip->setStrip(targetStrip(test, evaluation, target, m_language), target);
     m_strip->setAccessibleName(tr("Readings of target %1").arg(target + 1));
     m_statistics->setAccessibleName(tr("Statistics of target %1").arg(target + 1));

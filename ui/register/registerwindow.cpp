@@ -512,7 +512,7 @@ void RegisterWindow::changeEvent(QEvent *event) {
 }
 
 void RegisterWindow::retranslate() {
-    setWindowTitle(tr("Register") + QStringLiteral(" – Palmer"));
+    setWindowTitle(tr("Register") + QStringLiteral(" — Palmer"));
     m_menus.retranslate();
     m_search->setPlaceholderText(tr("Machine, serial number, type"));
     m_search->setAccessibleName(tr("Search machines"));

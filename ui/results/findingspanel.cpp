@@ -34,6 +34,7 @@ FindingsPanel::FindingsPanel(Selection &, QWidget *parent)
     m_fold->setObjectName(QStringLiteral("foldFindings"));
     m_list->setObjectName(QStringLiteral("findings"));
     m_summary->setProperty("secondary", true);
+    m_summary->setSeparator(QStringLiteral(" · "));
     m_fold->setProperty("iconOnly", true);
     m_fold->setFocusPolicy(Qt::StrongFocus);
     connect(m_fold, &QToolButton::clicked, this, [this] { setFolded(!m_folded); });

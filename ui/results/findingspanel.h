@@ -16,6 +16,8 @@ class QToolButton;
 
 namespace palmer::ui {
 
+class ElidedLabel;
+
 /// What the edition asks for and the test does not have. Never in the way of anything.
 class FindingsPanel : public QWidget {
     Q_OBJECT
@@ -51,7 +53,7 @@ private:
     Language m_language{Language::Id::english};
     bool m_folded = false;
     QLabel *m_title;
-    QLabel *m_summary;
+    ElidedLabel *m_summary;
     QToolButton *m_fold;
     QListView *m_list;
 };

@@ -113,6 +113,7 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     m_copy->setObjectName(QStringLiteral("copyResults"));
     m_table->setObjectName(QStringLiteral("results"));
     m_rule->setProperty("secondary", true);
+    m_rule->setSeparator(QStringLiteral(" · "));
     m_viewNote->setProperty("secondary", true);
     m_viewNote->setWordWrap(true);
     m_copy->setIcon(lineIcon(QStringLiteral("copy")));

@@ -15,6 +15,7 @@ class QToolButton;
 
 namespace palmer::ui {
 
+class ElidedLabel;
 class ResultsDelegate;
 class Chip;
 
@@ -59,7 +60,7 @@ private:
     Language m_language{Language::Id::english};
     bool m_narrow = false;
     QLabel *m_title;
-    QLabel *m_rule;
+    ElidedLabel *m_rule;
     QLabel *m_viewNote;
     Chip *m_chip;       ///< the large word
     Chip *m_limits;     ///< the first statement of the verdict

@@ -222,6 +222,11 @@ Quantity UncertaintyPage::deviation() const {
 }
 
 QString UncertaintyPage::missingText(int count) const {
+    const UncertaintyMethod *method = shownTest() ? methodOf(*shownTest()) : nullptr;
+    if (method && *method == UncertaintyMethod::none) // there is no budget that could miss anything
+        return tr("uncertainty not stated");
+    if (method && *method == UncertaintyMethod::direct)
+        return tr("not every uncertainty stated");
     return tr("%n input(s) of the budget missing", nullptr, count);
 }
 
@@ -504,7 +509,7 @@ void UncertaintyPage::addStatedUncertainties(const Edition &edition, bool rotary
         if (count++ % fieldsInRow == 0)
             beginRow();
         Field *field =
-            addNumber("expanded", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "U of %1"), size,
+            addNumber("expanded", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "U(%1)"), size,
                       statedFor(edition.circles ? circular<&CircularUncertaintyInputs::expanded>()
                                                 : positioning<&PositioningUncertaintyInputs::expanded>(),
                                 result.key),

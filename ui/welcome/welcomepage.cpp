@@ -120,7 +120,7 @@ WelcomePage::WelcomePage(QWidget *parent)
     head->addWidget(new LanguageSwitch(LanguageSwitch::Names::full, m_body), 0, Qt::AlignVCenter);
 
     auto *starts = new QGridLayout;
-    starts->setSpacing(16);
+    starts->setSpacing(12);
     starts->addWidget(m_new, 0, 0);
     starts->addWidget(m_newCircle, 0, 1);
     starts->addWidget(m_open, 1, 0);
@@ -143,7 +143,7 @@ WelcomePage::WelcomePage(QWidget *parent)
     auto *grid = new QGridLayout(m_body);
     grid->setContentsMargins(0, 0, 0, 0);
     grid->setHorizontalSpacing(24);
-    grid->setVerticalSpacing(24);
+    grid->setVerticalSpacing(16);
     grid->setRowMinimumHeight(0, 48);
     grid->addLayout(head, 0, 0, 1, 2);
     grid->addLayout(starts, 1, 0);
@@ -153,7 +153,7 @@ WelcomePage::WelcomePage(QWidget *parent)
     grid->setRowStretch(1, 1);
 
     auto *row = new QHBoxLayout(m_page);
-    row->setContentsMargins(32, 24, 32, 16);
+    row->setContentsMargins(32, 16, 32, 16);
     row->addStretch(1);
     row->addWidget(m_body, 1000);
     row->addStretch(1);
@@ -219,11 +219,11 @@ void WelcomePage::retranslate() {
                     QKeySequence(QKeySequence::New).toString(QKeySequence::NativeText));
     m_newCircle->setTexts(tr("New &circular test…"), tr("type or paste the points of the arcs"),
                           QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N).toString(QKeySequence::NativeText));
-    m_open->setTexts(tr("&Open…"), tr("a test file, .palmer"),
+    m_open->setTexts(tr("&Open…"), tr("a test file, .palmer, or a report"),
                      QKeySequence(QKeySequence::Open).toString(QKeySequence::NativeText));
     m_import->setTexts(tr("&Import…"), tr("tables and files of instruments"),
                        QKeySequence(Qt::CTRL | Qt::Key_I).toString(QKeySequence::NativeText));
-    m_dropHint->setText(tr("or drop files into the window — .palmer, .csv, .xlsx, .rtl, .b5r …"));
+    m_dropHint->setText(tr("or drop files into the window — .palmer, .pdf, .csv, .xlsx, .rtl, .b5r …"));
     m_recentTitle->setText(tr("Recent files"));
     m_noRecent->setText(tr("No file yet. Begin with an example."));
     m_examplesTitle->setText(tr("Examples"));

@@ -590,12 +590,15 @@ void Workplace::presentStatus() {
     const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
     if (!measurement) {
         const auto &drift = std::get<DriftMeasurement>(test.measurement);
-        emit contentChanged(tr("%n reading(s)", nullptr, static_cast<int>(drift.times.size())));
+        const auto readings = static_cast<int>(drift.times.size());
+        emit contentChanged(withGroups(tr("%n reading(s)", nullptr, readings), readings));
         emit hintChanged({});
         return;
     }
-    const QString targets = tr("%n target(s)", nullptr, static_cast<int>(measurement->targets.size()));
-    const QString runs = tr("%n run(s)", nullptr, static_cast<int>(measurement->runs.size()));
+    const auto targetCount = static_cast<int>(measurement->targets.size());
+    const QString targets = withGroups(tr("%n target(s)", nullptr, targetCount), targetCount);
+    const auto runCount = static_cast<int>(measurement->runs.size());
+    const QString runs = withGroups(tr("%n run(s)", nullptr, runCount), runCount);
     emit contentChanged(targets + QStringLiteral(" · ") + runs);
     const auto place = m_selection.hovered() ? m_selection.hovered() : m_selection.reading();
     if (!place || place->run >= measurement->runs.size() ||

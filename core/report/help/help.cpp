@@ -273,7 +273,7 @@ HelpPage workflowPage(const Language &language) {
         {REPORT_TEXT("report", "Decide"),
          REPORT_TEXT("report",
                      "Limits with their edition, the uncertainty, the decision rule: then there is a "
-                     "verdict. It is taken from unrounded numbers.")},
+                     "verdict. It is based on unrounded numbers.")},
         {REPORT_TEXT("report", "Print"),
          REPORT_TEXT("report",
                      "“Report…” shows the pages as they are printed, in French, in English or both.")},

@@ -349,11 +349,14 @@ QString methodText(const TestPart &part, std::optional<int> before) {
         const QString byBudget =
             symbolsOf(part, [](const Parameter &p) { return p.decidedBy == UncertaintyMethod::budget; });
         words << (byBudget.isEmpty()
-                      ? write.text(REPORT_TEXT("report", "The U of the Monte Carlo simulation decides."))
-                      : write.say(REPORT_TEXT("report",
-                                              "The U of the Monte Carlo simulation decides; for %1, which it "
-                                              "shifts by more than a third of its U, that of the budget."),
-                                  byBudget));
+                      ? write.text(REPORT_TEXT(
+                            "report", "The U of the Monte Carlo simulation is used for the verdict."))
+                      : write.say(
+                            REPORT_TEXT(
+                                "report",
+                                "The U of the Monte Carlo simulation is used for the verdict; "
+                                "for %1, which it shifts by more than a third of its U, that of the budget."),
+                            byBudget));
     } else {
         words << write.text(REPORT_TEXT("report", "The budget U is used for the verdict."));
     }

@@ -492,6 +492,38 @@ private slots:
         QVERIFY(held() < 10);
     }
 
+    /// Nor does the reason of a refusal, which comes and goes while a date is typed.
+    void aTextThatIsNotFinishedMovesNothing() {
+        for (const char *key : {"date", "travel", "dwell"}) {
+            Edited<ConditionsPage> edited(example());
+            Field *field = edited.enter(QString::fromLatin1(key));
+            const auto places = [&] {
+                QList<QRect> found;
+                for (const Field *one : edited.page.findChildren<Field *>())
+                    if (one->isVisible())
+                        found << QRect(one->mapTo(&edited.page, QPoint()), one->size());
+                return found;
+            };
+            QTest::qWait(20); // the page has scrolled to its field
+            const QList<QRect> before = places();
+            edited.type(QString::fromLatin1(key), u"2x"_s);
+            QVERIFY(field->isRefused());
+            QTest::qWait(20);
+            QCOMPARE(places(), before);
+            const auto labels = edited.page.findChildren<QLabel *>(u"refusal"_s);
+            const auto shown =
+                std::ranges::find_if(labels, [](const QLabel *label) { return label->isVisible(); });
+            QVERIFY(shown != labels.end());
+            QCOMPARE((*shown)->text(), field->refusal());
+            QVERIFY((*shown)->width() >= (*shown)->sizeHint().width());
+            const QWidget *row = (*shown)->parentWidget();
+            const QRect reason(row->mapTo(&edited.page, QPoint()), row->size());
+            QVERIFY(reason.top() >= before[0].top());
+            for (const QRect &place : before)
+                QVERIFY(!place.intersects(reason));
+        }
+    }
+
     void aTextOfAnAgreementThatIsTooLongIsRefused() {
         Edited<AgreedPointsPage> edited(example());
         auto *text = edited.page.findChildren<QLineEdit *>().at(0);

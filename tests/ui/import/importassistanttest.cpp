@@ -5,6 +5,7 @@
 #include "ui/import/importassistant.h"
 
 #include "document/sha256.h"
+#include "ui/elidedbox.h"
 #include "ui/window/shownwindow.h"
 
 #include <QAbstractButton>
@@ -139,6 +140,23 @@ private slots:
         QCOMPARE(table->columnCount(), 7);
         QCOMPARE(table->index(0, 1).data().toString(), QString("−3.0"));
         QCOMPARE(table->index(3, 6).data().toString(), QString("–"));
+    }
+
+    void chosenWordsAreNotCut() {
+        for (const Language::Id language : {Language::Id::english, Language::Id::french}) {
+            setWindowLanguage(language);
+            ImportAssistant dialog(bytesOf("tables/typical.csv"), "typical.csv", nullptr);
+            dialog.resize(1280, 760);
+            dialog.show();
+            QTest::qWait(10);
+            for (const auto *box : dialog.findChildren<ElidedBox *>())
+                QCOMPARE(box->shownText(), box->currentText());
+            // Where there is no room for them they end in "…".
+            auto *narrow = dialog.findChild<ElidedBox *>("import.layout");
+            narrow->setFixedWidth(90);
+            QTest::qWait(10);
+            QVERIFY2(narrow->shownText().endsWith(u'…'), qPrintable(narrow->shownText()));
+        }
     }
 
     void aConfirmedGuessIsNoGuess() {

@@ -66,6 +66,8 @@ private slots:
     void forgetsStepsOfTheFormerDocument();
     void staysAsItIsWhenSavingFails();
     void goesBackAndForthThroughALargeTest();
+    void mergesStepsOfALargeTest();
+    void forgetsTheFirstOfManyLargeSteps();
 };
 
 void DocumentModelTest::editsThroughOneDoor() {
@@ -189,7 +191,7 @@ void DocumentModelTest::goesBackAndForthThroughALargeTest() {
             });
         else
             setReading(model, step, 3 * step, step % 4 == 0 ? std::nullopt : std::optional(0.5),
-                       QStringLiteral("typed"));
+                       QStringLiteral("typed %1").arg(step));
         states.push_back(*model.document());
         QVERIFY(states.back() != states[states.size() - 2]);
     }
@@ -208,6 +210,55 @@ void DocumentModelTest::goesBackAndForthThroughALargeTest() {
     setReading(model, 0, 0, 7.0);
     model.undoStack()->undo();
     QVERIFY(*model.document() == states[17]);
+}
+
+void DocumentModelTest::mergesStepsOfALargeTest() {
+    DocumentModel model;
+    model.setDocument(largeDocument(), {});
+    const Document before = *model.document();
+    for (const double value : {1.0, 2.0, 3.0})
+        setReading(model, 3, 4, value, QStringLiteral("typed"));
+    QCOMPARE(model.undoStack()->count(), 1);
+    const Document after = *model.document();
+    model.undoStack()->undo();
+    QVERIFY(*model.document() == before);
+    model.undoStack()->redo();
+    QVERIFY(*model.document() == after);
+    setReading(model, 3, 4, 0.003, QStringLiteral("typed")); // as it was
+    QCOMPARE(model.undoStack()->count(), 0);
+    QVERIFY(*model.document() == before);
+}
+
+/// Steps that leave no reading as it was are kept as long as all together are bounded.
+void DocumentModelTest::forgetsTheFirstOfManyLargeSteps() {
+    DocumentModel model;
+    model.setDocument(largeDocument(), {});
+    std::vector<Document> states{*model.document()};
+    const auto shift = [&](int step) {
+        model.edit("shift", [step](Document &document) {
+            auto test = std::make_shared<Test>(*document.tests[0]);
+            for (auto &run : std::get<PositioningMeasurement>(test->measurement).runs)
+                run.deviations.assign(100'000, 1.0 + step); // 2 × 10⁷ readings
+            std::get<PositioningMeasurement>(test->measurement).targets.assign(100'000, 0);
+            document.tests[0] = std::move(test);
+        });
+    };
+    rename(model, "first");
+    shift(0);
+    shift(1);
+    shift(2);
+    rename(model, "second");
+    QVERIFY(model.undoStack()->count() < 5);
+    QVERIFY(model.isModified());
+    QVERIFY(model.undoStack()->canUndo() && !model.undoStack()->canRedo());
+    QCOMPARE(model.undoStack()->undoText(), QStringLiteral("name the machine"));
+    const Document last = *model.document();
+    while (model.undoStack()->canUndo())
+        model.undoStack()->undo();
+    QVERIFY(model.isModified()); // the saved state cannot be reached any more
+    while (model.undoStack()->canRedo())
+        model.undoStack()->redo();
+    QVERIFY(*model.document() == last);
 }
 
 QTEST_GUILESS_MAIN(DocumentModelTest)

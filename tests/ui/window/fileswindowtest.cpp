@@ -20,6 +20,7 @@
 #include <QTest>
 #include <QTimer>
 #include <QUndoStack>
+#include <algorithm>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -158,7 +159,7 @@ void FilesWindowTest::oneQuestionForSeveralWindows() {
 void FilesWindowTest::undoIsBoundedByMemory() {
     DocumentModel model;
     model.setDocument(openDocument(examplePath("rotary-axis")), {});
-    QVERIFY(model.undoStack()->undoLimit() >= 500); // of a test of the usual size nothing is felt
+    QVERIFY(model.undoStack()->undoLimit() >= 500); // of tests of the usual size nothing is forgotten
     Document large;
     large.tests.push_back(std::make_shared<const palmer::Test>(newDriftTest(Axis{})));
     auto test = std::make_shared<palmer::Test>(*large.tests[0]);
@@ -167,12 +168,24 @@ void FilesWindowTest::undoIsBoundedByMemory() {
     drift.deviations.resize(1'000'000);
     large.tests[0] = std::move(test);
     model.setDocument(std::move(large), {});
-    for (int i = 0; i < 30; ++i)
-        model.edit("rename the test",
-                   [i](Document &document) { document.report.number = std::to_string(i); });
-    const int limit = model.undoStack()->undoLimit();
-    QVERIFY(limit >= 10 && limit * 24LL * 1'000'000 <= 512LL * 1024 * 1024);
-    QCOMPARE(model.undoStack()->count(), std::min(30, limit));
+    const auto edit = [&](int i, bool all) {
+        model.edit("edit", [&](Document &document) {
+            auto edited = std::make_shared<palmer::Test>(*document.tests[0]);
+            edited->title = std::to_string(i);
+            if (all)
+                std::ranges::fill(std::get<DriftMeasurement>(edited->measurement).deviations, i);
+            document.tests[0] = std::move(edited);
+        });
+    };
+    for (int i = 1; i <= 60; ++i) // they copied the test and kept it, or were forgotten after ten
+        edit(i, false);
+    QCOMPARE(model.undoStack()->count(), 60);
+    for (int i = 1; i <= 30; ++i)
+        edit(i, true);
+    QVERIFY(model.undoStack()->count() >= 4 && model.undoStack()->count() <= 12);
+    while (model.undoStack()->canUndo())
+        model.undoStack()->undo();
+    QVERIFY(std::stoi(model.document()->tests[0]->title) >= 18);
 }
 
 void FilesWindowTest::saysThatAFileIsReadOnly() {

@@ -60,6 +60,8 @@ private slots:
     void theMarkOfWhatIsRequiredHasItsColour();
     void allExamplesAreInSight_data();
     void allExamplesAreInSight();
+    void headsAreNotCutInAWord();
+    void namesOfLimitsAreWhole();
     void aDriftTestHasNoEmptyTable();
     void pageAndFigureTakeTurnsInALowWindow_data();
     void pageAndFigureTakeTurnsInALowWindow();
@@ -356,7 +358,7 @@ void LayoutTest::allExamplesAreInSight_data() {
 void LayoutTest::allExamplesAreInSight() {
     QFETCH(Language::Id, language);
     setWindowLanguage(language);
-    const ShownWindow shown({}, {1280, 800});
+    const ShownWindow shown({}, {1280, 770}); // a screen of 1 280 × 800 less the title of the window
     const auto *list = shown.find<QListView>("examplesList");
     QTRY_COMPARE(list->model()->rowCount(), static_cast<int>(examples().size()));
     QTRY_VERIFY([&] {
@@ -371,6 +373,45 @@ void LayoutTest::allExamplesAreInSight() {
     }());
     auto *scroll = qobject_cast<QScrollArea *>(shown.find("welcome")->findChild<QScrollArea *>());
     QVERIFY(scroll && !scroll->verticalScrollBar()->isVisible());
+}
+
+void LayoutTest::headsAreNotCutInAWord() {
+    setWindowLanguage(Language::Id::french);
+    for (const int width : {960, 1024, 1280}) {
+        const ShownWindow shown(examplePath("iso230-2-1988-example"), {width, 720});
+        QTest::qWait(20);
+        bool title = false;
+        for (const ElidedLabel *label : shown.find("figureView")->findChildren<ElidedLabel *>())
+            title |= label->text() == u"Écart de position"_s && label->shownText() == label->text();
+        QVERIFY2(title, QByteArray::number(width));
+        const auto *summary = shown.find<ElidedLabel>("findingsSummary");
+        const QString whole = summary->text();
+        QString said = summary->shownText();
+        QVERIFY(whole.count(u" · "_s) > 1);
+        QVERIFY(!said.isEmpty());
+        if (said != whole) {
+            QVERIFY2(said.endsWith(u" …"_s), qPrintable(said));
+            said.chop(2);
+            QVERIFY2(whole.startsWith(said + u" · "_s), qPrintable(said));
+        }
+    }
+}
+
+void LayoutTest::namesOfLimitsAreWhole() {
+    setWindowLanguage(Language::Id::french);
+    const ShownWindow shown(examplePath("iso230-2-1988-example"), {1280, 770});
+    shown.window->workplace().showPage(Page::limits);
+    int names = 0;
+    for (const QLabel *label : shown.find("limitsPage")->findChildren<QLabel *>()) {
+        if (!label->wordWrap() || label->text().isEmpty() || !label->isVisible())
+            continue;
+        ++names;
+        const QRect needed = label->fontMetrics().boundingRect(QRect(0, 0, label->width(), 1000),
+                                                               Qt::TextWordWrap, label->text());
+        QVERIFY2(needed.height() <= label->height() + 2 && needed.width() <= label->width(),
+                 qPrintable(label->text()));
+    }
+    QVERIFY(names >= 10);
 }
 
 void LayoutTest::aDriftTestHasNoEmptyTable() {
