@@ -307,7 +307,8 @@ private slots:
         edited.part<QToolButton>("method3")->click();
         table = edited.part<RowTable>("methods");
         // A is shifted too far: the budget decides there, the simulation for what it does not shift.
-        QVERIFY(edited.part<QLabel>("decides")->text().contains(u"Monte Carlo simulation is used for the verdict"_s));
+        QVERIFY(edited.part<QLabel>("decides")->text().contains(
+            u"Monte Carlo simulation is used for the verdict"_s));
         bool any = false;
         for (int row = 0; row < table->rowCount(); ++row)
             any |= table->item(row, 3)->font().bold();
