@@ -45,15 +45,16 @@ Sampling samplingOf(const Section *header) {
     auto rate = leadingNumberOf(actual);
     if (!actual || (rate && !(*rate > 0)))
         rate = header ? leadingNumberOf(header->value("Sample rate")) : std::nullopt;
-    if (!samples || !(*samples >= 2) || *samples != std::floor(*samples))
+    const double count = samples.value_or(0);
+    if (!(count >= 2) || count != std::floor(count))
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "the number of samples is missing in the head")});
-    if (*samples > mostSamples)
+    if (count > mostSamples)
         throw Error(Error::Kind::tooLarge,
                     {REPORT_TEXT("report", "more than 10 000 000 readings or points")});
     if (!rate || !(*rate > 0) || !std::isfinite(*rate))
         throw Error(Error::Kind::content, {REPORT_TEXT("report", "the sample rate is missing in the head")});
-    return {static_cast<std::size_t>(*samples), *rate};
+    return {static_cast<std::size_t>(count), *rate};
 }
 
 /// What stands behind the mark and its line break: as many samples as are announced, or more.
