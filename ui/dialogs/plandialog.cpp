@@ -7,6 +7,7 @@
 #include "document/savedocument.h"
 #include "document/testfile.h"
 #include "kernel/evaluation/edition.h"
+#include "kernel/evaluation/positioningcase.h"
 #include "language/decimals.h"
 #include "language/entry.h"
 #include "report/planreport.h"
@@ -444,8 +445,7 @@ QString PlanDialog::summary() const {
         text += u' ' +
                 tr("A long axis: once each way over the whole travel, and a full test of an agreed zone of "
                    "%1 besides.")
-                    .arg(m_request.motion == Motion::linear ? language.quantity(2000, Quantity::position)
-                                                            : language.quantity(360, Quantity::angle));
+                    .arg(language.quantity(longestShort(m_request.motion), position));
     const auto &tests = m_model.document()->tests;
     const auto *measurement =
         m_test < tests.size() ? std::get_if<PositioningMeasurement>(&tests[m_test]->measurement) : nullptr;
