@@ -56,14 +56,14 @@ std::set<std::size_t> problemsOf(const Imported &imported) {
 void RawTextModel::show(const Imported *imported) {
     beginResetModel();
     m_imported = imported;
-    m_lines.clear();
+    m_begins.clear();
     m_problems.clear();
     m_longest = 0;
     m_sheet = imported && imported->format == "workbook";
     if (m_sheet)
         m_longest = longestRow(imported->table);
     else if (imported)
-        findLines(imported->text.empty() ? imported->table.text() : imported->text);
+        findLines(text());
     if (imported)
         m_problems = problemsOf(*imported);
     endResetModel();
@@ -71,7 +71,6 @@ void RawTextModel::show(const Imported *imported) {
 
 /// Of 10⁶ lines in some milliseconds: each end is looked for alone, most texts have but one of both.
 void RawTextModel::findLines(const std::string &text) {
-    m_lines.reserve(static_cast<std::size_t>(std::ranges::count(text, '\n')) + 1);
     std::size_t begin = 0;
     std::size_t feed = text.find('\n');
     std::size_t carriage = text.find('\r');
@@ -81,16 +80,33 @@ void RawTextModel::findLines(const std::string &text) {
         if (carriage < begin)
             carriage = text.find('\r', begin);
         const std::size_t end = std::min({feed, carriage, text.size()});
-        m_lines.push_back({begin, end - begin});
+        m_begins.push_back(static_cast<std::uint32_t>(begin));
         m_longest = std::max(m_longest, static_cast<int>(std::min(end - begin, longestShown)));
         begin = end + (end == carriage && feed == carriage + 1 ? 2 : 1);
     }
 }
 
+const std::string &RawTextModel::text() const {
+    return m_imported->text.empty() ? m_imported->table.text() : m_imported->text;
+}
+
+/// Without its end.
+RawTextModel::Line RawTextModel::line(int row) const {
+    const auto at = static_cast<std::size_t>(row);
+    const std::string &all = text();
+    const std::size_t begin = m_begins[at];
+    std::size_t end = at + 1 < m_begins.size() ? m_begins[at + 1] : all.size();
+    if (end > begin && all[end - 1] == '\n')
+        --end;
+    if (end > begin && all[end - 1] == '\r')
+        --end;
+    return {begin, end - begin};
+}
+
 int RawTextModel::rowCount(const QModelIndex &parent) const {
     if (parent.isValid() || !m_imported)
         return 0;
-    return static_cast<int>(m_sheet ? m_imported->table.rows().size() : m_lines.size());
+    return static_cast<int>(m_sheet ? m_imported->table.rows().size() : m_begins.size());
 }
 
 QVariant RawTextModel::data(const QModelIndex &index, int role) const {
@@ -115,7 +131,7 @@ int RawTextModel::rowOf(std::size_t line) const {
     if (!m_imported || line == 0)
         return -1;
     if (!m_sheet)
-        return line <= m_lines.size() ? static_cast<int>(line) - 1 : -1;
+        return line <= m_begins.size() ? static_cast<int>(line) - 1 : -1;
     const auto rows = m_imported->table.rows();
     const auto found = std::ranges::lower_bound(rows, line, {}, &TableRow::line);
     return found != rows.end() && found->line == line ? static_cast<int>(found - rows.begin()) : -1;
@@ -148,9 +164,8 @@ std::vector<RawPiece> RawTextModel::pieces(int row) const {
         }
         return pieces;
     }
-    const std::string_view text = m_imported->text.empty() ? std::string_view(m_imported->table.text())
-                                                           : std::string_view(m_imported->text);
-    const Line line = m_lines[static_cast<std::size_t>(row)];
+    const std::string_view text = this->text();
+    const Line line = this->line(row);
     const std::size_t end = line.begin + std::min(line.size, longestShown);
     std::size_t at = line.begin;
     if (tableRow) {

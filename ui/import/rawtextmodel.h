@@ -6,6 +6,7 @@
 
 #include <QAbstractListModel>
 #include <QStyledItemDelegate>
+#include <cstdint>
 #include <set>
 #include <vector>
 
@@ -45,11 +46,13 @@ private:
     };
 
     void findLines(const std::string &text);
+    [[nodiscard]] const std::string &text() const;
+    [[nodiscard]] Line line(int row) const;
     [[nodiscard]] const TableRow *tableRow(int row) const;
 
     const Imported *m_imported = nullptr;
-    bool m_sheet = false;      ///< rows of a workbook, which has no text of its own
-    std::vector<Line> m_lines; ///< of a text
+    bool m_sheet = false;                ///< rows of a workbook, which has no text of its own
+    std::vector<std::uint32_t> m_begins; ///< of the lines of a text, which has at most 1 GiB
     std::set<std::size_t> m_problems;
     int m_longest = 0;
 };

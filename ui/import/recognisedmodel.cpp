@@ -15,11 +15,15 @@ namespace {
 constexpr int mostDecimals = 4;
 constexpr std::size_t looked = 20'000; ///< numbers whose decimals are counted
 
-std::vector<std::optional<double>> column(const std::vector<double> &values) {
-    return {values.begin(), values.end()};
+} // namespace
+
+std::size_t RecognisedModel::Column::size() const {
+    return values.size() + readings.size() + own.size(); // of one of them
 }
 
-} // namespace
+std::optional<double> RecognisedModel::Column::value(std::size_t row) const {
+    return !values.empty() ? values[row] : !readings.empty() ? readings[row] : own[row];
+}
 
 void RecognisedModel::show(const Imported *imported) {
     beginResetModel();
@@ -39,13 +43,13 @@ void RecognisedModel::show(const Imported *imported) {
 void RecognisedModel::countDecimals() {
     std::size_t numbers = 0;
     for (const Column &column : m_columns) {
-        m_rows = std::max(m_rows, column.values.size());
-        numbers += column.values.size();
+        m_rows = std::max(m_rows, column.size());
+        numbers += column.size();
     }
     const std::size_t step = numbers / looked + 1;
     for (Column &column : m_columns) {
-        for (std::size_t row = 0; row < column.values.size(); row += step) {
-            const auto &value = column.values[row];
+        for (std::size_t row = 0; row < column.size(); row += step) {
+            const auto value = column.value(row);
             if (value && column.decimals < mostDecimals)
                 column.decimals =
                     std::max(column.decimals, std::min(decimalsOf(*value, column.quantity), mostDecimals));
@@ -56,10 +60,8 @@ void RecognisedModel::countDecimals() {
 void RecognisedModel::add(const PositioningMeasurement &measurement) {
     const Quantity position = positionQuantity(measurement.axis);
     const Quantity deviation = deviationQuantity(measurement.axis);
-    m_columns.push_back({QStringLiteral("P %1").arg(windowLanguage().unit(position)),
-                         position,
-                         {},
-                         column(measurement.targets)});
+    m_columns.push_back(
+        {QStringLiteral("P %1").arg(windowLanguage().unit(position)), position, {}, measurement.targets});
     int up = 0;
     int down = 0;
     for (const Run &run : measurement.runs) {
@@ -67,7 +69,10 @@ void RecognisedModel::add(const PositioningMeasurement &measurement) {
         m_columns.push_back({QStringLiteral("%1 %2")
                                  .arg(positive ? ++up : ++down)
                                  .arg(positive ? QStringLiteral("↑") : QStringLiteral("↓")),
-                             deviation, positive ? Token::up : Token::downText, run.deviations});
+                             deviation,
+                             positive ? Token::up : Token::downText,
+                             {},
+                             run.deviations});
     }
 }
 
@@ -75,17 +80,16 @@ void RecognisedModel::add(const CircularMeasurement &measurement) {
     for (const Arc &arc : measurement.arcs) {
         const bool first = arc.sense == Sense::counterclockwise;
         const QString sense = first ? QStringLiteral("↺") : QStringLiteral("↻");
-        m_columns.push_back({QStringLiteral("%1 °").arg(sense), Quantity::angle, {}, column(arc.angles)});
+        m_columns.push_back({QStringLiteral("%1 °").arg(sense), Quantity::angle, {}, arc.angles});
         m_columns.push_back({QStringLiteral("%1 %2").arg(sense, windowLanguage().unit(Quantity::deviation)),
-                             Quantity::deviation, first ? Token::up : Token::downText,
-                             column(arc.radialDeviations)});
+                             Quantity::deviation, first ? Token::up : Token::downText, arc.radialDeviations});
     }
 }
 
 void RecognisedModel::add(const DriftMeasurement &measurement) {
     const Quantity deviation = deviationQuantity(measurement.axis);
-    m_columns.push_back({QStringLiteral("t s"), Quantity::time, {}, column(measurement.times)});
-    m_columns.push_back({windowLanguage().unit(deviation), deviation, {}, column(measurement.deviations)});
+    m_columns.push_back({QStringLiteral("t s"), Quantity::time, {}, measurement.times});
+    m_columns.push_back({windowLanguage().unit(deviation), deviation, {}, measurement.deviations});
 }
 
 void RecognisedModel::addSensor(const Sensor &sensor) {
@@ -93,15 +97,15 @@ void RecognisedModel::addSensor(const Sensor &sensor) {
         sensor.position.empty() ? QStringLiteral("°C") : QString::fromStdString(sensor.position);
     if (sensor.series) {
         // Sensors of one table have their times in common.
-        auto times = column(sensor.series->times);
+        const std::span<const double> times = sensor.series->times;
         const bool same = std::ranges::any_of(m_columns, [&](const Column &known) {
-            return known.quantity == Quantity::time && known.values == times;
+            return known.quantity == Quantity::time && std::ranges::equal(known.values, times);
         });
         if (!same)
-            m_columns.push_back({QStringLiteral("t s"), Quantity::time, {}, std::move(times)});
-        m_columns.push_back({name, Quantity::temperature, {}, column(sensor.series->temperatures)});
+            m_columns.push_back({QStringLiteral("t s"), Quantity::time, {}, times});
+        m_columns.push_back({name, Quantity::temperature, {}, sensor.series->temperatures});
     } else {
-        m_columns.push_back({name, Quantity::temperature, {}, {sensor.start, sensor.end}});
+        m_columns.push_back({name, Quantity::temperature, {}, {}, {}, {sensor.start, sensor.end}});
     }
 }
 
@@ -120,10 +124,11 @@ QVariant RecognisedModel::data(const QModelIndex &index, int role) const {
     const auto row = static_cast<std::size_t>(index.row());
     if (role == Qt::TextAlignmentRole)
         return static_cast<int>(Qt::AlignRight | Qt::AlignVCenter);
-    if (role == Qt::DisplayRole && row < column.values.size())
-        return column.values[row]
-                   ? windowLanguage().number(*column.values[row], column.quantity, column.decimals)
-                   : QStringLiteral("–");
+    if (role == Qt::DisplayRole && row < column.size()) {
+        const std::optional<double> value = column.value(row);
+        return value ? windowLanguage().number(*value, column.quantity, column.decimals)
+                     : QStringLiteral("–");
+    }
     return {};
 }
 

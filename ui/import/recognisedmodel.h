@@ -8,6 +8,7 @@
 
 #include <QAbstractTableModel>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace palmer::ui {
@@ -20,6 +21,7 @@ class RecognisedModel : public QAbstractTableModel {
 public:
     using QAbstractTableModel::QAbstractTableModel;
 
+    /// What was read; it must stay alive and unchanged while it is shown.
     void show(const Imported *imported);
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
@@ -32,8 +34,13 @@ private:
         QString head;
         Quantity quantity = Quantity::number;
         std::optional<Token> colour = {};
-        std::vector<std::optional<double>> values = {};
-        int decimals = 0; ///< those the numbers have, within sense
+        std::span<const double> values = {};                  ///< where none is missing
+        std::span<const std::optional<double>> readings = {}; ///< else
+        std::vector<std::optional<double>> own = {};          ///< else, of the model
+        int decimals = 0;                                     ///< those the numbers have, within sense
+
+        [[nodiscard]] std::size_t size() const;
+        [[nodiscard]] std::optional<double> value(std::size_t row) const;
     };
 
     void add(const PositioningMeasurement &measurement);
