@@ -142,6 +142,30 @@ private slots:
         QCOMPARE(table->index(3, 6).data().toString(), QString("–"));
     }
 
+    void linesStandAsInTheFile_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QStringList>("lines");
+        const QStringList three{"a;1", "", "b;2"};
+        QTest::newRow("\\n") << QByteArray("a;1\n\nb;2\n") << three;
+        QTest::newRow("no end of the last") << QByteArray("a;1\n\nb;2") << three;
+        QTest::newRow("\\r\\n") << QByteArray("a;1\r\n\r\nb;2\r\n") << three;
+        QTest::newRow("\\r") << QByteArray("a;1\r\rb;2\r") << three;
+        QTest::newRow("all of them") << QByteArray("a;1\r\n\rb;2\nc") << QStringList{"a;1", "", "b;2", "c"};
+        QTest::newRow("nothing") << QByteArray() << QStringList();
+    }
+    void linesStandAsInTheFile() {
+        QFETCH(QByteArray, text);
+        QFETCH(QStringList, lines);
+        Imported imported;
+        imported.text = text.toStdString();
+        RawTextModel model;
+        model.show(&imported);
+        QStringList shown;
+        for (int row = 0; row < model.rowCount(); ++row)
+            shown << model.index(row).data().toString();
+        QCOMPARE(shown, lines);
+    }
+
     void chosenWordsAreNotCut() {
         for (const Language::Id language : {Language::Id::english, Language::Id::french}) {
             setWindowLanguage(language);
