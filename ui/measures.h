@@ -4,6 +4,8 @@
 
 namespace palmer::ui {
 
+// Of pages, forms and tables, in pixels of a screen of 96 dpi.
+
 // What pages, dialogs and the register have alike, pixels.
 inline constexpr int pageMargin = 16;
 inline constexpr int pageBarHeight = 44;  ///< above a page

@@ -23,6 +23,22 @@ std::optional<double> endTemperature(const Sensor &sensor) {
     return std::nullopt;
 }
 
+std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what,
+                                      std::optional<double> (*temperature)(const Sensor &)) {
+    double sum = 0;
+    int count = 0;
+    for (const Sensor &sensor : conditions.sensors) {
+        if (sensor.measures != what)
+            continue;
+        const auto value = temperature(sensor);
+        if (!value)
+            return std::nullopt;
+        sum += *value;
+        ++count;
+    }
+    return count > 0 ? std::optional(sum / count) : std::nullopt;
+}
+
 std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what) {
     double sum = 0;
     int count = 0;

@@ -120,6 +120,11 @@ struct CircularConditions {
 [[nodiscard]] std::optional<double> startTemperature(const Sensor &sensor);
 [[nodiscard]] std::optional<double> endTemperature(const Sensor &sensor);
 
+/// Mean at one time, startTemperature or endTemperature, over all sensors that measure it, °C. Null unless
+/// each of them has it.
+[[nodiscard]] std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what,
+                                                    std::optional<double> (*temperature)(const Sensor &));
+
 /// The largest change of temperature within an hour, °C/h: highest − lowest of any window of one hour, so
 /// that noise is not magnified by short steps. Times ascend. Null for a series shorter than an hour.
 [[nodiscard]] std::optional<double> gradientPerHour(const TemperatureSeries &series);

@@ -15,27 +15,10 @@ namespace {
 constexpr double mmPerMetre = 1000; ///< L is in mm, certificates and α speak of metres
 constexpr double arcSecondsPerDegree = 3600;
 
-/// The sensors' mean at one time; null unless each of them has it.
-std::optional<double> meanAt(const Conditions &conditions, SensorMeasures what,
-                             std::optional<double> (*temperature)(const Sensor &)) {
-    double sum = 0;
-    int count = 0;
-    for (const Sensor &sensor : conditions.sensors) {
-        if (sensor.measures != what)
-            continue;
-        const auto value = temperature(sensor);
-        if (!value)
-            return std::nullopt;
-        sum += *value;
-        ++count;
-    }
-    return count > 0 ? std::optional(sum / count) : std::nullopt;
-}
-
 /// Of the temperatures at start and end the one farther from 20 °C.
 std::optional<double> fartherTemperature(const Conditions &conditions, SensorMeasures what) {
-    const auto start = meanAt(conditions, what, startTemperature);
-    const auto end = meanAt(conditions, what, endTemperature);
+    const auto start = meanTemperature(conditions, what, startTemperature);
+    const auto end = meanTemperature(conditions, what, endTemperature);
     if (!start || !end)
         return start ? start : end;
     const auto distance = [](double theta) { return std::abs(theta - referenceTemperature); };

@@ -287,24 +287,6 @@ KeyValues rowsOf(const CircularPart &part) {
     return rows.take();
 }
 
-using Temperature = std::optional<double> (*)(const Sensor &);
-
-/// Mean over all sensors that measure it; null unless each of them has a value.
-std::optional<double> mean(const std::vector<Sensor> &sensors, SensorMeasures what, Temperature temperature) {
-    double sum = 0;
-    int count = 0;
-    for (const Sensor &sensor : sensors) {
-        if (sensor.measures != what)
-            continue;
-        const auto value = temperature(sensor);
-        if (!value)
-            return std::nullopt;
-        sum += *value;
-        ++count;
-    }
-    return count > 0 ? std::optional(sum / count) : std::nullopt;
-}
-
 /// Temperatures at start and end and what else is stated of the environment.
 class EnvironmentTable {
 public:
@@ -404,7 +386,8 @@ KeyValues conditionRows(const TestPart &part) {
 }
 
 Temperatures temperaturesOf(const Conditions &conditions, SensorMeasures what) {
-    return {mean(conditions.sensors, what, startTemperature), mean(conditions.sensors, what, endTemperature)};
+    return {meanTemperature(conditions, what, startTemperature),
+            meanTemperature(conditions, what, endTemperature)};
 }
 
 bool statesTemperatures(const TestPart &part) {
