@@ -10,10 +10,10 @@
 #include "document/evaluateddocument.h"
 #include "figures/budgetfigure.h"
 #include "figures/circlefigure.h"
-#include "figures/deviationfigure.h"
 #include "figures/diagnosisfigure.h"
-#include "figures/driftfigure.h"
 #include "figures/figuredata.h"
+#include "figures/figureoftest.h"
+#include "kernel/measurement/testfacts.h"
 #include "ui/figures/exportfigure.h"
 
 #include <QFileInfo>
@@ -88,24 +88,19 @@ NamedFigure figureOf(const EvaluatedDocument &evaluated, std::size_t index,
             throwHasNoFigure(index, budgetWord); // no budget is asked for
         return {figure, figure.title};
     }
-    if (std::holds_alternative<DriftMeasurement>(test.measurement)) {
+    if (axisOf(test)) {
         const std::string word = asked.value_or(QLatin1StringView(deviationWord)).toStdString();
-        CurveFigure figure = driftFigure(test, evaluation, language);
-        if (word != deviationWord || figure.curves.empty())
+        const Figure figure = figureOfTest(test, evaluation, language);
+        const auto &curves = std::get<CurveFigure>(figure);
+        const bool isEmpty = curves.curves.empty() && !isJudged(test); // a drift test without readings
+        if (word != deviationWord || isEmpty)
             throwHasNoFigure(index, word);
-        return {figure, figure.title};
-    }
-    if (std::holds_alternative<PositioningMeasurement>(test.measurement)) {
-        const std::string word = asked.value_or(QLatin1StringView(deviationWord)).toStdString();
-        if (word != deviationWord)
-            throwHasNoFigure(index, word);
-        CurveFigure figure = deviationFigure(test, evaluation, language);
-        return {figure, figure.title};
+        return {figure, curves.title};
     }
     const std::string word = asked.value_or(QLatin1StringView(circleWords[0].word)).toStdString();
     const auto found =
         std::ranges::find_if(circleWords, [&](const CircleWord &one) { return one.word == word; });
-    if (found == circleWords.end() || !std::holds_alternative<CircularMeasurement>(test.measurement))
+    if (found == circleWords.end())
         throwHasNoFigure(index, word);
     CircleFigure figure = circleFigure(test, evaluation, language, {.of = found->of});
     if (figure.traces.empty())

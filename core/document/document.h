@@ -5,9 +5,11 @@
 #include "kernel/measurement/machine.h"
 #include "kernel/measurement/test.h"
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
 namespace palmer {
@@ -102,5 +104,13 @@ struct Document {
     /// Compares tests by value.
     friend bool operator==(const Document &a, const Document &b);
 };
+
+/// What that test measured, for whoever computes, shows or edits the numbers of one kind; null for a test of
+/// another kind and for an index beyond the end.
+template <class Measurement>
+[[nodiscard]] const Measurement *measured(const Document &document, std::size_t test) {
+    return test < document.tests.size() ? std::get_if<Measurement>(&document.tests[test]->measurement)
+                                        : nullptr;
+}
 
 } // namespace palmer

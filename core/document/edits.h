@@ -18,6 +18,13 @@ namespace palmer {
 /// Lets `change` alter a copy of the test and puts the copy in its place.
 void editTest(Document &document, std::size_t test, const std::function<void(Test &)> &change);
 
+/// The same for what a test of one kind measured; a test of another kind stays as it is.
+template <class Measurement>
+void editMeasurement(Document &document, std::size_t test, const std::function<void(Measurement &)> &change) {
+    if (measured<Measurement>(document, test))
+        editTest(document, test, [&](Test &changed) { change(std::get<Measurement>(changed.measurement)); });
+}
+
 /// An id that no instrument has yet: "instrument", "instrument2", …
 [[nodiscard]] std::string freeInstrumentId(const Document &document);
 

@@ -39,6 +39,12 @@ struct EvaluatedDocument {
     [[nodiscard]] bool isPending(std::size_t test) const;
 };
 
+/// The same of a document that is evaluated: null, too, without one.
+template <class Measurement>
+[[nodiscard]] const Measurement *measured(const EvaluatedDocument &evaluated, std::size_t test) {
+    return test < evaluated.tests.size() ? measured<Measurement>(*evaluated.document, test) : nullptr;
+}
+
 /// Evaluates all tests; those that are the same as in `previous` keep their evaluation.
 /// `edition`: the word of another edition for all tests of its kind (a view, no verdicts); empty: each its
 /// own.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editing/editreadings.h"
 
+#include "document/edits.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -247,12 +249,7 @@ void removeRuns(PositioningMeasurement &measurement, std::span<const std::size_t
 
 void editReadings(Document &document, std::size_t index,
                   const std::function<void(PositioningMeasurement &)> &change) {
-    if (index >= document.tests.size() ||
-        !std::holds_alternative<PositioningMeasurement>(document.tests[index]->measurement))
-        return;
-    auto test = std::make_shared<Test>(*document.tests[index]);
-    change(std::get<PositioningMeasurement>(test->measurement));
-    document.tests[index] = std::move(test);
+    editMeasurement(document, index, change);
 }
 
 } // namespace palmer

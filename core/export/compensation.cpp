@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "export/fineness.h"
+#include "kernel/evaluation/resultsof.h"
 #include "kernel/numerics/fullturn.h"
 
 #include <algorithm>
@@ -238,14 +239,14 @@ void demandLoadable(const CompensationTable &table, CompensationFormat format,
 CompensationTable compensationTable(const Test &test, const TestEvaluation &evaluation,
                                     CompensationFormat format, const CompensationOptions &options) {
     const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-    const auto *results = std::get_if<PositioningResults>(&evaluation.results);
-    if (!measurement || !results)
+    if (!measurement)
         refuseCompensation(
             REPORT_TEXT("report", "a compensation is made of a positioning test; this test is none"));
     if (measurement->targets.size() < 2)
         refuseCompensation(REPORT_TEXT("report", "a compensation needs two targets at least"));
     demandPossible(*measurement, format, options);
-    CompensationTable curve = correctionsOfTargets(*measurement, *results, options.perDirection);
+    const PositioningResults &results = resultsOf(*measurement, evaluation);
+    CompensationTable curve = correctionsOfTargets(*measurement, results, options.perDirection);
     const bool closes = format == CompensationFormat::siemens && isFullTurn(*measurement, options);
     CompensationTable table;
     table.axis = measurement->axis.name;

@@ -7,6 +7,7 @@
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/paths.h"
+#include "kernel/evaluation/resultsof.h"
 #include "kernel/numerics/aboutcentre.h"
 #include "kernel/numerics/centringerror.h"
 #include "kernel/numerics/fullturn.h"
@@ -61,7 +62,7 @@ struct CircleSource {
     CircleSource(const Test &test, const TestEvaluation &testEvaluation,
                  const CircleFigureOptions &figureOptions)
         : measurement(std::get<CircularMeasurement>(test.measurement))
-        , results(std::get<CircularResults>(testEvaluation.results))
+        , results(resultsOf(measurement, testEvaluation))
         , evaluation(testEvaluation)
         , options(figureOptions) {}
 

@@ -5,6 +5,7 @@
 #include "figures/curvefield.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/positioningcase.h"
+#include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
 #include "language/rounding.h"
 
@@ -340,7 +341,7 @@ Text deviationTerm(const Edition *edition) {
 CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, const Language &language,
                             const DeviationFigureOptions &options) {
     const auto &measurement = std::get<PositioningMeasurement>(test.measurement);
-    const auto &results = std::get<PositioningResults>(evaluation.results);
+    const PositioningResults &results = resultsOf(measurement, evaluation);
     const bool rotary = measurement.axis.motion == Motion::rotary;
     const double c = evaluation.edition ? evaluation.edition->c : 0;
     const AxisSource source{measurement,

@@ -3,6 +3,7 @@
 #include "figures/driftfigure.h"
 
 #include "figures/deviationfigure.h"
+#include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ Interval widened(double low, double high) {
 
 CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation, const Language &language) {
     const auto &measurement = std::get<DriftMeasurement>(test.measurement);
-    const auto &results = std::get<DriftResults>(evaluation.results);
+    const DriftResults &results = resultsOf(measurement, evaluation);
     const Quantity quantity = deviationQuantity(measurement.axis);
     const double scale = unitScale(quantity, language.units());
     const std::size_t count = std::min(measurement.times.size(), measurement.deviations.size());

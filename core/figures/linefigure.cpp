@@ -5,6 +5,7 @@
 #include "figures/curvefield.h"
 #include "figures/thinning.h"
 #include "figures/ticks.h"
+#include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
 
 #include <algorithm>
@@ -117,7 +118,7 @@ LineFigure compensationFigure(const Test &test, const TestEvaluation &before, co
     Bounds values;
     const auto add = [&](const TestEvaluation &evaluation, Direction direction, LineRole role,
                          const Text &name) {
-        const auto &results = std::get<PositioningResults>(evaluation.results);
+        const PositioningResults &results = resultsOf(measurement, evaluation);
         FigureLine line;
         line.role = role;
         const QString mean = direction == Direction::positive ? QStringLiteral("x̄↑") : QStringLiteral("x̄↓");

@@ -3,6 +3,7 @@
 #include "figures/targetstrip.h"
 
 #include "figures/ticks.h"
+#include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
 
 #include <algorithm>
@@ -69,7 +70,7 @@ Interval rangeOf(const std::vector<StripLane> &lanes) {
 TargetStrip targetStrip(const Test &test, const TestEvaluation &evaluation, std::size_t target,
                         const Language &language) {
     const auto &measurement = std::get<PositioningMeasurement>(test.measurement);
-    const auto &results = std::get<PositioningResults>(evaluation.results);
+    const PositioningResults &results = resultsOf(measurement, evaluation);
     const double scale = unitScale(deviationQuantity(measurement.axis), language.units());
     const double c = evaluation.edition ? evaluation.edition->c : 0;
 

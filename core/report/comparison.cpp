@@ -6,6 +6,7 @@
 #include "figures/circlefigure.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
+#include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/numerics/fullturn.h"
 #include "language/decimals.h"
@@ -398,7 +399,7 @@ ComparisonFigure comparisonFigure(const std::vector<ComparedTest> &tests, const 
             figure.curves.push_back(std::move(curve));
         };
         if (const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement)) {
-            add(meanCurve(*measurement, std::get<PositioningResults>(evaluation.results), language, ranges),
+            add(meanCurve(*measurement, resultsOf(*measurement, evaluation), language, ranges),
                 compared.name);
         } else {
             for (const EvaluatedPath &path : std::get<CircularResults>(evaluation.results).paths)

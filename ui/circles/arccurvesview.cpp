@@ -60,16 +60,15 @@ ArcCurvesView::ArcCurvesView(Selection &selection, QWidget *parent)
 
 void ArcCurvesView::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
     const Test &shown = *evaluated.document->tests[test];
+    m_measurement = measured<CircularMeasurement>(evaluated, test);
     if (m_profilesOf != evaluated.tests[test]) {
         m_profiles.clear();
-        const auto &measurement = std::get<CircularMeasurement>(shown.measurement);
-        for (std::size_t k = 0; k < measurement.arcs.size(); ++k)
+        for (std::size_t k = 0; k < m_measurement->arcs.size(); ++k)
             m_profiles.push_back(wholeArc(shown, *evaluated.tests[test], k));
     }
     m_evaluated = evaluated;
     m_test = test;
     m_profilesOf = evaluated.tests[test];
-    m_measurement = &std::get<CircularMeasurement>(shown.measurement);
     m_language = language;
     m_dragged = Handle::none;
     m_preview.reset();

@@ -4,6 +4,7 @@
 
 #include "figures/extremes.h"
 #include "kernel/evaluation/iso230_4/paths.h"
+#include "kernel/evaluation/resultsof.h"
 #include "ui/circles/arctexts.h"
 #include "ui/figures/style.h"
 #include "ui/theme.h"
@@ -24,13 +25,10 @@ void ArcsModel::show(const EvaluatedDocument &evaluated, std::size_t test, const
     beginResetModel();
     m_rows.clear();
     m_unit = language.unit(Quantity::deviation);
-    const auto *measurement =
-        test < evaluated.tests.size()
-            ? std::get_if<CircularMeasurement>(&evaluated.document->tests[test]->measurement)
-            : nullptr;
+    const auto *measurement = measured<CircularMeasurement>(evaluated, test);
     const QString none = QStringLiteral("–");
     for (std::size_t k = 0; measurement && k < measurement->arcs.size(); ++k) {
-        const auto &results = std::get<CircularResults>(evaluated.tests[test]->results);
+        const CircularResults &results = resultsOf(*measurement, *evaluated.tests[test]);
         const Arc &arc = measurement->arcs[k];
         const bool repetition = std::ranges::find(results.repetitions, k) != results.repetitions.end();
         const auto range = iso230_4::evaluatedRange(arc);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/circles/circlespage.h"
 
+#include "document/edits.h"
 #include "editing/typedreading.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "language/entry.h"
@@ -521,25 +522,14 @@ void CirclesPage::makeTables() {
 }
 
 const CircularMeasurement *CirclesPage::measurement() const {
-    return m_test < m_evaluated.tests.size()
-               ? std::get_if<CircularMeasurement>(&m_evaluated.document->tests[m_test]->measurement)
-               : nullptr;
+    return measured<CircularMeasurement>(m_evaluated, m_test);
 }
 
 void CirclesPage::edit(const char *name, const std::function<void(CircularMeasurement &)> &change,
                        const QString &mergeKey) {
-    const DocumentPointer &document = m_model.document();
-    if (m_filling || m_test >= document->tests.size() ||
-        !std::holds_alternative<CircularMeasurement>(document->tests[m_test]->measurement))
-        return;
-    m_model.edit(
-        name,
-        [&](Document &changed) {
-            auto test = std::make_shared<Test>(*changed.tests[m_test]);
-            change(std::get<CircularMeasurement>(test->measurement));
-            changed.tests[m_test] = std::move(test);
-        },
-        mergeKey);
+    if (!m_filling)
+        m_model.edit(
+            name, [&](Document &document) { editMeasurement(document, m_test, change); }, mergeKey);
 }
 
 void CirclesPage::setRange(std::size_t arc, std::optional<Interval> range, const QString &mergeKey) {

@@ -40,10 +40,7 @@ void PointsModel::dropRefused(const CircularMeasurement *now) {
 
 /// Where the cells stay the same only their data change: whoever types there goes on.
 void PointsModel::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
-    const auto *measurement =
-        test < evaluated.tests.size()
-            ? std::get_if<CircularMeasurement>(&evaluated.document->tests[test]->measurement)
-            : nullptr;
+    const auto *measurement = measured<CircularMeasurement>(evaluated, test);
     const std::string id = measurement ? evaluated.document->tests[test]->id : std::string();
     const bool same = id == m_id && hasSameCells(measurement);
     if (id == m_id)

@@ -209,9 +209,7 @@ QWidget *DiagnosisPage::makeBelow() {
 void DiagnosisPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
     m_evaluated = evaluated;
     m_test = test;
-    const bool circular = test < evaluated.tests.size() &&
-                          std::holds_alternative<CircularResults>(evaluated.tests[test]->results);
-    if (!circular) {
+    if (!measured<CircularMeasurement>(evaluated, test)) {
         m_evaluated = {};
         return;
     }

@@ -187,8 +187,7 @@ Field *CompensationDialog::addNumber(const char *name, const char *label,
                                      std::optional<double> CompensationOptions::*value) {
     auto *field = new Field(Field::Kind::number, this);
     field->edit()->setObjectName(QStringLiteral("compensation.") + QLatin1StringView(name));
-    const auto &measurement =
-        std::get<PositioningMeasurement>(m_evaluated.document->tests[m_test]->measurement);
+    const auto &measurement = *measured<PositioningMeasurement>(m_evaluated, m_test);
     const Quantity quantity = positionQuantity(measurement.axis);
     field->setReader([quantity](const QString &typed) -> Field::Reading {
         const NumberEntry entry = enteredNumber(typed, quantity, windowLanguage().units());
@@ -281,8 +280,7 @@ QString CompensationDialog::notes() const {
     for (const Message &remark : m_remarks)
         lines << language.sentence(remark);
     if (m_withCompared) {
-        const auto &measurement =
-            std::get<PositioningMeasurement>(m_evaluated.document->tests[m_test]->measurement);
+        const auto &measurement = *measured<PositioningMeasurement>(m_evaluated, m_test);
         const bool linear = measurement.axis.motion == Motion::linear;
         lines << tr("%1 (%2): the largest difference, written − compared, is %3 at %4 %5.")
                      .arg(m_comparedName, QString::fromUtf8(m_compared->control),
@@ -404,8 +402,7 @@ void CompensationDialog::changeEvent(QEvent *event) {
 }
 
 void CompensationDialog::retranslate() {
-    const auto &measurement =
-        std::get<PositioningMeasurement>(m_evaluated.document->tests[m_test]->measurement);
+    const auto &measurement = *measured<PositioningMeasurement>(m_evaluated, m_test);
     const auto choices = [](Field *field, const QString &label, const QStringList &words) {
         const int chosen = std::max(field->choice(), 0);
         field->setLabel(label);

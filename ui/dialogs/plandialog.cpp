@@ -347,8 +347,7 @@ Field *PlanDialog::addNumber(const char *name, const char *label, bool whole,
 
 void PlanDialog::begin(std::size_t test) {
     const auto &tests = m_model.document()->tests;
-    const auto *measurement =
-        test < tests.size() ? std::get_if<PositioningMeasurement>(&tests[test]->measurement) : nullptr;
+    const auto *measurement = measured<PositioningMeasurement>(*m_model.document(), test);
     if (!measurement)
         return;
     m_edition = tests[test]->edition;
@@ -446,9 +445,7 @@ QString PlanDialog::summary() const {
                 tr("A long axis: once each way over the whole travel, and a full test of an agreed zone of "
                    "%1 besides.")
                     .arg(language.quantity(longestShort(m_request.motion), position));
-    const auto &tests = m_model.document()->tests;
-    const auto *measurement =
-        m_test < tests.size() ? std::get_if<PositioningMeasurement>(&tests[m_test]->measurement) : nullptr;
+    const auto *measurement = measured<PositioningMeasurement>(*m_model.document(), m_test);
     if (measurement && measurement->axis.range &&
         (low < measurement->axis.range->from || high > measurement->axis.range->to))
         text += u' ' + tr("That is beyond the ends of the axis.");
@@ -462,18 +459,15 @@ QString PlanDialog::summary() const {
 
 /// Whether the test in view can take the plan: a positioning test without readings.
 bool PlanDialog::canFill() const {
-    const auto &tests = m_model.document()->tests;
-    const auto *measurement =
-        m_test < tests.size() ? std::get_if<PositioningMeasurement>(&tests[m_test]->measurement) : nullptr;
+    const auto *measurement = measured<PositioningMeasurement>(*m_model.document(), m_test);
     return measurement && !hasReadings(*measurement);
 }
 
 void PlanDialog::fillTest() {
     const Test planned = plannedTest(m_request, m_plan, m_program, m_edition);
     m_model.edit(QT_TRANSLATE_NOOP("edits", "plan the targets"), [&](Document &document) {
-        editTest(document, m_test, [&](Test &test) {
+        const std::function fill = [&](PositioningMeasurement &kept) {
             const auto &made = std::get<PositioningMeasurement>(planned.measurement);
-            auto &kept = std::get<PositioningMeasurement>(test.measurement);
             kept.axis.name = made.axis.name;
             kept.axis.motion = made.axis.motion;
             kept.targets = made.targets;
@@ -484,7 +478,8 @@ void PlanDialog::fillTest() {
             kept.conditions.feedMode = made.conditions.feedMode;
             kept.conditions.dwell = made.conditions.dwell;
             kept.conditions.approachDistance = made.conditions.approachDistance;
-        });
+        };
+        editMeasurement(document, m_test, fill);
     });
     accept();
 }

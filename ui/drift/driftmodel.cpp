@@ -25,10 +25,7 @@ int commonDecimals(const std::vector<double> &values, Quantity quantity) {
 } // namespace
 
 void DriftModel::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
-    const auto *measurement =
-        test < evaluated.tests.size()
-            ? std::get_if<DriftMeasurement>(&evaluated.document->tests[test]->measurement)
-            : nullptr;
+    const auto *measurement = measured<DriftMeasurement>(evaluated, test);
     const std::string id = measurement ? evaluated.document->tests[test]->id : std::string();
     const bool same = measurement && m_measurement && id == m_id &&
                       measurement->times.size() == m_measurement->times.size();

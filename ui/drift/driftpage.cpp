@@ -3,6 +3,8 @@
 #include "ui/drift/driftpage.h"
 
 #include "document/edits.h"
+#include "kernel/evaluation/resultsof.h"
+#include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
 #include "ui/circles/quiettable.h"
 #include "ui/elidedlabel.h"
@@ -180,15 +182,13 @@ void DriftPage::refresh() {
     m_table->setAccessibleName(tr("Readings of the drift test"));
     m_explained->setText(
         tr("Environmental variation error: the largest less the smallest deviation at rest"));
-    const Test *shown = test();
-    if (!shown)
+    const auto *shown = measured<DriftMeasurement>(m_evaluated, m_test);
+    if (!shown || m_evaluated.isPending(m_test))
         return;
-    if (m_evaluated.isPending(m_test))
-        return;
-    const auto &results = std::get<DriftResults>(m_evaluated.tests[m_test]->results);
+    const DriftResults &results = resultsOf(*shown, *m_evaluated.tests[m_test]);
     m_range->setText(results.range ? tr("E_VE = %1")
-                                         .arg(m_language.quantity(*results.range, deviationQuantity(*shown),
-                                                                  rangeDecimals))
+                                         .arg(m_language.quantity(
+                                             *results.range, deviationQuantity(shown->axis), rangeDecimals))
                                    : tr("No readings yet"));
     const QString taken = takenBy();
     m_taken->setText(taken.isEmpty()

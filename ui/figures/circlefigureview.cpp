@@ -3,6 +3,7 @@
 #include "ui/figures/circlefigureview.h"
 
 #include "kernel/evaluation/iso230_4/paths.h"
+#include "kernel/evaluation/resultsof.h"
 #include "ui/figures/circlecanvas.h"
 #include "ui/figures/style.h"
 #include "ui/theme.h"
@@ -187,10 +188,7 @@ void CircleFigureView::fillChoice() {
         std::ranges::count(m_separate, CircleSubject::circularDeviation, &CircleFigureOptions::subject);
     if (circular == 3)
         m_choice->addItem(tr("G(b) and G side by side"), sideBySide);
-    const auto *measurement =
-        m_test < m_evaluated.tests.size()
-            ? std::get_if<CircularMeasurement>(&m_evaluated.document->tests[m_test]->measurement)
-            : nullptr;
+    const auto *measurement = measured<CircularMeasurement>(m_evaluated, m_test);
     for (std::size_t i = 0; measurement && i < m_separate.size(); ++i) {
         const CircleFigureOptions &one = m_separate[i];
         if (one.of == CircleOf::both)
@@ -222,9 +220,10 @@ std::vector<CircleFigureOptions> CircleFigureView::chosen() const {
 }
 
 void CircleFigureView::refresh() {
-    if (m_test >= m_evaluated.tests.size())
+    const auto *measurement = measured<CircularMeasurement>(m_evaluated, m_test);
+    if (!measurement)
         return;
-    const auto &results = std::get<CircularResults>(m_evaluated.tests[m_test]->results);
+    const CircularResults &results = resultsOf(*measurement, *m_evaluated.tests[m_test]);
     const auto measured = [&](Sense sense) {
         return std::ranges::any_of(results.paths,
                                    [sense](const EvaluatedPath &path) { return path.sense == sense; });

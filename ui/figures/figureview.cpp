@@ -9,6 +9,7 @@
 #include "figures/figuresentence.h"
 #include "figures/thinning.h"
 #include "kernel/evaluation/correctionto20.h"
+#include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
 #include "report/explanations/explanation.h"
 #include "report/tables/readingtable.h"
@@ -66,24 +67,6 @@ CurveFigure withoutReadings(CurveFigure figure) {
     std::erase_if(figure.legend,
                   [](const LegendEntry &entry) { return entry.sample == LegendSample::readings; });
     return figure;
-}
-
-const CircularMeasurement *circularOf(const EvaluatedDocument &evaluated, std::size_t test) {
-    return test < evaluated.tests.size()
-               ? std::get_if<CircularMeasurement>(&evaluated.document->tests[test]->measurement)
-               : nullptr;
-}
-
-const PositioningMeasurement *measurementOf(const EvaluatedDocument &evaluated, std::size_t test) {
-    return test < evaluated.tests.size()
-               ? std::get_if<PositioningMeasurement>(&evaluated.document->tests[test]->measurement)
-               : nullptr;
-}
-
-const DriftMeasurement *driftOf(const EvaluatedDocument &evaluated, std::size_t test) {
-    return test < evaluated.tests.size()
-               ? std::get_if<DriftMeasurement>(&evaluated.document->tests[test]->measurement)
-               : nullptr;
 }
 
 } // namespace
@@ -197,13 +180,14 @@ std::optional<CurveFigure> FigureView::figure() const {
 }
 
 void FigureView::refresh() {
-    const bool curves = measurementOf(m_evaluated, m_test) || driftOf(m_evaluated, m_test);
-    const bool circular = circularOf(m_evaluated, m_test);
+    const bool curves = measured<PositioningMeasurement>(m_evaluated, m_test) ||
+                        measured<DriftMeasurement>(m_evaluated, m_test);
+    const bool circular = measured<CircularMeasurement>(m_evaluated, m_test);
     m_making.cancel();
     m_zooming.cancel();
     for (QWidget *button : std::initializer_list<QWidget *>{m_zoom, m_copy, m_save, m_detach, m_maximise})
         button->setEnabled(curves || circular);
-    m_marks->setVisible(!driftOf(m_evaluated, m_test));
+    m_marks->setVisible(!measured<DriftMeasurement>(m_evaluated, m_test));
     m_marks->setEnabled(curves || circular);
     m_circles->setVisible(circular);
     m_canvas->setVisible(!circular);
@@ -269,7 +253,7 @@ void FigureView::take(Content content) {
     m_readings = std::move(content.readings);
     m_shown = std::move(content.shown);
     m_sentence = std::move(content.sentence);
-    if (driftOf(m_evaluated, m_test))
+    if (measured<DriftMeasurement>(m_evaluated, m_test))
         nameDrift();
     else
         namePositioning();
@@ -280,10 +264,10 @@ void FigureView::take(Content content) {
 }
 
 void FigureView::namePositioning() {
-    const PositioningMeasurement &measurement = *measurementOf(m_evaluated, m_test);
+    const PositioningMeasurement &measurement = *measured<PositioningMeasurement>(m_evaluated, m_test);
     const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
     m_title->setText(m_whole->y.quantity);
-    const auto &results = std::get<PositioningResults>(evaluation.results);
+    const PositioningResults &results = resultsOf(measurement, evaluation);
     QString note = results.positiveRuns == results.negativeRuns || results.negativeRuns == 0
                        ? QStringLiteral("n = %1").arg(results.positiveRuns)
                        : QStringLiteral("n = %1 ↑, %2 ↓").arg(results.positiveRuns).arg(results.negativeRuns);
@@ -296,9 +280,9 @@ void FigureView::namePositioning() {
 }
 
 void FigureView::nameDrift() {
-    const DriftMeasurement &drift = *driftOf(m_evaluated, m_test);
+    const DriftMeasurement &drift = *measured<DriftMeasurement>(m_evaluated, m_test);
     m_title->setText(m_whole->title);
-    const auto &range = std::get<DriftResults>(m_evaluated.tests[m_test]->results).range;
+    const auto &range = resultsOf(drift, *m_evaluated.tests[m_test]).range;
     constexpr int decimals = 2;
     m_note->setText(range ? QStringLiteral("E_VE = ") +
                                 m_language.quantity(*range, deviationQuantity(drift.axis), decimals)
@@ -323,7 +307,7 @@ std::optional<std::array<Interval, 2>> FigureView::zoomedRanges() const {
 }
 
 void FigureView::refreshCircles() {
-    const CircularMeasurement *measurement = circularOf(m_evaluated, m_test);
+    const CircularMeasurement *measurement = measured<CircularMeasurement>(m_evaluated, m_test);
     const auto figure = measurement ? m_circles->paperFigure() : std::nullopt;
     if (!figure)
         return;
@@ -339,7 +323,7 @@ void FigureView::refreshCircles() {
 }
 
 std::optional<FigureView::Leaving> FigureView::leaving() const {
-    if (circularOf(m_evaluated, m_test)) {
+    if (measured<CircularMeasurement>(m_evaluated, m_test)) {
         if (const auto figure = m_circles->paperFigure())
             return Leaving{*figure, figure->title};
         return std::nullopt;
@@ -382,7 +366,7 @@ void FigureView::fit() {
 
 void FigureView::mark() {
     FigureMarking marking;
-    const PositioningMeasurement *measurement = measurementOf(m_evaluated, m_test);
+    const PositioningMeasurement *measurement = measured<PositioningMeasurement>(m_evaluated, m_test);
     const auto explained =
         explanation(m_evaluated, m_test, m_selection.parameter().toStdString(), m_language);
     if (measurement && m_whole && explained && !explained->result.isEmpty()) {
@@ -401,9 +385,9 @@ void FigureView::mark() {
 }
 
 void FigureView::showHoverLabel() {
-    const PositioningMeasurement *measurement = measurementOf(m_evaluated, m_test);
+    const PositioningMeasurement *measurement = measured<PositioningMeasurement>(m_evaluated, m_test);
     const auto place = m_selection.hovered();
-    const DriftMeasurement *drift = driftOf(m_evaluated, m_test);
+    const DriftMeasurement *drift = measured<DriftMeasurement>(m_evaluated, m_test);
     if (drift && place && place->target < drift->times.size()) {
         m_canvas->setHoverLabel(
             m_language.quantity(drift->times[place->target], Quantity::time) + QStringLiteral(" · ") +
@@ -486,8 +470,9 @@ void FigureView::retranslate() {
         button->setAccessibleName(text);
         button->setToolTip(keys.isEmpty() ? text : text + QStringLiteral(" (") + keys + u')');
     };
-    name(m_marks, circularOf(m_evaluated, m_test) ? tr("Show the points that rule the result")
-                                                  : tr("Show single readings"));
+    name(m_marks, measured<CircularMeasurement>(m_evaluated, m_test)
+                      ? tr("Show the points that rule the result")
+                      : tr("Show single readings"));
     name(m_copy, tr("Copy the figure"));
     name(m_save, tr("Save the figure as PDF, SVG or PNG"));
     name(m_detach, tr("Open the figure in a window of its own"));

@@ -8,6 +8,7 @@
 #include "figures/driftfigure.h"
 #include "figures/linefigure.h"
 #include "figures/thinning.h"
+#include "kernel/measurement/testfacts.h"
 #include "ui/elidedbox.h"
 #include "ui/figures/circlecanvas.h"
 #include "ui/figures/figurecanvas.h"
@@ -82,15 +83,16 @@ QWidget *part(QWidget *parent, QLabel *title, QWidget *beside, QWidget *content)
 /// As much of the curve as a screen resolves; nothing for circles.
 std::optional<CurveFigure> curveOf(const EvaluatedDocument &evaluated, const Language &language) {
     const Test &test = *evaluated.document->tests[0];
-    std::optional<CurveFigure> figure;
-    if (std::holds_alternative<PositioningMeasurement>(test.measurement)) {
+    if (!axisOf(test))
+        return std::nullopt;
+    const CurveFigure figure = [&] {
+        if (!isJudged(test))
+            return driftFigure(test, *evaluated.tests[0], language);
         DeviationFigureOptions options;
         options.dimensions = false; // results are not looked at before the readings are right
-        figure = deviationFigure(test, *evaluated.tests[0], language, options);
-    } else if (std::holds_alternative<DriftMeasurement>(test.measurement)) {
-        figure = driftFigure(test, *evaluated.tests[0], language);
-    }
-    return figure && !isOrdinary(*figure) ? thinned(*figure) : figure;
+        return deviationFigure(test, *evaluated.tests[0], language, options);
+    }();
+    return isOrdinary(figure) ? figure : thinned(figure);
 }
 
 QString profileSetting(const QString &fileName) {
@@ -787,26 +789,35 @@ void ImportAssistant::showEvaluated(const EvaluatedDocument &evaluated, std::opt
     m_curves->setCurrentWidget(m_circleCanvas);
 }
 
+QStringList ImportAssistant::sizesOf(const PositioningMeasurement &measurement) {
+    QStringList sizes{tr("%n target(s)", nullptr, static_cast<int>(measurement.targets.size()))};
+    for (const auto &[approach, arrow] :
+         {std::pair(Direction::positive, u'↑'), std::pair(Direction::negative, u'↓')}) {
+        const auto runs = std::ranges::count(measurement.runs, approach, &Run::approach);
+        sizes << tr("%n run(s)", nullptr, static_cast<int>(runs)) + u' ' + arrow;
+    }
+    return sizes;
+}
+
+QStringList ImportAssistant::sizesOf(const CircularMeasurement &measurement) const {
+    return {tr("%n arc(s)", nullptr, static_cast<int>(measurement.arcs.size())), pointsText()};
+}
+
+QStringList ImportAssistant::sizesOf(const DriftMeasurement & /*measurement*/) const {
+    return {pointsText()};
+}
+
+QString ImportAssistant::pointsText() const {
+    const int points = readingsOf(m_file.imported);
+    return withGroups(tr("%n point(s)", nullptr, points), points);
+}
+
 void ImportAssistant::showSizes() {
     m_rawSize->setText(withGroups(tr("%n line(s)", nullptr, m_raw.rowCount()), m_raw.rowCount()));
     QStringList sizes;
     if (m_file.imported.test) {
-        const auto &measurement = m_file.imported.test->measurement;
-        if (const auto *positioning = std::get_if<PositioningMeasurement>(&measurement)) {
-            sizes << tr("%n target(s)", nullptr, static_cast<int>(positioning->targets.size()));
-            for (const auto &[approach, arrow] :
-                 {std::pair(Direction::positive, u'↑'), std::pair(Direction::negative, u'↓')}) {
-                const auto runs = std::ranges::count(positioning->runs, approach, &Run::approach);
-                sizes << tr("%n run(s)", nullptr, static_cast<int>(runs)) + u' ' + arrow;
-            }
-        } else if (const auto *circular = std::get_if<CircularMeasurement>(&measurement)) {
-            sizes << tr("%n arc(s)", nullptr, static_cast<int>(circular->arcs.size()))
-                  << withGroups(tr("%n point(s)", nullptr, readingsOf(m_file.imported)),
-                                readingsOf(m_file.imported));
-        } else {
-            sizes << withGroups(tr("%n point(s)", nullptr, readingsOf(m_file.imported)),
-                                readingsOf(m_file.imported));
-        }
+        sizes = std::visit([this](const auto &measurement) { return sizesOf(measurement); },
+                           m_file.imported.test->measurement);
     } else if (!m_file.imported.refusal) {
         sizes << tr("%n sensor(s)", nullptr, static_cast<int>(m_file.imported.sensors.size()));
     }

@@ -137,6 +137,11 @@ private:
     void showRemarks();
     void showCurve();
     void showSizes();
+    // What the measurement of a kind counts.
+    [[nodiscard]] static QStringList sizesOf(const PositioningMeasurement &measurement);
+    [[nodiscard]] QStringList sizesOf(const CircularMeasurement &measurement) const;
+    [[nodiscard]] QStringList sizesOf(const DriftMeasurement &measurement) const;
+    [[nodiscard]] QString pointsText() const;
     void showState();
     void refresh();
     void takeRead(MeasurementFile file);

@@ -25,23 +25,6 @@ QString shortStandard(const std::string &edition) {
     return word.startsWith(QLatin1StringView("ISO ")) ? word.mid(4) : word;
 }
 
-bool isUnfinished(const Test &test) {
-    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-    if (!measurement)
-        return false;
-    if (measurement->runs.empty() || measurement->targets.empty())
-        return true;
-    const ReadingsAside aside(*measurement);
-    for (std::size_t run = 0; run < measurement->runs.size(); ++run) {
-        const auto &deviations = measurement->runs[run].deviations;
-        for (std::size_t target = 0; target < deviations.size(); ++target) {
-            if (!deviations[target] && !aside.at(run, target))
-                return true;
-        }
-    }
-    return false;
-}
-
 void NavigationModel::show(const EvaluatedDocument &evaluated) {
     m_evaluated = evaluated;
     rebuild();

@@ -76,7 +76,4 @@ private:
 /// "ISO 230-2:2006" without what every test of the list shares: "230-2".
 [[nodiscard]] QString shortStandard(const std::string &edition);
 
-/// Whether readings are still to come: the test cannot be judged for good.
-[[nodiscard]] bool isUnfinished(const Test &test);
-
 } // namespace palmer::ui

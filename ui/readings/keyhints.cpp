@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/readings/keyhints.h"
 
+#include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
 #include "ui/theme.h"
 
@@ -56,9 +57,9 @@ void KeyHints::setLanguage(const Language &language) {
 }
 
 void KeyHints::showDrift() {
-    const auto *results = m_test < m_evaluated.tests.size()
-                              ? std::get_if<PositioningResults>(&m_evaluated.tests[m_test]->results)
-                              : nullptr;
+    const auto *measurement = measured<PositioningMeasurement>(m_evaluated, m_test);
+    const PositioningResults *results =
+        measurement ? &resultsOf(*measurement, *m_evaluated.tests[m_test]) : nullptr;
     m_drift->setVisible(results && results->drift);
     if (!results || !results->drift) {
         m_drift->clear();
@@ -66,9 +67,7 @@ void KeyHints::showDrift() {
         return;
     }
     const DriftStatistic &drift = *results->drift;
-    const auto &measurement =
-        std::get<PositioningMeasurement>(m_evaluated.document->tests[m_test]->measurement);
-    const QString change = m_language.quantity(drift.change, deviationQuantity(measurement.axis), 1);
+    const QString change = m_language.quantity(drift.change, deviationQuantity(measurement->axis), 1);
     const bool steady = drift.significant();
     m_drift->setText((steady ? QStringLiteral("⚠ ") : QString()) + tr("Drift D %1").arg(change));
     m_drift->setProperty("secondary", !steady);

@@ -18,8 +18,7 @@ ReadingsEditor::ReadingsEditor(DocumentModel &model, QObject *parent)
     , m_model(model) {}
 
 const PositioningMeasurement *ReadingsEditor::measurement() const {
-    const auto &tests = m_model.document()->tests;
-    return m_test < tests.size() ? std::get_if<PositioningMeasurement>(&tests[m_test]->measurement) : nullptr;
+    return measured<PositioningMeasurement>(*m_model.document(), m_test);
 }
 
 void ReadingsEditor::edit(const char *name, const std::function<void(PositioningMeasurement &)> &change) {

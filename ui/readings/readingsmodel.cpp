@@ -5,6 +5,7 @@
 #include "editing/editreadings.h"
 #include "editing/outliers.h"
 #include "editing/typedreading.h"
+#include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "kernel/measurement/readingsaside.h"
 #include "language/decimals.h"
@@ -52,12 +53,8 @@ bool ReadingsModel::hasSameCells(const PositioningMeasurement *measurement,
 }
 
 void ReadingsModel::show(const EvaluatedDocument &evaluated, std::size_t test) {
-    TestEvaluationPointer evaluation;
-    const PositioningMeasurement *measurement = nullptr;
-    if (test < evaluated.tests.size()) {
-        evaluation = evaluated.tests[test];
-        measurement = std::get_if<PositioningMeasurement>(&evaluated.document->tests[test]->measurement);
-    }
+    const auto *measurement = measured<PositioningMeasurement>(evaluated, test);
+    const TestEvaluationPointer evaluation = measurement ? evaluated.tests[test] : nullptr;
     const bool same = hasSameCells(measurement, evaluation.get());
     const std::shared_ptr<const Document> former = m_document; // owns the measurement shown until now
     const PositioningMeasurement *before = m_measurement;
@@ -221,7 +218,7 @@ QString ReadingsModel::text(const QModelIndex &index) const {
     }
     if (m_pending)
         return QStringLiteral("…");
-    const auto &results = std::get<PositioningResults>(m_evaluation->results);
+    const PositioningResults &results = resultsOf(*m_measurement, *m_evaluation);
     const auto column = static_cast<std::size_t>(index.column() - computedColumn());
     return m_texts->statistic(targetValue(m_statistics[column].id, results.targets[row],
                                           m_evaluation->edition ? m_evaluation->edition->c : 0));

@@ -348,10 +348,7 @@ void ReadingsPage::markRuling() {
 
 /// The units of the axis and of the choice of the user.
 void ReadingsPage::nameUnits() {
-    const auto *measurement =
-        m_test < m_evaluated.tests.size()
-            ? std::get_if<PositioningMeasurement>(&m_evaluated.document->tests[m_test]->measurement)
-            : nullptr;
+    const auto *measurement = measured<PositioningMeasurement>(m_evaluated, m_test);
     const bool rotary = measurement && measurement->axis.motion == Motion::rotary;
     const Language &language = m_model.language();
     m_deviations->setText(tr("Deviations %1", "unit")

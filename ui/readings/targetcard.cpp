@@ -3,6 +3,7 @@
 #include "ui/readings/targetcard.h"
 
 #include "figures/targetstrip.h"
+#include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "report/tables/readingtable.h"
 #include "ui/measures.h"
@@ -94,9 +95,7 @@ void TargetCard::setLanguage(const Language &language) {
 }
 
 std::size_t TargetCard::count() const {
-    if (m_test >= m_evaluated.tests.size())
-        return 0;
-    const auto *m = std::get_if<PositioningMeasurement>(&m_evaluated.document->tests[m_test]->measurement);
+    const auto *m = measured<PositioningMeasurement>(m_evaluated, m_test);
     return m ? m->targets.size() : 0;
 }
 
@@ -130,8 +129,8 @@ void TargetCard::refresh() {
     }
     const Test &test = *m_evaluated.document->tests[m_test];
     const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
-    const auto &measurement = std::get<PositioningMeasurement>(test.measurement);
-    const auto &results = std::get<PositioningResults>(evaluation.results);
+    const PositioningMeasurement &measurement = *measured<PositioningMeasurement>(m_evaluated, m_test);
+    const PositioningResults &results = resultsOf(measurement, evaluation);
     const std::size_t target = current();
     const ReadingTexts texts(measurement, m_language, ReadingUnit::deviations);
     m_title->setText(tr("Target %1").arg(target + 1));

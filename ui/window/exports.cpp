@@ -5,10 +5,8 @@
 #include "document/savedocument.h"
 #include "document/testfile.h"
 #include "export/readingscsv.h"
-#include "figures/circlefigure.h"
-#include "figures/deviationfigure.h"
-#include "figures/driftfigure.h"
 #include "figures/figuredata.h"
+#include "figures/figureoftest.h"
 #include "ui/windowlanguage.h"
 
 #include <QCoreApplication>
@@ -90,11 +88,7 @@ QByteArray exportedReadings(const EvaluatedDocument &evaluated, std::size_t test
 QByteArray exportedFigure(const EvaluatedDocument &evaluated, std::size_t test, ExportForm form) {
     const Test &shown = *evaluated.document->tests[test];
     const TestEvaluation &evaluation = *evaluated.tests[test];
-    if (std::holds_alternative<PositioningMeasurement>(shown.measurement))
-        return figureCsv(deviationFigure(shown, evaluation, windowLanguage()), markOf(form));
-    if (std::holds_alternative<CircularMeasurement>(shown.measurement))
-        return figureCsv(circleFigure(shown, evaluation, windowLanguage()), markOf(form));
-    return figureCsv(driftFigure(shown, evaluation, windowLanguage()), markOf(form));
+    return figureCsv(figureOfTest(shown, evaluation, windowLanguage()), markOf(form));
 }
 
 void askExportOfReadings(QWidget *window, const EvaluatedDocument &evaluated, std::size_t test,

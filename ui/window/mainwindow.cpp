@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/mainwindow.h"
+#include "kernel/measurement/testfacts.h"
 #include "ui/sizeonscreen.h"
 
 #include "document/filename.h"
@@ -753,7 +754,7 @@ MainWindow *MainWindow::takeReport(const OpenedReport &report, const QString &pa
 std::optional<Test> MainWindow::askForTest(Kind kind, bool ofThisFile) {
     const Test *like = currentTest();
     const auto ask = [&](auto &&dialog) -> std::optional<Test> {
-        if (like && ofThisFile && !std::holds_alternative<DriftMeasurement>(like->measurement))
+        if (like && ofThisFile && isJudged(*like))
             dialog.offerStatementsOf(*like);
         if (dialog.exec() != QDialog::Accepted)
             return std::nullopt;
@@ -799,11 +800,8 @@ void MainWindow::addTest(Kind kind) {
 /// A drift test of the axis in view: what it gives is for the tests of that axis.
 void MainWindow::addDriftTest() {
     const Test *like = currentTest();
-    Axis axis;
-    if (const auto *positioning = like ? std::get_if<PositioningMeasurement>(&like->measurement) : nullptr)
-        axis = positioning->axis;
-    else if (const auto *drift = like ? std::get_if<DriftMeasurement>(&like->measurement) : nullptr)
-        axis = drift->axis;
+    const Axis *tested = like ? axisOf(*like) : nullptr;
+    const Axis axis = tested ? *tested : Axis();
     const std::size_t place = m_model.document()->tests.size();
     m_model.edit(QT_TRANSLATE_NOOP("edits", "add a drift test"),
                  [&](Document &document) { insertTest(document, place, newDriftTest(axis)); });
@@ -1217,8 +1215,7 @@ void MainWindow::enableActions() {
     const Test *current = test < evaluated.size() && !m_evaluator.isBusy() ? currentTest() : nullptr;
     m_exportReadingsAction->setEnabled(current);
     m_exportFigureAction->setEnabled(current);
-    m_compensationAction->setEnabled(current &&
-                                     std::holds_alternative<PositioningMeasurement>(current->measurement));
+    m_compensationAction->setEnabled(current && measured<PositioningMeasurement>(*m_model.document(), test));
     m_compareAction->setEnabled(current && evaluated[test]->edition);
     m_previousTestAction->setEnabled(test > 0 && test < tests);
     m_nextTestAction->setEnabled(test + 1 < tests);
@@ -1329,15 +1326,12 @@ void MainWindow::showHelpPage(const QString &id, const QString &anchor) {
 void MainWindow::showFeed() {
     auto *dialog = new FeedDialog(this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    const std::size_t test = testInView();
-    const auto &tests = m_model.document()->tests;
-    if (m_open && test < tests.size()) {
-        // Of the test at hand the diameter is known; its feed may be the specified one.
-        const auto *measurement = std::get_if<CircularMeasurement>(&tests[test]->measurement);
-        if (measurement && measurement->nominalRadius > 0) {
-            const double diameter = 2 * measurement->nominalRadius;
-            dialog->setNumbers({diameter, measurement->feed.value_or(0), diameter});
-        }
+    // Of the test at hand the diameter is known; its feed may be the specified one.
+    const auto *measurement =
+        m_open ? measured<CircularMeasurement>(*m_model.document(), testInView()) : nullptr;
+    if (measurement && measurement->nominalRadius > 0) {
+        const double diameter = 2 * measurement->nominalRadius;
+        dialog->setNumbers({diameter, measurement->feed.value_or(0), diameter});
     }
     dialog->show();
 }

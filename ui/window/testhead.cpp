@@ -3,6 +3,7 @@
 #include "ui/window/testhead.h"
 
 #include "kernel/evaluation/edition.h"
+#include "kernel/measurement/testfacts.h"
 #include "report/words/wording.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
@@ -23,12 +24,31 @@ namespace {
 constexpr int usualHeight = 48;
 constexpr int lowHeight = 30;
 
+QString say(const char *text) {
+    return QCoreApplication::translate("palmer::ui::TestHead", text);
+}
+
+// What the tests of one kind have of their own.
+
+QStringList ownWords(const PositioningMeasurement &measurement) {
+    return {measurement.cycle == Cycle::standard
+                ? say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "standard cycle"))
+                : say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "step cycle"))};
+}
+
+QStringList ownWords(const CircularMeasurement &measurement) {
+    return {say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "Plane %1"))
+                .arg(QString::fromStdString(measurement.plane.first + measurement.plane.second)),
+            QStringLiteral("R ") + windowLanguage().quantity(measurement.nominalRadius, Quantity::position)};
+}
+
+QStringList ownWords(const DriftMeasurement & /*measurement*/) {
+    return {say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "drift test"))};
+}
+
 } // namespace
 
 QString testSummary(const Test &test) {
-    const auto say = [](const char *text) {
-        return QCoreApplication::translate("palmer::ui::TestHead", text);
-    };
     const Language &language = windowLanguage();
     QStringList parts;
     const auto addAxis = [&](const Axis &axis) {
@@ -41,19 +61,9 @@ QString testSummary(const Test &test) {
         if (axis.travel)
             parts += language.quantity(*axis.travel, positionQuantity(axis));
     };
-    if (const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement)) {
-        addAxis(positioning->axis);
-        parts += positioning->cycle == Cycle::standard
-                     ? say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "standard cycle"))
-                     : say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "step cycle"));
-    } else if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement)) {
-        parts += say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "Plane %1"))
-                     .arg(QString::fromStdString(circular->plane.first + circular->plane.second));
-        parts += QStringLiteral("R ") + language.quantity(circular->nominalRadius, Quantity::position);
-    } else {
-        addAxis(std::get<DriftMeasurement>(test.measurement).axis);
-        parts += say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "drift test"));
-    }
+    if (const Axis *axis = axisOf(test))
+        addAxis(*axis);
+    parts += std::visit([](const auto &measurement) { return ownWords(measurement); }, test.measurement);
     if (test.date)
         parts += language.shortDate(*test.date);
     if (test.role != TestRole::notStated)

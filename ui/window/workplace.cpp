@@ -5,6 +5,7 @@
 #include "editing/editreadings.h"
 #include "editing/measuringcycle.h"
 #include "kernel/measurement/readingsaside.h"
+#include "kernel/measurement/testfacts.h"
 #include "ui/circles/arctexts.h"
 #include "ui/circles/circlespage.h"
 #include "ui/diagnosis/diagnosispage.h"
@@ -584,13 +585,11 @@ void Workplace::presentStatus() {
     const std::size_t index = m_selection.test();
     if (index >= m_evaluated.tests.size())
         return;
-    const Test &test = *m_evaluated.document->tests[index];
-    if (const auto *circles = std::get_if<CircularMeasurement>(&test.measurement))
+    if (const auto *circles = measured<CircularMeasurement>(m_evaluated, index))
         return presentCircularStatus(*circles);
-    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+    const auto *measurement = measured<PositioningMeasurement>(m_evaluated, index);
     if (!measurement) {
-        const auto &drift = std::get<DriftMeasurement>(test.measurement);
-        const auto readings = static_cast<int>(drift.times.size());
+        const auto readings = static_cast<int>(readingsOf(*m_evaluated.document->tests[index]));
         emit contentChanged(withGroups(tr("%n reading(s)", nullptr, readings), readings));
         emit hintChanged({});
         return;
@@ -712,8 +711,7 @@ void Workplace::beginTyping() {
     if (test >= m_evaluated.tests.size())
         return;
     showPage(Page::readings);
-    const auto *measurement =
-        std::get_if<PositioningMeasurement>(&m_evaluated.document->tests[test]->measurement);
+    const auto *measurement = measured<PositioningMeasurement>(m_evaluated, test);
     if (isCircular()) {
         m_circles->setFocus();
         return;
@@ -796,15 +794,11 @@ bool Workplace::wantsStack() const {
 }
 
 bool Workplace::isCircular() const {
-    const std::size_t test = m_selection.test();
-    return test < m_evaluated.tests.size() &&
-           std::holds_alternative<CircularMeasurement>(m_evaluated.document->tests[test]->measurement);
+    return measured<CircularMeasurement>(m_evaluated, m_selection.test());
 }
 
 bool Workplace::isDrift() const {
-    const std::size_t test = m_selection.test();
-    return test < m_evaluated.tests.size() &&
-           std::holds_alternative<DriftMeasurement>(m_evaluated.document->tests[test]->measurement);
+    return measured<DriftMeasurement>(m_evaluated, m_selection.test());
 }
 
 bool Workplace::isPositioning() const {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/measurement/testfacts.h"
 
+#include "kernel/measurement/readingsaside.h"
+
 #include <algorithm>
 
 namespace palmer {
@@ -24,6 +26,22 @@ std::size_t countReadings(const CircularMeasurement &measurement) {
 
 std::size_t countReadings(const DriftMeasurement &measurement) {
     return measurement.times.size();
+}
+
+bool isIncomplete(const PositioningMeasurement &measurement) {
+    const ReadingsAside aside(measurement);
+    for (std::size_t run = 0; run < measurement.runs.size(); ++run) {
+        const auto &deviations = measurement.runs[run].deviations;
+        for (std::size_t target = 0; target < deviations.size(); ++target) {
+            if (!deviations[target] && !aside.at(run, target))
+                return true;
+        }
+    }
+    return measurement.runs.empty() || measurement.targets.empty();
+}
+
+bool isIncomplete(const auto & /*measurement*/) {
+    return false;
 }
 
 auto *conditionsWithin(auto &test) {
@@ -109,6 +127,10 @@ std::optional<double> rangeOf(const DriftMeasurement &measurement) {
 
 std::size_t readingsOf(const Test &test) {
     return std::visit([](const auto &measurement) { return countReadings(measurement); }, test.measurement);
+}
+
+bool isUnfinished(const Test &test) {
+    return std::visit([](const auto &measurement) { return isIncomplete(measurement); }, test.measurement);
 }
 
 } // namespace palmer

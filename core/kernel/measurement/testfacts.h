@@ -58,6 +58,9 @@ void withUncertainty(AnyTest &test, Use use) {
 /// Readings with the missing ones, points of circles.
 [[nodiscard]] std::size_t readingsOf(const Test &test);
 
+/// A positioning test without targets or runs, or with a reading that is missing and was not set aside.
+[[nodiscard]] bool isUnfinished(const Test &test);
+
 /// What `alike` says of the measurements of two tests of one kind; false for tests of two kinds.
 template <class Alike>
 [[nodiscard]] bool areOfOneKind(const Test &a, const Test &b, Alike alike) {

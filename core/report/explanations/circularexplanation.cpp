@@ -7,6 +7,7 @@
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "kernel/evaluation/iso230_4/parameters.h"
+#include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
 
 #include <algorithm>
@@ -52,7 +53,7 @@ public:
         : m_test(test)
         , m_measurement(std::get<CircularMeasurement>(test.measurement))
         , m_evaluation(evaluation)
-        , m_results(std::get<CircularResults>(evaluation.results))
+        , m_results(resultsOf(m_measurement, evaluation))
         , m_parameter(parameter)
         , m_printed(printed)
         , m_decimals(std::max(leastDecimals, printed.decimals))

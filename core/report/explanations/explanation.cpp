@@ -6,6 +6,7 @@
 #include "figures/budgetfigure.h"
 #include "kernel/evaluation/instrumentresult.h"
 #include "kernel/evaluation/iso230_2/parameters.h"
+#include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "report/explanations/circularexplanation.h"
 #include "report/words/printednumbers.h"
@@ -106,7 +107,7 @@ public:
               const Parameter &parameter, const PrintedNumbers &printed, const Recipe &recipe,
               const Language &language)
         : m_evaluation(evaluation)
-        , m_results(std::get<PositioningResults>(evaluation.results))
+        , m_results(resultsOf(measurement, evaluation))
         , m_parameter(parameter)
         , m_printed(printed)
         , m_recipe(recipe)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/parts/sharedparts.h"
 
+#include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
 #include "report/parts/circularparts.h"
 #include "report/parts/conditionparts.h"
@@ -629,7 +630,7 @@ void addPathsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &pa
         const auto *measurement = std::get_if<CircularMeasurement>(&part.test.measurement);
         if (!measurement)
             continue;
-        const CircularPart circular{part, *measurement, std::get<CircularResults>(part.evaluation.results)};
+        const CircularPart circular{part, *measurement, resultsOf(*measurement, part.evaluation)};
         std::vector<Block> own;
         addPaths(own, circular);
         paths.add(own, part.number);

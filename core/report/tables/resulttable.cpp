@@ -4,6 +4,7 @@
 
 #include "document/testsofverdict.h"
 #include "kernel/evaluation/conformity.h"
+#include "kernel/measurement/testfacts.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 
@@ -210,16 +211,6 @@ std::optional<DecisionScale> decisionScale(const Parameter &parameter) {
     scale.above = place > 1;
     scale.value = std::clamp(place, -1.0, 1.0);
     return scale;
-}
-
-bool isUnfinished(const Test &test) {
-    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-    if (!measurement)
-        return false;
-    std::ptrdiff_t missing = 0;
-    for (const Run &run : measurement->runs)
-        missing += std::ranges::count_if(run.deviations, [](const auto &x) { return !x; });
-    return measurement->runs.empty() || missing > std::ssize(measurement->excluded);
 }
 
 ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {

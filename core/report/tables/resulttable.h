@@ -99,9 +99,6 @@ struct RolesBeside {
 /// there is no shorter one.
 [[nodiscard]] Text listedName(const Text &term);
 
-/// Whether readings are missing that were not set aside: the test is under way.
-[[nodiscard]] bool isUnfinished(const Test &test);
-
 /// The results of a test as it is evaluated, in the order of its edition; those for print on request are left
 /// out unless the report asks for them. Empty for tests without edition.
 [[nodiscard]] ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test,
