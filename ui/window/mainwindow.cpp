@@ -11,7 +11,6 @@
 #include "editing/newtest.h"
 #include "editing/takestatements.h"
 #include "ui/circles/circlespage.h"
-#include "ui/dialogs/aboutbox.h"
 #include "ui/dialogs/comparedialog.h"
 #include "ui/dialogs/compensationdialog.h"
 #include "ui/dialogs/feeddialog.h"
@@ -24,7 +23,6 @@
 #include "ui/dialogs/shortcutsdialog.h"
 #include "ui/help/helpwindow.h"
 #include "ui/import/importassistant.h"
-#include "ui/model/editname.h"
 #include "ui/proof/reportbar.h"
 #include "ui/proof/verifyreport.h"
 #include "ui/readings/readingspage.h"
@@ -44,7 +42,6 @@
 #include "ui/workbar.h"
 
 #include <QAction>
-#include <QActionGroup>
 #include <QApplication>
 #include <QClipboard>
 #include <QCloseEvent>
@@ -76,13 +73,18 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int menuHeight = 28;
 constexpr int toolBarHeight = 44;
 constexpr int statusHeight = 27;
 constexpr int iconsOnlyBelow = 1180;
 /// Of the height: below it the table needs the room of the tools, which are all in the menus as well.
 constexpr int noToolsBelow = 430;
 constexpr QSize leastSize(320, 240); ///< below the least of its parts these are scrolled
+
+/// In the toolbar; `none` is a line between.
+constexpr std::array tools{WindowAction::newTest, WindowAction::open,   WindowAction::save,
+                           WindowAction::none,    WindowAction::undo,   WindowAction::redo,
+                           WindowAction::none,    WindowAction::import, WindowAction::plan,
+                           WindowAction::report};
 
 /// Whether a file is no test file; of what cannot be read opening says why. Large ones are looked into while
 /// they are read.
@@ -114,16 +116,6 @@ QString proposedName(const Document &document) {
     return name.isEmpty() ? name : name + QStringLiteral(".palmer");
 }
 
-/// The tooltip of an action: its name and its shortcut.
-QString hint(const QAction &action) {
-    QString text = action.text();
-    text.remove(u'&');
-    text.remove(u'…');
-    return action.shortcut().isEmpty()
-               ? text
-               : QStringLiteral("%1 (%2)").arg(text, action.shortcut().toString(QKeySequence::NativeText));
-}
-
 } // namespace
 
 MainWindow::MainWindow(QWidget *parent)
@@ -145,7 +137,7 @@ MainWindow::MainWindow(QWidget *parent)
     column->addWidget(m_notice);
     column->addWidget(m_reportBar);
     column->addWidget(m_stack, 1);
-    makeActions();
+    makeMenus();
     makeToolBar();
     makeStatusBar();
     connectParts();
@@ -170,147 +162,6 @@ bool MainWindow::hasDocument() const {
     return m_open;
 }
 
-QAction *MainWindow::addAction(QMenu *menu, const QString &name, const QString &icon) {
-    auto *action = new QAction(this);
-    action->setObjectName(name);
-    if (!icon.isEmpty())
-        action->setIcon(lineIcon(icon));
-    menu->addAction(action);
-    connect(action, &QAction::triggered, this, [] { commitTyping(); }); // before what the action does
-    return action;
-}
-
-void MainWindow::makeActions() {
-    menuBar()->setFixedHeight(menuHeight);
-    m_fileMenu = menuBar()->addMenu(QString());
-    m_editMenu = menuBar()->addMenu(QString());
-    m_testMenu = menuBar()->addMenu(QString());
-    m_viewMenu = menuBar()->addMenu(QString());
-    m_toolsMenu = menuBar()->addMenu(QString());
-    m_helpMenu = menuBar()->addMenu(QString());
-
-    m_newAction = addAction(m_fileMenu, QStringLiteral("new"), QStringLiteral("new"));
-    m_newAction->setShortcut(QKeySequence::New);
-    m_newCircleAction = addAction(m_fileMenu, QStringLiteral("newCircle"));
-    m_newCircleAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N));
-    m_openAction = addAction(m_fileMenu, QStringLiteral("open"), QStringLiteral("open"));
-    m_openAction->setShortcut(QKeySequence::Open);
-    m_importAction = addAction(m_fileMenu, QStringLiteral("import"), QStringLiteral("imp"));
-    m_importAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_I));
-    m_importClipboardAction = addAction(m_fileMenu, QStringLiteral("importClipboard"));
-    m_importClipboardAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I));
-    m_recentMenu = m_fileMenu->addMenu(QString());
-    m_examplesMenu = m_fileMenu->addMenu(QString());
-    m_fileMenu->addSeparator();
-    m_saveAction = addAction(m_fileMenu, QStringLiteral("save"), QStringLiteral("save"));
-    m_saveAction->setShortcut(QKeySequence::Save);
-    m_saveAsAction = addAction(m_fileMenu, QStringLiteral("saveAs"));
-    m_saveAsAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S));
-    m_fileMenu->addSeparator();
-    m_reportAction = addAction(m_fileMenu, QStringLiteral("report"), QStringLiteral("report"));
-    m_reportAction->setShortcut(QKeySequence::Print);
-    m_exportMenu = m_fileMenu->addMenu(QString());
-    m_exportReadingsAction = addAction(m_exportMenu, QStringLiteral("exportReadings"));
-    m_exportFigureAction = addAction(m_exportMenu, QStringLiteral("exportFigure"));
-    m_compensationAction = addAction(m_exportMenu, QStringLiteral("compensation"));
-    m_fileMenu->addSeparator();
-    m_newWindowAction = addAction(m_fileMenu, QStringLiteral("newWindow"));
-    m_newWindowAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_W));
-    m_closeAction = addAction(m_fileMenu, QStringLiteral("close"));
-    m_closeAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_W));
-    m_quitAction = addAction(m_fileMenu, QStringLiteral("quit"));
-    m_quitAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Q));
-
-    m_undoAction = addAction(m_editMenu, QStringLiteral("undo"), QStringLiteral("undo"));
-    m_undoAction->setShortcut(QKeySequence::Undo);
-    m_redoAction = addAction(m_editMenu, QStringLiteral("redo"), QStringLiteral("redo"));
-    m_redoAction->setShortcuts(
-        {QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z), QKeySequence(Qt::CTRL | Qt::Key_Y)});
-
-    m_editMenu->addSeparator(); // what is done to readings comes with the workplace
-
-    m_addTestAction = addAction(m_testMenu, QStringLiteral("addTest"), QStringLiteral("plus"));
-    m_addTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_T));
-    m_addCircleAction = addAction(m_testMenu, QStringLiteral("addCircle"));
-    m_addCircleAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T));
-    m_addDriftAction = addAction(m_testMenu, QStringLiteral("addDrift"));
-    m_renameTestAction = addAction(m_testMenu, QStringLiteral("renameTest"));
-    m_duplicateTestAction = addAction(m_testMenu, QStringLiteral("duplicateTest"));
-    m_repeatTestAction = addAction(m_testMenu, QStringLiteral("repeatTest"));
-    m_deleteTestAction = addAction(m_testMenu, QStringLiteral("deleteTest"));
-    m_testMenu->addSeparator();
-    m_afterReadings = m_testMenu->addSeparator();
-    m_afterCircles = m_testMenu->addSeparator();
-    m_previousTestAction = addAction(m_testMenu, QStringLiteral("previousTest"));
-    m_previousTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageUp));
-    m_nextTestAction = addAction(m_testMenu, QStringLiteral("nextTest"));
-    m_nextTestAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_PageDown));
-    m_testMenu->addSeparator();
-    m_planAction = addAction(m_toolsMenu, QStringLiteral("plan"), QStringLiteral("plan"));
-    m_planAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_L));
-    m_compareAction = addAction(m_toolsMenu, QStringLiteral("compare"), QStringLiteral("bars"));
-    m_compareAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_K));
-    m_setEditionAction = addAction(m_testMenu, QStringLiteral("setEditionAction"));
-    m_ownEditionAction = addAction(m_testMenu, QStringLiteral("ownEdition"));
-    m_feedAction = addAction(m_toolsMenu, QStringLiteral("contouringFeed"));
-    m_registerAction = addAction(m_toolsMenu, QStringLiteral("register"), QStringLiteral("trend"));
-    m_registerAction->setShortcut(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_G));
-    m_toolsMenu->addSeparator();
-    m_settingsAction = addAction(m_toolsMenu, QStringLiteral("settings"), QStringLiteral("gear"));
-    m_settingsAction->setShortcut(QKeySequence(Qt::CTRL | Qt::Key_Comma));
-    m_settingsAction->setMenuRole(QAction::PreferencesRole);
-
-    for (std::size_t i = 0; i < m_pageActions.size(); ++i) {
-        m_pageActions[i] = addAction(m_viewMenu, QStringLiteral("page%1").arg(i + 1));
-        m_pageActions[i]->setShortcut(
-            QKeySequence(Qt::CTRL | static_cast<Qt::Key>(Qt::Key_1 + static_cast<int>(i))));
-    }
-    m_viewMenu->addSeparator();
-    m_nextMissingAction = addAction(m_viewMenu, QStringLiteral("nextMissing"));
-    m_nextMissingAction->setShortcut(QKeySequence(Qt::Key_F8));
-    m_previousMissingAction = addAction(m_viewMenu, QStringLiteral("previousMissing"));
-    m_previousMissingAction->setShortcut(QKeySequence(Qt::SHIFT | Qt::Key_F8));
-    m_viewMenu->addSeparator();
-    m_nextPaneAction = addAction(m_viewMenu, QStringLiteral("nextPane"));
-    m_nextPaneAction->setShortcuts({QKeySequence(Qt::Key_F6), QKeySequence(Qt::CTRL | Qt::Key_Tab)});
-    m_previousPaneAction = addAction(m_viewMenu, QStringLiteral("previousPane"));
-    m_previousPaneAction->setShortcuts(
-        {QKeySequence(Qt::SHIFT | Qt::Key_F6), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Tab)});
-    m_viewMenu->addSeparator();
-    m_maximiseAction = addAction(m_viewMenu, QStringLiteral("maximiseFigure"), QStringLiteral("maxi"));
-    m_maximiseAction->setShortcut(QKeySequence(Qt::Key_F11));
-    m_viewMenu->addSeparator();
-    m_unitsMenu = m_viewMenu->addMenu(QString());
-    for (std::size_t i = 0; i < m_lengthActions.size(); ++i)
-        m_lengthActions.at(i) = addAction(m_unitsMenu, QStringLiteral("lengths%1").arg(i + 1));
-    m_unitsMenu->addSeparator();
-    for (std::size_t i = 0; i < m_angleActions.size(); ++i)
-        m_angleActions.at(i) = addAction(m_unitsMenu, QStringLiteral("angles%1").arg(i + 1));
-    for (const auto &actions :
-         {std::span<QAction *>(m_lengthActions), std::span<QAction *>(m_angleActions)}) {
-        auto *group = new QActionGroup(this);
-        for (QAction *action : actions) {
-            action->setCheckable(true);
-            group->addAction(action);
-        }
-    }
-    m_frenchAction = addAction(m_viewMenu, QStringLiteral("speakFrench"));
-    m_englishAction = addAction(m_viewMenu, QStringLiteral("speakEnglish"));
-    for (QAction *action : {m_frenchAction, m_englishAction})
-        action->setCheckable(true);
-
-    m_helpAction = addAction(m_helpMenu, QStringLiteral("help"), QStringLiteral("ques"));
-    m_helpAction->setShortcut(QKeySequence(Qt::Key_F1));
-    m_shortcutsAction = addAction(m_helpMenu, QStringLiteral("shortcuts"));
-    m_validationAction = addAction(m_helpMenu, QStringLiteral("validation"));
-    m_helpMenu->addSeparator();
-    m_aboutAction = addAction(m_helpMenu, QStringLiteral("about"));
-    m_aboutQtAction = addAction(m_helpMenu, QStringLiteral("aboutQt"));
-    m_quitAction->setMenuRole(QAction::QuitRole);
-    m_aboutAction->setMenuRole(QAction::AboutRole);
-    m_aboutQtAction->setMenuRole(QAction::AboutQtRole);
-}
-
 void MainWindow::makeToolBar() {
     m_toolBar = new QToolBar(this);
     m_toolBar->setObjectName(QStringLiteral("toolBar"));
@@ -319,32 +170,29 @@ void MainWindow::makeToolBar() {
     m_toolBar->setFixedHeight(toolBarHeight);
     m_toolBar->setIconSize(QSize(16, 16));
     setContextMenuPolicy(Qt::PreventContextMenu); // nobody shall hide the toolbar by chance
-    m_toolBar->addAction(m_newAction);
-    m_toolBar->addAction(m_openAction);
-    m_toolBar->addAction(m_saveAction);
-    m_toolBar->addSeparator();
-    m_toolBar->addAction(m_undoAction);
-    m_toolBar->addAction(m_redoAction);
-    m_toolBar->addSeparator();
-    m_toolBar->addAction(m_importAction);
-    m_toolBar->addAction(m_planAction);
-    m_toolBar->addAction(m_reportAction);
-    for (QAction *action : {m_newAction, m_openAction, m_saveAction, m_undoAction, m_redoAction,
-                            m_importAction, m_planAction, m_reportAction}) {
-        auto *button = qobject_cast<QToolButton *>(m_toolBar->widgetForAction(action));
-        button->setObjectName(action->objectName() + QStringLiteral("Button"));
-        button->setFocusPolicy(Qt::TabFocus);
+    for (const WindowAction tool : tools) {
+        if (tool == WindowAction::none) {
+            m_toolBar->addSeparator();
+            continue;
+        }
+        m_toolBar->addAction(action(tool));
+        toolButton(tool).setObjectName(action(tool)->objectName() + QStringLiteral("Button"));
+        toolButton(tool).setFocusPolicy(Qt::TabFocus);
     }
-    auto *newButton = qobject_cast<QToolButton *>(m_toolBar->widgetForAction(m_newAction));
-    auto *kinds = new QMenu(newButton);
-    kinds->addActions({m_newAction, m_newCircleAction});
-    newButton->setMenu(kinds);
-    newButton->setPopupMode(QToolButton::MenuButtonPopup);
+    QToolButton &newButton = toolButton(WindowAction::newTest);
+    auto *kinds = new QMenu(&newButton);
+    kinds->addActions({action(WindowAction::newTest), action(WindowAction::newCircle)});
+    newButton.setMenu(kinds);
+    newButton.setPopupMode(QToolButton::MenuButtonPopup);
     auto *space = new QWidget(m_toolBar);
     space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
     m_toolBar->addWidget(space);
     m_toolBar->addWidget(new LanguageSwitch(LanguageSwitch::Names::codes, m_toolBar));
     addToolBar(m_toolBar);
+}
+
+QToolButton &MainWindow::toolButton(WindowAction tool) const {
+    return *qobject_cast<QToolButton *>(m_toolBar->widgetForAction(action(tool)));
 }
 
 void MainWindow::makeStatusBar() {
@@ -371,15 +219,6 @@ void MainWindow::makeStatusBar() {
 }
 
 void MainWindow::connectParts() {
-    connect(m_newAction, &QAction::triggered, this, [this] { newFile(Kind::positioning); });
-    connect(m_newCircleAction, &QAction::triggered, this, [this] { newFile(Kind::circular); });
-    connect(m_addTestAction, &QAction::triggered, this, [this] { addTest(Kind::positioning); });
-    connect(m_addCircleAction, &QAction::triggered, this, [this] { addTest(Kind::circular); });
-    connect(m_addDriftAction, &QAction::triggered, this, &MainWindow::addDriftTest);
-    connect(m_renameTestAction, &QAction::triggered, this, &MainWindow::renameTest);
-    connect(m_duplicateTestAction, &QAction::triggered, this, [this] { duplicateTest(true); });
-    connect(m_repeatTestAction, &QAction::triggered, this, [this] { duplicateTest(false); });
-    connect(m_deleteTestAction, &QAction::triggered, this, &MainWindow::deleteTest);
     connect(&m_autosave, &Autosave::saved, this, [this] {
         m_autosavedAt = QLocale().toString(QTime::currentTime(), QLocale::ShortFormat);
         showState();
@@ -391,77 +230,14 @@ void MainWindow::connectParts() {
                         {QStringLiteral("closeNotice"), tr("&Close"), {}}});
     });
     connect(&m_watch, &FileWatch::changed, this, &MainWindow::fileChangedOutside);
-    connect(m_openAction, &QAction::triggered, this, &MainWindow::chooseFile);
     connect(m_work, &WorkBar::cancelled, this, &MainWindow::cancelReading);
-    connect(m_saveAction, &QAction::triggered, this, &MainWindow::save);
-    connect(m_saveAsAction, &QAction::triggered, this, &MainWindow::saveAs);
-    connect(m_reportAction, &QAction::triggered, this, &MainWindow::showReport);
-    connect(m_planAction, &QAction::triggered, this, &MainWindow::showPlan);
-    connect(m_exportReadingsAction, &QAction::triggered, this, [this] {
-        askExportOfReadings(this, m_evaluator.current(), testInView(), QFileInfo(m_model.path()).fileName());
-    });
-    connect(m_exportFigureAction, &QAction::triggered, this,
-            [this] { askExportOfFigure(this, m_evaluator.current(), testInView()); });
-    connect(m_compensationAction, &QAction::triggered, this, &MainWindow::showCompensation);
-    connect(m_compareAction, &QAction::triggered, this, &MainWindow::showComparison);
-    connect(m_helpAction, &QAction::triggered, this, &MainWindow::showHelp);
-    connect(m_newWindowAction, &QAction::triggered, this, [] { (new MainWindow)->show(); });
-    connect(m_closeAction, &QAction::triggered, this, &QWidget::close);
-    connect(m_quitAction, &QAction::triggered, this, &MainWindow::quit);
-    connect(m_undoAction, &QAction::triggered, this, [this] { step(false); });
-    connect(m_redoAction, &QAction::triggered, this, [this] { step(true); });
     connect(m_model.undoStack(), &QUndoStack::indexChanged, this, &MainWindow::showState);
-    connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
-    connect(m_examplesMenu, &QMenu::aboutToShow, this, &MainWindow::fillExamplesMenu);
-    connect(m_previousTestAction, &QAction::triggered, this, [this] {
-        if (testInView() > 0)
-            workplace().showTest(testInView() - 1);
-    });
-    connect(m_nextTestAction, &QAction::triggered, this, [this] { workplace().showTest(testInView() + 1); });
-    connect(m_setEditionAction, &QAction::triggered, this, [this] {
-        const std::size_t test = testInView();
-        setEdition(test, QString::fromUtf8(m_evaluator.latest().tests[test]->edition->word));
-    });
-    connect(m_ownEditionAction, &QAction::triggered, this, [this] { m_evaluator.setView(testInView(), {}); });
-    connect(m_feedAction, &QAction::triggered, this, &MainWindow::showFeed);
-    connect(m_registerAction, &QAction::triggered, this, &showRegister);
-    constexpr std::array pages{Page::readings, Page::conditions,  Page::agreedPoints,
-                               Page::limits,   Page::uncertainty, Page::diagnosis};
-    for (std::size_t i = 0; i < pages.size(); ++i)
-        connect(m_pageActions[i], &QAction::triggered, this, [this, page = pages[i]] {
-            workplace().showPage(page);
-            workplace().focusPage();
-        });
-    connect(m_nextMissingAction, &QAction::triggered, this, [this] { workplace().showNextMissing(true); });
-    connect(m_previousMissingAction, &QAction::triggered, this,
-            [this] { workplace().showNextMissing(false); });
-    connect(m_nextPaneAction, &QAction::triggered, this, [this] { workplace().focusNextPane(true); });
-    connect(m_previousPaneAction, &QAction::triggered, this, [this] { workplace().focusNextPane(false); });
-    connect(m_maximiseAction, &QAction::triggered, this,
-            [this] { workplace().setFigureMaximised(!workplace().isFigureMaximised()); });
-    for (std::size_t i = 0; i < m_lengthActions.size(); ++i)
-        connect(m_lengthActions.at(i), &QAction::triggered, this, [i] {
-            setWindowUnits({static_cast<LengthDisplay>(i), windowLanguage().units().angles});
-        });
-    for (std::size_t i = 0; i < m_angleActions.size(); ++i)
-        connect(m_angleActions.at(i), &QAction::triggered, this, [i] {
-            setWindowUnits({windowLanguage().units().lengths, static_cast<AngleDisplay>(i)});
-        });
-    connect(m_frenchAction, &QAction::triggered, this, [] { setWindowLanguage(Language::Id::french); });
-    connect(m_englishAction, &QAction::triggered, this, [] { setWindowLanguage(Language::Id::english); });
-    connect(m_validationAction, &QAction::triggered, this,
-            [this] { showHelpPage(QStringLiteral("validation")); });
-    connect(m_shortcutsAction, &QAction::triggered, this, &MainWindow::showShortcuts);
-    connect(m_settingsAction, &QAction::triggered, this, &MainWindow::showSettings);
-    connect(m_aboutAction, &QAction::triggered, this, &MainWindow::about);
-    connect(m_aboutQtAction, &QAction::triggered, qApp, &QApplication::aboutQt);
-
-    connect(m_welcome, &WelcomePage::newAsked, m_newAction, &QAction::trigger);
-    connect(m_welcome, &WelcomePage::newCircleAsked, m_newCircleAction, &QAction::trigger);
+    connect(menu(WindowMenu::recent), &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+    connect(menu(WindowMenu::examples), &QMenu::aboutToShow, this, &MainWindow::fillExamplesMenu);
+    connect(m_welcome, &WelcomePage::newAsked, action(WindowAction::newTest), &QAction::trigger);
+    connect(m_welcome, &WelcomePage::newCircleAsked, action(WindowAction::newCircle), &QAction::trigger);
     connect(m_welcome, &WelcomePage::openAsked, this, &MainWindow::chooseFile);
     connect(m_welcome, &WelcomePage::importAsked, this, &MainWindow::chooseMeasurements);
-    connect(m_importAction, &QAction::triggered, this, &MainWindow::chooseMeasurements);
-    connect(m_importClipboardAction, &QAction::triggered, this, &MainWindow::importClipboard);
     connect(m_welcome, &WelcomePage::fileChosen, this, [this](const QString &path) { openFile(path); });
     connect(&m_model, &DocumentModel::changed, this, [this] { m_evaluator.setDocument(m_model.document()); });
     connect(&m_model, &DocumentModel::fileChanged, this, &MainWindow::showState);
@@ -474,8 +250,8 @@ void MainWindow::connectParts() {
     connect(&m_evaluator, &Evaluator::awaiting, this,
             [this](const EvaluatedDocument &awaiting) { workplace().show(awaiting); });
     connect(&m_evaluator, &Evaluator::busyChanged, this, &MainWindow::showState);
-    for (const QMenu *menu : {m_editMenu, m_testMenu}) // to show what can be done
-        connect(menu, &QMenu::aboutToShow, this, [this] { workplace(); });
+    for (const WindowMenu filled : {WindowMenu::edit, WindowMenu::test}) // to show what can be done
+        connect(menu(filled), &QMenu::aboutToShow, this, [this] { workplace(); });
 }
 
 /// Made when it is needed first: who starts the program does not wait for pages that are out of view.
@@ -486,12 +262,15 @@ Workplace &MainWindow::workplace() {
     m_workplace = new Workplace(m_model, m_evaluator, m_place->viewport());
     m_place->setWidget(m_workplace);
     m_stack->addWidget(m_place);
-    m_editMenu->addActions(m_workplace->readings().editActions());
-    m_testMenu->insertActions(m_afterReadings, m_workplace->readings().testActions());
-    m_testMenu->insertActions(m_afterCircles, m_workplace->circles().testActions());
+    menu(WindowMenu::edit)->addActions(m_workplace->readings().editActions());
+    menu(WindowMenu::test)
+        ->insertActions(action(WindowAction::afterReadings), m_workplace->readings().testActions());
+    menu(WindowMenu::test)
+        ->insertActions(action(WindowAction::afterCircles), m_workplace->circles().testActions());
     m_workplace->setTestActions(
-        {m_addTestAction, m_addCircleAction, m_addDriftAction},
-        {m_renameTestAction, m_duplicateTestAction, m_repeatTestAction, m_deleteTestAction});
+        {action(WindowAction::addTest), action(WindowAction::addCircle), action(WindowAction::addDrift)},
+        {action(WindowAction::renameTest), action(WindowAction::duplicateTest),
+         action(WindowAction::repeatTest), action(WindowAction::deleteTest)});
     connect(m_workplace, &Workplace::viewChosen, this, [this](std::size_t test, const QString &edition) {
         m_evaluator.setView(test, edition.toStdString());
     });
@@ -877,37 +656,16 @@ void MainWindow::watchFile(const std::optional<FileState> &known) {
 }
 
 bool MainWindow::isReadOnly() const {
-    const QFileInfo file(m_model.path());
-    constexpr auto anybody = QFile::WriteOwner | QFile::WriteGroup | QFile::WriteOther;
-    return !m_model.path().isEmpty() && file.exists() &&
-           (!file.isWritable() || !(file.permissions() & anybody) ||
-            !QFileInfo(file.absolutePath()).isWritable());
+    return mayNotBeWritten(m_model.path());
 }
 
 void MainWindow::lockFile() {
-    const QFileInfo file(m_model.path());
-    const QString name = m_model.path().isEmpty()
-                             ? QString()
-                             : file.dir().filePath(QStringLiteral(".~lock.%1#").arg(file.fileName()));
-    if (m_lock && m_lock->fileName() == name)
+    const auto holder = m_lock.take(m_model.path());
+    if (!holder)
         return;
-    m_lock.reset();
-    if (name.isEmpty() || !file.exists())
-        return;
-    auto lock = std::make_unique<QLockFile>(name);
-    lock->setStaleLockTime(0); // only what a program that is gone has left behind is taken over
-    if (lock->tryLock(0)) {
-        m_lock = std::move(lock);
-        return;
-    }
-    qint64 process = 0;
-    QString host;
-    QString program;
-    if (lock->error() != QLockFile::LockFailedError || !lock->getLockInfo(&process, &host, &program))
-        return; // a folder that nobody may write to
     m_notice->show(tr("%1 is open already: %2 on %3, process %4. Who saves last overwrites the other.")
-                       .arg(file.fileName(), program, host)
-                       .arg(process),
+                       .arg(QFileInfo(m_model.path()).fileName(), holder->program, holder->host)
+                       .arg(holder->process),
                    {{QStringLiteral("saveElsewhere"), tr("Save &as…"), [this] { saveAs(); }},
                     {QStringLiteral("closeNotice"), tr("&Close"), {}}});
 }
@@ -916,7 +674,7 @@ void MainWindow::keepCopy() {
     commitTyping();
     if (isUnsaved())
         m_autosave.flush();
-    m_lock.reset(); // no destructor will; the next saving locks again
+    m_lock.release(); // no destructor will; the next saving locks again
 }
 
 void MainWindow::offerRecoveries() {
@@ -1160,20 +918,21 @@ void MainWindow::quit() {
 }
 
 void MainWindow::fillRecentMenu() {
-    m_recentMenu->clear();
+    QMenu *recent = menu(WindowMenu::recent);
+    recent->clear();
     int number = 1;
     for (const RecentFile &file : recentFiles()) {
-        QAction *action = m_recentMenu->addAction(QStringLiteral("&%1  %2").arg(number++).arg(
+        QAction *action = recent->addAction(QStringLiteral("&%1  %2").arg(number++).arg(
             QFileInfo(file.path).fileName().replace(u'&', QStringLiteral("&&"))));
         action->setToolTip(file.path);
         connect(action, &QAction::triggered, this, [this, path = file.path] { openFile(path); });
     }
-    if (m_recentMenu->isEmpty()) {
-        m_recentMenu->addAction(tr("No file yet"))->setEnabled(false);
+    if (recent->isEmpty()) {
+        recent->addAction(tr("No file yet"))->setEnabled(false);
         return;
     }
-    m_recentMenu->addSeparator();
-    QAction *clear = m_recentMenu->addAction(tr("&Clear the list"));
+    recent->addSeparator();
+    QAction *clear = recent->addAction(tr("&Clear the list"));
     clear->setObjectName(QStringLiteral("clearRecent"));
     connect(clear, &QAction::triggered, this, [this] {
         forgetFiles();
@@ -1182,58 +941,13 @@ void MainWindow::fillRecentMenu() {
 }
 
 void MainWindow::fillExamplesMenu() {
-    m_examplesMenu->clear();
+    QMenu *list = menu(WindowMenu::examples);
+    list->clear();
     int number = 1;
     for (const Example &example : examples()) {
-        QAction *action =
-            m_examplesMenu->addAction(QStringLiteral("&%1  %2").arg(number++).arg(example.name));
+        QAction *action = list->addAction(QStringLiteral("&%1  %2").arg(number++).arg(example.name));
         connect(action, &QAction::triggered, this, [this, path = example.path] { openFile(path); });
     }
-}
-
-void MainWindow::showUndo() {
-    const QUndoStack *stack = m_model.undoStack();
-    m_undoAction->setEnabled(m_open && stack->canUndo());
-    m_redoAction->setEnabled(m_open && stack->canRedo());
-    m_undoAction->setText(stack->canUndo() ? tr("&Undo: %1").arg(editName(stack->undoText())) : tr("&Undo"));
-    m_redoAction->setText(stack->canRedo() ? tr("&Redo: %1").arg(editName(stack->redoText())) : tr("&Redo"));
-    m_undoAction->setIconText(tr("Undo"));
-    m_redoAction->setIconText(tr("Redo"));
-    m_undoAction->setToolTip(hint(*m_undoAction));
-    m_redoAction->setToolTip(hint(*m_redoAction));
-}
-
-void MainWindow::enableActions() {
-    const std::size_t tests = m_open ? m_model.document()->tests.size() : 0;
-    const std::size_t test = testInView();
-    const auto &evaluated = m_evaluator.latest().tests;
-    const bool view = m_open && test < evaluated.size() && evaluated[test]->view;
-    m_saveAction->setEnabled(m_open);
-    m_saveAsAction->setEnabled(m_open);
-    m_reportAction->setEnabled(m_open);
-    m_planAction->setEnabled(m_open);
-    const Test *current = test < evaluated.size() && !m_evaluator.isBusy() ? currentTest() : nullptr;
-    m_exportReadingsAction->setEnabled(current);
-    m_exportFigureAction->setEnabled(current);
-    m_compensationAction->setEnabled(current && measured<PositioningMeasurement>(*m_model.document(), test));
-    m_compareAction->setEnabled(current && evaluated[test]->edition);
-    m_previousTestAction->setEnabled(test > 0 && test < tests);
-    m_nextTestAction->setEnabled(test + 1 < tests);
-    m_addTestAction->setEnabled(m_open);
-    m_addCircleAction->setEnabled(m_open);
-    m_addDriftAction->setEnabled(m_open);
-    for (QAction *action :
-         {m_renameTestAction, m_duplicateTestAction, m_repeatTestAction, m_deleteTestAction})
-        action->setEnabled(test < tests);
-    m_setEditionAction->setEnabled(view);
-    m_ownEditionAction->setEnabled(view);
-    for (QAction *action : m_pageActions)
-        action->setEnabled(tests > 0);
-    m_nextMissingAction->setEnabled(tests > 0);
-    m_previousMissingAction->setEnabled(tests > 0);
-    m_nextPaneAction->setEnabled(m_open);
-    m_previousPaneAction->setEnabled(m_open);
-    m_maximiseAction->setEnabled(m_open);
 }
 
 void MainWindow::showState() {
@@ -1272,6 +986,23 @@ void MainWindow::showState() {
         m_state->setText(!m_model.path().isEmpty() ? QString()
                          : m_reportPath.isEmpty()  ? tr("Example")
                                                    : tr("Copy of the test file in a report"));
+}
+
+QString MainWindow::editionInView() const {
+    return QString::fromUtf8(m_evaluator.latest().tests.at(testInView())->edition->word);
+}
+
+void MainWindow::showPageOf(Page page) {
+    workplace().showPage(page);
+    workplace().focusPage();
+}
+
+void MainWindow::exportReadings() {
+    askExportOfReadings(this, m_evaluator.current(), testInView(), QFileInfo(m_model.path()).fileName());
+}
+
+void MainWindow::exportFigure() {
+    askExportOfFigure(this, m_evaluator.current(), testInView());
 }
 
 void MainWindow::showReport() {
@@ -1349,10 +1080,6 @@ void MainWindow::showSettings() {
     dialog->open();
 }
 
-void MainWindow::about() {
-    showAbout(this);
-}
-
 void MainWindow::changeEvent(QEvent *event) {
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
@@ -1396,10 +1123,8 @@ void MainWindow::resizeEvent(QResizeEvent *event) {
     const bool iconsOnly = width() < iconsOnlyBelow;
     m_toolBar->setVisible(hasTools());
     m_toolBar->setToolButtonStyle(iconsOnly ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
-    for (QAction *action : {m_undoAction, m_redoAction}) {
-        auto *button = qobject_cast<QToolButton *>(m_toolBar->widgetForAction(action));
-        button->setToolButtonStyle(Qt::ToolButtonIconOnly);
-    }
+    for (const WindowAction step : {WindowAction::undo, WindowAction::redo})
+        toolButton(step).setToolButtonStyle(Qt::ToolButtonIconOnly);
 }
 
 void MainWindow::keyPressEvent(QKeyEvent *event) {
@@ -1413,89 +1138,14 @@ void MainWindow::keyPressEvent(QKeyEvent *event) {
 }
 
 void MainWindow::retranslate() {
-    m_fileMenu->setTitle(tr("&File"));
-    m_editMenu->setTitle(tr("&Edit"));
-    m_testMenu->setTitle(tr("&Test"));
-    m_viewMenu->setTitle(tr("&View"));
-    m_toolsMenu->setTitle(tr("&Utilities"));
-    m_helpMenu->setTitle(tr("&Help"));
-    m_newAction->setText(tr("&New positioning test…"));
-    m_newCircleAction->setText(tr("New circular &test…"));
-    m_newAction->setIconText(tr("New"));
-    m_addTestAction->setText(tr("&Add a positioning test…"));
-    m_addCircleAction->setText(tr("Add a circular &test…"));
-    m_addDriftAction->setText(tr("Add a dri&ft test"));
-    m_renameTestAction->setText(tr("Rena&me the test…"));
-    m_duplicateTestAction->setText(tr("Dupli&cate the test"));
-    m_repeatTestAction->setText(tr("Repeat the test, &without readings"));
-    m_deleteTestAction->setText(tr("Delete the t&est"));
-    m_openAction->setText(tr("&Open…"));
-    m_openAction->setIconText(tr("Open"));
-    m_importAction->setText(tr("&Import…"));
-    m_importClipboardAction->setText(tr("Import from the clip&board…"));
-    m_recentMenu->setTitle(tr("Open &recent"));
-    m_examplesMenu->setTitle(tr("E&xamples"));
-    m_saveAction->setText(tr("&Save"));
-    m_saveAsAction->setText(tr("Save &as…"));
-    m_reportAction->setText(tr("Re&port…"));
-    m_reportAction->setIconText(tr("Report…"));
-    m_exportMenu->setTitle(tr("&Export"));
-    m_exportReadingsAction->setText(tr("&Readings and results…"));
-    m_exportFigureAction->setText(tr("&Data of the figure…"));
-    m_compensationAction->setText(tr("&Compensation table…"));
-    m_newWindowAction->setText(tr("New &window"));
-    m_closeAction->setText(tr("&Close"));
-    m_quitAction->setText(tr("&Quit"));
-    m_planAction->setText(tr("P&lan…"));
-    m_planAction->setIconText(tr("Plan…"));
-    m_compareAction->setText(tr("Co&mpare…"));
-    m_helpAction->setText(tr("&Help"));
-    m_shortcutsAction->setText(tr("&Keyboard shortcuts"));
-    m_validationAction->setText(tr("&Validation"));
-    m_settingsAction->setText(tr("&Settings…"));
-    m_previousTestAction->setText(tr("&Previous test"));
-    m_nextTestAction->setText(tr("&Next test"));
-    m_setEditionAction->setText(tr("&Set as edition of the test"));
-    m_ownEditionAction->setText(tr("&Back to the edition of the test"));
-    m_feedAction->setText(tr("Contouring &feed…"));
-    m_registerAction->setText(tr("&Register of all tests…"));
-    m_pageActions[0]->setText(tr("&Readings"));
-    m_pageActions[1]->setText(tr("&Conditions"));
-    m_pageActions[2]->setText(tr("&Agreed points"));
-    m_pageActions[3]->setText(tr("&Limits"));
-    m_pageActions[4]->setText(tr("Uncertaint&y"));
-    m_pageActions[5]->setText(tr("D&iagnosis"));
-    m_nextMissingAction->setText(tr("&Next missing statement"));
-    m_previousMissingAction->setText(tr("&Previous missing statement"));
-    m_nextPaneAction->setText(tr("Ne&xt pane"));
-    m_previousPaneAction->setText(tr("Pre&vious pane"));
-    m_maximiseAction->setText(tr("&Maximise the figure"));
-    m_unitsMenu->setTitle(tr("&Units"));
-    m_lengthActions[0]->setText(tr("Lengths: µm and mm"));
-    m_lengthActions[1]->setText(tr("Lengths: mm only"));
-    m_lengthActions[2]->setText(tr("Lengths: µin and inches"));
-    m_angleActions[0]->setText(tr("Angles: arc seconds and degrees"));
-    m_angleActions[1]->setText(tr("Angles: degrees only"));
-    const DisplayUnits units = windowLanguage().units();
-    m_lengthActions.at(static_cast<std::size_t>(units.lengths))->setChecked(true);
-    m_angleActions.at(static_cast<std::size_t>(units.angles))->setChecked(true);
-    m_frenchAction->setText(QStringLiteral("&Français"));
-    m_englishAction->setText(QStringLiteral("&English"));
-    m_frenchAction->setChecked(windowLanguage().id() == Language::Id::french);
-    m_englishAction->setChecked(windowLanguage().id() == Language::Id::english);
-    m_aboutAction->setText(tr("&About Palmer"));
-    m_aboutQtAction->setText(tr("About &Qt"));
+    nameActions();
     m_toolBar->setWindowTitle(tr("Tools"));
     m_toolBar->setAccessibleName(tr("Tools"));
     menuBar()->setAccessibleName(tr("Menus"));
     statusBar()->setAccessibleName(tr("State"));
-    for (QAction *action : {m_newAction, m_openAction, m_saveAction, m_planAction, m_compareAction,
-                            m_helpAction, m_reportAction})
-        action->setToolTip(hint(*action));
-    for (QAction *action : {m_newAction, m_openAction, m_saveAction, m_undoAction, m_redoAction,
-                            m_importAction, m_planAction, m_reportAction}) {
-        QString name = action->iconText();
-        m_toolBar->widgetForAction(action)->setAccessibleName(name.remove(u'…'));
+    for (const WindowAction tool : tools) {
+        if (tool != WindowAction::none)
+            toolButton(tool).setAccessibleName(action(tool)->iconText().remove(u'…'));
     }
 }
 

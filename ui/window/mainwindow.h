@@ -10,21 +10,26 @@
 #include "ui/model/documentmodel.h"
 #include "ui/model/evaluator.h"
 #include "ui/model/filewatch.h"
+#include "ui/model/page.h"
+#include "ui/window/filelock.h"
+#include "ui/window/windowaction.h"
 
 #include "kernel/evaluation/edition.h"
 
-#include <QLockFile>
 #include <QMainWindow>
 #include <QPointer>
+#include <array>
 #include <functional>
 #include <memory>
 #include <optional>
+#include <vector>
 
 class QLabel;
 class QMenu;
 class QScrollArea;
 class QStackedWidget;
 class QToolBar;
+class QToolButton;
 
 namespace palmer::ui {
 
@@ -89,9 +94,15 @@ protected:
     void keyPressEvent(QKeyEvent *event) override;
 
 private:
-    QAction *addAction(QMenu *menu, const QString &name, const QString &icon = {});
-    void makeActions();
+    struct MenuRow;
+    [[nodiscard]] static const std::vector<MenuRow> &menuRows();
+    void makeMenus();
+    QAction *addAction(QMenu &menu, const MenuRow &row);
+    [[nodiscard]] QAction *action(WindowAction which) const;
+    [[nodiscard]] QMenu *menu(WindowMenu which) const;
+    void nameActions();
     void makeToolBar();
+    [[nodiscard]] QToolButton &toolButton(WindowAction tool) const;
     void makeStatusBar();
     void connectParts();
 
@@ -146,6 +157,10 @@ private:
     void showState();
     void remember();
     void setEdition(std::size_t test, const QString &edition);
+    [[nodiscard]] QString editionInView() const; ///< the word of the edition that the results are of
+    void showPageOf(Page page);
+    void exportReadings();
+    void exportFigure();
     void showReport();
     void showPlan();
     void showComparison();
@@ -155,15 +170,14 @@ private:
     void showHelpPage(const QString &id, const QString &anchor = {});
     void showShortcuts();
     void showSettings();
-    void about();
     void retranslate();
 
     DocumentModel m_model;
     Evaluator m_evaluator;
     Autosave m_autosave{m_model};
     FileWatch m_watch;
-    std::unique_ptr<QLockFile> m_lock; ///< beside the file; null where there is none, or another has it
-    QStringList m_reading;             ///< files being read
+    FileLock m_lock;
+    QStringList m_reading; ///< files being read
     std::shared_ptr<ReadProgress> m_progress = std::make_shared<ReadProgress>();
     Background m_reader;
     QString m_reportPath; ///< of the report that the document was opened from; empty: it was not
@@ -189,69 +203,11 @@ private:
     QScrollArea *m_place = nullptr; ///< of the workplace
     Workplace *m_workplace = nullptr;
     QToolBar *m_toolBar = nullptr;
-    QMenu *m_fileMenu = nullptr;
-    QMenu *m_recentMenu = nullptr;
-    QMenu *m_examplesMenu = nullptr;
-    QMenu *m_exportMenu = nullptr;
-    QMenu *m_editMenu = nullptr;
-    QMenu *m_testMenu = nullptr;
-    QMenu *m_viewMenu = nullptr;
-    QMenu *m_toolsMenu = nullptr;
-    QMenu *m_unitsMenu = nullptr;
-    QMenu *m_helpMenu = nullptr;
     QLabel *m_content = nullptr;
     QLabel *m_hint = nullptr;
     QLabel *m_state = nullptr;
-
-    QAction *m_newAction = nullptr;
-    QAction *m_newCircleAction = nullptr;
-    QAction *m_openAction = nullptr;
-    QAction *m_importAction = nullptr;
-    QAction *m_importClipboardAction = nullptr;
-    QAction *m_saveAction = nullptr;
-    QAction *m_saveAsAction = nullptr;
-    QAction *m_reportAction = nullptr;
-    QAction *m_planAction = nullptr;
-    QAction *m_compareAction = nullptr;
-    QAction *m_exportReadingsAction = nullptr;
-    QAction *m_exportFigureAction = nullptr;
-    QAction *m_compensationAction = nullptr;
-    QAction *m_newWindowAction = nullptr;
-    QAction *m_closeAction = nullptr;
-    QAction *m_quitAction = nullptr;
-    QAction *m_undoAction = nullptr;
-    QAction *m_redoAction = nullptr;
-    QAction *m_addTestAction = nullptr;
-    QAction *m_addCircleAction = nullptr;
-    QAction *m_addDriftAction = nullptr;
-    QAction *m_renameTestAction = nullptr;
-    QAction *m_duplicateTestAction = nullptr;
-    QAction *m_repeatTestAction = nullptr;
-    QAction *m_deleteTestAction = nullptr;
-    QAction *m_previousTestAction = nullptr;
-    QAction *m_nextTestAction = nullptr;
-    QAction *m_afterReadings = nullptr; ///< separators behind what the workplace puts into the menu
-    QAction *m_afterCircles = nullptr;
-    QAction *m_setEditionAction = nullptr;
-    QAction *m_ownEditionAction = nullptr;
-    QAction *m_feedAction = nullptr;
-    QAction *m_registerAction = nullptr;
-    std::array<QAction *, 6> m_pageActions{};
-    QAction *m_nextMissingAction = nullptr;
-    QAction *m_previousMissingAction = nullptr;
-    QAction *m_nextPaneAction = nullptr;
-    QAction *m_previousPaneAction = nullptr;
-    QAction *m_maximiseAction = nullptr;
-    std::array<QAction *, 3> m_lengthActions{};
-    std::array<QAction *, 2> m_angleActions{};
-    QAction *m_frenchAction = nullptr;
-    QAction *m_englishAction = nullptr;
-    QAction *m_helpAction = nullptr;
-    QAction *m_shortcutsAction = nullptr;
-    QAction *m_validationAction = nullptr;
-    QAction *m_settingsAction = nullptr;
-    QAction *m_aboutAction = nullptr;
-    QAction *m_aboutQtAction = nullptr;
+    std::array<QMenu *, windowMenus> m_menus{};
+    std::array<QAction *, windowActions> m_actions{};
 };
 
 } // namespace palmer::ui
