@@ -9,6 +9,7 @@
 #include "document/savedocument.h"
 #include "document/sha256.h"
 #include "import/importmeasurement.h"
+#include "kernel/numerics/beside.h"
 
 #include <QFileInfo>
 #include <algorithm>
@@ -36,8 +37,7 @@ constexpr std::array importOptions{
 /// Of a long file beside its reading, of others when it is asked for.
 std::future<std::string> hashOf(const QByteArray &bytes) {
     constexpr qsizetype isLong = 1 << 20;
-    return std::async(bytes.size() > isLong ? std::launch::async : std::launch::deferred,
-                      [bytes] { return sha256(bytes); });
+    return beside(bytes.size() > isLong, [bytes] { return sha256(bytes); });
 }
 
 /// Before a long file is read. What reading it takes and gives back – bytes, text, cells, readings, JSON – is

@@ -9,6 +9,7 @@
 #include "commandline/rejection.h"
 #include "commandline/simulations.h"
 #include "commandline/streams.h"
+#include "kernel/numerics/beside.h"
 #include "report/composereport.h"
 #include "report/parts/dataparts.h"
 #include "ui/pdf/logo.h"
@@ -109,7 +110,7 @@ public:
             demandOutput(invocation, *output, {"pdf"});
             m_outputs = {*output};
         }
-        m_selfTest = std::async(std::launch::async, selfTest); // once for all, beside the reading of a file
+        m_selfTest = beside(true, selfTest); // once for all, beside the reading of a file
         if (m_inputs.several)
             m_selfTest.wait(); // the processes that are split off find no thread
     }
@@ -147,7 +148,7 @@ private:
             m_invocation.has(QLatin1StringView(originalsOption)) ? Originals::include : Originals::leaveOut;
         // Written beside the evaluation, and packed as soon as it is: of 10⁶ readings each takes longer than
         // all pages.
-        auto carried = std::async(std::launch::async, [&whole, originals] {
+        auto carried = beside(true, [&whole, originals] {
             const QByteArray file = attachedFile(*whole, originals);
             return std::pair(file, ui::attachmentsOf(attachedFileName(*whole), file, {}));
         });
@@ -163,7 +164,7 @@ private:
         };
         for (const QString &name : languages)
             demandOutput(m_invocation, targetOf(name), {"pdf"});
-        auto results = std::async(std::launch::async, [&evaluated] { return attachedResults(evaluated); });
+        auto results = beside(true, [&evaluated] { return attachedResults(evaluated); });
         auto [testFile, attachments] = carried.get();
         const ReportOptions stated{QStringLiteral("Palmer " PALMER_VERSION), m_selfTest.get(), originals,
                                    testFile};

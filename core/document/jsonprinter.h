@@ -4,6 +4,8 @@
 
 #include "document/place.h"
 
+#include "kernel/numerics/beside.h"
+
 #include <QByteArray>
 #include <algorithm>
 #include <array>
@@ -131,7 +133,7 @@ void JsonPrinter::listOfScalars(std::size_t count, const Print &print) {
         const std::size_t middle = count / 2;
         JsonPrinter rest(Form::lines);
         rest.m_indent = m_indent;
-        auto printed = std::async(std::launch::async, [&] {
+        auto printed = beside(true, [&] {
             rest.newLine();
             rest.scalars(middle, count, count - middle, print);
         });

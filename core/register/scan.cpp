@@ -18,6 +18,7 @@
 #include <deque>
 #include <mutex>
 #include <new>
+#include <system_error>
 #include <thread>
 
 namespace palmer {
@@ -102,8 +103,13 @@ public:
             jobs > 0 ? static_cast<unsigned>(jobs) : std::max(1U, std::thread::hardware_concurrency());
         m_working = std::min<std::size_t>(wanted, files.size());
         const std::size_t count = m_working;
-        for (std::size_t i = 0; i < count; ++i) // the count stands before the first begins
-            m_threads.emplace_back([this] { work(); });
+        try {
+            for (std::size_t i = 0; i < count; ++i) // the count stands before the first begins
+                m_threads.emplace_back([this] { work(); });
+        } catch (const std::system_error &) { // no more threads: those there are do it all
+            const std::scoped_lock lock(m_mutex);
+            m_working -= count - m_threads.size();
+        }
     }
     ~Readers() {
         {
@@ -119,6 +125,8 @@ public:
 
     /// The next file, in the order they get ready; nothing when there is none any more.
     std::optional<ReadFile> take() {
+        if (m_threads.empty())
+            return readNext();
         std::unique_lock lock(m_mutex);
         m_ready.wait(lock, [this] { return !m_waiting.empty() || m_working == 0; });
         if (m_waiting.empty())
@@ -130,16 +138,19 @@ public:
     }
 
 private:
+    std::optional<ReadFile> readNext() {
+        const std::size_t i = m_next.fetch_add(1);
+        if (m_ended || m_stop.stop_requested() || i >= m_files.size())
+            return std::nullopt;
+        const auto known = m_known.find(m_files[i].path);
+        return readFile(m_files[i], known == m_known.end() ? nullptr : &known->second);
+    }
+
     void work() {
-        while (!m_ended && !m_stop.stop_requested()) {
-            const std::size_t i = m_next.fetch_add(1);
-            if (i >= m_files.size())
-                break;
-            const auto known = m_known.find(m_files[i].path);
-            ReadFile result = readFile(m_files[i], known == m_known.end() ? nullptr : &known->second);
+        while (auto result = readNext()) {
             std::unique_lock lock(m_mutex);
             m_room.wait(lock, [this] { return m_waiting.size() < mostWaiting || m_ended; });
-            m_waiting.push_back(std::move(result));
+            m_waiting.push_back(std::move(*result));
             m_ready.notify_one();
         }
         const std::scoped_lock lock(m_mutex);

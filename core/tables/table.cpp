@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "document/largepages.h"
+#include "kernel/numerics/beside.h"
 #include "tables/dates.h"
 #include "tables/decodetext.h"
 
@@ -514,7 +515,7 @@ CellTable readTable(std::string text, const TableOptions &options) {
             Scanner rest(table.m_text, table.delimiter.value, table.decimalMark.value, options.comments);
             rest.beginAt(*middle);
             makeRoom(rest, rows / 2, cells / 2);
-            auto isRead = std::async(std::launch::async, [&rest] { return rest.scanWithinLimits(); });
+            auto isRead = beside(true, [&rest] { return rest.scanWithinLimits(); });
             makeRoom(scanner, rows, cells);
             scanner.scanTo(*middle);
             if (isRead.get())

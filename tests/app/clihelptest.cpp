@@ -205,6 +205,47 @@ private slots:
         QVERIFY2(refused.err.contains("UTF-8"), refused.err);
     }
 
+    // A stack larger than the memory that may be had: no thread ever begins.
+    void doesWithoutThreads_data() {
+        QTest::addColumn<QByteArray>("words");
+        const QByteArray axis = EXAMPLES "rotary-axis.palmer";
+        QTest::newRow("report") << "report " + axis + " --language en -o - --force";
+        QTest::newRow("simulation") << "evaluate --json --uncertainty monteCarlo --trials 20000 " + axis;
+        QTest::newRow("circle") << "evaluate --json LONG";
+        QTest::newRow("import") << "import TABLE -o - --accept";
+        QTest::newRow("register") << "register scan EXAMPLES --register FOLDER/r.db";
+    }
+    void doesWithoutThreads() {
+#ifdef __SANITIZE_ADDRESS__
+        QSKIP("the sanitizer reserves more memory than any limit lets it");
+#endif
+        QFETCH(QByteArray, words);
+        const QTemporaryDir folder;
+        const QByteArray path = folder.path().toUtf8();
+        const QByteArray cli = PALMER_CLI;
+        words.replace("FOLDER", path).replace("EXAMPLES", EXAMPLES);
+        if (words.contains("LONG")) {
+            QCOMPARE(shell(cli + " synthesize circular --points 300000 -o " + path + "/long.palmer").code, 0);
+            words.replace("LONG", path + "/long.palmer");
+        }
+        if (words.contains("TABLE")) { // more than a megabyte
+            QFile table(folder.filePath("table.csv"));
+            QVERIFY(table.open(QIODevice::WriteOnly));
+            table.write("Target mm;1 up um;1 down um\n");
+            for (int i = 0; i < 120'000; ++i)
+                table.write(QByteArray::number(i * 0.01, 'f', 2) + ";1.5;2.5\n");
+            table.close();
+            words.replace("TABLE", path + "/table.csv");
+        }
+        const CliResult usual = shell(cli + ' ' + words);
+        if (words.startsWith("register"))
+            QVERIFY(QFile::remove(folder.filePath("r.db")));
+        const CliResult without = shell("ulimit -s 8000000; ulimit -v 2000000; " + cli + ' ' + words);
+        QCOMPARE(without.code, usual.code);
+        QCOMPARE(without.out, usual.out);
+        QCOMPARE(without.err, usual.err);
+    }
+
     // Whatever memory there is, one line and a code, never a crash.
     void saysThatThereIsNotEnoughMemory_data() {
         QTest::addColumn<QByteArray>("words");

@@ -45,7 +45,7 @@ constexpr Layer layers[]{
     {"core/kernel/trend", "kernel/numerics"},
     {"core/document", "kernel"},
     {"core/language", "kernel/words kernel/measurement"},
-    {"core/tables", "kernel/words document"},
+    {"core/tables", "kernel/words kernel/numerics document"},
     {"core/import", "kernel document tables"},
     {"core/validation", "kernel document tables import"},
     {"core/export", "kernel document language tables import"},

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pdf/finishpdf.h"
 
+#include "kernel/numerics/beside.h"
+
 #include <libdeflate.h>
 #include <memory>
 #include <new>
@@ -32,7 +34,7 @@ QByteArray pack(const QByteArray &bytes) {
 } // namespace
 
 std::shared_future<QByteArray> packed(const QByteArray &bytes) {
-    return std::async(bytes.size() > isLong ? std::launch::async : std::launch::deferred, pack, bytes);
+    return beside(bytes.size() > isLong, [bytes] { return pack(bytes); });
 }
 
 } // namespace palmer::ui

@@ -3,6 +3,7 @@
 #include "import/layouts/passes.h"
 
 #include "document/documenterror.h"
+#include "kernel/numerics/beside.h"
 
 #include <algorithm>
 #include <cmath>
@@ -148,11 +149,11 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
     };
     // Two passes at once where they are long.
     constexpr std::size_t isLong = 100'000;
-    const auto when = positions.size() > isLong ? std::launch::async : std::launch::deferred;
     for (std::size_t j = 0; j < passes.size(); j += 2) {
         std::future<SortedPass> second;
         if (j + 1 < passes.size())
-            second = std::async(when, [&, j] { return sortedPass(passes[j + 1], positions, deviations); });
+            second = beside(positions.size() > isLong,
+                            [&, j] { return sortedPass(passes[j + 1], positions, deviations); });
         take(sortedPass(passes[j], positions, deviations));
         if (second.valid())
             take(second.get());

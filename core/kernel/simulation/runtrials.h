@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/numerics/beside.h"
 #include "kernel/numerics/lanes.h"
 #include "kernel/simulation/simulate.h"
 
 #include <algorithm>
 #include <atomic>
 #include <cmath>
+#include <future>
 #include <span>
 #include <thread>
 #include <vector>
@@ -202,11 +204,12 @@ private:
             }
         };
         const auto threads = std::min<long long>(static_cast<long long>(m_workers.size()), groups);
-        std::vector<std::jthread> others;
+        std::vector<std::future<void>> others; // one that gets no thread finds nothing left to do
         for (long long k = 1; k < threads; ++k)
-            others.emplace_back([&, k] { loop(m_workers[static_cast<std::size_t>(k)], false); });
+            others.push_back(beside(true, [&, k] { loop(m_workers[static_cast<std::size_t>(k)], false); }));
         loop(m_workers.front(), true);
-        others.clear(); // waits
+        for (std::future<void> &other : others)
+            other.get();
         return !m_stop.stop_requested();
     }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/iso230_4/paths.h"
 
+#include "kernel/numerics/beside.h"
 #include "kernel/numerics/centringerror.h"
 #include "kernel/numerics/fullturn.h"
 
@@ -141,9 +142,9 @@ Paths paths(const CircularMeasurement &measurement) {
             continue;
         }
         before = true;
-        made.push_back(std::async(
-            made.empty() && selections[k].angles.size() > many ? std::launch::async : std::launch::deferred,
-            [&, k] { return pathOf(measurement, k, std::move(selections[k]), result.centringError); }));
+        made.push_back(beside(made.empty() && selections[k].angles.size() > many, [&, k] {
+            return pathOf(measurement, k, std::move(selections[k]), result.centringError);
+        }));
     }
     for (auto each = made.rbegin(); each != made.rend(); ++each) // the one on a thread last
         each->wait();
