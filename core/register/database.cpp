@@ -30,6 +30,17 @@ constexpr int waitForServer = 10;  ///< s
            {}, Error::Kind::content);
 }
 
+[[noreturn]] void refuseUnopened() {
+    refuse(REPORT_TEXT("report", "the register cannot be opened; check the permissions of its folder"), {},
+           Error::Kind::unwritable);
+}
+
+/// The primary one of the codes of SQLite; 0 where the error has none.
+int codeOf(const QSqlError &error) {
+    constexpr int primary = 0xff;
+    return error.nativeErrorCode().toInt() & primary;
+}
+
 QString freshName() {
     static std::atomic<int> next = 0;
     return QStringLiteral("palmer register %1").arg(next++);
@@ -48,7 +59,7 @@ void demandRegister(const QString &path) {
         refuseForeign();
     const QString name = freshName();
     bool isRegister = false;
-    QString trouble;
+    int trouble = 0; // SQLite's code
     {
         QSqlDatabase database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), name);
         database.setDatabaseName(path);
@@ -62,12 +73,19 @@ void demandRegister(const QString &path) {
                 query.next())
                 isRegister = query.value(0).toInt() == 0 || query.value(1).toInt() == 3;
             else
-                trouble = query.lastError().nativeErrorCode();
+                trouble = codeOf(query.lastError());
+        } else {
+            trouble = codeOf(database.lastError());
         }
     }
     QSqlDatabase::removeDatabase(name);
-    if (trouble == QLatin1StringView("5"))
+    constexpr int busy = 5;
+    constexpr int damaged = 11;
+    constexpr int noDatabase = 26;
+    if (trouble == busy)
         refuse(REPORT_TEXT("report", "the register is locked by another program; try again when it is done"));
+    if (trouble != 0 && trouble != damaged && trouble != noDatabase)
+        refuseUnopened(); // nothing is known of what is in it
     if (!isRegister)
         refuseForeign();
 }
@@ -87,8 +105,7 @@ void openFile(QSqlDatabase &database, const QString &path) {
     database.setDatabaseName(path);
     database.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(waitForLock));
     if (!database.open())
-        refuse(REPORT_TEXT("report", "the register cannot be opened; check the permissions of its folder"),
-               {}, Error::Kind::unwritable);
+        refuseUnopened();
 }
 
 bool isSslMode(const QString &word) {

@@ -435,6 +435,13 @@ void RegisterCommandTest::theUsersRegisterStandsInHisData() {
     QCOMPARE(refused.code, 3);
     QVERIFY(refused.err.contains("no register"));
     QCOMPARE(contents(letter), QByteArray("dear reader\n"));
+    // What cannot be opened may well be one.
+    const QString own = m_dir->filePath("own.db");
+    QCOMPARE(runCli({"register", "scan", files(), "--register", own}).code, 0);
+    QVERIFY(QDir().mkdir(own + "-wal"));
+    const CliResult unopened = runCli({"register", "list", "--register", own});
+    QCOMPARE(unopened.code, 3);
+    QVERIFY2(unopened.err.contains("cannot be opened"), unopened.err);
 }
 
 void RegisterCommandTest::nothingIsWrittenIntoFiles() {
