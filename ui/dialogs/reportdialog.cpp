@@ -215,35 +215,7 @@ QWidget *ReportDialog::makeSide() {
     };
 
     m_languageTitle = title();
-    m_languages = new QButtonGroup(this);
-    auto *segments = new QHBoxLayout;
-    segments->setSpacing(0);
-    const std::array names{QStringLiteral("Français"), QStringLiteral("English"), QString()};
-    const std::array objects{QStringLiteral("reportFrench"), QStringLiteral("reportEnglish"),
-                             QStringLiteral("reportBoth")};
-    const std::array places{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("last")};
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        auto *button = new QToolButton(side);
-        button->setObjectName(objects[i]);
-        button->setText(names[i]);
-        button->setAccessibleName(names[i]);
-        button->setCheckable(true);
-        button->setFocusPolicy(Qt::StrongFocus);
-        button->setProperty("segment", places[i]);
-        m_languages->addButton(button, static_cast<int>(i));
-        segments->addWidget(button);
-        m_both = button;
-    }
-    segments->addStretch();
-    column->addLayout(segments);
-    connect(m_languages, &QButtonGroup::idClicked, this, [this](int id) {
-        change([id](ReportHead &head) {
-            if (id == bothLanguages)
-                head.languages = {ReportLanguage::fr, ReportLanguage::en};
-            else
-                head.languages = {id == frenchOnly ? ReportLanguage::fr : ReportLanguage::en};
-        });
-    });
+    makeLanguages(*column);
 
     m_paperTitle = title();
     m_paper = new QComboBox(side);
@@ -263,7 +235,47 @@ QWidget *ReportDialog::makeSide() {
     column->addStretch();
     place->setWidget(choices);
     whole->addWidget(place, 1);
-    m_simulation = new QWidget(side);
+    makeSimulation(*whole);
+    makeNotes(*whole);
+    makeButtons(*whole);
+    return side;
+}
+
+void ReportDialog::makeLanguages(QVBoxLayout &column) {
+    m_languages = new QButtonGroup(this);
+    auto *segments = new QHBoxLayout;
+    segments->setSpacing(0);
+    const std::array names{QStringLiteral("Français"), QStringLiteral("English"), QString()};
+    const std::array objects{QStringLiteral("reportFrench"), QStringLiteral("reportEnglish"),
+                             QStringLiteral("reportBoth")};
+    const std::array places{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("last")};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        auto *button = new QToolButton(this);
+        button->setObjectName(objects[i]);
+        button->setText(names[i]);
+        button->setAccessibleName(names[i]);
+        button->setCheckable(true);
+        button->setFocusPolicy(Qt::StrongFocus);
+        button->setProperty("segment", places[i]);
+        m_languages->addButton(button, static_cast<int>(i));
+        segments->addWidget(button);
+        m_both = button;
+    }
+    segments->addStretch();
+    column.addLayout(segments);
+    connect(m_languages, &QButtonGroup::idClicked, this, [this](int id) {
+        change([id](ReportHead &head) {
+            if (id == bothLanguages)
+                head.languages = {ReportLanguage::fr, ReportLanguage::en};
+            else
+                head.languages = {id == frenchOnly ? ReportLanguage::fr : ReportLanguage::en};
+        });
+    });
+}
+
+/// Shown while a simulation runs.
+void ReportDialog::makeSimulation(QVBoxLayout &whole) {
+    m_simulation = new QWidget(this);
     auto *simulation = new QVBoxLayout(m_simulation);
     simulation->setContentsMargins(0, 0, 0, 0);
     m_simulationText = new QLabel(m_simulation);
@@ -279,42 +291,48 @@ QWidget *ReportDialog::makeSide() {
         simulation->addWidget(widget);
     m_simulation->hide();
     connect(m_simulationCancel, &QPushButton::clicked, this, [this] { m_simulator.cancel(); });
-    whole->addWidget(m_simulation);
-    m_originals = new QCheckBox(side);
+    whole.addWidget(m_simulation);
+}
+
+/// What goes into the file, and what is missing.
+void ReportDialog::makeNotes(QVBoxLayout &whole) {
+    m_originals = new QCheckBox(this);
     m_originals->setObjectName(QStringLiteral("withOriginals"));
     connect(m_originals, &QCheckBox::clicked, this, &ReportDialog::showDocument);
-    whole->addWidget(m_originals);
-    m_attached = new QLabel(side);
+    whole.addWidget(m_originals);
+    m_attached = new QLabel(this);
     m_attached->setObjectName(QStringLiteral("attachedNote"));
     m_attached->setFont(themeFont(TextSize::small));
     m_attached->setProperty("secondary", true);
     m_attached->setWordWrap(true);
-    whole->addWidget(m_attached);
-    m_missing = new QLabel(side);
+    whole.addWidget(m_attached);
+    m_missing = new QLabel(this);
     m_missing->setObjectName(QStringLiteral("missingNote"));
     m_missing->setWordWrap(true);
-    whole->addWidget(m_missing);
-    m_save = new QPushButton(side);
+    whole.addWidget(m_missing);
+}
+
+void ReportDialog::makeButtons(QVBoxLayout &whole) {
+    m_save = new QPushButton(this);
     m_save->setObjectName(QStringLiteral("savePdf"));
     m_save->setProperty("primary", true);
     m_save->setIcon(lineIcon(QStringLiteral("pdf"), QPalette::Base));
     m_save->setDefault(true);
-    whole->addWidget(m_save);
+    whole.addWidget(m_save);
     auto *last = new QHBoxLayout;
-    m_print = new QPushButton(side);
+    m_print = new QPushButton(this);
     m_print->setObjectName(QStringLiteral("print"));
     m_print->setIcon(lineIcon(QStringLiteral("print")));
     m_print->setAutoDefault(false);
-    m_close = new QPushButton(side);
+    m_close = new QPushButton(this);
     m_close->setObjectName(QStringLiteral("closeReport"));
     m_close->setAutoDefault(false);
     last->addWidget(m_print);
     last->addWidget(m_close);
-    whole->addLayout(last);
+    whole.addLayout(last);
     connect(m_save, &QPushButton::clicked, this, &ReportDialog::choosePdf);
     connect(m_print, &QPushButton::clicked, this, &ReportDialog::choosePrinter);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
-    return side;
 }
 
 void ReportDialog::addChoices(QVBoxLayout *column) {

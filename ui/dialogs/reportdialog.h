@@ -63,6 +63,10 @@ private:
 
     QWidget *makeHead();
     QWidget *makeSide();
+    void makeLanguages(QVBoxLayout &column);
+    void makeSimulation(QVBoxLayout &whole);
+    void makeNotes(QVBoxLayout &whole);
+    void makeButtons(QVBoxLayout &whole);
     void addChoices(QVBoxLayout *column);
     void showDocument();
     void showLength();

@@ -300,6 +300,12 @@ void ConditionsPage::addTemperatures(const Test &test) {
     m_correction->setProperty("secondary", true);
     m_correction->setWordWrap(true);
     addWidget(m_correction, 12);
+    addSensorButtons();
+    addRoom();
+    addAir(test);
+}
+
+void ConditionsPage::addSensorButtons() {
     beginRow(); // buttons are as wide as their words
     const auto addOne = [this](const char *text, SensorMeasures what, const QString &name) {
         addButton(text, [this, what] {
@@ -324,6 +330,9 @@ void ConditionsPage::addTemperatures(const Test &test) {
     addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another instrument sensor"),
            SensorMeasures::instrument, QStringLiteral("addInstrumentSensor"));
     addWidget(new QWidget(body()));
+}
+
+void ConditionsPage::addRoom() {
     beginColumns();
     addYesNo("temperatureControlled",
              QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Room temperature can be controlled"),
@@ -338,6 +347,10 @@ void ConditionsPage::addTemperatures(const Test &test) {
                                                {InstrumentCompensation::notStated, InstrumentCompensation::on,
                                                 InstrumentCompensation::off, InstrumentCompensation::none}),
               true, 6);
+}
+
+/// Of linear and rotary axes: what a laser and a drift of the room ask for.
+void ConditionsPage::addAir(const Test &test) {
     if (!std::holds_alternative<PositioningMeasurement>(test.measurement))
         return;
     constexpr auto conditionsMember = &PositioningMeasurement::conditions;
@@ -359,7 +372,6 @@ void ConditionsPage::addTemperatures(const Test &test) {
 }
 
 void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
-    constexpr int third = 4;
     addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Cycle and load"));
     beginColumns();
     if (isPositioning) {
@@ -387,6 +399,11 @@ void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
                  QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Re-centred between the runs"),
                  circular<&CircularMeasurement::conditions, &CircularConditions::recentredBetweenRuns>(), 4);
     }
+    addWarmUp(isPositioning, rotary);
+}
+
+void ConditionsPage::addWarmUp(bool isPositioning, bool rotary) {
+    constexpr int third = 4;
     beginColumns();
     addChoice("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
@@ -572,8 +589,12 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
                  circular<&CircularMeasurement::referenceLength, &ReferenceLength::calibrated>(), 6);
         return;
     }
+    addAxis(*measurement);
+}
+
+void ConditionsPage::addAxis(const PositioningMeasurement &measurement) {
     using Measurement = PositioningMeasurement;
-    const Quantity position = positionQuantity(measurement->axis);
+    const Quantity position = positionQuantity(measurement.axis);
     beginColumns();
     addText("name", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis"),
             positioning<&Measurement::axis, &Axis::name>(), 2);
@@ -596,6 +617,12 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
     addNumber("referencePosition",
               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Zero of the displacement"), position,
               positioning<&Measurement::conditions, &PositioningConditions::referencePosition>(), 4);
+    addTargets(measurement);
+}
+
+void ConditionsPage::addTargets(const PositioningMeasurement &measurement) {
+    using Measurement = PositioningMeasurement;
+    const Quantity position = positionQuantity(measurement.axis);
     beginColumns();
     addChoice("targetChoice", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Choice of targets"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
@@ -613,7 +640,7 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
     beginColumns();
     addNumber("faces", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Faces of the polygon, number"),
               Quantity::count, faces(), 6, Allowed::positive);
-    if (measurement->axis.motion == Motion::linear)
+    if (measurement.axis.motion == Motion::linear)
         addNumber("scaleElement",
                   QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Element of the scale (0: continuous)"),
                   position, positioning<&Measurement::axis, &Axis::scaleElement>(), 6);

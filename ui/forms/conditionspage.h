@@ -27,8 +27,12 @@ protected:
 
 private:
     void addTemperatures(const Test &test);
+    void addSensorButtons();
+    void addRoom();
+    void addAir(const Test &test);
     void addSensor(SensorMeasures what, std::size_t ordinal);
     void addLoad(bool positioning, bool rotary);
+    void addWarmUp(bool isPositioning, bool rotary);
     /// What only a declaration can meet, by clause of the edition, and a button that says yes to the rest.
     void addDeclarations(const Edition *edition);
     void addDeclarationsOf(const Edition *edition, const std::string &clause);
@@ -36,6 +40,8 @@ private:
     [[nodiscard]] QString declarationSummary() const;
     void addPositions(bool positioning);
     void addTestAndAxis(const PositioningMeasurement *measurement);
+    void addAxis(const PositioningMeasurement &measurement);
+    void addTargets(const PositioningMeasurement &measurement);
     void addInstruments();
 
     QString m_built; ///< for what kind of test there are fields

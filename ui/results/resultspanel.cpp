@@ -120,7 +120,13 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     m_copy->setProperty("iconOnly", true);
     m_copy->setFocusPolicy(Qt::StrongFocus);
     connect(m_copy, &QToolButton::clicked, this, &ResultsPanel::copy);
+    makeTable();
+    followSelection();
+    arrange();
+    retranslate();
+}
 
+void ResultsPanel::makeTable() {
     m_table->setHorizontalHeader(new PlainHeader(m_table));
     m_table->setModel(&m_model);
     m_table->setItemDelegate(m_delegate);
@@ -143,14 +149,19 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     header->setSectionsClickable(false);
     header->setHighlightSections(false);
     m_table->installEventFilter(this);
+}
+
+void ResultsPanel::followSelection() {
     connect(m_table, &QAbstractItemView::clicked, this, &ResultsPanel::explain);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
             [this](const QModelIndex &current) {
                 if (!m_selection.parameter().isEmpty() && m_table->hasFocus())
                     explain(current); // an open explanation follows the arrows
             });
-    connect(&selection, &Selection::parameterChanged, this, &ResultsPanel::showExplained);
+    connect(&m_selection, &Selection::parameterChanged, this, &ResultsPanel::showExplained);
+}
 
+void ResultsPanel::arrange() {
     auto *head = new QHBoxLayout;
     head->setContentsMargins(0, 0, 0, 0);
     head->setSpacing(8);
@@ -171,7 +182,6 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     layout->addLayout(statements);
     layout->addWidget(m_viewNote);
     layout->addWidget(m_table, 1);
-    retranslate();
 }
 
 void ResultsPanel::show(const EvaluatedDocument &evaluated, std::size_t test) {

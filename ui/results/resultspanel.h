@@ -45,6 +45,9 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    void makeTable();
+    void followSelection();
+    void arrange();
     void refresh();
     void explain(const QModelIndex &index);
     void showExplained();
