@@ -24,34 +24,19 @@ namespace {
 
 constexpr int menuHeight = 28;
 
-/// What the window holds, as far as it decides which actions can be taken.
-struct Situation {
-    bool open = false;              ///< a document
-    std::size_t tests = 0;          ///< of it
-    std::size_t test = 0;           ///< in view
-    bool hasResults = false;        ///< the test in view, and they are of it as it is
-    bool hasEdition = false;        ///< the test in view, evaluated
-    bool isPositioning = false;     ///< the test in view
-    bool underOtherEdition = false; ///< the test in view is shown as another edition sees it
-    bool canUndo = false;
-    bool canRedo = false;
-};
-
-using Possible = bool (*)(const Situation &);
-
-bool isOpen(const Situation &now) {
+bool isOpen(const WindowSituation &now) {
     return now.open;
 }
-bool hasTest(const Situation &now) {
+bool hasTest(const WindowSituation &now) {
     return now.test < now.tests;
 }
-bool hasTests(const Situation &now) {
+bool hasTests(const WindowSituation &now) {
     return now.tests > 0;
 }
-bool hasResults(const Situation &now) {
+bool hasResults(const WindowSituation &now) {
     return now.hasResults;
 }
-bool isView(const Situation &now) {
+bool isView(const WindowSituation &now) {
     return now.underOtherEdition;
 }
 
@@ -81,8 +66,8 @@ struct MainWindow::MenuRow {
         const char *icon = nullptr;
         const char *iconText = nullptr; ///< beside the icon on a button; null: the text
         QList<QKeySequence> keys = {};
-        Possible possible = nullptr; ///< null: always
-        bool checkable = false;      ///< those that stand together exclude each other
+        bool (*possible)(const WindowSituation &) = nullptr; ///< null: always
+        bool checkable = false;                              ///< those that stand together exclude each other
         QAction::MenuRole role = QAction::TextHeuristicRole;
         WindowMenu opens = WindowMenu::none;
     };
@@ -146,7 +131,7 @@ const std::vector<MainWindow::MenuRow> &MainWindow::menuRows() {
             [](W &w) { w.exportFigure(); }, {.possible = hasResults}),
         row(M::exports, A::compensation, "compensation", QT_TR_NOOP("&Compensation table…"),
             [](W &w) { w.showCompensation(); },
-            {.possible = [](const Situation &now) { return now.hasResults && now.isPositioning; }}),
+            {.possible = [](const WindowSituation &now) { return now.hasResults && now.isPositioning; }}),
         lineIn(M::file),
         row(M::file, A::newWindow, "newWindow", QT_TR_NOOP("New &window"),
             [](W & /*window*/) { (new MainWindow)->show(); }, {.keys = {K(ctrl | shift | Qt::Key_W)}}),
@@ -158,12 +143,12 @@ const std::vector<MainWindow::MenuRow> &MainWindow::menuRows() {
             {.icon = "undo",
              .iconText = QT_TR_NOOP("Undo"),
              .keys = {K::Undo},
-             .possible = [](const Situation &now) { return now.canUndo; }}),
+             .possible = [](const WindowSituation &now) { return now.canUndo; }}),
         row(M::edit, A::redo, "redo", QT_TR_NOOP("&Redo"), [](W &w) { w.step(true); },
             {.icon = "redo",
              .iconText = QT_TR_NOOP("Redo"),
              .keys = {K(ctrl | shift | Qt::Key_Z), K(ctrl | Qt::Key_Y)},
-             .possible = [](const Situation &now) { return now.canRedo; }}),
+             .possible = [](const WindowSituation &now) { return now.canRedo; }}),
         lineIn(M::edit),
         row(M::test, A::addTest, "addTest", QT_TR_NOOP("&Add a positioning test…"),
             [](W &w) { w.addTest(Kind::positioning); },
@@ -188,11 +173,11 @@ const std::vector<MainWindow::MenuRow> &MainWindow::menuRows() {
         row(M::test, A::previousTest, "previousTest", QT_TR_NOOP("&Previous test"),
             [](W &w) { w.workplace().showTest(w.testInView() - 1); },
             {.keys = {K(ctrl | Qt::Key_PageUp)},
-             .possible = [](const Situation &now) { return now.test > 0 && hasTest(now); }}),
+             .possible = [](const WindowSituation &now) { return now.test > 0 && hasTest(now); }}),
         row(M::test, A::nextTest, "nextTest", QT_TR_NOOP("&Next test"),
             [](W &w) { w.workplace().showTest(w.testInView() + 1); },
             {.keys = {K(ctrl | Qt::Key_PageDown)},
-             .possible = [](const Situation &now) { return now.test + 1 < now.tests; }}),
+             .possible = [](const WindowSituation &now) { return now.test + 1 < now.tests; }}),
         lineIn(M::test),
         row(M::test, A::setEdition, "setEditionAction", QT_TR_NOOP("&Set as edition of the test"),
             [](W &w) { w.setEdition(w.testInView(), w.editionInView()); }, {.possible = isView}),
@@ -258,7 +243,7 @@ const std::vector<MainWindow::MenuRow> &MainWindow::menuRows() {
         row(M::tools, A::compare, "compare", QT_TR_NOOP("Co&mpare…"), [](W &w) { w.showComparison(); },
             {.icon = "bars",
              .keys = {K(ctrl | Qt::Key_K)},
-             .possible = [](const Situation &now) { return now.hasResults && now.hasEdition; }}),
+             .possible = [](const WindowSituation &now) { return now.hasResults && now.hasEdition; }}),
         row(M::tools, A::feed, "contouringFeed", QT_TR_NOOP("Contouring &feed…"), [](W &w) { w.showFeed(); },
             {}),
         row(M::tools, A::allTests, "register", QT_TR_NOOP("&Register of all tests…"),
@@ -327,7 +312,7 @@ QMenu *MainWindow::menu(WindowMenu which) const {
 }
 
 void MainWindow::enableActions() {
-    Situation now;
+    WindowSituation now;
     now.open = m_open;
     now.tests = m_open ? m_model.document()->tests.size() : 0;
     now.test = testInView();

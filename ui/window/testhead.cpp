@@ -24,7 +24,7 @@ namespace {
 constexpr int usualHeight = 48;
 constexpr int lowHeight = 30;
 
-QString say(const char *text) {
+QString headText(const char *text) {
     return QCoreApplication::translate("palmer::ui::TestHead", text);
 }
 
@@ -32,18 +32,18 @@ QString say(const char *text) {
 
 QStringList ownWords(const PositioningMeasurement &measurement) {
     return {measurement.cycle == Cycle::standard
-                ? say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "standard cycle"))
-                : say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "step cycle"))};
+                ? headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "standard cycle"))
+                : headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "step cycle"))};
 }
 
 QStringList ownWords(const CircularMeasurement &measurement) {
-    return {say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "Plane %1"))
+    return {headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "Plane %1"))
                 .arg(QString::fromStdString(measurement.plane.first + measurement.plane.second)),
             QStringLiteral("R ") + windowLanguage().quantity(measurement.nominalRadius, Quantity::position)};
 }
 
 QStringList ownWords(const DriftMeasurement & /*measurement*/) {
-    return {say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "drift test"))};
+    return {headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "drift test"))};
 }
 
 } // namespace
@@ -52,12 +52,13 @@ QString testSummary(const Test &test) {
     const Language &language = windowLanguage();
     QStringList parts;
     const auto addAxis = [&](const Axis &axis) {
-        const QString name =
-            say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "Axis %1")).arg(QString::fromStdString(axis.name));
+        const QString name = headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "Axis %1"))
+                                 .arg(QString::fromStdString(axis.name));
         if (!axis.name.empty() && name != testName(test)) // which is above
             parts += name;
-        parts += axis.motion == Motion::linear ? say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "linear"))
-                                               : say(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "rotary"));
+        parts += axis.motion == Motion::linear
+                     ? headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "linear"))
+                     : headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "rotary"));
         if (axis.travel)
             parts += language.quantity(*axis.travel, positionQuantity(axis));
     };

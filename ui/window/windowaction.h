@@ -74,4 +74,17 @@ enum class WindowAction {
 };
 inline constexpr std::size_t windowActions = static_cast<std::size_t>(WindowAction::aboutQt) + 1;
 
+/// What the window holds, as far as it decides which actions can be taken.
+struct WindowSituation {
+    bool open = false;              ///< a document
+    std::size_t tests = 0;          ///< of it
+    std::size_t test = 0;           ///< in view
+    bool hasResults = false;        ///< the test in view, and they are of it as it is
+    bool hasEdition = false;        ///< the test in view, evaluated
+    bool isPositioning = false;     ///< the test in view
+    bool underOtherEdition = false; ///< the test in view is shown as another edition sees it
+    bool canUndo = false;
+    bool canRedo = false;
+};
+
 } // namespace palmer::ui
