@@ -179,18 +179,22 @@ std::optional<FoundTable> comparedTable(const Invocation &invocation) {
     }
 }
 
-int runExport(const Invocation &invocation) {
-    const auto output = invocation.value(QLatin1StringView("o"));
-    const QString form = invocation.value(QLatin1StringView("as")).value_or(QString());
-    const auto compensation = compensationFormat(form);
-    if (form.isEmpty())
+void demandFormAndFiles(const Invocation &invocation) {
+    if (invocation.value(QLatin1StringView("as")).value_or(QString()).isEmpty())
         throw UsageError({REPORT_TEXT("report", "the command %1 needs the option --%2 %3"),
                           {std::string("export"), std::string("as"), std::string(exportOptions[0].value)}});
-    if (!output)
+    if (!invocation.has(QLatin1StringView("o")))
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("export"), std::string("-o OUT")}});
     if (invocation.arguments.size() != 1)
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("export")}});
+}
+
+int runExport(const Invocation &invocation) {
+    const auto output = invocation.value(QLatin1StringView("o"));
+    const QString form = invocation.value(QLatin1StringView("as")).value_or(QString());
+    const auto compensation = compensationFormat(form);
+    demandFormAndFiles(invocation);
     demandEnding(invocation, *output, form);
     const CompensationOptions table = compensationOptions(invocation);
     if (compensation == CompensationFormat::siemens && !table.reference)

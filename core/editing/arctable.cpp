@@ -48,6 +48,26 @@ void giveSense(Arc &arc, Sense sense) {
     arc.sense = sense;
 }
 
+/// Throws where a line has none: the angles of the others would be wrong.
+std::vector<double> numbersOf(const CellTable &table, const TableBody &body, std::size_t column) {
+    std::vector<double> numbers;
+    std::size_t missing = 0;
+    for (const TableBlock &block : body.blocks) {
+        for (const std::uint32_t row : block.rows) {
+            const auto cells = table.cells(table.rows()[row]);
+            if (column < cells.size() && cells[column].isNumber())
+                numbers.push_back(cells[column].value);
+            else
+                ++missing;
+        }
+    }
+    if (missing > 0)
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "%1 lines have no number: without angles every point is needed"),
+                     {Number{static_cast<double>(missing), Quantity::count}}});
+    return numbers;
+}
+
 ArcTable readDeviations(const CellTable &table, const TableBody &body, const ArcTableChoices &choices) {
     ArcTable result;
     result.content = {ArcContent::deviations,
@@ -55,20 +75,7 @@ ArcTable readDeviations(const CellTable &table, const TableBody &body, const Arc
     result.decimalMark = table.decimalMark;
     const std::size_t column = body.numberColumns().front();
     Arc arc;
-    std::size_t missing = 0;
-    for (const TableBlock &block : body.blocks) {
-        for (const std::uint32_t row : block.rows) {
-            const auto cells = table.cells(table.rows()[row]);
-            if (column < cells.size() && cells[column].isNumber())
-                arc.radialDeviations.push_back(cells[column].value);
-            else
-                ++missing;
-        }
-    }
-    if (missing > 0) // their angles would be wrong with the others moved together
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "%1 lines have no number: without angles every point is needed"),
-                     {Number{static_cast<double>(missing), Quantity::count}}});
+    arc.radialDeviations = numbersOf(table, body, column);
     const Unit *stated = body.columns[column].unit;
     const double size = std::ranges::max(arc.radialDeviations, {}, [](double v) { return std::abs(v); });
     constexpr double smallestInMicrometres = 0.5;

@@ -198,6 +198,28 @@ std::vector<KeyValue> trendFacts(const MachineTrend &trend, const Language &lang
     return facts;
 }
 
+/// Of a trend that has a line; borrows the texts.
+Members lineMembers(const MachineTrend &trend, const std::string &date, const std::string &horizon) {
+    const TrendLine &line = *trend.line;
+    Members one;
+    one.text("since", trend.since)
+        .whole("points", static_cast<int>(line.points))
+        .number("slopePerYear", line.slope)
+        .number("u", line.slopeUncertainty())
+        .number("level", line.at(line.last))
+        .number("uOfLevel", line.uncertaintyAt(line.last))
+        .number("scatter", line.scatter)
+        .number("chi2PerDof", line.chi2PerDof)
+        .word("shown", line.isShown() ? "true" : "false")
+        .number("limit", trend.limit)
+        .number("guardBand", trend.reserve > 0 ? std::optional(trend.reserve) : std::nullopt)
+        .textOrNull("notBefore", date)
+        .quoted("reach", reachWord(trend.notBefore.state))
+        .text("horizon", horizon)
+        .word("withoutParts", trend.withoutParts ? "true" : "false");
+    return one;
+}
+
 QByteArray trendJson(const ListedMachine &machine, const std::string &axis, const MachineTrend &trend) {
     std::vector<std::string> files; // what the members borrow
     for (const TrendSeries &series : trend.series) {
@@ -235,17 +257,15 @@ QByteArray trendJson(const ListedMachine &machine, const std::string &axis, cons
         one.text("date", intervention.date).quoted("kind", interventionWord(intervention.kind));
         interventions.push_back(std::move(one));
     }
-    const std::string name = machine.name.toStdString();
-    const std::string manufacturer = machine.manufacturer.toStdString();
-    const std::string model = machine.model.toStdString();
-    const std::string serialNumber = machine.serialNumber.toStdString();
-    Members who;
-    who.textOrNull("name", name)
-        .textOrNull("manufacturer", manufacturer)
-        .textOrNull("model", model)
-        .textOrNull("serialNumber", serialNumber);
+    const std::array who{machine.name.toStdString(), machine.manufacturer.toStdString(),
+                         machine.model.toStdString(), machine.serialNumber.toStdString()};
     Members members;
-    members.object("machine", std::move(who))
+    members
+        .object("machine", Members()
+                               .textOrNull("name", who[0])
+                               .textOrNull("manufacturer", who[1])
+                               .textOrNull("model", who[2])
+                               .textOrNull("serialNumber", who[3]))
         .text("axis", axis)
         .text("parameter", trend.parameter)
         .quoted("unit", trend.angular ? "deg" : "mm")
@@ -254,27 +274,10 @@ QByteArray trendJson(const ListedMachine &machine, const std::string &axis, cons
     std::string horizon;
     std::string date;
     if (trend.line) {
-        const TrendLine &line = *trend.line;
-        horizon = isoOf(trendHorizon(line));
+        horizon = isoOf(trendHorizon(*trend.line));
         if (saysDate(trend))
             date = isoOf(trend.notBefore.time);
-        Members one;
-        one.text("since", trend.since)
-            .whole("points", static_cast<int>(line.points))
-            .number("slopePerYear", line.slope)
-            .number("u", line.slopeUncertainty())
-            .number("level", line.at(line.last))
-            .number("uOfLevel", line.uncertaintyAt(line.last))
-            .number("scatter", line.scatter)
-            .number("chi2PerDof", line.chi2PerDof)
-            .word("shown", line.isShown() ? "true" : "false")
-            .number("limit", trend.limit)
-            .number("guardBand", trend.reserve > 0 ? std::optional(trend.reserve) : std::nullopt)
-            .textOrNull("notBefore", date)
-            .quoted("reach", reachWord(trend.notBefore.state))
-            .text("horizon", horizon)
-            .word("withoutParts", trend.withoutParts ? "true" : "false");
-        members.object("line", std::move(one));
+        members.object("line", lineMembers(trend, date, horizon));
     } else {
         members.word("line", "null");
     }

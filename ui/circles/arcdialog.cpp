@@ -82,33 +82,12 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
         each->setTextFormat(Qt::PlainText);
     }
 
-    auto *form = new QFormLayout;
-    const QString open = tr("as recognised");
-    m_content = addChoice(*form, "arcContent", tr("Co&lumns"),
-                          {open, tr("angle, radial deviation"), tr("angle, radius"), tr("x, y"),
-                           tr("radial deviations alone")});
-    QStringList signs{open};
-    for (const char *unit : units)
-        signs << QString::fromUtf8(unitOf(unit)->sign);
-    m_unit = addChoice(*form, "arcUnit", tr("&Unit"), signs);
-    m_mark = addChoice(*form, "arcMark", tr("&Decimal mark"), {open, tr("point"), tr("comma")});
-    m_sense = addChoice(*form, "arcSense", tr("&Sense"),
-                        {open, senseWord(Sense::counterclockwise), senseWord(Sense::clockwise)});
-    m_reference =
-        addChoice(*form, "arcReference", tr("An&gles"), {tr("of the point (polar)"), tr("commanded")});
-    if (!m_circle.arcs.empty())
-        m_reference->setCurrentIndex(static_cast<int>(m_circle.arcs.front().angleReference));
-    m_start = addAngle(*form, "arcStart", tr("Sta&rt angle"), 0);
-    m_way = addAngle(*form, "arcExtent", tr("&Extent of the arc"), 360);
-
-    alignLabels(*form);
-
     auto *side = new QWidget(this);
     side->setFixedWidth(sideWidth);
     auto *sideColumn = new QVBoxLayout(side);
     sideColumn->setContentsMargins(0, 0, 0, 0);
     sideColumn->setSpacing(12);
-    sideColumn->addLayout(form);
+    sideColumn->addLayout(makeForm());
     sideColumn->addWidget(m_problem);
     sideColumn->addWidget(m_paths);
     sideColumn->addWidget(m_remarks);
@@ -136,6 +115,30 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     m_text->setPlainText(text);
     connect(m_text, &QPlainTextEdit::textChanged, this, &ArcDialog::read);
     read();
+}
+
+QFormLayout *ArcDialog::makeForm() {
+    auto *form = new QFormLayout;
+    const QString open = tr("as recognised");
+    m_content = addChoice(*form, "arcContent", tr("Co&lumns"),
+                          {open, tr("angle, radial deviation"), tr("angle, radius"), tr("x, y"),
+                           tr("radial deviations alone")});
+    QStringList signs{open};
+    for (const char *unit : units)
+        signs << QString::fromUtf8(unitOf(unit)->sign);
+    m_unit = addChoice(*form, "arcUnit", tr("&Unit"), signs);
+    m_mark = addChoice(*form, "arcMark", tr("&Decimal mark"), {open, tr("point"), tr("comma")});
+    m_sense = addChoice(*form, "arcSense", tr("&Sense"),
+                        {open, senseWord(Sense::counterclockwise), senseWord(Sense::clockwise)});
+    m_reference =
+        addChoice(*form, "arcReference", tr("An&gles"), {tr("of the point (polar)"), tr("commanded")});
+    if (!m_circle.arcs.empty())
+        m_reference->setCurrentIndex(static_cast<int>(m_circle.arcs.front().angleReference));
+    m_start = addAngle(*form, "arcStart", tr("Sta&rt angle"), 0);
+    m_way = addAngle(*form, "arcExtent", tr("&Extent of the arc"), 360);
+
+    alignLabels(*form);
+    return form;
 }
 
 QComboBox *ArcDialog::addChoice(QFormLayout &form, const char *name, const QString &label,

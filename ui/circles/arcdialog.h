@@ -34,6 +34,7 @@ public:
     [[nodiscard]] static bool looksLikePoints(const QString &text);
 
 private:
+    QFormLayout *makeForm();
     QComboBox *addChoice(QFormLayout &form, const char *name, const QString &label, const QStringList &words);
     QLineEdit *addAngle(QFormLayout &form, const char *name, const QString &label, double value);
     void read();

@@ -258,32 +258,8 @@ void CirclesPage::makeParameters(QGridLayout &grid) {
     });
 }
 
-void CirclesPage::makeRangeRow(QHBoxLayout &row) {
-    m_rangeLabel = new QLabel(this);
-    m_rangeLabel->setProperty("secondary", true);
-    m_from = makeNumber("evaluatedFrom");
-    m_to = makeNumber("evaluatedTo");
-    for (Field *end : {m_from, m_to}) {
-        end->setBare();
-        end->setFixedWidth(angleWidth);
-        end->setReader([this, end](const QString &typed) { return readEnd(end, typed); });
-        connect(end, &Field::entered, this, [this, end] { typeRange(end); });
-    }
-    m_cutOff = new Field(Field::Kind::text, this);
-    m_cutOff->edit()->setObjectName(QStringLiteral("cutOff"));
-    m_cutOff->setBare();
-    m_numbers.push_back(m_cutOff);
-    connect(m_cutOff, &Field::begun, this, [this] { ++m_visit; });
-    connect(m_cutOff, &Field::entered, this, [this] {
-        edit(
-            QT_TRANSLATE_NOOP("edits", "state what an arc leaves out"),
-            [this](CircularMeasurement &m) {
-                if (m_arc < m.arcs.size())
-                    m.arcs[m_arc].cutOff = m_cutOff->valueText().toStdString();
-            },
-            stepOf(m_cutOff));
-        showReason();
-    });
+/// What is done to the current arc as a whole.
+void CirclesPage::makeArcButtons() {
     const auto button = [&](const char *name) {
         auto *made = new QPushButton(this);
         made->setObjectName(QLatin1StringView(name));
@@ -322,6 +298,35 @@ void CirclesPage::makeRangeRow(QHBoxLayout &row) {
     };
     connect(m_earlier, &QToolButton::clicked, this, [this, move] { move(m_arc - 1); });
     connect(m_later, &QToolButton::clicked, this, [this, move] { move(m_arc + 1); });
+}
+
+void CirclesPage::makeRangeRow(QHBoxLayout &row) {
+    m_rangeLabel = new QLabel(this);
+    m_rangeLabel->setProperty("secondary", true);
+    m_from = makeNumber("evaluatedFrom");
+    m_to = makeNumber("evaluatedTo");
+    for (Field *end : {m_from, m_to}) {
+        end->setBare();
+        end->setFixedWidth(angleWidth);
+        end->setReader([this, end](const QString &typed) { return readEnd(end, typed); });
+        connect(end, &Field::entered, this, [this, end] { typeRange(end); });
+    }
+    m_cutOff = new Field(Field::Kind::text, this);
+    m_cutOff->edit()->setObjectName(QStringLiteral("cutOff"));
+    m_cutOff->setBare();
+    m_numbers.push_back(m_cutOff);
+    connect(m_cutOff, &Field::begun, this, [this] { ++m_visit; });
+    connect(m_cutOff, &Field::entered, this, [this] {
+        edit(
+            QT_TRANSLATE_NOOP("edits", "state what an arc leaves out"),
+            [this](CircularMeasurement &m) {
+                if (m_arc < m.arcs.size())
+                    m.arcs[m_arc].cutOff = m_cutOff->valueText().toStdString();
+            },
+            stepOf(m_cutOff));
+        showReason();
+    });
+    makeArcButtons();
     row.addWidget(m_rangeLabel);
     row.addWidget(m_from);
     row.addWidget(new QLabel(QStringLiteral("…"), this));
@@ -740,6 +745,25 @@ bool CirclesPage::eventFilter(QObject *watched, QEvent *event) {
     return QWidget::eventFilter(watched, event);
 }
 
+void CirclesPage::nameRange() {
+    m_rangeLabel->setFont(themeFont(TextSize::small));
+    m_rangeLabel->setText(tr("Evaluated"));
+    m_from->setLabel(tr("Evaluated range, from"));
+    m_to->setLabel(tr("Evaluated range, to"));
+    for (Field *end : {m_from, m_to})
+        end->setUnit(m_language.unit(Quantity::angle));
+    m_cutOff->setLabel(tr("What the evaluated range leaves out"));
+    m_cutOff->setToolTip(tr("What the evaluated range leaves out: feed-in, overshoot…"));
+    m_cutOff->setPlaceholder(tr("left out"));
+    m_whole->setText(tr("Whole arc"));
+    m_whole->setToolTip(tr("Evaluate all of the arc, of more than 360° the middle 360°"));
+    m_reverse->setAccessibleName(tr("Reverse sense"));
+    m_reverse->setToolTip(tr("Reverse sense") + u'\n' +
+                          tr("The arc was contoured in the other sense; the points stay as they are"));
+    m_earlier->setText(QStringLiteral("↑"));
+    m_later->setText(QStringLiteral("↓"));
+}
+
 void CirclesPage::retranslate() {
     const auto words = [this](QComboBox *box, const QStringList &texts) {
         const QSignalBlocker blocker(box);
@@ -766,22 +790,7 @@ void CirclesPage::retranslate() {
     m_feed->setUnit(m_language.unit(Quantity::feed));
     m_feed->setPlaceholder(tr("not stated"));
     m_reason->setFont(themeFont(TextSize::small));
-    m_rangeLabel->setFont(themeFont(TextSize::small));
-    m_rangeLabel->setText(tr("Evaluated"));
-    m_from->setLabel(tr("Evaluated range, from"));
-    m_to->setLabel(tr("Evaluated range, to"));
-    for (Field *end : {m_from, m_to})
-        end->setUnit(m_language.unit(Quantity::angle));
-    m_cutOff->setLabel(tr("What the evaluated range leaves out"));
-    m_cutOff->setToolTip(tr("What the evaluated range leaves out: feed-in, overshoot…"));
-    m_cutOff->setPlaceholder(tr("left out"));
-    m_whole->setText(tr("Whole arc"));
-    m_whole->setToolTip(tr("Evaluate all of the arc, of more than 360° the middle 360°"));
-    m_reverse->setAccessibleName(tr("Reverse sense"));
-    m_reverse->setToolTip(tr("Reverse sense") + u'\n' +
-                          tr("The arc was contoured in the other sense; the points stay as they are"));
-    m_earlier->setText(QStringLiteral("↑"));
-    m_later->setText(QStringLiteral("↓"));
+    nameRange();
     m_newArcAction->setText(tr("Paste &or type an arc…"));
     m_deleteArcAction->setText(tr("Delete t&he arc"));
     m_newArc->setText(tr("New arc…"));

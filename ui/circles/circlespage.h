@@ -71,6 +71,8 @@ private:
 
     void makeParameters(QGridLayout &grid);
     void makeRangeRow(QHBoxLayout &row);
+    void makeArcButtons();
+    void nameRange();
     void makeTables();
     void makeActions();
     void deleteArc();

@@ -184,6 +184,44 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     retranslate();
 }
 
+/// The fields that are no numbers.
+void PlanDialog::makeChoices(QWidget *parent) {
+    const auto made = [&](Field::Kind kind, const char *name, const std::function<void()> &take) {
+        auto *field = new Field(kind, parent);
+        field->edit()->setObjectName(QStringLiteral("plan.") + QLatin1StringView(name));
+        connect(field, &Field::entered, this, [this, take] {
+            take();
+            replan();
+        });
+        return field;
+    };
+    m_axis =
+        made(Field::Kind::text, "axis", [this] { m_program.axis = m_axis->text().trimmed().toStdString(); });
+    m_motion = made(Field::Kind::choice, "motion",
+                    [this] { m_request.motion = m_motion->choice() == 0 ? Motion::linear : Motion::rotary; });
+    m_rule = made(Field::Kind::choice, "rule", [this] {
+        m_request.rule = m_rule->choice() == 0 ? TargetRule::nominalInterval : TargetRule::pitches1988;
+    });
+    m_cycle = made(Field::Kind::choice, "cycle",
+                   [this] { m_program.cycle = m_cycle->choice() == 0 ? Cycle::standard : Cycle::step; });
+}
+
+/// The button that draws other random parts, on the line of the field beside it.
+QWidget *PlanDialog::makeReseed(QWidget *parent) {
+    m_reseed->setObjectName(QStringLiteral("reseed"));
+    m_reseed->setAutoDefault(false);
+    connect(m_reseed, &QPushButton::clicked, this, [this] {
+        ++m_request.seed;
+        replan();
+    });
+    auto *place = new QWidget(parent);
+    auto *layout = new QVBoxLayout(place);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addStretch();
+    layout->addWidget(m_reseed);
+    return place;
+}
+
 QWidget *PlanDialog::makeFields() {
     auto *fields = new QWidget(this);
     fields->setFixedWidth(planFieldsWidth);
@@ -198,18 +236,7 @@ QWidget *PlanDialog::makeFields() {
             grid->addWidget(right, row, 1);
         ++row;
     };
-    m_axis = new Field(Field::Kind::text, fields);
-    m_axis->edit()->setObjectName(QStringLiteral("plan.axis"));
-    connect(m_axis, &Field::entered, this, [this] {
-        m_program.axis = m_axis->text().trimmed().toStdString();
-        replan();
-    });
-    m_motion = new Field(Field::Kind::choice, fields);
-    m_motion->edit()->setObjectName(QStringLiteral("plan.motion"));
-    connect(m_motion, &Field::entered, this, [this] {
-        m_request.motion = m_motion->choice() == 0 ? Motion::linear : Motion::rotary;
-        replan();
-    });
+    makeChoices(fields);
     place(m_axis, m_motion);
     const auto position = [this] {
         return m_request.motion == Motion::linear ? Quantity::position : Quantity::angle;
@@ -226,41 +253,18 @@ QWidget *PlanDialog::makeFields() {
     place(m_perMetre, addNumber(
                           "period", QT_TR_NOOP("Period of the error"), false, position,
                           [this] { return m_request.period; }, positiveOrNone(m_request.period)));
-    m_rule = new Field(Field::Kind::choice, fields);
-    m_rule->edit()->setObjectName(QStringLiteral("plan.rule"));
-    connect(m_rule, &Field::entered, this, [this] {
-        m_request.rule = m_rule->choice() == 0 ? TargetRule::nominalInterval : TargetRule::pitches1988;
-        replan();
-    });
     place(m_rule,
           addNumber(
               "decimals", QT_TR_NOOP("Decimals"), true, [] { return Quantity::count; },
               [this] { return m_request.decimals; }, wholeNumber(0, mostDecimals, [this](double decimals) {
                   m_request.decimals = static_cast<int>(decimals);
               })));
-    m_reseed->setObjectName(QStringLiteral("reseed"));
-    m_reseed->setAutoDefault(false);
-    connect(m_reseed, &QPushButton::clicked, this, [this] {
-        ++m_request.seed;
-        replan();
-    });
-    auto *seedRow = new QWidget(fields);
-    auto *seedLayout = new QVBoxLayout(seedRow);
-    seedLayout->setContentsMargins(0, 0, 0, 0);
-    seedLayout->addStretch();
-    seedLayout->addWidget(m_reseed);
     place(addNumber(
               "seed", QT_TR_NOOP("Seed"), true, [] { return Quantity::count; },
               [this] { return static_cast<double>(m_request.seed); },
               wholeNumber(0, mostSeed,
                           [this](double seed) { m_request.seed = static_cast<std::uint64_t>(seed); })),
-          seedRow);
-    m_cycle = new Field(Field::Kind::choice, fields);
-    m_cycle->edit()->setObjectName(QStringLiteral("plan.cycle"));
-    connect(m_cycle, &Field::entered, this, [this] {
-        m_program.cycle = m_cycle->choice() == 0 ? Cycle::standard : Cycle::step;
-        replan();
-    });
+          makeReseed(fields));
     const Setter take = wholeNumber(1, mostRuns, [this](double runs) { m_runs = static_cast<int>(runs); });
     place(m_cycle, addNumber(
                        "runs", QT_TR_NOOP("Runs each way"), true, [] { return Quantity::count; },

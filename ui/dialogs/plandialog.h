@@ -52,6 +52,8 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
+    void makeChoices(QWidget *parent);
+    [[nodiscard]] QWidget *makeReseed(QWidget *parent);
     [[nodiscard]] QWidget *makeFields();
     [[nodiscard]] QHBoxLayout *makeButtons();
     /// `set` takes the number, or says why not.

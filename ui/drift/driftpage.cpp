@@ -69,6 +69,13 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         button->setFocusPolicy(Qt::StrongFocus);
     }
+    makeTable();
+    connectParts();
+    arrange();
+    refresh();
+}
+
+void DriftPage::makeTable() {
     m_table->setModel(&m_readings);
     m_table->setItemDelegate(new QuietDelegate(m_table));
     m_table->setHorizontalHeader(new QuietHeader(m_table));
@@ -83,6 +90,9 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
     m_table->horizontalHeader()->setFixedHeight(heightOfHead);
     m_table->horizontalHeader()->setDefaultSectionSize(driftColumnWidth);
     m_table->installEventFilter(this);
+}
+
+void DriftPage::connectParts() {
     m_readings.setWriter([this](std::size_t row, const std::vector<DriftReading> &readings) {
         write(row, readings, QT_TRANSLATE_NOOP("edits", "change a reading"));
     });
@@ -94,7 +104,7 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
                 if (!m_following && static_cast<std::size_t>(current.row()) < m_readings.readings())
                     m_selection.setReading(ReadingPlace{0, static_cast<std::size_t>(current.row())});
             });
-    connect(&selection, &Selection::readingChanged, this, [this] {
+    connect(&m_selection, &Selection::readingChanged, this, [this] {
         const auto place = m_selection.reading();
         if (!place || place->target >= m_readings.readings() || !isVisible())
             return;
@@ -103,7 +113,9 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
         m_table->setCurrentIndex(m_readings.index(static_cast<int>(place->target), column));
         m_following = false;
     });
+}
 
+void DriftPage::arrange() {
     auto *bar = new QHBoxLayout;
     bar->setContentsMargins(0, 0, 0, 0);
     bar->addWidget(m_paste);
@@ -118,7 +130,6 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
     layout->addLayout(bar);
     layout->addWidget(m_reason);
     layout->addWidget(m_table, 1);
-    refresh();
 }
 
 DriftPage::~DriftPage() {

@@ -36,6 +36,9 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
+    void makeTable();
+    void connectParts();
+    void arrange();
     void refresh();
     void paste();
     void removeRows();

@@ -124,79 +124,8 @@ void AgreedPointsPage::build(const Edition &edition, const Test &test) {
         delete item->widget();
         delete item;
     }
-    for (const AgreementPoint &point : edition.points) {
-        auto *area = new QWidget(m_scroll->widget());
-        Row row{&point,
-                area,
-                new Chip(area),
-                new ElidedLabel(area),
-                new QToolButton(area),
-                new QToolButton(area),
-                new QToolButton(area),
-                new QToolButton(area),
-                new AgreementEdit(area),
-                new QPushButton(area),
-                new QLabel(area),
-                nullptr};
-        row.name->setBuddy(row.text);
-        row.text->begun = [this] { ++m_visit; };
-        row.text->setProperty("helpTopic", QStringLiteral("agreedPoints"));
-        row.text->setMaxLength(std::numeric_limits<int>::max()); // nothing is cut in silence
-        row.refusal->setObjectName(QStringLiteral("refusal.") + QString::fromLatin1(point.point));
-        row.refusal->setWordWrap(true);
-        row.refusal->hide();
-        connect(row.text, &QLineEdit::textEdited, this, [this, row, &point](const QString &text) {
-            if (!refuses(row, text))
-                setText(point, text);
-        });
-        row.take->setProperty("link", true);
-        row.take->setAutoDefault(false);
-        row.take->setIcon(lineIcon(QStringLiteral("link")));
-        row.take->setObjectName(QStringLiteral("take.") + QString::fromLatin1(point.point));
-        connect(row.take, &QPushButton::clicked, this, [this, &point] { takeFromConditions(point); });
-        row.text->setFixedHeight(fieldHeight);
-        row.text->setObjectName(QStringLiteral("field.agreedPoints.") + QString::fromLatin1(point.point));
-        const std::array places{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("middle"),
-                                QStringLiteral("last")};
-        const std::array buttons{row.agreed, row.notAgreed, row.notApplicable, row.notDeclared};
-        constexpr auto states = std::to_array<std::optional<AgreementState>>(
-            {AgreementState::agreed, AgreementState::notAgreed, AgreementState::notApplicable, std::nullopt});
-        auto *head = new QHBoxLayout;
-        head->setSpacing(8);
-        head->addWidget(row.letter);
-        head->addWidget(row.name, 1);
-        head->addWidget(row.take);
-        auto *body = new QHBoxLayout;
-        body->setContentsMargins(letterWidth + 8, 0, 0, 0);
-        body->setSpacing(0);
-        for (std::size_t k = 0; k < std::size(buttons); ++k) {
-            buttons[k]->setProperty("segment", places[k]);
-            buttons[k]->setCheckable(true);
-            buttons[k]->setFocusPolicy(Qt::StrongFocus);
-            buttons[k]->setObjectName(QStringLiteral("state%1.").arg(k) + QString::fromLatin1(point.point));
-            connect(buttons[k], &QToolButton::clicked, this,
-                    [this, &point, state = states[k]] { setState(point, state); });
-            body->addWidget(buttons[k]);
-        }
-        body->addStretch();
-        auto *text = new QHBoxLayout;
-        text->setContentsMargins(letterWidth + 8, 0, 0, 0);
-        text->setSpacing(8);
-        text->addWidget(row.text, 1);
-        if (const auto quantity = agreedQuantity(point.point, test)) {
-            row.value = makeValue(point, *quantity, area);
-            text->addWidget(row.value);
-        }
-        auto *layout = new QVBoxLayout(area);
-        layout->setContentsMargins(0, 4, 0, 4);
-        layout->setSpacing(4);
-        layout->addLayout(head);
-        layout->addLayout(body);
-        layout->addLayout(text);
-        layout->addWidget(row.refusal);
-        m_body->addWidget(area);
-        m_rows.push_back(row);
-    }
+    for (const AgreementPoint &point : edition.points)
+        addRow(point, test);
     m_others = new QPushButton(m_scroll->widget());
     m_others->setObjectName(QStringLiteral("inapplicablePoints"));
     m_others->setProperty("link", true);
@@ -207,6 +136,86 @@ void AgreedPointsPage::build(const Edition &edition, const Test &test) {
     });
     m_body->addWidget(m_others, 0, Qt::AlignLeft);
     m_body->addStretch(1);
+}
+
+void AgreedPointsPage::addRow(const AgreementPoint &point, const Test &test) {
+    auto *area = new QWidget(m_scroll->widget());
+    Row row{&point,
+            area,
+            new Chip(area),
+            new ElidedLabel(area),
+            new QToolButton(area),
+            new QToolButton(area),
+            new QToolButton(area),
+            new QToolButton(area),
+            new AgreementEdit(area),
+            new QPushButton(area),
+            new QLabel(area),
+            nullptr};
+    row.name->setBuddy(row.text);
+    row.text->begun = [this] { ++m_visit; };
+    row.text->setProperty("helpTopic", QStringLiteral("agreedPoints"));
+    row.text->setMaxLength(std::numeric_limits<int>::max()); // nothing is cut in silence
+    row.refusal->setObjectName(QStringLiteral("refusal.") + QString::fromLatin1(point.point));
+    row.refusal->setWordWrap(true);
+    row.refusal->hide();
+    connect(row.text, &QLineEdit::textEdited, this, [this, row, &point](const QString &text) {
+        if (!refuses(row, text))
+            setText(point, text);
+    });
+    row.take->setProperty("link", true);
+    row.take->setAutoDefault(false);
+    row.take->setIcon(lineIcon(QStringLiteral("link")));
+    row.take->setObjectName(QStringLiteral("take.") + QString::fromLatin1(point.point));
+    connect(row.take, &QPushButton::clicked, this, [this, &point] { takeFromConditions(point); });
+    row.text->setFixedHeight(fieldHeight);
+    row.text->setObjectName(QStringLiteral("field.agreedPoints.") + QString::fromLatin1(point.point));
+    auto *head = new QHBoxLayout;
+    head->setSpacing(8);
+    head->addWidget(row.letter);
+    head->addWidget(row.name, 1);
+    head->addWidget(row.take);
+    auto *text = new QHBoxLayout;
+    text->setContentsMargins(letterWidth + 8, 0, 0, 0);
+    text->setSpacing(8);
+    text->addWidget(row.text, 1);
+    if (const auto quantity = agreedQuantity(point.point, test)) {
+        row.value = makeValue(point, *quantity, area);
+        text->addWidget(row.value);
+    }
+    auto *layout = new QVBoxLayout(area);
+    layout->setContentsMargins(0, 4, 0, 4);
+    layout->setSpacing(4);
+    layout->addLayout(head);
+    layout->addLayout(makeStates(row));
+    layout->addLayout(text);
+    layout->addWidget(row.refusal);
+    m_body->addWidget(area);
+    m_rows.push_back(row);
+}
+
+/// The states to choose from, one of them.
+QHBoxLayout *AgreedPointsPage::makeStates(const Row &row) {
+    const AgreementPoint &point = *row.point;
+    const std::array places{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("middle"),
+                            QStringLiteral("last")};
+    const std::array buttons{row.agreed, row.notAgreed, row.notApplicable, row.notDeclared};
+    constexpr auto states = std::to_array<std::optional<AgreementState>>(
+        {AgreementState::agreed, AgreementState::notAgreed, AgreementState::notApplicable, std::nullopt});
+    auto *body = new QHBoxLayout;
+    body->setContentsMargins(letterWidth + 8, 0, 0, 0);
+    body->setSpacing(0);
+    for (std::size_t k = 0; k < std::size(buttons); ++k) {
+        buttons[k]->setProperty("segment", places[k]);
+        buttons[k]->setCheckable(true);
+        buttons[k]->setFocusPolicy(Qt::StrongFocus);
+        buttons[k]->setObjectName(QStringLiteral("state%1.").arg(k) + QString::fromLatin1(point.point));
+        connect(buttons[k], &QToolButton::clicked, this,
+                [this, &point, state = states[k]] { setState(point, state); });
+        body->addWidget(buttons[k]);
+    }
+    body->addStretch();
+    return body;
 }
 
 Field *AgreedPointsPage::makeValue(const AgreementPoint &point, Quantity quantity, QWidget *parent) {

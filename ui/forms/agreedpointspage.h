@@ -10,6 +10,7 @@
 #include <QWidget>
 #include <vector>
 
+class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QScrollArea;
@@ -57,6 +58,8 @@ private:
     };
 
     void build(const Edition &edition, const Test &test);
+    void addRow(const AgreementPoint &point, const Test &test);
+    [[nodiscard]] QHBoxLayout *makeStates(const Row &row);
     [[nodiscard]] const AgreedPoint *agreed(const AgreementPoint &point) const;
     void setState(const AgreementPoint &point, std::optional<AgreementState> state);
     Field *makeValue(const AgreementPoint &point, Quantity quantity, QWidget *parent);

@@ -79,7 +79,14 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Order"), ofReport<&ReportHead::order>());
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Procedure"),
             ofReport<&ReportHead::procedure>());
+    addLaboratory();
+    addParties();
+    addRemarks();
+    addStretch();
+    refresh();
+}
 
+void IdentificationPage::addLaboratory() {
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Laboratory"));
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Name"),
@@ -101,7 +108,9 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
     addPicture(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Mark of the accreditation body"),
                QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Choose the mark…"),
                QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remove the mark"), &Laboratory::mark);
+}
 
+void IdentificationPage::addParties() {
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Customer and supplier"));
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Customer"),
@@ -116,7 +125,9 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
 
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Signatures"));
     addSigners();
+}
 
+void IdentificationPage::addRemarks() {
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks"));
     beginRow();
     addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Adjustments made"),
@@ -125,8 +136,6 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
     beginRow();
     addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks"),
                 ofReport<&ReportHead::remarks>());
-    addStretch();
-    refresh();
 }
 
 void IdentificationPage::addPicture(const char *label, const char *choose, const char *remove,

@@ -20,6 +20,9 @@ protected:
     void refreshOthers() override;
 
 private:
+    void addLaboratory();
+    void addParties();
+    void addRemarks();
     using Picture = std::optional<std::string> Laboratory::*;
     struct PictureRow {
         Picture picture = nullptr;

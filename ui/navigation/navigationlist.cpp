@@ -75,65 +75,89 @@ private:
             painter.setPen(QPen(token(Token::accent, option.palette), 2));
             painter.drawRect(option.rect.adjusted(1, 1, -1, -1));
         }
-        const QColor text = option.palette.color(QPalette::WindowText);
-        const QString icon = index.data(NavigationModel::iconRole).toString();
-        const QString mark = index.data(NavigationModel::markRole).toString();
-        const QColor markColour =
-            token(static_cast<Token>(index.data(NavigationModel::markColourRole).toInt()), option.palette);
-        const QString accordance = index.data(NavigationModel::accordanceRole).toString();
-        const QColor accordanceColour = token(
-            static_cast<Token>(index.data(NavigationModel::accordanceColourRole).toInt()), option.palette);
-        const int count = index.data(NavigationModel::countRole).toInt();
-        if (m_list.isRail()) {
-            drawLineIcon(painter, option.rect, icon, text);
-            if (!mark.isEmpty()) {
-                const QRect corner(option.rect.center() + QPoint(4, 2), QSize(14, 14));
-                painter.setPen(Qt::NoPen);
-                painter.setBrush(selected ? selectedGround(option.palette)
-                                          : option.palette.color(QPalette::Window));
-                painter.drawEllipse(corner);
-                drawLineIcon(painter, corner, mark, markColour);
-            }
-            if (!accordance.isEmpty()) {
-                drawLineIcon(painter, QRect(option.rect.center() + QPoint(6, -15), QSize(14, 14)), accordance,
-                             accordanceColour);
-            } else if (count > 0) {
-                painter.setPen(Qt::NoPen);
-                painter.setBrush(token(Token::unsure, option.palette));
-                painter.drawEllipse(QRect(option.rect.center() + QPoint(6, -12), QSize(6, 6)));
-            }
-            return;
+        if (m_list.isRail())
+            paintIcon(painter, option, RowMarks(option, index), selected);
+        else
+            paintWords(painter, option, index, selected);
+    }
+
+    /// Of a row what stands beside its name.
+    struct RowMarks {
+        RowMarks(const QStyleOptionViewItem &option, const QModelIndex &index)
+            : icon(index.data(NavigationModel::iconRole).toString())
+            , mark(index.data(NavigationModel::markRole).toString())
+            , markColour(token(static_cast<Token>(index.data(NavigationModel::markColourRole).toInt()),
+                               option.palette))
+            , accordance(index.data(NavigationModel::accordanceRole).toString())
+            , accordanceColour(
+                  token(static_cast<Token>(index.data(NavigationModel::accordanceColourRole).toInt()),
+                        option.palette))
+            , count(index.data(NavigationModel::countRole).toInt()) {}
+
+        QString icon;
+        QString mark;
+        QColor markColour;
+        QString accordance;
+        QColor accordanceColour;
+        int count;
+    };
+
+    /// Of the narrow list: the marks lie on corners of the icon.
+    static void paintIcon(QPainter &painter, const QStyleOptionViewItem &option, const RowMarks &marks,
+                          bool selected) {
+        drawLineIcon(painter, option.rect, marks.icon, option.palette.color(QPalette::WindowText));
+        if (!marks.mark.isEmpty()) {
+            const QRect corner(option.rect.center() + QPoint(4, 2), QSize(14, 14));
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(selected ? selectedGround(option.palette)
+                                      : option.palette.color(QPalette::Window));
+            painter.drawEllipse(corner);
+            drawLineIcon(painter, corner, marks.mark, marks.markColour);
         }
+        if (!marks.accordance.isEmpty()) {
+            drawLineIcon(painter, QRect(option.rect.center() + QPoint(6, -15), QSize(14, 14)),
+                         marks.accordance, marks.accordanceColour);
+        } else if (marks.count > 0) {
+            painter.setPen(Qt::NoPen);
+            painter.setBrush(token(Token::unsure, option.palette));
+            painter.drawEllipse(QRect(option.rect.center() + QPoint(6, -12), QSize(6, 6)));
+        }
+    }
+
+    static void paintWords(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index,
+                           bool selected) {
+        const RowMarks marks(option, index);
+        const QColor text = option.palette.color(QPalette::WindowText);
         const QString detail = index.data(NavigationModel::detailRole).toString();
         const QRect top(option.rect.left(), option.rect.top() + (detail.isEmpty() ? 0 : 4),
                         option.rect.width(), detail.isEmpty() ? option.rect.height() : 20);
-        drawLineIcon(painter, QRect(margin, top.top(), iconWidth, top.height()), icon, text);
+        drawLineIcon(painter, QRect(margin, top.top(), iconWidth, top.height()), marks.icon, text);
         QFont font = themeFont(TextSize::base);
         if (selected)
             font.setWeight(QFont::DemiBold);
         painter.setFont(font);
         painter.setPen(text);
-        const int right = mark.isEmpty() && count == 0 ? margin / 2 : markWidth;
+        const int right = marks.mark.isEmpty() && marks.count == 0 ? margin / 2 : markWidth;
         const QRect nameArea = top.adjusted(textLeft, 0, -right, 0);
         painter.drawText(
             nameArea, Qt::AlignLeft | Qt::AlignVCenter,
             painter.fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, nameArea.width()));
         const QRect markArea(option.rect.right() - markWidth + 4, top.top(), 20, top.height());
-        if (!mark.isEmpty())
-            drawLineIcon(painter, markArea, mark, markColour);
+        if (!marks.mark.isEmpty())
+            drawLineIcon(painter, markArea, marks.mark, marks.markColour);
         painter.setFont(themeFont(TextSize::tiny));
-        if (count > 0)
-            paintBadge(painter, markArea, count, option.palette);
+        if (marks.count > 0)
+            paintBadge(painter, markArea, marks.count, option.palette);
         if (!detail.isEmpty()) {
             painter.setPen(token(Token::secondaryText, option.palette));
-            const int room = accordance.isEmpty() ? margin / 2 : markWidth;
+            const int room = marks.accordance.isEmpty() ? margin / 2 : markWidth;
             const QRect area(option.rect.left() + textLeft, option.rect.top() + 22,
                              option.rect.width() - textLeft - room, 16);
             painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
                              painter.fontMetrics().elidedText(detail, Qt::ElideRight, area.width()));
-            if (!accordance.isEmpty())
+            if (!marks.accordance.isEmpty())
                 drawLineIcon(painter, QRect(markArea.left(), area.top(), markArea.width(), area.height()),
-                             accordance, accordanceColour);
+                             marks.accordance, marks.accordanceColour);
         }
     }
 

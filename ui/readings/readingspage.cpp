@@ -61,7 +61,12 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
         button->setFocusPolicy(Qt::TabFocus);
     connect(m_pasteButton, &QToolButton::clicked, m_paste, &QAction::trigger);
     connect(m_addRunButton, &QToolButton::clicked, m_addRuns, &QAction::trigger);
+    arrange();
+    connectParts();
+    retranslate();
+}
 
+void ReadingsPage::arrange() {
     auto *bar = new QHBoxLayout;
     bar->setContentsMargins(0, 0, 0, 0);
     bar->setSpacing(0);
@@ -84,7 +89,9 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
     layout->addWidget(barArea);
     layout->addWidget(m_pasteBar);
     layout->addWidget(m_view);
+}
 
+void ReadingsPage::connectParts() {
     connect(m_view, &ReadingsView::summaryChanged, this, &ReadingsPage::summaryChanged);
     connect(m_view, &ReadingsView::summaryChanged, this, &ReadingsPage::enableActions);
     connect(m_view, &ReadingsView::typed, m_pasteBar, &QWidget::hide);
@@ -102,7 +109,6 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
         m_pasteBar->hide();
         m_view->setFocus();
     });
-    retranslate();
 }
 
 QToolButton *ReadingsPage::addSegment(QButtonGroup *group, const char *name, int id) {
@@ -158,7 +164,10 @@ void ReadingsPage::makeActions() {
     m_insertRun = addAction(m_testActions, QStringLiteral("insertRun"));
     m_removeRuns = addAction(m_testActions, QStringLiteral("removeRuns"));
     m_view->setContextMenuPolicy(Qt::ActionsContextMenu);
+    connectActions();
+}
 
+void ReadingsPage::connectActions() {
     connect(m_cut, &QAction::triggered, this, [this] {
         QGuiApplication::clipboard()->setText(copied());
         const std::vector<ReadingPlace> places = m_view->selectedPlaces();

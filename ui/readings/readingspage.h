@@ -59,6 +59,9 @@ private:
     QAction *addAction(QList<QAction *> &list, const QString &name, const QKeySequence &shortcut = {});
     void addSeparator(QList<QAction *> &list);
     void makeActions();
+    void connectActions();
+    void arrange();
+    void connectParts();
     void retranslate();
     void nameUnits();
     void markRuling();

@@ -245,6 +245,19 @@ void RegisterWindow::makeStatus() {
     connect(m_stop, &QPushButton::clicked, &m_service, &RegisterService::stop);
 }
 
+void RegisterWindow::makeMachineList() {
+    m_machines = new MachineModel(this);
+    m_machineList = new QListView;
+    m_machineList->setObjectName(QStringLiteral("machines"));
+    m_machineList->setModel(m_machines);
+    m_machineList->setItemDelegate(new MachineDelegate(m_machineList));
+    m_machineList->setFrameShape(QFrame::NoFrame);
+    m_machineList->setUniformItemSizes(true);
+    m_machineList->setMinimumHeight(0);
+    m_machineList->setMouseTracking(true);
+    m_machineList->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+}
+
 QWidget *RegisterWindow::makeLeft() {
     auto *side = new QWidget;
     side->setMinimumWidth(200);
@@ -268,16 +281,7 @@ QWidget *RegisterWindow::makeLeft() {
         switches->addWidget(button);
     }
     m_all->setChecked(true);
-    m_machines = new MachineModel(this);
-    m_machineList = new QListView;
-    m_machineList->setObjectName(QStringLiteral("machines"));
-    m_machineList->setModel(m_machines);
-    m_machineList->setItemDelegate(new MachineDelegate(m_machineList));
-    m_machineList->setFrameShape(QFrame::NoFrame);
-    m_machineList->setUniformItemSizes(true);
-    m_machineList->setMinimumHeight(0);
-    m_machineList->setMouseTracking(true);
-    m_machineList->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    makeMachineList();
     m_noMachine = made("noMachine", TextSize::base);
     m_noMachine->setWordWrap(true);
     auto *above = new QVBoxLayout;
@@ -347,6 +351,37 @@ QWidget *RegisterWindow::makeRight() {
     return side;
 }
 
+void RegisterWindow::makeTable() {
+    m_tests = new TestTableModel(this);
+    m_sorted = new QSortFilterProxyModel(this);
+    m_sorted->setSourceModel(m_tests);
+    m_sorted->setSortRole(TestTableModel::sortRole);
+    m_table = new QTableView;
+    m_table->setObjectName(QStringLiteral("tests"));
+    m_table->setModel(m_sorted);
+    m_table->setItemDelegate(new TestDelegate(m_table));
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
+    m_table->setSortingEnabled(true);
+    m_table->sortByColumn(TestTableModel::dateColumn, Qt::DescendingOrder);
+    m_table->setShowGrid(false);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    m_table->viewport()->installEventFilter(this);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(tableRowHeight);
+    m_table->horizontalHeader()->setFixedHeight(tableHead);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_table->horizontalHeader()->setHighlightSections(false);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    connect(m_table, &QTableView::doubleClicked, this, &RegisterWindow::openChosen);
+    auto *enter = new QShortcut(Qt::Key_Return, m_table, this, &RegisterWindow::openChosen);
+    enter->setContext(Qt::WidgetShortcut);
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            &RegisterWindow::showChosen);
+}
+
 QWidget *RegisterWindow::makeTests() {
     auto *part = new QWidget;
     auto *filters = new QWidget;
@@ -376,34 +411,7 @@ QWidget *RegisterWindow::makeTests() {
     row->addWidget(m_shownCount, 1);
     row->addWidget(m_clear);
     connect(m_clear, &QPushButton::clicked, this, &RegisterWindow::clearFilters);
-    m_tests = new TestTableModel(this);
-    m_sorted = new QSortFilterProxyModel(this);
-    m_sorted->setSourceModel(m_tests);
-    m_sorted->setSortRole(TestTableModel::sortRole);
-    m_table = new QTableView;
-    m_table->setObjectName(QStringLiteral("tests"));
-    m_table->setModel(m_sorted);
-    m_table->setItemDelegate(new TestDelegate(m_table));
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_table->setSortingEnabled(true);
-    m_table->sortByColumn(TestTableModel::dateColumn, Qt::DescendingOrder);
-    m_table->setShowGrid(false);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->viewport()->installEventFilter(this);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(tableRowHeight);
-    m_table->horizontalHeader()->setFixedHeight(tableHead);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_table->horizontalHeader()->setHighlightSections(false);
-    m_table->horizontalHeader()->setStretchLastSection(true);
-    connect(m_table, &QTableView::doubleClicked, this, &RegisterWindow::openChosen);
-    auto *enter = new QShortcut(Qt::Key_Return, m_table, this, &RegisterWindow::openChosen);
-    enter->setContext(Qt::WidgetShortcut);
-    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            &RegisterWindow::showChosen);
+    makeTable();
     auto *layout = new QVBoxLayout(part);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -421,6 +429,28 @@ QToolButton *RegisterWindow::makeTrendButton(const char *name, const char *icon)
     button->setIcon(lineIcon(QString::fromLatin1(icon)));
     button->setProperty("iconOnly", true);
     return button;
+}
+
+/// What the trend says in words, beside it.
+void RegisterWindow::makeFacts() {
+    m_factsColumn = new QWidget;
+    m_factsColumn->setFixedWidth(factsColumnWidth);
+    m_statement = made("trendFacts", TextSize::base);
+    m_statement->setWordWrap(true);
+    m_statement->setTextFormat(Qt::RichText);
+    m_statement->setAlignment(Qt::AlignTop);
+    m_statement->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    auto *facts = new QVBoxLayout(m_factsColumn);
+    facts->setContentsMargins(pageMargin, 12, 4, 8);
+    auto *area = new QScrollArea; // a low window has no room for the method
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setWidget(m_statement);
+    m_statement->setContentsMargins(0, 0, pageMargin - 4, 0);
+    area->viewport()->setAutoFillBackground(false);
+    m_statement->setAutoFillBackground(false);
+    facts->addWidget(area, 1);
 }
 
 QWidget *RegisterWindow::makeTrend() {
@@ -470,24 +500,7 @@ QWidget *RegisterWindow::makeTrend() {
     leftLayout->addLayout(head);
     leftLayout->addWidget(m_trend, 1);
     leftLayout->addWidget(m_legend);
-    m_factsColumn = new QWidget;
-    m_factsColumn->setFixedWidth(factsColumnWidth);
-    m_statement = made("trendFacts", TextSize::base);
-    m_statement->setWordWrap(true);
-    m_statement->setTextFormat(Qt::RichText);
-    m_statement->setAlignment(Qt::AlignTop);
-    m_statement->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto *facts = new QVBoxLayout(m_factsColumn);
-    facts->setContentsMargins(pageMargin, 12, 4, 8);
-    auto *area = new QScrollArea; // a low window has no room for the method
-    area->setFrameShape(QFrame::NoFrame);
-    area->setWidgetResizable(true);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setWidget(m_statement);
-    m_statement->setContentsMargins(0, 0, pageMargin - 4, 0);
-    area->viewport()->setAutoFillBackground(false);
-    m_statement->setAutoFillBackground(false);
-    facts->addWidget(area, 1);
+    makeFacts();
     m_comparison = new CurveComparison;
     m_comparison->hide();
     connect(m_comparison, &CurveComparison::closed, this, [this] { m_menus.compare->setChecked(false); });

@@ -72,6 +72,9 @@ private:
     enum Filter { byAxis, bySince, byEdition, byPurpose, byRole, byLimits, byAccordance, filterCount };
 
     QWidget *makeLeft();
+    void makeMachineList();
+    void makeTable();
+    void makeFacts();
     QWidget *makeRight();
     QWidget *makeTests();
     QWidget *makeTrend();

@@ -86,6 +86,23 @@ void TrendChart::addLine(const std::vector<QPointF> &points, const QPen &pen) {
     line->attachAxis(m_y);
 }
 
+void TrendChart::addBand(const QColor &accent) {
+    auto *upper = new QLineSeries(this);
+    auto *lower = new QLineSeries(this);
+    for (const BandPoint &point : m_panel.band) {
+        upper->append(point.x, point.upper);
+        lower->append(point.x, point.lower);
+    }
+    auto *band = new QAreaSeries(upper, lower);
+    QColor fill = accent;
+    fill.setAlphaF(static_cast<float>(isDark(palette()) ? bandDark : bandLight));
+    band->setBrush(fill);
+    band->setPen(QPen(accent, 0.8));
+    chart()->addSeries(band);
+    band->attachAxis(m_x);
+    band->attachAxis(m_y);
+}
+
 void TrendChart::rebuild() {
     chart()->removeAllSeries();
     for (QAbstractAxis *axis : chart()->axes()) {
@@ -127,22 +144,8 @@ void TrendChart::rebuild() {
     m_y = axis(Qt::AlignLeft, m_panel.y, false);
     for (QValueAxis *one : {m_x, m_y})
         one->setVisible(!m_panel.values.empty());
-    if (!m_panel.band.empty()) {
-        auto *upper = new QLineSeries(this);
-        auto *lower = new QLineSeries(this);
-        for (const BandPoint &point : m_panel.band) {
-            upper->append(point.x, point.upper);
-            lower->append(point.x, point.lower);
-        }
-        auto *band = new QAreaSeries(upper, lower);
-        QColor fill = accent;
-        fill.setAlphaF(static_cast<float>(isDark(look) ? bandDark : bandLight));
-        band->setBrush(fill);
-        band->setPen(QPen(accent, 0.8));
-        chart()->addSeries(band);
-        band->attachAxis(m_x);
-        band->attachAxis(m_y);
-    }
+    if (!m_panel.band.empty())
+        addBand(accent);
     for (const auto &joined : m_panel.joined)
         addLine(joined, QPen(token(Token::secondaryText, look), 1));
     for (const auto &limit : m_panel.limits)

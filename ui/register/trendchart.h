@@ -49,6 +49,7 @@ protected:
 
 private:
     void rebuild();
+    void addBand(const QColor &accent);
     void zoom(double factor, double about);
     void addLine(const std::vector<QPointF> &points, const QPen &pen);
     [[nodiscard]] QPointF place(const QPointF &value) const;

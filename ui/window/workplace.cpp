@@ -224,19 +224,7 @@ Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent
     retranslate();
 }
 
-// Every part is made with the parent it keeps: to move one later costs the styles of all below it anew. A
-// splitter takes the widgets made with it as parent.
-QWidget *Workplace::makeCentre() {
-    auto *centre = new QWidget(m_inner);
-    centre->setObjectName(QStringLiteral("centre"));
-    centre->setAttribute(Qt::WA_StyledBackground);
-    centre->setProperty("ground", QStringLiteral("base"));
-    centre->setMinimumWidth(centreWidth);
-    m_head = new TestHead(centre);
-    m_tabs = new PageTabs(centre);
-    m_tabs->setObjectName(QStringLiteral("pageTabs"));
-    for (std::size_t i = 0; i < testPages.size(); ++i)
-        m_tabs->addTab(QString());
+void Workplace::makePages(QWidget *centre) {
     m_pages = new QStackedWidget(centre);
     m_readingPages = new QStackedWidget(m_pages);
     m_readings = new ReadingsPage(m_model, m_selection, m_readingPages);
@@ -263,6 +251,22 @@ QWidget *Workplace::makeCentre() {
          std::initializer_list<QWidget *>{m_readingPages, m_conditions, m_agreedPoints, m_limits,
                                           m_uncertainty, m_diagnosis, m_reportPages})
         m_pages->addWidget(page);
+}
+
+// Every part is made with the parent it keeps: to move one later costs the styles of all below it anew. A
+// splitter takes the widgets made with it as parent.
+QWidget *Workplace::makeCentre() {
+    auto *centre = new QWidget(m_inner);
+    centre->setObjectName(QStringLiteral("centre"));
+    centre->setAttribute(Qt::WA_StyledBackground);
+    centre->setProperty("ground", QStringLiteral("base"));
+    centre->setMinimumWidth(centreWidth);
+    m_head = new TestHead(centre);
+    m_tabs = new PageTabs(centre);
+    m_tabs->setObjectName(QStringLiteral("pageTabs"));
+    for (std::size_t i = 0; i < testPages.size(); ++i)
+        m_tabs->addTab(QString());
+    makePages(centre);
     auto *card = new QFrame(centre);
     m_card = card;
     m_target = new TargetCard(m_selection, card);

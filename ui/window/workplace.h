@@ -101,6 +101,7 @@ private:
     [[nodiscard]] std::map<Page, QStringList> missingFields() const;
     bool showNextMissingHere(const std::map<Page, QStringList> &missing, bool forward);
     QWidget *makeCentre();
+    void makePages(QWidget *centre);
     void showChangedMeasurement(const Test &before, const Test &after);
     void connectParts();
     void present();

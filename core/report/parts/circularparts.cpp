@@ -148,6 +148,20 @@ private:
     KeyValues m_values;
 };
 
+/// How many points of a path were evaluated, and of how many where it is a part of them.
+QString pointsText(const CircularPart &part, const EvaluatedPath &path) {
+    const Writer &write = part.write;
+    const auto number = [&](std::size_t count) {
+        return write.language().number(static_cast<double>(count), Quantity::count, 0);
+    };
+    const QString evaluated = number(path.source.size());
+    return evaluatesPart(part)
+               ? write.say(REPORT_TEXT("report", "%1 of %2"),
+                           {evaluated.toStdString(),
+                            number(part.measurement.arcs[path.arc].angles.size()).toStdString()})
+               : evaluated;
+}
+
 KeyValues parameterRows(const CircularPart &part) {
     const Writer &write = part.write;
     const CircularMeasurement &measurement = part.measurement;
@@ -178,21 +192,11 @@ KeyValues parameterRows(const CircularPart &part) {
              write.quantity(part.results.correction, Quantity::deviation, deviationDecimals), false);
     rows.add(REPORT_TEXT("report", "Captured range"),
              ofEachPath(part, [&](const EvaluatedPath &path) { return captureText(part, path); }));
-    const auto points = [&](std::size_t count) {
-        return write.language().number(static_cast<double>(count), Quantity::count, 0);
-    };
-    if (evaluatesPart(part)) {
+    if (evaluatesPart(part))
         rows.add(REPORT_TEXT("report", "Evaluated range"),
                  ofEachPath(part, [&](const EvaluatedPath &path) { return evaluatedText(part, path); }));
-        rows.add(REPORT_TEXT("report", "Points"), ofEachPath(part, [&](const EvaluatedPath &path) {
-                     return write.say(REPORT_TEXT("report", "%1 of %2"),
-                                      {points(path.source.size()).toStdString(),
-                                       points(measurement.arcs[path.arc].angles.size()).toStdString()});
-                 }));
-    } else {
-        rows.add(REPORT_TEXT("report", "Points"),
-                 ofEachPath(part, [&](const EvaluatedPath &path) { return points(path.source.size()); }));
-    }
+    rows.add(REPORT_TEXT("report", "Points"),
+             ofEachPath(part, [&](const EvaluatedPath &path) { return pointsText(part, path); }));
     rows.add(REPORT_TEXT("report", "Start, stop"), startAndStop(part));
     rows.add(REPORT_TEXT("report", "Smoothing"), conditions.smoothing);
     rows.add(REPORT_TEXT("report", "Compensation"), common.compensation);

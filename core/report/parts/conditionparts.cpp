@@ -596,6 +596,42 @@ void addUncertainty(std::vector<Block> &blocks, const TestPart &part, Uncertaint
     blocks.emplace_back(Paragraph{words.join(u' ')});
 }
 
+namespace {
+
+/// What was added to the readings of each target.
+Table correctionTable(const PositioningPart &part) {
+    const Writer &write = part.write;
+    const auto &targets = part.measurement.targets;
+    const double reference =
+        part.measurement.conditions.referencePosition.value_or(targets.empty() ? 0 : targets.front());
+    const int places = positionDecimals(targets, part.along());
+    const QString lengthUnit = write.language().unit(part.along());
+    Table table;
+    table.columns = {{Phrase({{QStringLiteral("i"), false, true}}), {}, Alignment::right, false, 7},
+                     {Phrase({{QStringLiteral("P")}, {QStringLiteral("i"), true}}), lengthUnit,
+                      Alignment::decimal, false, 19},
+                     {Phrase({{QStringLiteral("P")},
+                              {QStringLiteral("i"), true},
+                              {QStringLiteral(" − P")},
+                              {QStringLiteral("0"), true}}),
+                      lengthUnit, Alignment::decimal, false, 30},
+                     {write.text(REPORT_TEXT("report", "Added to the readings")),
+                      write.language().unit(part.deviation()), Alignment::decimal, false, 45},
+                     {QString(), {}, Alignment::left, true, 74}};
+    for (std::size_t i = 0; i < std::min(targets.size(), part.results.corrections.size()); ++i) {
+        if (i > 0 && i % 5 == 0)
+            table.rulesAfter.push_back(i - 1);
+        table.rows.push_back(
+            {QString::number(i + 1), write.language().number(targets[i], part.along(), places),
+             write.language().number(targets[i] - reference, part.along(), places),
+             write.language().number(part.results.corrections[i], part.deviation(), correctionDecimals),
+             blankCell()});
+    }
+    return table;
+}
+
+} // namespace
+
 void addCorrection(std::vector<Block> &blocks, const PositioningPart &part) {
     const Conditions &conditions = part.measurement.conditions.common;
     if (part.measurement.axis.motion != Motion::linear ||
@@ -631,34 +667,7 @@ void addCorrection(std::vector<Block> &blocks, const PositioningPart &part) {
     blocks.emplace_back(Paragraph{words});
     if (!corrected)
         return;
-
-    const auto &targets = part.measurement.targets;
-    const double reference =
-        part.measurement.conditions.referencePosition.value_or(targets.empty() ? 0 : targets.front());
-    const int places = positionDecimals(targets, part.along());
-    const QString lengthUnit = write.language().unit(part.along());
-    Table table;
-    table.columns = {{Phrase({{QStringLiteral("i"), false, true}}), {}, Alignment::right, false, 7},
-                     {Phrase({{QStringLiteral("P")}, {QStringLiteral("i"), true}}), lengthUnit,
-                      Alignment::decimal, false, 19},
-                     {Phrase({{QStringLiteral("P")},
-                              {QStringLiteral("i"), true},
-                              {QStringLiteral(" − P")},
-                              {QStringLiteral("0"), true}}),
-                      lengthUnit, Alignment::decimal, false, 30},
-                     {write.text(REPORT_TEXT("report", "Added to the readings")),
-                      write.language().unit(part.deviation()), Alignment::decimal, false, 45},
-                     {QString(), {}, Alignment::left, true, 74}};
-    for (std::size_t i = 0; i < std::min(targets.size(), part.results.corrections.size()); ++i) {
-        if (i > 0 && i % 5 == 0)
-            table.rulesAfter.push_back(i - 1);
-        table.rows.push_back(
-            {QString::number(i + 1), write.language().number(targets[i], part.along(), places),
-             write.language().number(targets[i] - reference, part.along(), places),
-             write.language().number(part.results.corrections[i], part.deviation(), correctionDecimals),
-             blankCell()});
-    }
-    blocks.emplace_back(std::move(table));
+    blocks.emplace_back(correctionTable(part));
 }
 
 void addCorrection(std::vector<Block> &blocks, const CircularPart &part) {

@@ -98,7 +98,21 @@ QString thousandthOf(Quantity quantity, const Language &language) {
                : language.number(1 / inThousandths, Quantity::number) + language.unit(quantity);
 }
 
-/// U of each result, a row a method; bold what decides.
+/// U of a result by one method: the one that decides reads as in the results, and is bold.
+Cell uncertaintyCell(const TestPart &part, const Parameter &parameter, double value,
+                     UncertaintyMethod method) {
+    const Language &language = part.write.language();
+    const Quantity quantity = deviationQuantity(part.test);
+    const auto resolution = finestResolution(part.document(), part.test);
+    const bool decides = parameter.decidedBy == method;
+    Cell cell(decides ? printedNumbers(parameter, part.test.decisionRule, resolution, language).uncertainty
+                      : language.uncertainty(value, quantity,
+                                             decimalsWithUncertainty(value, quantity, resolution)));
+    cell.bold = decides;
+    return cell;
+}
+
+/// U of each result, a row a method.
 Table resultTable(const TestPart &part) {
     const Writer &write = part.write;
     const Quantity quantity = deviationQuantity(part.test);
@@ -126,18 +140,8 @@ Table resultTable(const TestPart &part) {
             continue;
         table.columns.push_back(
             {symbolPhrase(parameter.term.symbol, parameter.index), {}, Alignment::decimal, false, 0});
-        // The U that decides reads as in the results.
         const auto shown = [&](std::optional<double> value, UncertaintyMethod method) {
-            if (!value)
-                return Cell();
-            const bool decides = parameter.decidedBy == method;
-            Cell cell(decides
-                          ? printedNumbers(parameter, part.test.decisionRule, resolution, write.language())
-                                .uncertainty
-                          : write.language().uncertainty(
-                                *value, quantity, decimalsWithUncertainty(*value, quantity, resolution)));
-            cell.bold = decides;
-            return cell;
+            return value ? uncertaintyCell(part, parameter, *value, method) : Cell();
         };
         budget.push_back(shown(parameter.budgetUncertainty, UncertaintyMethod::budget));
         actual.push_back(shown(parameter.actualUncertainty, UncertaintyMethod::budgetActual));
