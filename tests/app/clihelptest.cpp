@@ -8,6 +8,7 @@
 
 #include <QFile>
 #include <QTemporaryDir>
+#include <QTemporaryFile>
 #include <QTest>
 
 using palmer::testdata::CliResult;
@@ -38,6 +39,18 @@ QStringList following(const QStringList &words) {
     for (const QString &line : out(QStringList{"--complete"} + words).split('\n', Qt::SkipEmptyParts))
         result << line.section('\t', 0, 0);
     return result;
+}
+
+/// What the shell makes of a line, whose bytes need not be UTF-8 as the words of QProcess are.
+CliResult shell(const QByteArray &command) {
+    QTemporaryFile script;
+    if (!script.open() || script.write(command) != command.size() || !script.flush())
+        qFatal("cannot write");
+    QProcess process;
+    process.start("/bin/sh", {script.fileName()});
+    if (!process.waitForFinished(60'000) || process.exitStatus() != QProcess::NormalExit)
+        qFatal("%s did not end by itself", command.constData());
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
 }
 
 } // namespace
@@ -171,18 +184,6 @@ private slots:
                             std::size_t(bytes.size()));
         std::fclose(file);
         const QString program = QStringLiteral(PALMER_CLI);
-        const auto shell = [&](const QByteArray &command) { // the words of QProcess are UTF-8
-            QProcess process;
-            const QString script = folder.filePath("run.sh");
-            QFile written(script);
-            if (!written.open(QIODevice::WriteOnly) || written.write(command) != command.size())
-                qFatal("cannot write");
-            written.close();
-            process.start("/bin/sh", {script});
-            process.waitForFinished(60'000);
-            return CliResult{process.exitCode(), process.readAllStandardOutput(),
-                             process.readAllStandardError()};
-        };
         const QByteArray cli = program.toUtf8();
         const CliResult one = shell(cli + " evaluate --json '" + name + "'");
         QCOMPARE(one.err, QByteArray());
@@ -211,9 +212,9 @@ private slots:
         const QByteArray axis = EXAMPLES "rotary-axis.palmer";
         QTest::newRow("report") << "report " + axis + " --language en -o - --force";
         QTest::newRow("simulation") << "evaluate --json --uncertainty monteCarlo --trials 20000 " + axis;
-        QTest::newRow("circle") << "evaluate --json LONG";
-        QTest::newRow("import") << "import TABLE -o - --accept";
-        QTest::newRow("register") << "register scan EXAMPLES --register FOLDER/r.db";
+        QTest::newRow("circle") << QByteArray("evaluate --json LONG");
+        QTest::newRow("import") << QByteArray("import TABLE -o - --accept");
+        QTest::newRow("register") << QByteArray("register scan EXAMPLES --register FOLDER/r.db");
     }
     void doesWithoutThreads() {
 #ifdef __SANITIZE_ADDRESS__
