@@ -7,6 +7,7 @@
 #include "ui/register/openregister.h"
 #include "ui/settings.h"
 #include "ui/sizeonscreen.h"
+#include "ui/taborder.h"
 #include "ui/standardbuttons.h"
 #include "ui/theme.h"
 #include "ui/typingguard.h"
@@ -63,6 +64,7 @@ int main(int argc, char *argv[]) {
     keepCopiesAtEnd(*application);
     guardTyping(*application);
     keepDialogsOnScreen(*application);
+    orderTabsOfDialogs(*application);
 
     auto *window = new MainWindow; // deletes itself when it is closed
     window->show();

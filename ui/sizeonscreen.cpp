@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sizeonscreen.h"
 
+#include "ui/taborder.h"
+
 #include <QApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
@@ -78,6 +80,7 @@ void scroll(QDialog &dialog, QLayout &whole, int room) {
     area->show();
     column->activate();
     dialog.resize(dialog.width() + area->verticalScrollBar()->sizeHint().width(), dialog.height());
+    orderTabs(dialog); // what has another parent has another place in the chain
     if (focused)
         focused->setFocus();
 }

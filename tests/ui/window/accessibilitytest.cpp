@@ -150,6 +150,7 @@ private slots:
     void mnemonicsDoNotClash_data() { everyControlHasAName_data(); }
     void mnemonicsDoNotClash();
     void tabReachesEveryControl_data() { everyControlHasAName_data(); }
+    void tabWalksDialogsInTheOrderOfReading();
     void tabReachesEveryControl();
     void iconButtonsSayWhatTheyDo_data() { everyControlHasAName_data(); }
     void iconButtonsSayWhatTheyDo();
@@ -278,6 +279,36 @@ void AccessibilityTest::tabReachesEveryControl() {
         } while (widget && widget != shown.window && !chain.contains(widget));
         for (QWidget *control : wanted)
             QVERIFY2(chain.contains(control), qPrintable(path(control)));
+    }
+}
+
+/// Never to what stands wholly above, unless that is in a column further right.
+void AccessibilityTest::tabWalksDialogsInTheOrderOfReading() {
+    const QTemporaryDir folder;
+    RegisterService service(folder.filePath(QStringLiteral("register.sqlite")), {});
+    const ShownWindow shown(examplePath("rotary-axis"));
+    for (const auto &dialog : allDialogs(*shown.window, service)) {
+        if (!qobject_cast<QDialog *>(dialog.get()))
+            continue;
+        dialog->show();
+        QVERIFY(QTest::qWaitForWindowExposed(dialog.get()));
+        std::vector<QWidget *> chain;
+        for (QWidget *widget = dialog->nextInFocusChain(); widget != dialog.get();
+             widget = widget->nextInFocusChain()) {
+            if (widget->isVisible() && widget->isEnabled() && (widget->focusPolicy() & Qt::TabFocus) &&
+                !widget->focusProxy() && widget->window() == dialog.get())
+                chain.push_back(widget);
+        }
+        const auto areaOf = [&](const QWidget *widget) {
+            return QRect(widget->mapTo(dialog.get(), QPoint()), widget->size());
+        };
+        for (std::size_t i = 1; i < chain.size(); ++i) {
+            const QRect from = areaOf(chain[i - 1]);
+            const QRect to = areaOf(chain[i]);
+            QVERIFY2(to.bottom() > from.top() || to.left() >= from.right(),
+                     qPrintable(path(chain[i - 1]) + " to " + path(chain[i])));
+        }
+        dialog->hide();
     }
 }
 

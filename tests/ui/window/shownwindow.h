@@ -5,6 +5,7 @@
 #include "ui/fonts.h"
 #include "ui/sizeonscreen.h"
 #include "ui/standardbuttons.h"
+#include "ui/taborder.h"
 #include "ui/theme.h"
 #include "ui/typingguard.h"
 #include "ui/wheelguard.h"
@@ -32,6 +33,7 @@ inline void prepareApplication() {
     palmer::ui::nameStandardButtons(*qApp);
     palmer::ui::guardTyping(*qApp);
     palmer::ui::keepDialogsOnScreen(*qApp);
+    palmer::ui::orderTabsOfDialogs(*qApp);
 }
 
 /// A real window, shown; it deletes itself when it is closed.

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/taborder.h"
+
+#include <QApplication>
+#include <QDialog>
+#include <QEvent>
+#include <QLayout>
+#include <QScrollArea>
+#include <QSplitter>
+
+namespace palmer::ui {
+
+namespace {
+
+class Walk {
+public:
+    void through(const QLayout &layout) {
+        for (int i = 0; i < layout.count(); ++i) {
+            QLayoutItem *item = layout.itemAt(i);
+            if (QWidget *widget = item->widget())
+                through(*widget);
+            else if (const QLayout *inner = item->layout())
+                through(*inner);
+        }
+    }
+
+private:
+    void through(QWidget &widget) {
+        if (auto *area = qobject_cast<QScrollArea *>(&widget); area && area->widget()) {
+            const QWidget *before = m_last;
+            through(*area->widget());
+            if (m_last != before) { // Tab goes to what is in it
+                area->setFocusPolicy(Qt::ClickFocus);
+                return;
+            }
+        }
+        if ((widget.focusPolicy() & Qt::TabFocus) && !widget.focusProxy()) {
+            if (m_last)
+                QWidget::setTabOrder(m_last, &widget);
+            m_last = &widget;
+        }
+        if (const auto *splitter = qobject_cast<QSplitter *>(&widget)) {
+            for (int i = 0; i < splitter->count(); ++i)
+                through(*splitter->widget(i));
+        } else if (const QLayout *layout = widget.layout()) {
+            through(*layout);
+        }
+    }
+
+    QWidget *m_last = nullptr;
+};
+
+class ShownDialogs : public QObject {
+public:
+    using QObject::QObject;
+
+    bool eventFilter(QObject *watched, QEvent *event) override {
+        constexpr const char *done = "tabsInOrder";
+        if (event->type() != QEvent::Show || !watched->isWidgetType())
+            return false;
+        auto *dialog = qobject_cast<QDialog *>(watched);
+        const bool isOfQt = *watched->metaObject()->className() == 'Q'; // which knows its own order
+        if (dialog && !isOfQt && dialog->isWindow() && dialog->layout() && !dialog->property(done).toBool()) {
+            dialog->setProperty(done, true);
+            orderTabs(*dialog);
+        }
+        return false;
+    }
+};
+
+} // namespace
+
+void orderTabs(QWidget &window) {
+    Walk().through(*window.layout());
+}
+
+void orderTabsOfDialogs(QApplication &application) {
+    application.installEventFilter(new ShownDialogs(&application));
+}
+
+} // namespace palmer::ui
