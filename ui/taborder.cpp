@@ -31,7 +31,7 @@ private:
             const QWidget *before = m_last;
             through(*area->widget());
             if (m_last != before) { // Tab goes to what is in it
-                area->setFocusPolicy(Qt::ClickFocus);
+                area->setFocusPolicy(Qt::NoFocus);
                 return;
             }
         }
