@@ -282,7 +282,7 @@ void AccessibilityTest::tabReachesEveryControl() {
     }
 }
 
-/// Never to what stands wholly above, unless that is in a column further right.
+/// Once around, and never else to what stands wholly above, unless that is in a column further right.
 void AccessibilityTest::tabWalksDialogsInTheOrderOfReading() {
     const QTemporaryDir folder;
     RegisterService service(folder.filePath(QStringLiteral("register.sqlite")), {});
@@ -302,12 +302,18 @@ void AccessibilityTest::tabWalksDialogsInTheOrderOfReading() {
         const auto areaOf = [&](const QWidget *widget) {
             return QRect(widget->mapTo(dialog.get(), QPoint()), widget->size());
         };
-        for (std::size_t i = 1; i < chain.size(); ++i) {
-            const QRect from = areaOf(chain[i - 1]);
-            const QRect to = areaOf(chain[i]);
-            QVERIFY2(to.bottom() > from.top() || to.left() >= from.right(),
-                     qPrintable(path(chain[i - 1]) + " to " + path(chain[i])));
+        int upwards = 0;
+        QString where;
+        for (std::size_t i = 0; i < chain.size(); ++i) {
+            const QWidget *next = chain[(i + 1) % chain.size()];
+            const QRect from = areaOf(chain[i]);
+            const QRect to = areaOf(next);
+            if (to.bottom() <= from.top() && to.left() < from.right()) {
+                ++upwards;
+                where += QStringLiteral("%1 to %2\n").arg(path(chain[i]), path(next));
+            }
         }
+        QVERIFY2(upwards <= 1, qPrintable(where)); // from the end to the beginning
         dialog->hide();
     }
 }
