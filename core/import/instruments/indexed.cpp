@@ -210,7 +210,8 @@ private:
                 const long cycle = straight ? index.second : index.first;
                 Pass &pass = cycles[cycle][static_cast<std::size_t>(side)];
                 pass.direction = side == 0 ? Direction::positive : Direction::negative;
-                pass.readings.push_back({m_targets.at(target), value.first, value.second});
+                pass.readings.push_back(
+                    {m_targets.at(target), value.first, static_cast<std::uint32_t>(value.second)});
             }
         }
         return cycles;
@@ -246,7 +247,7 @@ private:
                 return reading.position == target;
             };
             if (std::ranges::none_of(pass.readings, same))
-                pass.readings.push_back({position, {}, 0});
+                pass.readings.push_back({position, 0, 0, true});
         }
     }
 

@@ -107,7 +107,7 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
                  "unread"});
             continue;
         }
-        pass.readings.push_back({(*numbers)[1], (*numbers)[2], number});
+        pass.readings.push_back({(*numbers)[1], (*numbers)[2], static_cast<std::uint32_t>(number)});
     }
     if (pass.readings.empty())
         throw Error(
