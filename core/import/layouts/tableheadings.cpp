@@ -3,6 +3,7 @@
 #include "import/layouts/tableheadings.h"
 
 #include "document/digit.h"
+#include "document/place.h"
 #include "tables/dates.h"
 #include "tables/folded.h"
 
@@ -170,11 +171,41 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
     }
 }
 
-void readHeadings(std::vector<TableColumn> &columns) {
-    for (TableColumn &column : columns) {
+/// Cells that say their unit know it better than the heading, but both are to be looked at.
+void takeUnitOfCells(const CellTable &table, std::size_t c, TableColumn &column,
+                     std::vector<Remark> &remarks) {
+    const ColumnUnit cells = table.unitOfColumn(c);
+    if (!cells.unit)
+        return;
+    const bool isTarget = column.meaning == Meaning::target || column.meaning == Meaning::place;
+    const char *choice = isTarget ? "positionUnit" : "unit";
+    if (column.unit && column.unit != cells.unit)
+        remarks.push_back(
+            {RemarkGrade::assumption,
+             {REPORT_TEXT("report", "Unit: the heading “%1” names another unit than the cells of "
+                                    "its column; read in %2, as the cells say."),
+              {excerpt(column.heading), std::string(cells.unit->sign)}},
+             0,
+             0,
+             choice});
+    if (cells.bareLine > 0)
+        remarks.push_back({RemarkGrade::assumption,
+                           {REPORT_TEXT("report", "Unit: a number has none, where the others of its column "
+                                                  "have one; read in %1."),
+                            {std::string(cells.unit->sign)}},
+                           cells.bareLine,
+                           0,
+                           choice});
+    column.unit = cells.unit;
+}
+
+void readHeadings(const CellTable &table, std::vector<TableColumn> &columns, std::vector<Remark> &remarks) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        TableColumn &column = columns[c];
         column.words = readHeading(column.heading);
         column.meaning = column.words.meaning;
         column.unit = unitIn(column.heading);
+        takeUnitOfCells(table, c, column, remarks);
         // "Point (mm)" is no counter.
         if (column.meaning == Meaning::index && column.unit &&
             (column.unit->kind == UnitKind::length || column.unit->kind == UnitKind::angle))
@@ -222,7 +253,7 @@ void findSections(const CellTable &table, TableBody &body) {
         const bool named =
             std::ranges::any_of(columns, [](const TableColumn &column) { return !column.heading.empty(); });
         if (named || body.sections.empty()) {
-            readHeadings(columns);
+            readHeadings(table, columns, body.remarks);
             body.sections.push_back(std::move(columns));
         }
         block.section = body.sections.size() - 1;

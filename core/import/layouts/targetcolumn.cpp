@@ -42,7 +42,9 @@ public:
                 hasForeignAxis(c))
                 continue;
             const std::vector<double> values = valuesOf(c);
-            if (values != first && isStrictlyMonotone(values))
+            // A list goes there and back.
+            const bool isList = m_result.direction || m_result.number;
+            if (values != first && (isList || isStrictlyMonotone(values)))
                 role(c) = ColumnRole::target;
         }
     }

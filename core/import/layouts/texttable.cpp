@@ -150,6 +150,7 @@ bool isAnything(QByteArrayView) {
 }
 
 void readMeasurementTable(Choices &choices, Imported &imported) {
+    imported.table.takeUnits();
     TableReading reading(imported, choices);
     Origin origin = Origin::recognised;
     const std::string found = kindOf(reading, origin);

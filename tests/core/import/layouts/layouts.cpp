@@ -474,6 +474,66 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "2;10:00:14;100;100.001;1\n3;10:00:21;200;200.002;2\n4;10:00:28;200;199.999;-1\n"
         "5;10:00:35;100;99.998;-2\n6;10:00:42;0;-0.003;-3\n",
         "ignored,ignored,target,actual,deviation / 0 100 200 / ↑ 2.3 1 2 / ↓ -3 -2 -1 / ");
+    // Cells that say their unit.
+    const char *const withUnits = "target,run+1,run-1 / 0 100 200 / ↑ 1.2 2.2 0.5 / ↓ 2.1 -3.1 4 / ";
+    row("each number with its unit",
+        "Target;Run 1 up;Run 1 down\n0 mm;1.2 µm;2.1 µm\n100 mm;2.2 µm;-3.1 µm\n200 mm;0.5 µm;4.0 µm\n",
+        withUnits);
+    row("some readings in mm, some in µm",
+        "Target;Run 1 up;Run 1 down\n0 mm;1.2 µm;0.0021 mm\n100 mm;2.2 µm;-3.1um\n200 mm;0.0005 mm;4 µm\n",
+        withUnits);
+    row("units behind decimal commas",
+        "Soll;Hin 1;Rück 1\n0,0 mm;1,2 µm;2,1 µm\n100,0 mm;2,2 µm;-3,1 µm\n200,0 mm;0,5 µm;4,0 µm\n",
+        withUnits);
+    row("units among blanks",
+        "Target Up1 Down1\n0 mm 1.2 µm 2.1 µm\n100 mm 2.2 µm -3.1 µm\n200 mm 0.5 µm 4.0 µm\n", withUnits);
+    row("units, and rows of statistics",
+        "Target;Run 1 up;Run 1 down\n0 mm;1.2 µm;2.1 µm\n100 mm;2.2 µm;-3.1 µm\n200 mm;0.5 µm;4.0 µm\n"
+        "Mean;1.3 µm;1 µm\n2s;0.3 µm;0.5 µm\n",
+        withUnits);
+    row("labels whose values have units",
+        "Travel;500 mm\nRadius;100 mm;Step;5 mm\nTarget (mm);Run 1 up (µm);Run 1 down (µm)\n"
+        "0;1.2;2.1\n100;2.2;-3.1\n200;0.5;4\n",
+        withUnits);
+    row("a number without a unit among others",
+        "Target;Run 1 up;Run 1 down\n0 mm;1.2 µm;2.1 µm\n100 mm;2.2;-3.1 µm\n200 mm;0.5 µm;4.0 µm\n",
+        "target,run+1,run-1 / 0 100 200 / ↑ 1.2 2.2 0.5 / ↓ 2.1 -3.1 4 / unit");
+    row("the heading names another unit than the cells",
+        "Target (mm);Run 1 up (mm);Run 1 down (µm)\n0;1.2 µm;2.1 µm\n100;2.2 µm;-3.1 µm\n200;0.5 µm;4 µm\n",
+        "target,run+1,run-1 / 0 100 200 / ↑ 1.2 2.2 0.5 / ↓ 2.1 -3.1 4 / unit");
+    row("units of targets across", "Run;0 mm;100 mm;200 mm\n1 ↑ (µm);1.2;2.2;0.5\n1 ↓ (µm);2.1;-3.1;4\n",
+        "ignored,run,run,run / 0 100 200 / ↑ 1.2 2.2 0.5 / ↓ 2.1 -3.1 4 / ");
+    row("units of targets across, and of readings",
+        "Run\t0 mm\t100 mm\t200 mm\n1 ↑\t1.2 µm\t2.2 µm\t0.5 µm\n1 ↓\t2.1 µm\t-3.1 µm\t4 µm\n",
+        "ignored,run,run,run / 0 100 200 / ↑ 1.2 2.2 0.5 / ↓ 2.1 -3.1 4 / ");
+    row("first, second, third run", "Target (mm);1°;2°\n0;1.2;2.1\n100;2.2;-3.1\n200;0.5;4\n",
+        "target,run1,run2 / 0 100 200 / ↑ 1.2 2.2 0.5 / ↓ 2.1 -3.1 4 / content directions unit");
+    row("a unit that nobody knows", "Target;Up 1;Down 1\n0;1.2 ell;2.1 ell\n100;2.2 ell;3 ell\n", "refused");
+    row("degrees, minutes, seconds",
+        "Target;Up 1;Down 1\n-0°30';-3.6\";7.2″\n12°30';1.8\";3.6″\n30°15'36\";0\";-1.8″\n",
+        "target,run+1,run-1 / -0.5 12.5 30.26 / ↑ -0.001 0.0005 0 / ↓ 0.002 0.001 -0.0005 / ");
+    row("degrees, minutes, seconds in quotation marks",
+        "Target,Up 1,Down 1\n\"-0°30'0\"\"\",\"-3.6\"\"\",\"7.2\"\"\"\n"
+        "\"12°30'0\"\"\",\"1.8\"\"\",\"3.6\"\"\"\n",
+        "target,run+1,run-1 / -0.5 12.5 / ↑ -0.001 0.0005 / ↓ 0.002 0.001 / ");
+    row("positions in degrees, minutes, seconds",
+        "Soll;Ist 1 hin;Ist 1 rück\n0°00'00\";0°00'01,8\";-0°00'03,6\"\n"
+        "90°00'00\";90°00'03,6\";89°59'58,2\"\n",
+        "target,actual+1,actual-1 / 0 90 / ↑ 0.0005 0.001 / ↓ -0.001 -0.0005 / ");
+    // Lists whose readings have targets of their own.
+    row("own targets, there and back",
+        "Target (mm);Direction;Dev 1 (µm);Target (mm);Dev 2 (µm)\n0;+;1;0.5;5\n100;+;2;100.5;6\n"
+        "100;-;3;100.5;7\n0;-;4;0.5;8\n",
+        "target,direction,deviation1,target,deviation2 / 0 0.5 100 100.5 / ↑ 1 – 2 – / ↓ 4 – 3 – / "
+        "↑ – 5 – 6 / ↓ – 8 – 7 / ");
+    row("a column of targets without one",
+        "Target (mm);Direction;Dev 1 (µm);Target (mm);Dev 2 (µm)\n0;+;1;;5\n100;+;2;;6\n",
+        "target,direction,deviation1,ignored,deviation2 / 0 100 / ↑ 1 2 / ↑ 5 6 / columns");
+    row("own targets that are none: a pass without a reading",
+        "Target (mm);Direction;Dev 1 (µm);Target (mm);Dev 2 (µm)\n0;+;1;0.5;5\n100;+;2;100.5;6\n"
+        "100;-;3;x;7\n0;-;4;x;8\n",
+        "target,direction,deviation1,target,deviation2 / 0 0.5 100 100.5 / ↑ 1 – 2 – / ↓ 4 – 3 – / "
+        "↑ – 5 – 6 / ↓ – – – – / unread");
     // Series over time.
     row("drift with temperature", "Time (s);Deviation (µm);Temp (°C)\n0;0;20\n60;1;20.1\n120;2;20.2\n",
         "time,deviation,temperature / drift  0:0 60:1 120:2 / ");
