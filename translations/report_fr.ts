@@ -8445,5 +8445,9 @@
         <source>Unit: a number has none, where the others of its column have one; read in %1.</source>
         <translation>Unité&#xa0;: un nombre n’en porte pas, contrairement aux autres de sa colonne&#x202f;; lu en %1.</translation>
     </message>
+    <message>
+        <source>Columns: the readings behind “%1” are taken to stand at its positions.</source>
+        <translation>Colonnes&#xa0;: les relevés qui suivent «&#xa0;%1&#xa0;» sont lus aux positions de cette colonne.</translation>
+    </message>
 </context>
 </TS>

@@ -241,6 +241,12 @@ private:
         return true;
     }
 
+    /// Between the signs of seconds in a row of units: "°;";"".
+    [[nodiscard]] bool isMadeOfDelimiters(std::string_view text) const {
+        return !m_blanks && text.find(m_delimiter) != std::string_view::npos &&
+               std::ranges::all_of(text, [&](char c) { return c == m_delimiter || c == '"' || isBlank(c); });
+    }
+
     bool scanQuoted() {
         const std::size_t begin = m_at + 1;
         const std::size_t last = std::min(m_text.size(), begin + quoteReach);
@@ -256,7 +262,7 @@ private:
                 ++next;
             const bool closes = next == m_text.size() || isLineEnd(m_text[next]) ||
                                 m_text[next] == m_delimiter || (m_blanks && next > i + 1);
-            if (!closes)
+            if (!closes || isMadeOfDelimiters(m_text.substr(begin, i - begin)))
                 return false;
             addText(begin, i);
             for (std::size_t j = begin; j < i; ++j)

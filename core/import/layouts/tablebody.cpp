@@ -139,7 +139,9 @@ public:
             if (isRule(row)) {
                 lastLine = row.line;
             } else if (!areBody[i]) {
-                if (takeHead(i, row))
+                if (isDamaged(row))
+                    remarkUnread(row);
+                else if (takeHead(i, row))
                     lastLine = row.line;
             } else if (hasNumbersBeyond(row)) {
                 remarkUnread(row); // "50,1,234.5": which number is whose cannot be known
@@ -235,6 +237,26 @@ private:
         return dashes > 0 && 2 * dashes >= m_table.cells(row).size();
     }
 
+    /// Numbers, and in the place of the others what begins as one: "0.5x", "12O.5". Neither words nor dates.
+    [[nodiscard]] bool isDamaged(const TableRow &row) const {
+        std::size_t numbers = 0;
+        std::size_t damaged = 0;
+        for (const TableCell &cell : m_table.cells(row)) {
+            const std::string_view text = m_table.text(cell);
+            if (cell.isNumber()) {
+                ++numbers;
+            } else if (cell.kind != CellKind::empty && cell.kind != CellKind::missing) {
+                if (row.comment || leadingNumber(text, m_table.decimalMark.value).size == 0 || isDate(text) ||
+                    clockTime(text))
+                    return false;
+                ++damaged;
+            }
+        }
+        return !isComputedRow(m_table, row) && numbers > 0 && damaged > 0 &&
+               numbers + damaged >= std::min<std::size_t>(m_numberColumns, 2) &&
+               2 * (numbers + damaged) >= m_numberColumns;
+    }
+
     /// A row that is none of the body, but has its numbers: below it, unless it begins with what is computed.
     [[nodiscard]] bool looksLikeData(const TableRow &row, bool inBody) const {
         const auto cells = m_table.cells(row);
@@ -251,7 +273,7 @@ private:
             return meaning == Meaning::statistic || meaning == Meaning::other ||
                    meaning == Meaning::temperature;
         };
-        return std::ranges::none_of(cells, isComputed);
+        return !isComputedRow(m_table, row) && std::ranges::none_of(cells, isComputed);
     }
 
     /// Numbers to the right of the last column.

@@ -58,9 +58,10 @@ bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
     std::size_t directions = 0;
     for (const TableCell &cell : cells) {
         filled += cell.kind != CellKind::empty ? 1 : 0;
-        words += cell.kind == CellKind::text ? 1 : 0;
         const std::string_view text = table.text(cell);
-        directions += !text.empty() && (namesRuns(readHeading(text)) || senseIn(text)) ? 1 : 0;
+        const bool namesRun = !text.empty() && (namesRuns(readHeading(text)) || senseIn(text));
+        words += cell.kind == CellKind::text || (cell.kind == CellKind::missing && namesRun) ? 1 : 0; // "-"
+        directions += namesRun ? 1 : 0;
     }
     if (directions >= 2 && words >= 2)
         return true;
@@ -160,6 +161,8 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
             std::string_view text = c < cells.size() ? table.text(cells[c]) : std::string_view();
             if (hasUnits && folded(text) == "-")
                 continue;
+            if (hasUnits && text == "\"") // a unit in brackets only
+                text = "(\")";
             if (!text.empty())
                 last = text;
             else if (spans && c > 0)
@@ -215,6 +218,22 @@ void readHeadings(const CellTable &table, std::vector<TableColumn> &columns, std
 
 } // namespace
 
+namespace {
+
+/// "2s", "± 4 s": so many standard deviations; "1 s" could number a run.
+bool isSpread(std::string_view label) {
+    std::string bare;
+    for (const char c : label) {
+        if (c != ' ')
+            bare += c;
+    }
+    if (bare.starts_with("±"))
+        bare.erase(0, std::string_view("±").size());
+    return bare == "2s" || bare == "3s" || bare == "4s";
+}
+
+} // namespace
+
 bool isComputedRow(const CellTable &table, const TableRow &row) {
     std::size_t numbers = 0;
     bool isLabelled = false;
@@ -226,7 +245,8 @@ bool isComputedRow(const CellTable &table, const TableRow &row) {
         if (!isLabelled) {
             const Meaning meaning =
                 cell.kind == CellKind::text ? readHeading(table.text(cell)).meaning : Meaning::unknown;
-            isLabelled = meaning == Meaning::statistic || meaning == Meaning::other;
+            isLabelled =
+                meaning == Meaning::statistic || meaning == Meaning::other || isSpread(table.text(cell));
             if (!isLabelled)
                 return false;
         } else {

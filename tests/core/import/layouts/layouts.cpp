@@ -521,6 +521,41 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "90°00'00\";90°00'03,6\";89°59'58,2\"\n",
         "target,actual+1,actual-1 / 0 90 / ↑ 0.0005 0.001 / ↓ -0.001 -0.0005 / ");
     // Lists whose readings have targets of their own.
+    for (const char *heading :
+         {"Position (mm)", "Quota (mm)", "Axis position (mm)", "Punkt (mm)", "Soll (mm)"}) {
+        const QByteArray name(heading);
+        QTest::newRow(name + " twice, rising and falling")
+            << name + ";1 ↑ (µm);" + name + ";1 ↓ (µm)\n0;1;200;2\n100;3;100;4\n200;5;0;6\n"
+            << "target,run+1,target,run-1 / 0 100 200 / ↑ 1 3 5 / ↓ 6 4 2 / ";
+    }
+    row("another heading of places before the second direction",
+        "Target (mm);1 ↑ (µm);Position (mm);1 ↓ (µm)\n0;1;200;2\n100;3;100;4\n200;5;0;6\n",
+        "target,run+1,target,run-1 / 0 100 200 / ↑ 1 3 5 / ↓ 6 4 2 / columns");
+    for (const char *label : {"2s", "±2s", "4 s", "2σ", "Ø"})
+        QTest::newRow(qPrintable(QString("a footer of %1").arg(label)))
+            << "Target (mm);Up 1 (µm);Down 1 (µm)\n0;1;2\n100;3;4\n" + QByteArray(label) + ";2.5;3.5\n"
+            << "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / ";
+    row("signs above several columns", ";+;;-;\nTarget;1;2;1;2\nmm;µm;µm;µm;µm\n0;1;2;3;4\n100;5;6;7;8\n",
+        "target,run+1,run+2,run-1,run-2 / 0 100 / ↑ 1 5 / ↓ 3 7 / ↑ 2 6 / ↓ 4 8 / ");
+    row("signs of seconds in a row of units",
+        "Target;Up 1;Down 1;Up 2\n°;\";\";\"\n0;3.6;7.2;1.8\n30;1.8;3.6;0\n",
+        "target,run+1,run-1,run+2 / 0 30 / ↑ 0.001 0.0005 / ↓ 0.002 0.001 / ↑ 0.0005 0 / unequalRuns");
+    row("outward and inward", "Target (mm);Outward 1 (µm);Inward 1 (µm)\n0;1;2\n100;3;4\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / directions");
+    row("a damaged number in two columns", "Target (mm);Dev ↑ (µm)\n0;1\n100;2x\n200;3\n",
+        "target,deviation+ / 0 200 / ↑ 1 3 / unread");
+    row("a damaged number in the first line", "Target (mm);↑ (µm);↓ (µm)\n0x;1;5\n100;2;6\n200;3;7\n",
+        "target,run+,run- / 100 200 / ↑ 2 3 / ↓ 6 7 / unread");
+    row("a letter for a digit", "Target (mm);↑ (µm)\n0;1\n1O0;2\n200;3\n",
+        "target,run+ / 0 200 / ↑ 1 3 / unread");
+    row("a damaged row of a compensation text",
+        "Compensation spacing 50 mm\nNo.  Axis position  Combined\n1  0.0  0.0\n2  5x0.0  -2.5\n3  100.0  "
+        "4.0\n",
+        " / 0 100 / ↑ 0 -4 / unit unread");
+    row("damaged names of readings",
+        "TGT_DATA[1]=0\nTGT_DATA[2]=100\nREF_DATA_FWD[1,1]=0.001\nREF_DATA_FWD[2,1x=100.002\n"
+        "REF_DxTA_BWD[1,1]=0.003\nREF_DATA_BWD[2,1]=100.004\n",
+        " / 0 100 / ↑ 1 – / ↓ – 4 / unit unread");
     row("own targets, there and back",
         "Target (mm);Direction;Dev 1 (µm);Target (mm);Dev 2 (µm)\n0;+;1;0.5;5\n100;+;2;100.5;6\n"
         "100;-;3;100.5;7\n0;-;4;0.5;8\n",
