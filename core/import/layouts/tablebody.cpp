@@ -143,7 +143,7 @@ public:
                     remarkUnread(row);
                 else if (takeHead(i, row))
                     lastLine = row.line;
-            } else if (hasNumbersBeyond(row)) {
+            } else if (hasNumbersBeyond(row) || hasGapAmongBlanks(row)) {
                 remarkUnread(row); // "50,1,234.5": which number is whose cannot be known
                 lastLine = row.line;
             } else {
@@ -280,6 +280,13 @@ private:
     [[nodiscard]] bool hasNumbersBeyond(const TableRow &row) const {
         const auto cells = m_table.cells(row);
         return cells.size() > m_body.columns.size() && numberCount(cells.subspan(m_body.columns.size())) > 0;
+    }
+
+    /// Fewer numbers than columns, and nothing but blanks between them.
+    [[nodiscard]] bool hasGapAmongBlanks(const TableRow &row) const {
+        const auto isOfNumbers = [](const TableColumn &column) { return column.kind == ColumnKind::numbers; };
+        return m_table.delimiter.value == Delimiter::blanks && row.count < m_body.columns.size() &&
+               std::any_of(m_body.columns.begin() + row.count, m_body.columns.end(), isOfNumbers);
     }
 
     /// A row like those of the body, but with a word or nothing where their first number stands.

@@ -8,6 +8,7 @@
 #include "tables/folded.h"
 
 #include <algorithm>
+#include <array>
 
 namespace palmer {
 
@@ -38,7 +39,10 @@ bool isLabelWithValue(const CellTable &table, const TableRow &row) {
     const LeadingNumber number = leadingNumber(texts[1], mark);
     const std::string_view rest = withoutBlanks(texts[1].substr(number.size));
     const std::string_view unit = texts.size() == 2 ? rest : texts[2];
-    const bool isUnit = !unit.empty() && unitIn('(' + std::string(unit) + ')') != nullptr;
+    constexpr std::array<std::string_view, 14> others{"hPa", "mbar", "Pa",  "kPa", "bar", "mmHg",   "%rH",
+                                                      "%RH", "kg",   "rpm", "kW",  "V",   "mm/min", "m/min"};
+    const bool isUnit = unitIn('(' + std::string(unit) + ')') != nullptr || unit.starts_with('%') ||
+                        std::ranges::find(others, unit) != others.end();
     return number.size > 0 && isUnit && (texts.size() == 2 || rest.empty());
 }
 

@@ -556,6 +556,16 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "TGT_DATA[1]=0\nTGT_DATA[2]=100\nREF_DATA_FWD[1,1]=0.001\nREF_DATA_FWD[2,1x=100.002\n"
         "REF_DxTA_BWD[1,1]=0.003\nREF_DATA_BWD[2,1]=100.004\n",
         " / 0 100 / ↑ 1 – / ↓ – 4 / unit unread");
+    row("a gap among blanks",
+        "Position Fwd1 Rev1 Fwd2 Rev2\n(mm) (um) (um) (um) (um)\n0 1 2 3 4\n100 5 6      7\n200 8 9 10 11\n",
+        "target,run+1,run-1,run+2,run-2 / 0 200 / ↑ 1 8 / ↓ 2 9 / ↑ 3 10 / ↓ 4 11 / unread");
+    row("places, deviations and the time of day",
+        "Cota (mm);Error avance 1 (µm);Hora\n0;1;10:00:00\n100;2;10:00:05\n200;3;10:00:10\n",
+        "target,deviation1,ignored / 0 100 200 / ↑ 1 2 3 / directions kind");
+    row("labels with values in other units above",
+        "Measured 2024-03-05;;\nPressure;1013.2;hPa\nHumidity;45;%\nTarget (mm);↑1 (µm);↓1 "
+        "(µm)\n0;1;2\n100;3;4\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
     row("own targets, there and back",
         "Target (mm);Direction;Dev 1 (µm);Target (mm);Dev 2 (µm)\n0;+;1;0.5;5\n100;+;2;100.5;6\n"
         "100;-;3;100.5;7\n0;-;4;0.5;8\n",
