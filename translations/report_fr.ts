@@ -2362,7 +2362,7 @@
     </message>
     <message>
         <source>no numbers, kept in red: %1</source>
-        <translation>pas des nombres, gardés en rouge&#xa0;: %1</translation>
+        <translation>cellules qui ne sont pas des nombres, gardées en rouge&#xa0;: %1</translation>
     </message>
     <message>
         <source>outside the table and not taken: %1</source>
@@ -2510,7 +2510,7 @@
     </message>
     <message>
         <source>the plane cannot be %1; expected two axes, for example XY</source>
-        <translation>le plan ne peut être %1&#x202f;; deux axes sont attendus, par exemple XY</translation>
+        <translation>le plan ne peut pas être %1&#x202f;; deux axes sont attendus, par exemple XY</translation>
     </message>
     <message>
         <source>Plane: nothing in the file says it; taken as XY.</source>
@@ -2522,19 +2522,19 @@
     </message>
     <message>
         <source>document type definitions and entities are refused: no ballbar file has them</source>
-        <translation>les définitions de type et les entités sont refusées&#xa0;: aucun fichier de ballbar n’en a</translation>
+        <translation>les définitions de type de document et les entités sont refusées&#xa0;: aucun fichier de ballbar n’en contient</translation>
     </message>
     <message>
         <source>nested deeper than a file of this kind can be</source>
-        <translation>imbrication plus profonde que ne peut l’être un tel fichier</translation>
+        <translation>imbrication trop profonde pour un fichier de ce type</translation>
     </message>
     <message>
         <source>a text longer than a file of this kind can have</source>
-        <translation>texte plus long que ne peut en avoir un tel fichier</translation>
+        <translation>texte trop long pour un fichier de ce type</translation>
     </message>
     <message>
         <source>this is no whole XML (%1); the file was cut off or damaged</source>
-        <translation>ce n’est pas un XML complet (%1)&#x202f;; le fichier est tronqué ou endommagé</translation>
+        <translation>le XML n’est pas complet (%1)&#x202f;; le fichier est tronqué ou endommagé</translation>
     </message>
     <message>
         <source>“%1” is no direction of a run; expected CW or CCW</source>
@@ -2546,11 +2546,11 @@
     </message>
     <message>
         <source>there are no readings of a ballbar in it</source>
-        <translation>il ne contient aucun relevé de ballbar</translation>
+        <translation>le fichier ne contient aucun relevé de ballbar</translation>
     </message>
     <message>
         <source>the nominal length is missing; state it as nominalRadius</source>
-        <translation>la longueur nominale manque&#x202f;; la donner par nominalRadius</translation>
+        <translation>la longueur nominale manque&#x202f;; l’indiquer par nominalRadius</translation>
     </message>
     <message>
         <source>the nominal radius is not positive</source>
@@ -2566,7 +2566,7 @@
     </message>
     <message>
         <source>%1 cannot be %2 for a circular test</source>
-        <translation>%1 ne peut être %2 pour un essai de circularité</translation>
+        <translation>%1 ne peut pas être %2 pour un essai de circularité</translation>
     </message>
     <message>
         <source>Readings: the file states no unit; about %1 they are read as lengths of the bar in %2.</source>
@@ -2578,7 +2578,7 @@
     </message>
     <message>
         <source>start angle, arc or overshoot is beyond sense</source>
-        <translation>l’angle de départ, l’arc ou le dépassement est insensé</translation>
+        <translation>l’angle de départ, l’arc ou le dépassement n’a pas de valeur plausible</translation>
     </message>
     <message>
         <source>Arc: the file has no angles; %1 at constant feed are assumed.</source>
@@ -2586,7 +2586,7 @@
     </message>
     <message>
         <source>Start angle: taken as %1. A wrong one turns squareness into scale mismatch.</source>
-        <translation>Angle de départ&#xa0;: pris à %1. Un angle faux change la perpendicularité en différence d’échelle.</translation>
+        <translation>Angle de départ&#xa0;: pris à %1. Un angle faux transforme un défaut de perpendicularité en différence d’échelle.</translation>
     </message>
     <message>
         <source>A run states no direction; taken as counterclockwise.</source>
@@ -2834,7 +2834,7 @@
     </message>
     <message>
         <source>Decimal mark</source>
-        <translation>Décimales</translation>
+        <translation>Séparateur décimal</translation>
     </message>
     <message>
         <source>Sheet</source>
@@ -2918,19 +2918,19 @@
     </message>
     <message>
         <source>%1 cannot be %2; known: %3</source>
-        <translation>%1 ne peut être %2&#x202f;; connus&#xa0;: %3</translation>
+        <translation>%1 ne peut pas être %2&#x202f;; valeurs connues&#xa0;: %3</translation>
     </message>
     <message>
         <source>%1 cannot be %2; expected a number</source>
-        <translation>%1 ne peut être %2&#x202f;; un nombre est attendu</translation>
+        <translation>%1 ne peut pas être %2&#x202f;; un nombre est attendu</translation>
     </message>
     <message>
         <source>there are no points of a circle in it</source>
-        <translation>il ne contient aucun point d’un cercle</translation>
+        <translation>le fichier ne contient aucun point d’un cercle</translation>
     </message>
     <message>
         <source>Points without a number were left out: %1.</source>
-        <translation>Points sans nombre laissés de côté&#xa0;: %1.</translation>
+        <translation>Points sans nombre, laissés de côté&#xa0;: %1.</translation>
     </message>
     <message>
         <source>one column of numbers does not make a circle; expected x and y, angle and radius, or angle and deviation</source>
@@ -2974,7 +2974,7 @@
     </message>
     <message>
         <source>Nominal radius: nothing in the file says it, and deviations do not show it; state it in mm.</source>
-        <translation>Rayon nominal&#xa0;: rien ne le dit dans le fichier et les écarts ne le montrent pas&#x202f;; indiquez-le en mm.</translation>
+        <translation>Rayon nominal&#xa0;: rien ne l’indique dans le fichier, et les écarts ne le montrent pas&#x202f;; l’indiquer en mm.</translation>
     </message>
     <message>
         <source>Sign: radial deviations are read as positive outwards.</source>
@@ -3022,15 +3022,15 @@
     </message>
     <message>
         <source>there are numbers in it that no machine has; check units and decimal mark</source>
-        <translation>il contient des nombres qu’aucune machine n’a&#x202f;; vérifier les unités et les décimales</translation>
+        <translation>le fichier contient des nombres qu’aucune machine ne peut avoir&#x202f;; vérifier les unités et le séparateur décimal</translation>
     </message>
     <message>
         <source>this is a test file or a report, not a measurement; open it instead</source>
-        <translation>c’est un fichier d’essai ou un rapport, non une mesure&#x202f;; l’ouvrir</translation>
+        <translation>c’est un fichier d’essai ou un rapport, et non une mesure&#x202f;; l’ouvrir au lieu de l’importer</translation>
     </message>
     <message>
         <source>temperatures need a test that they belong to; import the measurement before them</source>
-        <translation>des températures demandent un essai auquel elles appartiennent&#x202f;; importer d’abord la mesure</translation>
+        <translation>des températures doivent se rapporter à un essai&#x202f;; importer d’abord la mesure</translation>
     </message>
     <message>
         <source>Unit of the positions: nothing in the file says it; read as %1.</source>
@@ -3038,15 +3038,15 @@
     </message>
     <message>
         <source>%1 cannot be %2 here: the axis moves the other way</source>
-        <translation>%1 ne peut être %2 ici&#xa0;: ce n’est pas le mouvement de l’axe</translation>
+        <translation>%1 ne peut pas être %2 ici&#xa0;: ce n’est pas le mouvement de l’axe</translation>
     </message>
     <message>
         <source>there are no target positions in it</source>
-        <translation>il ne contient aucun point visé</translation>
+        <translation>le fichier ne contient aucun point visé</translation>
     </message>
     <message>
         <source>The head names %1 targets, the list has %2; the list counts.</source>
-        <translation>L’en-tête annonce %1 points visés, la liste en a %2&#x202f;; la liste compte.</translation>
+        <translation>L’en-tête annonce %1 points visés, la liste en contient %2&#x202f;; c’est la liste qui compte.</translation>
     </message>
     <message>
         <source>Lines of text that were not used: %1.</source>
@@ -3066,11 +3066,11 @@
     </message>
     <message>
         <source>there are readings of targets that are not in the list</source>
-        <translation>il y a des relevés de points visés absents de la liste</translation>
+        <translation>des relevés se rapportent à des points visés absents de la liste</translation>
     </message>
     <message>
         <source>The head names %1 cycles, the readings have %2; the readings count.</source>
-        <translation>L’en-tête annonce %1 cycles, les relevés en ont %2&#x202f;; les relevés comptent.</translation>
+        <translation>L’en-tête annonce %1 cycles, les relevés en contiennent %2&#x202f;; ce sont les relevés qui comptent.</translation>
     </message>
     <message>
         <source>All readings of run %1 are zero: was it measured at all?</source>
@@ -3090,11 +3090,11 @@
     </message>
     <message>
         <source>there are no readings in it; expected target positions and deviations</source>
-        <translation>il ne contient aucun relevé&#x202f;; des points visés et des écarts sont attendus</translation>
+        <translation>le fichier ne contient aucun relevé&#x202f;; des points visés et des écarts sont attendus</translation>
     </message>
     <message>
         <source>Readings that stand at a target twice in one run: %1; the first is kept.</source>
-        <translation>Relevés en double à un point visé d’une même passe&#xa0;: %1&#x202f;; le premier est gardé.</translation>
+        <translation>Relevés en double à un point visé d’une même passe&#xa0;: %1&#x202f;; le premier est conservé.</translation>
     </message>
     <message>
         <source>Content: the values run from %1 to %2 as the targets do; they are read as positions, not as deviations.</source>
@@ -3118,7 +3118,7 @@
     </message>
     <message>
         <source>Layout: the first line is read as the targets, each further one as a run.</source>
-        <translation>Disposition&#xa0;: la première ligne est lue comme les points visés, chaque suivante comme une passe.</translation>
+        <translation>Disposition&#xa0;: la première ligne est lue comme les points visés, chacune des suivantes comme une passe.</translation>
     </message>
     <message>
         <source>The targets stand in no order; they were sorted.</source>
@@ -3130,7 +3130,7 @@
     </message>
     <message>
         <source>the file does not say which runs are ↑ and which ↓; choose another word for “directions”</source>
-        <translation>le fichier ne dit pas quelles passes sont ↑ et lesquelles ↓&#x202f;; choisir un autre mot pour «&#xa0;directions&#xa0;»</translation>
+        <translation>le fichier n’indique pas quelles passes sont ↑ et lesquelles sont ↓&#x202f;; choisir un autre mot pour «&#xa0;directions&#xa0;»</translation>
     </message>
     <message>
         <source>Directions: nothing in the file says them; the lines are read as ↑ and ↓ in turn.</source>
@@ -3154,7 +3154,7 @@
     </message>
     <message>
         <source>this is no file of import profiles; expected names with their choices</source>
-        <translation>ce n’est pas un fichier de profils d’import&#x202f;; des noms avec leurs choix sont attendus</translation>
+        <translation>ce n’est pas un fichier de profils d’import&#x202f;; des noms accompagnés de leurs choix sont attendus</translation>
     </message>
     <message>
         <source>This line is not like the others and was not read.</source>
@@ -3162,11 +3162,11 @@
     </message>
     <message>
         <source>there is no table of axis positions and compensation values in it</source>
-        <translation>il ne contient pas de table de positions et de valeurs de compensation</translation>
+        <translation>le fichier ne contient pas de table de positions et de valeurs de compensation</translation>
     </message>
     <message>
         <source>Start and end of the head are not those of the table; the table counts.</source>
-        <translation>Le début et la fin de l’en-tête ne sont pas ceux de la table&#x202f;; la table compte.</translation>
+        <translation>Le début et la fin donnés par l’en-tête ne sont pas ceux de la table&#x202f;; c’est la table qui compte.</translation>
     </message>
     <message>
         <source>This is a compensation table, not a measurement: its values are read with the opposite sign as deviations, to compare.</source>
@@ -3178,7 +3178,7 @@
     </message>
     <message>
         <source>the file ends before “%1”: it was cut off</source>
-        <translation>le fichier finit avant «&#xa0;%1&#xa0;»&#xa0;: il est tronqué</translation>
+        <translation>le fichier s’arrête avant «&#xa0;%1&#xa0;»&#xa0;: il est tronqué</translation>
     </message>
     <message>
         <source>the section %1 is missing</source>
@@ -3190,15 +3190,15 @@
     </message>
     <message>
         <source>“%1” is not run, target and deviation; the line was not read.</source>
-        <translation>«&#xa0;%1&#xa0;» n’est pas passe, point visé et écart&#x202f;; la ligne n’a pas été lue.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’est pas formé d’une passe, d’un point visé et d’un écart&#x202f;; la ligne n’a pas été lue.</translation>
     </message>
     <message>
         <source>there is no target %1; the list has %2</source>
-        <translation>il n’y a pas de point visé %1&#x202f;; la liste en a %2</translation>
+        <translation>il n’y a pas de point visé n°&#xa0;%1&#x202f;; la liste en contient %2</translation>
     </message>
     <message>
         <source>The head names %1 runs, the rows have %2; the rows count.</source>
-        <translation>L’en-tête annonce %1 passes, les lignes en ont %2&#x202f;; les lignes comptent.</translation>
+        <translation>L’en-tête annonce %1 passes, les lignes en contiennent %2&#x202f;; ce sont les lignes qui comptent.</translation>
     </message>
     <message>
         <source>Directions: the targets descend along the list; a run in its order moves in the negative direction and is read as ↓.</source>
@@ -3206,7 +3206,7 @@
     </message>
     <message>
         <source>Directions: the order of the targets does not say them; odd runs are read as ↑, even ones as ↓.</source>
-        <translation>Sens&#xa0;: l’ordre des points visés ne le dit pas&#x202f;; les passes impaires sont lues comme ↑, les paires comme ↓.</translation>
+        <translation>Sens&#xa0;: l’ordre des points visés ne les indique pas&#x202f;; les passes impaires sont lues comme ↑, les paires comme ↓.</translation>
     </message>
     <message>
         <source>Units of this format: targets in %1, deviations in %2, actual − target.</source>
@@ -3214,7 +3214,7 @@
     </message>
     <message>
         <source>“%1” is 0 °C: taken as not connected.</source>
-        <translation>«&#xa0;%1&#xa0;» est à 0&#xa0;°C&#xa0;: pris comme non raccordé.</translation>
+        <translation>«&#xa0;%1&#xa0;» est à 0&#xa0;°C&#xa0;: considéré comme non raccordé.</translation>
     </message>
     <message>
         <source>Temperatures of the file are taken as those at the start of the test.</source>
@@ -3262,7 +3262,7 @@
     </message>
     <message>
         <source>Sensor “%1”: read as the temperature of the %2.</source>
-        <translation>Capteur «&#xa0;%1&#xa0;»&#xa0;: température lue comme celle de&#xa0;: %2.</translation>
+        <translation>Capteur «&#xa0;%1&#xa0;»&#xa0;: lu comme température de&#xa0;: %2.</translation>
     </message>
     <message>
         <source>air</source>
@@ -3282,7 +3282,7 @@
     </message>
     <message>
         <source>there are no readings in it; expected times and deviations</source>
-        <translation>il ne contient aucun relevé&#x202f;; des temps et des écarts sont attendus</translation>
+        <translation>le fichier ne contient aucun relevé&#x202f;; des temps et des écarts sont attendus</translation>
     </message>
     <message>
         <source>more rows or cells than a table of readings can have</source>
@@ -3290,7 +3290,7 @@
     </message>
     <message>
         <source>there is no table of numbers in it; expected target positions and readings, points of a circle, or values over time</source>
-        <translation>il ne contient pas de tableau de nombres&#x202f;; des points visés et des relevés, des points d’un cercle ou des valeurs en fonction du temps sont attendus</translation>
+        <translation>le fichier ne contient pas de tableau de nombres&#x202f;; des points visés et des relevés, des points d’un cercle ou des valeurs en fonction du temps sont attendus</translation>
     </message>
     <message>
         <source>“%1” is read as a missing reading.</source>
@@ -3310,7 +3310,7 @@
     </message>
     <message>
         <source>the head names %1 targets, the list has %2 in no order: it is damaged</source>
-        <translation>l’en-tête annonce %1 points visés, la liste en a %2 sans ordre&#xa0;: elle est endommagée</translation>
+        <translation>l’en-tête annonce %1 points visés, la liste en contient %2, en désordre&#xa0;: elle est endommagée</translation>
     </message>
     <message>
         <source>Kind: the file speaks of “%1”; read as a positioning test.</source>
@@ -3330,11 +3330,11 @@
     </message>
     <message>
         <source>Decimal mark: the numbers can be read in several ways; the comma is taken as decimal mark.</source>
-        <translation>Décimales&#xa0;: les nombres peuvent se lire de plusieurs façons&#x202f;; la virgule est prise comme séparateur décimal.</translation>
+        <translation>Séparateur décimal&#xa0;: les nombres peuvent se lire de plusieurs façons&#x202f;; la virgule est retenue.</translation>
     </message>
     <message>
         <source>Decimal mark: the numbers can be read in several ways; the point is taken as decimal mark.</source>
-        <translation>Décimales&#xa0;: les nombres peuvent se lire de plusieurs façons&#x202f;; le point est pris comme séparateur décimal.</translation>
+        <translation>Séparateur décimal&#xa0;: les nombres peuvent se lire de plusieurs façons&#x202f;; le point est retenu.</translation>
     </message>
     <message>
         <source>save the test from Ballbar 20 as .b5r (XML), or export its readings as text</source>
@@ -3370,7 +3370,7 @@
     </message>
     <message>
         <source>the format %1 is not documented publicly and cannot be read; %2</source>
-        <translation>le format %1 n’est pas documenté publiquement et ne peut être lu&#x202f;; %2</translation>
+        <translation>le format %1 n’est pas documenté publiquement et ne peut pas être lu&#x202f;; %2</translation>
     </message>
     <message>
         <source>the workbook is damaged or was cut off; save it again, or export the sheet as CSV</source>
@@ -3382,7 +3382,7 @@
     </message>
     <message>
         <source>this archive is no workbook; expected .xlsx or .ods</source>
-        <translation>cette archive n’est pas un classeur&#x202f;; .xlsx ou .ods est attendu</translation>
+        <translation>cette archive n’est pas un classeur&#x202f;; un fichier .xlsx ou .ods est attendu</translation>
     </message>
     <message>
         <source>The workbook has %1 sheets; “%2” is read.</source>
@@ -3390,7 +3390,7 @@
     </message>
     <message>
         <source>the workbook unpacks to more than a table of readings can be</source>
-        <translation>le classeur se décompresse en plus que ne peut être un tableau de relevés</translation>
+        <translation>une fois décompressé, le classeur est plus grand que ne peut l’être un tableau de relevés</translation>
     </message>
     <message>
         <source>No uncertainty by the budget: impossible as stated: %1.</source>
@@ -4549,7 +4549,7 @@
     </message>
     <message>
         <source>Monte Carlo: %1 trials of the whole evaluation, seed %2; U is half of the shortest interval that holds 95.45 % of the results, the shift their mean less the evaluated value.</source>
-        <translation>Monte-Carlo : %1 tirages de l’évaluation complète, germe %2&#x202f;; U est la moitié du plus court intervalle qui contient 95,45&#xa0;% des résultats, le décalage leur moyenne moins la valeur évaluée.</translation>
+        <translation>Monte-Carlo&#xa0;: %1 tirages de l’évaluation complète, germe %2&#x202f;; U est la moitié du plus court intervalle qui contient 95,45&#xa0;% des résultats, le décalage leur moyenne moins la valeur évaluée.</translation>
     </message>
     <message>
         <source>The methods differ by more than 20 % for %1; reason: see the findings.</source>
@@ -4681,11 +4681,11 @@
     </message>
     <message>
         <source>Monte Carlo: %1 of %2 trials</source>
-        <translation>Monte-Carlo : %1 tirages sur %2</translation>
+        <translation>Monte-Carlo&#xa0;: %1 tirages sur %2</translation>
     </message>
     <message>
         <source>Monte Carlo: %1 trials</source>
-        <translation>Monte-Carlo : %1 tirages</translation>
+        <translation>Monte-Carlo&#xa0;: %1 tirages</translation>
     </message>
     <message>
         <source>how the uncertainty is found that decides, whatever the file says</source>
@@ -5381,7 +5381,7 @@
     </message>
     <message>
         <source>Columns: the headings do not say which hold readings; column %1 and those like it are read.</source>
-        <translation>Colonnes&#xa0;: les en-têtes ne disent pas lesquelles contiennent des relevés&#x202f;; la colonne %1 et ses semblables sont lues.</translation>
+        <translation>Colonnes&#xa0;: les en-têtes n’indiquent pas lesquelles contiennent des relevés&#x202f;; la colonne %1 et les colonnes semblables sont lues.</translation>
     </message>
     <message>
         <source>Deviations up to %1: are unit, content and decimal mark right?</source>
@@ -5389,11 +5389,11 @@
     </message>
     <message>
         <source>The deviations of run %1 equal the targets: is it a run at all?</source>
-        <translation>Les écarts de la passe %1 égalent les positions visées&#xa0;: est-ce bien une passe&#x202f;?</translation>
+        <translation>Les écarts de la passe %1 sont égaux aux positions visées&#xa0;: est-ce bien une passe&#x202f;?</translation>
     </message>
     <message>
         <source>Run %1 spreads a hundred times as far as the others: is it one of them?</source>
-        <translation>La passe %1 s’étend cent fois plus que les autres&#xa0;: est-elle des leurs&#x202f;?</translation>
+        <translation>La passe %1 est cent fois plus dispersée que les autres&#xa0;: en fait-elle bien partie&#x202f;?</translation>
     </message>
     <message>
         <source>All readings are zero: was anything measured at all?</source>
@@ -5401,19 +5401,19 @@
     </message>
     <message>
         <source>%1 targets and %2 runs are no positioning test; look at the kind and the columns</source>
-        <translation>%1 points visés et %2 passes ne font pas un essai de positionnement&#x202f;; vérifiez la nature et les colonnes</translation>
+        <translation>%1 points visés et %2 passes ne font pas un essai de positionnement&#x202f;; vérifier la nature et les colonnes</translation>
     </message>
     <message>
         <source>Directions: letters, abbreviations or titles say them; look whether ↑ and ↓ are right.</source>
-        <translation>Sens&#xa0;: des lettres, des abréviations ou des titres les disent&#x202f;; vérifiez que ↑ et ↓ sont justes.</translation>
+        <translation>Sens&#xa0;: indiqués par des lettres, des abréviations ou des titres&#x202f;; vérifier que ↑ et ↓ sont justes.</translation>
     </message>
     <message>
         <source>Directions: the file has means of both directions only; they are read as ↑.</source>
-        <translation>Sens&#xa0;: le fichier n’a que des moyennes des deux sens&#x202f;; elles sont lues comme ↑.</translation>
+        <translation>Sens&#xa0;: le fichier ne contient que des moyennes des deux sens&#x202f;; elles sont lues comme ↑.</translation>
     </message>
     <message>
         <source>The file holds means of runs, not the runs: R and A say little.</source>
-        <translation>Le fichier contient des moyennes de passes et non les passes&#xa0;: R et A disent peu.</translation>
+        <translation>Le fichier contient des moyennes de passes et non les passes elles-mêmes&#xa0;: R et A sont peu significatifs.</translation>
     </message>
     <message>
         <source>Sign: it changed between the versions of the program; read as actual − target.</source>
@@ -5421,7 +5421,7 @@
     </message>
     <message>
         <source>Columns: the headings do not say which hold readings; “%1” and those like it are read as runs.</source>
-        <translation>Colonnes&#xa0;: les en-têtes ne disent pas lesquelles contiennent des relevés&#x202f;; «&#xa0;%1&#xa0;» et ses semblables sont lues comme des passes.</translation>
+        <translation>Colonnes&#xa0;: les en-têtes n’indiquent pas lesquelles contiennent des relevés&#x202f;; «&#xa0;%1&#xa0;» et les colonnes semblables sont lues comme des passes.</translation>
     </message>
     <message>
         <source>Columns: some hold positions and some deviations; the deviations are read.</source>
@@ -5429,11 +5429,11 @@
     </message>
     <message>
         <source>Columns: column %1 has numbers and no heading; it is not read.</source>
-        <translation>Colonnes&#xa0;: la colonne %1 a des nombres et pas d’en-tête&#x202f;; elle n’est pas lue.</translation>
+        <translation>Colonnes&#xa0;: la colonne %1 contient des nombres, mais n’a pas d’en-tête&#x202f;; elle n’est pas lue.</translation>
     </message>
     <message>
         <source>Columns: the headings name readings of different kinds; those like “%1” are read, the others are not.</source>
-        <translation>Colonnes&#xa0;: les en-têtes nomment des relevés de natures différentes&#x202f;; ceux comme «&#xa0;%1&#xa0;» sont lus, les autres non.</translation>
+        <translation>Colonnes&#xa0;: les en-têtes annoncent des relevés de natures différentes&#x202f;; ceux du type «&#xa0;%1&#xa0;» sont lus, les autres non.</translation>
     </message>
     <message>
         <source>Columns: the readings have different units; those in %1 are read.</source>
@@ -5441,7 +5441,7 @@
     </message>
     <message>
         <source>Columns: “%1” names no direction as the others do; it is not read.</source>
-        <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» ne nomme pas de sens comme les autres&#x202f;; elle n’est pas lue.</translation>
+        <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» n’indique pas de sens, contrairement aux autres&#x202f;; elle n’est pas lue.</translation>
     </message>
     <message>
         <source>Columns: “%1” may be a run like the others; it is not read.</source>
@@ -5449,7 +5449,7 @@
     </message>
     <message>
         <source>Columns: some readings name no run as the others do; they are not read.</source>
-        <translation>Colonnes&#xa0;: certains relevés ne nomment pas de passe comme les autres&#x202f;; ils ne sont pas lus.</translation>
+        <translation>Colonnes&#xa0;: certains relevés n’indiquent pas leur passe, contrairement aux autres&#x202f;; ils ne sont pas lus.</translation>
     </message>
     <message>
         <source>Columns: the deviations are not the differences of actual and target positions; the deviations are read.</source>
@@ -5457,7 +5457,7 @@
     </message>
     <message>
         <source>the columns of the targets and of the readings are not known; give the columns their roles</source>
-        <translation>les colonnes des points visés et des relevés ne sont pas connues&#x202f;; donnez leur rôle aux colonnes</translation>
+        <translation>les colonnes des points visés et des relevés ne sont pas connues&#x202f;; donner leur rôle aux colonnes</translation>
     </message>
     <message>
         <source>%1 names %2 columns, the table has %3</source>
@@ -5465,7 +5465,7 @@
     </message>
     <message>
         <source>columns of different roles cannot be read as runs of one test; ignore one of them</source>
-        <translation>des colonnes de rôles différents ne peuvent être lues comme des passes d’un même essai&#x202f;; ignorez l’une d’elles</translation>
+        <translation>des colonnes de rôles différents ne peuvent pas être lues comme les passes d’un même essai&#x202f;; en ignorer une</translation>
     </message>
     <message>
         <source>Columns that are not read: %1.</source>
@@ -5473,15 +5473,15 @@
     </message>
     <message>
         <source>Axis: the table has several (%1); %2 is read, the others are a test of their own.</source>
-        <translation>Axe&#xa0;: le tableau en a plusieurs (%1)&#x202f;; %2 est lu, les autres font chacun un essai.</translation>
+        <translation>Axe&#xa0;: le tableau en a plusieurs (%1)&#x202f;; %2 est lu, chacun des autres fait l’objet d’un essai à part.</translation>
     </message>
     <message>
         <source>this is an angular measurement of a linear axis (pitch, yaw), no positioning test; measure the axis with linear optics</source>
-        <translation>c’est une mesure angulaire d’un axe linéaire (tangage, lacet), pas un essai de positionnement&#x202f;; mesurez l’axe avec une optique linéaire</translation>
+        <translation>c’est une mesure angulaire d’un axe linéaire (tangage, lacet), et non un essai de positionnement&#x202f;; mesurer l’axe avec une optique linéaire</translation>
     </message>
     <message>
         <source>The date %1 can be read in several ways; it stays as text in the remarks.</source>
-        <translation>La date %1 se lit de plusieurs façons&#x202f;; elle reste comme texte dans les remarques.</translation>
+        <translation>La date %1 peut se lire de plusieurs façons&#x202f;; elle reste sous forme de texte dans les remarques.</translation>
     </message>
     <message>
         <source>The line “%1” is not read: it holds no readings.</source>
@@ -5489,7 +5489,7 @@
     </message>
     <message>
         <source>“%1” names no run; the line was not read.</source>
-        <translation>«&#xa0;%1&#xa0;» ne nomme pas de passe&#x202f;; la ligne n’a pas été lue.</translation>
+        <translation>«&#xa0;%1&#xa0;» n’indique pas de passe&#x202f;; la ligne n’a pas été lue.</translation>
     </message>
     <message>
         <source>The unit of this line is not that of the others: %1.</source>
@@ -5497,7 +5497,7 @@
     </message>
     <message>
         <source>Columns: several hold deviations; “%1” is read, the others are a test of their own.</source>
-        <translation>Colonnes&#xa0;: plusieurs contiennent des écarts&#x202f;; «&#xa0;%1&#xa0;» est lue, les autres font chacune un essai.</translation>
+        <translation>Colonnes&#xa0;: plusieurs contiennent des écarts&#x202f;; «&#xa0;%1&#xa0;» est lue, chacune des autres fait l’objet d’un essai à part.</translation>
     </message>
     <message>
         <source>Process variable: the file has %1; “%2” is read.</source>
@@ -5509,23 +5509,23 @@
     </message>
     <message>
         <source>Here a table with other columns begins, which was not read.</source>
-        <translation>Ici commence un tableau à d’autres colonnes, qui n’a pas été lu.</translation>
+        <translation>Ici commence un tableau qui a d’autres colonnes&#x202f;; il n’a pas été lu.</translation>
     </message>
     <message>
         <source>Kind: nothing in the file says it; read as a drift test.</source>
         <translation>Nature&#xa0;: rien ne le dit dans le fichier&#x202f;; lu comme un essai de dérive.</translation>
     </message>
     <message>
-        <source>workbooks of Excel 97 (.xls) cannot be read; save it as .xlsx, .ods or CSV</source>
-        <translation>les classeurs Excel 97 (.xls) ne peuvent être lus&#x202f;; enregistrez-le en .xlsx, .ods ou CSV</translation>
+        <source>workbooks of Excel 97 (.xls) cannot be read; save this one as .xlsx, .ods or CSV</source>
+        <translation>les classeurs Excel 97 (.xls) ne peuvent pas être lus&#x202f;; enregistrer celui-ci au format .xlsx, .ods ou CSV</translation>
     </message>
     <message>
         <source>the workbook is locked with a password; save it without one</source>
-        <translation>le classeur est protégé par un mot de passe&#x202f;; enregistrez-le sans</translation>
+        <translation>le classeur est protégé par un mot de passe&#x202f;; l’enregistrer sans mot de passe</translation>
     </message>
     <message>
         <source>The workbook has %1 sheets; “%2” is read, which is hidden.</source>
-        <translation>Le classeur a %1 feuilles&#x202f;; «&#xa0;%2&#xa0;» est lue, qui est masquée.</translation>
+        <translation>Le classeur a %1 feuilles&#x202f;; celle qui est lue, «&#xa0;%2&#xa0;», est masquée.</translation>
     </message>
     <message>
         <source>Hidden sheets: %1.</source>
@@ -5537,7 +5537,7 @@
     </message>
     <message>
         <source>Decimal mark: numbers that stand there as text can be read in several ways.</source>
-        <translation>Séparateur décimal&#xa0;: des nombres écrits comme du texte se lisent de plusieurs façons.</translation>
+        <translation>Séparateur décimal&#xa0;: des nombres écrits sous forme de texte peuvent se lire de plusieurs façons.</translation>
     </message>
     <message>
         <source>Proposed: --set %1.</source>
@@ -5857,15 +5857,15 @@
     </message>
     <message>
         <source>the rules of this compensation table (%1) are not read here</source>
-        <translation>les règles de cette table de compensation (%1) ne sont pas lues ici</translation>
+        <translation>les règles de cette table de compensation (%1) ne sont pas prises en charge</translation>
     </message>
     <message>
         <source>this is no compensation table of a control that is known here</source>
-        <translation>ce n’est pas la table de compensation d’une commande connue ici</translation>
+        <translation>ce n’est pas la table de compensation d’une commande prise en charge</translation>
     </message>
     <message>
         <source>this is a compensation table (%1), not a measurement; compare it with a test: export --compare, or “Compensation table…” in the window</source>
-        <translation>c’est une table de compensation (%1), non une mesure&#x202f;; comparez-la à un essai&#xa0;: export --compare, ou «&#xa0;Table de compensation…&#xa0;» dans la fenêtre</translation>
+        <translation>c’est une table de compensation (%1), et non une mesure&#x202f;; la comparer à un essai&#xa0;: export --compare, ou «&#xa0;Table de compensation…&#xa0;» dans la fenêtre</translation>
     </message>
     <message>
         <source>point %1 of the compensation table has no value: the control would keep an older one</source>
@@ -6386,7 +6386,7 @@
     </message>
     <message>
         <source>No sensor is of the air: no gradient per hour.</source>
-        <translation>Aucun capteur n’est celui de l’air&#xa0;: pas de gradient horaire.</translation>
+        <translation>Aucun capteur ne mesure l’air&#xa0;: pas de gradient horaire.</translation>
     </message>
     <message>
         <source>%1: the guard band reaches the limit; nothing can conform.</source>
@@ -8367,11 +8367,11 @@
     </message>
     <message>
         <source>With the actual targets: S = %1, otherwise as for test %2.</source>
-        <translation>Avec les points réels : S = %1, pour le reste comme à l’essai %2.</translation>
+        <translation>Avec les points réels&#xa0;: S = %1, pour le reste comme à l’essai %2.</translation>
     </message>
     <message>
         <source>Monte Carlo: %1 trials, seed %2, otherwise as for test %3.</source>
-        <translation>Monte-Carlo : %1 tirages, germe %2, pour le reste comme à l’essai %3.</translation>
+        <translation>Monte-Carlo&#xa0;: %1 tirages, germe %2, pour le reste comme à l’essai %3.</translation>
     </message>
     <message>
         <source>Sense: no word says which column is clockwise; both are read as the angles run.</source>
@@ -8379,11 +8379,11 @@
     </message>
     <message>
         <source>Sign: the file says “%1”; read as target − actual.</source>
-        <translation>Signe&#xa0;: le fichier dit «&#xa0;%1&#xa0;»&#x202f;; lu comme «&#xa0;visé − réel&#xa0;».</translation>
+        <translation>Signe&#xa0;: le fichier indique «&#xa0;%1&#xa0;»&#x202f;; lu comme «&#xa0;visé − réel&#xa0;».</translation>
     </message>
     <message>
         <source>Sign: the file says “%1”; read as actual − target.</source>
-        <translation>Signe&#xa0;: le fichier dit «&#xa0;%1&#xa0;»&#x202f;; lu comme «&#xa0;réel − visé&#xa0;».</translation>
+        <translation>Signe&#xa0;: le fichier indique «&#xa0;%1&#xa0;»&#x202f;; lu comme «&#xa0;réel − visé&#xa0;».</translation>
     </message>
     <message>
         <source>Layout: the targets of the block that begins here are others than those of the first block; it is read as runs of its own.</source>
@@ -8407,7 +8407,7 @@
     </message>
     <message>
         <source>a file of this name (%1) is a compensation table, perhaps cut off, and no measurement; if it is one, rename it, for example to .txt</source>
-        <translation>un fichier de ce nom (%1) est une table de compensation, peut-être tronquée, et non une mesure&#x202f;; si c’en est une, renommez-le, par exemple en .txt</translation>
+        <translation>un fichier de ce nom (%1) est une table de compensation, peut-être tronquée, et non une mesure&#x202f;; si c’en est bien une, le renommer, par exemple en .txt</translation>
     </message>
     <message>
         <source>read like the others</source>
@@ -8427,11 +8427,27 @@
     </message>
     <message>
         <source>The values of %1 formulas are not in the file and were not read; open the workbook in a spreadsheet program and save it.</source>
-        <translation>Les valeurs de %1 formules ne sont pas dans le fichier et n’ont pas été lues&#x202f;; ouvrez le classeur dans un tableur et enregistrez-le.</translation>
+        <translation>Les valeurs de %1 formules ne figurent pas dans le fichier et n’ont pas été lues&#x202f;; ouvrir le classeur dans un tableur et l’enregistrer.</translation>
     </message>
     <message>
         <source>Palmer is installed without its library for PDF files and workbooks, or with that of another version: install it again</source>
         <translation>Palmer est installé sans sa bibliothèque pour les fichiers PDF et les classeurs, ou avec celle d’une autre version&#xa0;: l’installer de nouveau</translation>
+    </message>
+    <message>
+        <source>Columns: “%1” is headed as target positions, but holds none; it is not read.</source>
+        <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» annonce des points visés, mais n’en contient pas&#x202f;; elle n’est pas lue.</translation>
+    </message>
+    <message>
+        <source>Unit: the heading “%1” names another unit than the cells of its column; read in %2, as the cells say.</source>
+        <translation>Unité&#xa0;: l’en-tête «&#xa0;%1&#xa0;» n’indique pas la même unité que les cellules de sa colonne&#x202f;; celle des cellules est retenue, %2.</translation>
+    </message>
+    <message>
+        <source>Unit: a number has none, where the others of its column have one; read in %1.</source>
+        <translation>Unité&#xa0;: un nombre n’en porte pas, contrairement aux autres de sa colonne&#x202f;; lu en %1.</translation>
+    </message>
+    <message>
+        <source>Columns: the readings behind “%1” are taken to stand at its positions.</source>
+        <translation>Colonnes&#xa0;: les relevés qui suivent «&#xa0;%1&#xa0;» sont lus aux positions de cette colonne.</translation>
     </message>
 </context>
 </TS>

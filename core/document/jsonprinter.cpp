@@ -74,7 +74,9 @@ void JsonPrinter::number(double value, const Place &place) {
 }
 
 void JsonPrinter::expect(std::size_t characters) {
-    m_text.resize(std::max(m_text.size(), static_cast<qsizetype>(m_size + characters)));
+    const qsizetype size = std::max(m_text.size(), static_cast<qsizetype>(m_size + characters));
+    m_text.reserve(size); // resize() takes a power of two
+    m_text.resize(size);
     inLargePages(m_text.constData(), static_cast<std::size_t>(m_text.size()));
 }
 

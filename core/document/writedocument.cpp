@@ -7,6 +7,7 @@
 #include "document/filewords.h"
 #include "document/json.h"
 #include "document/refusedreadings.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <nlohmann/json.hpp>
 
@@ -209,6 +210,13 @@ QByteArray writeDocument(const Document &document) {
     const auto version = added.found() ? fileVersion : firstVersion;
     file("version", version);
     JsonPrinter printer(JsonPrinter::Form::lines);
+    std::size_t readings = 0;
+    for (const TestPointer &test : document.tests)
+        readings += readingsOf(*test);
+    constexpr std::size_t isLong = 100'000;
+    constexpr std::size_t charactersOfReading = 24; // most are shorter: room that is not used costs nothing
+    if (readings > isLong)
+        printer.expect(readings * charactersOfReading);
     printer.object(file.sorted(), {});
     QByteArray text = printer.take();
     text += '\n';

@@ -5,6 +5,7 @@
 #include "document/documenterror.h"
 #include "document/largepages.h"
 #include "kernel/numerics/beside.h"
+#include "tables/cellunits.h"
 #include "tables/dates.h"
 #include "tables/decodetext.h"
 
@@ -87,16 +88,17 @@ public:
 
     std::vector<TableRow> rows;
     std::vector<TableCell> cells;
+    bool saysUnits = false; ///< "1.234 mm" in a cell
 
     void scan(std::size_t mostRows) {
         while (m_at < m_text.size() && rows.size() < mostRows)
             scanLine();
     }
 
-    /// The rest; false if that is more than a table can have, whose line is not known here.
-    bool scanWithinLimits() {
+    /// The same; false if that is more than a table can have, whose line is not known here.
+    bool scanWithinLimits(std::size_t end) {
         try {
-            scan(std::numeric_limits<std::size_t>::max());
+            scanTo(end);
             return true;
         } catch (const Error &) {
             return false;
@@ -111,7 +113,13 @@ public:
 
     /// Where the next line begins.
     [[nodiscard]] std::size_t at() const { return m_at; }
-    void beginAt(std::size_t place) { m_at = place; }
+    /// Anew, there.
+    void beginAt(std::size_t place) {
+        rows.clear();
+        cells.clear();
+        m_line = 1;
+        m_at = place;
+    }
 
     /// What another read of the lines that follow. False, and nothing taken, if that is too much.
     bool append(const Scanner &rest) {
@@ -125,6 +133,7 @@ public:
         cells.insert(cells.end(), rest.cells.begin(), rest.cells.end());
         m_line += rest.m_line - 1;
         m_at = rest.m_at;
+        saysUnits |= rest.saysUnits;
         return true;
     }
 
@@ -205,6 +214,8 @@ private:
                 ++next;
             if (next == m_text.size() || isLineEnd(m_text[next]) || m_text[next] == m_delimiter ||
                 (m_blanks && isBlank(m_text[next]))) {
+                if (m_blanks && addWithUnit(begin, next))
+                    return;
                 cells.push_back({number.value, static_cast<std::uint32_t>(begin),
                                  static_cast<std::uint16_t>(end - begin), CellKind::number});
                 m_at = next;
@@ -217,6 +228,24 @@ private:
         while (!atLineEnd() && m_text[m_at] != m_delimiter && !(m_blanks && isBlank(m_text[m_at])))
             ++m_at;
         addText(begin, m_at);
+    }
+
+    /// "1.234 mm" among blanks: one cell.
+    bool addWithUnit(std::size_t begin, std::size_t end) {
+        if (end == m_text.size() || m_text[end] != ' ')
+            return false;
+        const std::size_t last = std::min(m_text.find_first_of(" \t\f\r\n", end + 1), m_text.size());
+        if (!isUnitSign(m_text.substr(end + 1, last - end - 1)))
+            return false;
+        addText(begin, last);
+        m_at = last;
+        return true;
+    }
+
+    /// Between the signs of seconds in a row of units: "°;";"".
+    [[nodiscard]] bool isMadeOfDelimiters(std::string_view text) const {
+        return !m_blanks && text.find(m_delimiter) != std::string_view::npos &&
+               std::ranges::all_of(text, [&](char c) { return c == m_delimiter || c == '"' || isBlank(c); });
     }
 
     bool scanQuoted() {
@@ -234,7 +263,7 @@ private:
                 ++next;
             const bool closes = next == m_text.size() || isLineEnd(m_text[next]) ||
                                 m_text[next] == m_delimiter || (m_blanks && next > i + 1);
-            if (!closes)
+            if (!closes || isMadeOfDelimiters(m_text.substr(begin, i - begin)))
                 return false;
             addText(begin, i);
             for (std::size_t j = begin; j < i; ++j)
@@ -249,6 +278,7 @@ private:
         const std::string_view whole = m_text.substr(begin, end - begin);
         const std::string_view bare = withoutBlanks(whole);
         const CellValue value = readCell(bare, m_mark);
+        saysUnits = saysUnits || (value.kind == CellKind::text && cellWithUnit(bare, m_mark));
         const auto at = static_cast<std::size_t>(bare.data() - m_text.data());
         cells.push_back(
             {value.value, static_cast<std::uint32_t>(bare.empty() ? begin : at), keptSize(bare), value.kind});
@@ -289,11 +319,11 @@ bool isTorn(std::string_view number) {
     return number.size() > 1 && number[0] == '0' && number[1] >= '0' && number[1] <= '9';
 }
 
-// Several numbers in one cell: the delimiter is another one.
+// Several numbers in one cell, with units or without: the delimiter is another one.
 bool isUncut(std::string_view text) {
     return text.find_first_of("0123456789") != std::string_view::npos &&
            text.find_first_of(";|,\t") != std::string_view::npos &&
-           text.find_first_not_of("0123456789.,;|\t+-eE ") == std::string_view::npos;
+           text.find_first_not_of("0123456789.,;|\t+-eE mnuµ°′″'\"") == std::string_view::npos;
 }
 
 /// A row of a sample with a number in it.
@@ -324,14 +354,18 @@ bool mayBeGrouped(std::string_view number, char mark) {
            rest.find_first_not_of("0123456789", 1) == std::string_view::npos;
 }
 
-SampleRow readSampleRow(std::string_view sample, std::span<const TableCell> cells, char mark,
+SampleRow readSampleRow(std::string_view sample, std::span<const TableCell> cells, DecimalMark markUsed,
                         SampleSigns &signs) {
+    const char mark = markUsed == DecimalMark::point ? '.' : ',';
     SampleRow row{cells.size(), {}};
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const TableCell &cell = cells[i];
-        const std::string_view text = sample.substr(cell.begin, cell.size);
-        if (cell.isNumber()) {
-            row.numbers.push_back(cell.value);
+        std::string_view text = sample.substr(cell.begin, cell.size);
+        const auto withUnit = cell.kind == CellKind::text ? cellWithUnit(text, markUsed) : std::nullopt;
+        if (withUnit && withUnit->size > 0)
+            text = text.substr(0, withUnit->size);
+        if (cell.isNumber() || withUnit) {
+            row.numbers.push_back(withUnit ? withUnit->value : cell.value);
             const bool isMarked = text.find(mark) != std::string_view::npos;
             signs.hasMark |= isMarked;
             signs.proven |= isMarked && !mayBeGrouped(text, mark);
@@ -372,7 +406,7 @@ Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mar
         if (row.comment)
             continue;
         const auto cells = std::span(scanner.cells).subspan(row.first, row.count);
-        SampleRow read = readSampleRow(sample, cells, mark == DecimalMark::point ? '.' : ',', signs);
+        SampleRow read = readSampleRow(sample, cells, mark, signs);
         if (!read.numbers.empty())
             rows.push_back(std::move(read));
     }
@@ -485,16 +519,27 @@ void makeRoom(Scanner &scanner, std::size_t rows, std::size_t cells) {
     inLargePages(scanner.cells.data(), scanner.cells.capacity() * sizeof(TableCell));
 }
 
-/// Where the second half of what is left of a long text begins, a line; nothing where it is short, or where a
-/// cell in quotation marks may go on from line to line.
-std::optional<std::size_t> secondHalf(std::string_view text, std::size_t from) {
-    constexpr std::size_t isLong = std::size_t(1) << 22U;
-    if (text.size() - from < isLong || text.find('"', from) != std::string_view::npos)
+/// Two pieces of whole lines that follow a place of a long text.
+struct TwoPieces {
+    std::size_t middle = 0;
+    std::size_t end = 0;
+};
+
+constexpr std::size_t longPiece = std::size_t(1) << 22U; ///< of a text, bytes
+
+/// Nothing where what follows is short. Small enough that what the second takes is not much beside the whole.
+std::optional<TwoPieces> twoPieces(std::string_view text, std::size_t from) {
+    const std::size_t left = text.size() - from;
+    if (left < longPiece)
         return {};
-    const std::size_t end = text.find_first_of("\r\n", from + (text.size() - from) / 2);
-    if (end == std::string_view::npos)
-        return {};
-    return end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+    const auto lineFrom = [&](std::size_t at) {
+        const std::size_t end = text.find_first_of("\r\n", at);
+        return end == std::string_view::npos ? text.size() : end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+    };
+    const std::size_t pairs = (left + 2 * longPiece - 1) / (2 * longPiece);
+    const std::size_t piece = left / pairs / 2;
+    const std::size_t middle = lineFrom(from + piece);
+    return TwoPieces{middle, lineFrom(std::min(middle + piece, text.size()))};
 }
 
 } // namespace
@@ -508,25 +553,31 @@ CellTable readTable(std::string text, const TableOptions &options) {
     scanner.scan(sampleRows);
     if (scanner.at() < table.m_text.size()) {
         // Exact enough for tables, whose lines are alike.
-        const std::size_t times = table.m_text.size() / scanner.at() + 1;
-        const std::size_t rows = scanner.rows.size() * times * 9 / 8;
-        const std::size_t cells = scanner.cells.size() * times * 9 / 8;
-        if (const auto middle = secondHalf(table.m_text, scanner.at())) { // two threads read a half each
-            Scanner rest(table.m_text, table.delimiter.value, table.decimalMark.value, options.comments);
-            rest.beginAt(*middle);
-            makeRoom(rest, rows / 2, cells / 2);
-            auto isRead = beside(true, [&rest] { return rest.scanWithinLimits(); });
-            makeRoom(scanner, rows, cells);
-            scanner.scanTo(*middle);
-            if (isRead.get())
-                scanner.append(rest);
-        } else {
-            makeRoom(scanner, rows, cells);
+        const std::size_t read = scanner.at();
+        const auto makeRoomFor = [&, rows = scanner.rows.size(),
+                                  cells = scanner.cells.size()](Scanner &wanted, std::size_t size) {
+            const std::size_t times = size / read + 1;
+            makeRoom(wanted, rows * times * 9 / 8, cells * times * 9 / 8);
+        };
+        makeRoomFor(scanner, table.m_text.size());
+        // Two threads read a piece each, unless a cell in quotation marks may go on from line to line.
+        const bool isQuoted = table.m_text.find('"', scanner.at()) != std::string::npos;
+        Scanner second(table.m_text, table.delimiter.value, table.decimalMark.value, options.comments);
+        if (table.m_text.size() >= longPiece && !isQuoted)
+            makeRoomFor(second, std::min(longPiece, table.m_text.size() / 2));
+        for (auto pieces = twoPieces(table.m_text, scanner.at()); pieces && !isQuoted;
+             pieces = twoPieces(table.m_text, scanner.at())) {
+            second.beginAt(pieces->middle);
+            auto isRead = beside(true, [&second, &pieces] { return second.scanWithinLimits(pieces->end); });
+            scanner.scanTo(pieces->middle);
+            if (!isRead.get() || !scanner.append(second))
+                break;
         }
         scanner.scan(std::numeric_limits<std::size_t>::max()); // and says at which line it is too much
     }
     table.m_rows = std::move(scanner.rows);
     table.m_cells = std::move(scanner.cells);
+    table.m_saysUnits = scanner.saysUnits;
     return table;
 }
 
@@ -571,7 +622,10 @@ void TableBuilder::add(std::string_view cell) {
     TableCell &added = append(cell);
     added.kind = value.kind;
     added.value = value.value;
-    if (value.kind != CellKind::text && value.kind != CellKind::empty)
+    const bool saysUnit = value.kind == CellKind::text &&
+                          (cellWithUnit(cell, DecimalMark::point) || cellWithUnit(cell, DecimalMark::comma));
+    m_table.m_saysUnits |= saysUnit;
+    if (saysUnit || (value.kind != CellKind::text && value.kind != CellKind::empty))
         m_texts.push_back(m_table.m_cells.size() - 1);
 }
 
@@ -587,7 +641,8 @@ CellTable TableBuilder::take(std::optional<DecimalMark> mark) {
         const std::string_view text = m_table.text(m_table.m_cells[i]);
         for (const DecimalMark each : {DecimalMark::point, DecimalMark::comma}) {
             const char sign = each == DecimalMark::point ? '.' : ',';
-            if (text.find(sign) != std::string_view::npos && readCell(text, each).kind == CellKind::number)
+            if (text.find(sign) != std::string_view::npos &&
+                (readCell(text, each).kind == CellKind::number || cellWithUnit(text, each)))
                 ++marked[static_cast<std::size_t>(each)];
         }
     }

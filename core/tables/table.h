@@ -4,6 +4,7 @@
 
 #include "tables/choice.h"
 #include "tables/numbercell.h"
+#include "tables/units.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +43,12 @@ struct TableOptions {
     bool comments = true; ///< whether lines that begin with # % or // are comments
 };
 
+/// What the cells of a column say behind their numbers.
+struct ColumnUnit {
+    const Unit *unit = nullptr; ///< null: nothing
+    std::uint32_t bareLine = 0; ///< where a number other than 0 stands without one; 0: nowhere
+};
+
 /// A text taken apart into rows and cells. Immutable; the cells refer to the text it holds.
 class CellTable {
 public:
@@ -56,6 +63,21 @@ public:
     [[nodiscard]] std::string_view text(const TableCell &cell) const {
         return std::string_view(m_text).substr(cell.begin, cell.size);
     }
+    /// Of cells that say one ("1.234 mm"), once takeUnits() has made numbers of them.
+    [[nodiscard]] ColumnUnit unitOfColumn(std::size_t column) const {
+        return column < m_units.size() ? m_units[column] : ColumnUnit{};
+    }
+    /// Of targets that stand across: their row, and what it says behind each number.
+    struct RowUnit {
+        std::uint32_t row = 0;
+        const Unit *unit = nullptr; ///< null: there is no such row
+    };
+    [[nodiscard]] const RowUnit &unitOfRow() const { return m_rowUnit; }
+
+    /// Makes numbers of cells with a unit where most numbers of their column have one, all in the same unit;
+    /// decimals are moved in the text. Other cells stay texts.
+    void takeUnits();
+
     /// From 1; the column counts characters of the line.
     [[nodiscard]] std::size_t column(const TableCell &cell) const;
 
@@ -65,10 +87,14 @@ public:
 private:
     friend CellTable readTable(std::string text, const TableOptions &options);
     friend class TableBuilder;
+    friend class UnitTaker;
 
     std::string m_text;
     std::vector<TableRow> m_rows;
     std::vector<TableCell> m_cells;
+    bool m_saysUnits = false; ///< in a cell at least
+    std::vector<ColumnUnit> m_units;
+    RowUnit m_rowUnit;
 };
 
 /// The table a text says: UTF-8, lines ended by CR, LF or both. Cells may be quoted ("…", doubled inside).

@@ -6,6 +6,7 @@
 #include "document/place.h"
 #include "import/layouts/passes.h"
 #include "import/layouts/sections.h"
+#include "tables/folded.h"
 
 #include <algorithm>
 #include <array>
@@ -126,7 +127,13 @@ private:
                 line.front() == '[')
                 continue;
             auto assignment = assignmentOf(line);
-            if (!assignment || !take(*assignment, number))
+            if (assignment && take(*assignment, number))
+                continue;
+            if (isOfData(line))
+                remark(RemarkGrade::problem,
+                       {REPORT_TEXT("report", "This line is not like the others and was not read.")}, number,
+                       "unread");
+            else
                 ++ignored;
         }
         if (m_targets.empty())
@@ -141,6 +148,14 @@ private:
                                        {Number{static_cast<double>(ignored), Quantity::count}}});
     }
 
+    /// Named like targets or readings, but damaged.
+    [[nodiscard]] static bool isOfData(std::string_view line) {
+        constexpr std::size_t longestName = 4;
+        const std::string begin = folded(line.substr(0, longestName));
+        return line.find('=') != std::string_view::npos &&
+               (begin.starts_with("ref") || begin.starts_with("tgt"));
+    }
+
     bool take(const Assignment &assignment, std::size_t line) {
         const auto number = [&]() -> std::optional<double> {
             const CellValue value = readCell(assignment.value, decimalMarkIn(assignment.value));
@@ -150,7 +165,7 @@ private:
                 remark(RemarkGrade::problem,
                        {REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
                         {excerpt(assignment.value)}},
-                       line);
+                       line, "unread");
             return {};
         };
         const std::string &name = assignment.name;
@@ -210,7 +225,8 @@ private:
                 const long cycle = straight ? index.second : index.first;
                 Pass &pass = cycles[cycle][static_cast<std::size_t>(side)];
                 pass.direction = side == 0 ? Direction::positive : Direction::negative;
-                pass.readings.push_back({m_targets.at(target), value.first, value.second});
+                pass.readings.push_back(
+                    {m_targets.at(target), value.first, static_cast<std::uint32_t>(value.second)});
             }
         }
         return cycles;
@@ -246,7 +262,7 @@ private:
                 return reading.position == target;
             };
             if (std::ranges::none_of(pass.readings, same))
-                pass.readings.push_back({position, {}, 0});
+                pass.readings.push_back({position, 0, 0, true});
         }
     }
 

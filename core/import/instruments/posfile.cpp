@@ -64,7 +64,8 @@ std::vector<MeanTable> tablesOf(std::string_view text, std::vector<Remark> &rema
         if (!isData) {
             inTable = false;
         } else if (inTable && numbers && numbers->size() == 2) {
-            tables.back().pass.readings.push_back({(*numbers)[0], (*numbers)[1], number});
+            tables.back().pass.readings.push_back(
+                {(*numbers)[0], (*numbers)[1], static_cast<std::uint32_t>(number)});
         } else {
             remarks.push_back({RemarkGrade::problem,
                                {REPORT_TEXT("report", "This line is not like the others and was not read.")},

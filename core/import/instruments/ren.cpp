@@ -58,6 +58,19 @@ void readHead(std::string_view line, Header &header) {
         header.unit = unit;
 }
 
+/// Whether a line begins with a number, or has two of them: a row that was damaged.
+bool isDamagedLine(std::string_view line) {
+    std::size_t numbers = 0;
+    for (std::size_t at = 0; at < line.size();) {
+        const std::size_t end = std::min(line.find_first_of(" \t", at), line.size());
+        const std::string_view word = line.substr(at, end - at);
+        if (!word.empty() && leadingNumber(word, decimalMarkIn(word)).size > 0)
+            numbers += at == 0 ? 2 : 1;
+        at = end + 1;
+    }
+    return numbers >= 2;
+}
+
 bool isUnknown(std::string_view line) {
     return !contains(line, "Compensation") && !contains(line, "unit") && !contains(line, "Axis position");
 }
@@ -94,11 +107,11 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
             continue;
         readHead(line, header);
         const auto numbers = numbersIn(line);
-        if (!header.ended || !numbers) {
+        if (!header.ended || (!numbers && !isDamagedLine(line))) {
             ignored += isUnknown(line) ? 1 : 0;
             continue;
         }
-        if (numbers->size() < 3) {
+        if (!numbers || numbers->size() < 3) {
             imported.remarks.push_back(
                 {RemarkGrade::problem,
                  {REPORT_TEXT("report", "This line is not like the others and was not read.")},
@@ -107,7 +120,7 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
                  "unread"});
             continue;
         }
-        pass.readings.push_back({(*numbers)[1], (*numbers)[2], number});
+        pass.readings.push_back({(*numbers)[1], (*numbers)[2], static_cast<std::uint32_t>(number)});
     }
     if (pass.readings.empty())
         throw Error(

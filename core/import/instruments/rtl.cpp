@@ -169,7 +169,8 @@ private:
             run.rises |= step > 0;
             run.falls |= step < 0;
             run.last = index;
-            run.readings.push_back({m_targets[static_cast<std::size_t>(index)], row.value, row.line});
+            run.readings.push_back({m_targets[static_cast<std::size_t>(index)], row.value,
+                                    static_cast<std::uint32_t>(row.line)});
         }
         const Section *runs = findSection(m_sections, "RUNS");
         const auto stated = runs ? numberOf(runs->value("Run-count")) : std::nullopt;

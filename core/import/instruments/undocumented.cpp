@@ -52,9 +52,10 @@ bool isBinary(QByteArrayView bytes) {
 }
 
 [[noreturn]] void refuseOldWorkbook() {
-    throw Error(Error::Kind::format,
-                {REPORT_TEXT("report",
-                             "workbooks of Excel 97 (.xls) cannot be read; save it as .xlsx, .ods or CSV")});
+    throw Error(
+        Error::Kind::format,
+        {REPORT_TEXT("report",
+                     "workbooks of Excel 97 (.xls) cannot be read; save this one as .xlsx, .ods or CSV")});
 }
 
 } // namespace

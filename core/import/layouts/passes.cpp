@@ -116,8 +116,8 @@ SortedPass sortedPass(Pass &pass, const std::vector<double> &positions, const De
             continue;
         }
         taken[at] = true;
-        if (reading.value)
-            result.run.deviations[at] = deviation(reading.position, *reading.value, form);
+        if (!reading.isMissing)
+            result.run.deviations[at] = deviation(reading.position, reading.value, form);
     }
     pass.readings = {}; // the next run stands where they did
     return result;
@@ -210,14 +210,14 @@ PassRange passRange(const std::vector<Pass> &passes) {
     PassRange range;
     for (const Pass &pass : passes) {
         for (const PassReading &reading : pass.readings) {
-            if (!reading.value)
+            if (reading.isMissing)
                 continue;
             ++range.readings;
             range.low = std::min(range.low, reading.position);
             range.high = std::max(range.high, reading.position);
-            range.lowValue = std::min(range.lowValue, *reading.value);
-            range.highValue = std::max(range.highValue, *reading.value);
-            range.difference = std::max(range.difference, std::abs(*reading.value - reading.position));
+            range.lowValue = std::min(range.lowValue, reading.value);
+            range.highValue = std::max(range.highValue, reading.value);
+            range.difference = std::max(range.difference, std::abs(reading.value - reading.position));
         }
     }
     return range;

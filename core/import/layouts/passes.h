@@ -8,17 +8,18 @@
 #include "kernel/measurement/positioning.h"
 #include "tables/units.h"
 
-#include <optional>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace palmer {
 
-/// A reading of a file: where, and what; in the file's units.
+/// A reading of a file: where, and what; in the file's units. There are millions: as small as may be.
 struct PassReading {
     double position = 0;
-    std::optional<double> value; ///< null: no reading
-    std::size_t line = 0;        ///< of the file, 0: not known
+    double value = 0;
+    std::uint32_t line = 0; ///< of the file, 0: not known
+    bool isMissing = false; ///< no reading: its value says nothing
 };
 
 /// One pass over the targets in one direction, in the order of the file.

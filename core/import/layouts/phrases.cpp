@@ -64,8 +64,8 @@ constexpr std::array phrases{
             "vuelta|regreso|retorno|atras|retroceso|bajada|descendente|decreciente"},
     Phrases{Meaning::unknown, Sign::hintUp, "*", "pos"},
     Phrases{Meaning::unknown, Sign::hintDown, "*", "neg"},
-    Phrases{Meaning::unknown, Sign::hintDown, "en", "rev|dec|desc|backw|return"},
-    Phrases{Meaning::unknown, Sign::hintUp, "en", "inc|asc|forw|out"},
+    Phrases{Meaning::unknown, Sign::hintDown, "en", "rev|dec|desc|backw|return|inward|inbound"},
+    Phrases{Meaning::unknown, Sign::hintUp, "en", "inc|asc|forw|out|outward|outbound"},
     Phrases{Meaning::unknown, Sign::hintUp, "es", "avance"},
     Phrases{Meaning::unknown, Sign::hintUp, "de", "auf"},
     Phrases{Meaning::unknown, Sign::hintDown, "de", "ab"},
@@ -75,7 +75,7 @@ constexpr std::array phrases{
             "mean|average|avg|avg error|std dev|standard deviation|range|reversal|reversal value|"
             "reversal error|backlash|repeatability|accuracy|bidirectional avg error|spread|sum"},
     Phrases{Meaning::statistic, Sign::none, "*",
-            "std|stdev|stddev|sigma|σ|min|max|minimum|maximum|median|x\u0304|ø|⌀"},
+            "std|stdev|stddev|sigma|σ|min|max|minimum|maximum|median|x\u0304|ø|Ø|⌀"},
     Phrases{Meaning::statistic, Sign::none, "en de", "hysteresis"},
     Phrases{Meaning::statistic, Sign::none, "fr",
             "moyenne|moyennes|moyen|moy|ecart type|ecart moyen|etendue|reversibilite|jeu|repetabilite|"

@@ -24,11 +24,11 @@ double scatter(std::span<const PlacedPass> passes, const std::function<Direction
             if (direction(j) != wanted)
                 continue;
             for (const PassReading &reading : passes[j].pass.readings) {
-                if (reading.value) {
+                if (!reading.isMissing) {
                     auto &moment = moments[reading.position];
                     moment[0] += 1;
-                    moment[1] += *reading.value;
-                    moment[2] += *reading.value * *reading.value;
+                    moment[1] += reading.value;
+                    moment[2] += reading.value * reading.value;
                 }
             }
         }

@@ -22,8 +22,9 @@ struct PlacedPass {
         PassReading &added = pass.readings.emplace_back(); // in its place: each copy waited for its parts
         added.position = position;
         added.line = reading.row(row).line;
-        if (const auto value = reading.number(row, column))
-            added.value = *value;
+        const auto value = reading.number(row, column);
+        added.value = value.value_or(0);
+        added.isMissing = !value;
         if (column < reading.row(row).count)
             cells.push_back(reading.row(row).first + static_cast<std::uint32_t>(column));
     }

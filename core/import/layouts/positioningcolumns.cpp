@@ -19,7 +19,9 @@ void remarkIgnored(ColumnSearch &search) {
         const bool isRead = what == ColumnRole::target || what == ColumnRole::direction ||
                             what == ColumnRole::number ||
                             std::ranges::find(search.result.values, c) != search.result.values.end();
-        const bool isCounted = heads[c].meaning == Meaning::index;
+        const bool isCounted =
+            heads[c].meaning == Meaning::index ||
+            (heads[c].meaning == Meaning::axis && heads[c].kind == ColumnKind::words); // it chooses the lines
         if (!isRead && !isCounted && heads[c].kind != ColumnKind::empty && !heads[c].heading.empty())
             names += (names.empty() ? "" : ", ") + std::string(heads[c].heading);
     }

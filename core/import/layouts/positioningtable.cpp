@@ -179,8 +179,7 @@ void askForOtherQuantity(TableReading &reading) {
 }
 
 bool hasReading(const PlacedPass &placed) {
-    return std::ranges::any_of(placed.pass.readings,
-                               [](const PassReading &each) { return each.value.has_value(); });
+    return !std::ranges::all_of(placed.pass.readings, &PassReading::isMissing);
 }
 
 } // namespace

@@ -108,6 +108,15 @@ private:
                 ask({REPORT_TEXT("report",
                                  "Columns: “%1” is headed as readings, but holds words; it is not read."),
                      {excerpt(m_heads[c].heading)}});
+            // What stands behind it would be read at the targets before.
+            const bool hasNone = m_heads[c].kind == ColumnKind::words || m_heads[c].kind == ColumnKind::empty;
+            const bool isBeforeReadings = m_result.target && c > *m_result.target &&
+                                          !m_result.values.empty() && c < m_result.values.back();
+            if (meaning == Meaning::target && hasNone && isBeforeReadings)
+                ask({REPORT_TEXT(
+                         "report",
+                         "Columns: “%1” is headed as target positions, but holds none; it is not read."),
+                     {excerpt(m_heads[c].heading)}});
         }
     }
 

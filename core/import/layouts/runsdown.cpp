@@ -34,6 +34,7 @@ public:
                 readRun(block.rows[i]);
         }
         keepUnderstood();
+        takeUnitOfCells();
         takeColumns();
         return std::move(m_found);
     }
@@ -50,6 +51,8 @@ private:
                 words += ' ' + std::string(m.table().text(cells[c]));
             m.setRole(head, c, cells[c].isNumber() ? CellRole::position : CellRole::head);
         }
+        if (m.table().unitOfRow().unit && m.table().unitOfRow().row == head)
+            m_found.positionUnit = m.table().unitOfRow().unit;
         if (!m_found.positionUnit)
             m_found.positionUnit = unitIn(words);
         for (const TableCell &cell : cells) {
@@ -155,6 +158,19 @@ private:
                                                                         : "";
         if (m_found.content.empty())
             m_found.content = content;
+    }
+
+    /// Readings that say their unit, all the same.
+    void takeUnitOfCells() {
+        const Unit *said = nullptr;
+        for (const auto &[column, position] : m_targets) {
+            const Unit *unit = m.table().unitOfColumn(column).unit;
+            if (said && unit != said)
+                return;
+            said = unit;
+        }
+        if (said)
+            m_found.unit = said;
     }
 
     void takeColumns() {

@@ -139,9 +139,11 @@ public:
             if (isRule(row)) {
                 lastLine = row.line;
             } else if (!areBody[i]) {
-                if (takeHead(i, row))
+                if (isDamaged(row))
+                    remarkUnread(row);
+                else if (takeHead(i, row))
                     lastLine = row.line;
-            } else if (hasNumbersBeyond(row)) {
+            } else if (hasNumbersBeyond(row) || hasGapAmongBlanks(row)) {
                 remarkUnread(row); // "50,1,234.5": which number is whose cannot be known
                 lastLine = row.line;
             } else {
@@ -235,6 +237,26 @@ private:
         return dashes > 0 && 2 * dashes >= m_table.cells(row).size();
     }
 
+    /// Numbers, and in the place of the others what begins as one: "0.5x", "12O.5". Neither words nor dates.
+    [[nodiscard]] bool isDamaged(const TableRow &row) const {
+        std::size_t numbers = 0;
+        std::size_t damaged = 0;
+        for (const TableCell &cell : m_table.cells(row)) {
+            const std::string_view text = m_table.text(cell);
+            if (cell.isNumber()) {
+                ++numbers;
+            } else if (cell.kind != CellKind::empty && cell.kind != CellKind::missing) {
+                if (row.comment || leadingNumber(text, m_table.decimalMark.value).size == 0 || isDate(text) ||
+                    clockTime(text))
+                    return false;
+                ++damaged;
+            }
+        }
+        return !isComputedRow(m_table, row) && numbers > 0 && damaged > 0 &&
+               numbers + damaged >= std::min<std::size_t>(m_numberColumns, 2) &&
+               2 * (numbers + damaged) >= m_numberColumns;
+    }
+
     /// A row that is none of the body, but has its numbers: below it, unless it begins with what is computed.
     [[nodiscard]] bool looksLikeData(const TableRow &row, bool inBody) const {
         const auto cells = m_table.cells(row);
@@ -251,13 +273,20 @@ private:
             return meaning == Meaning::statistic || meaning == Meaning::other ||
                    meaning == Meaning::temperature;
         };
-        return std::ranges::none_of(cells, isComputed);
+        return !isComputedRow(m_table, row) && std::ranges::none_of(cells, isComputed);
     }
 
     /// Numbers to the right of the last column.
     [[nodiscard]] bool hasNumbersBeyond(const TableRow &row) const {
         const auto cells = m_table.cells(row);
         return cells.size() > m_body.columns.size() && numberCount(cells.subspan(m_body.columns.size())) > 0;
+    }
+
+    /// Fewer numbers than columns, and nothing but blanks between them.
+    [[nodiscard]] bool hasGapAmongBlanks(const TableRow &row) const {
+        const auto isOfNumbers = [](const TableColumn &column) { return column.kind == ColumnKind::numbers; };
+        return m_table.delimiter.value == Delimiter::blanks && row.count < m_body.columns.size() &&
+               std::any_of(m_body.columns.begin() + row.count, m_body.columns.end(), isOfNumbers);
     }
 
     /// A row like those of the body, but with a word or nothing where their first number stands.

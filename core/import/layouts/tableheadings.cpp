@@ -3,10 +3,12 @@
 #include "import/layouts/tableheadings.h"
 
 #include "document/digit.h"
+#include "document/place.h"
 #include "tables/dates.h"
 #include "tables/folded.h"
 
 #include <algorithm>
+#include <array>
 
 namespace palmer {
 
@@ -37,7 +39,10 @@ bool isLabelWithValue(const CellTable &table, const TableRow &row) {
     const LeadingNumber number = leadingNumber(texts[1], mark);
     const std::string_view rest = withoutBlanks(texts[1].substr(number.size));
     const std::string_view unit = texts.size() == 2 ? rest : texts[2];
-    const bool isUnit = !unit.empty() && unitIn('(' + std::string(unit) + ')') != nullptr;
+    constexpr std::array<std::string_view, 14> others{"hPa", "mbar", "Pa",  "kPa", "bar", "mmHg",   "%rH",
+                                                      "%RH", "kg",   "rpm", "kW",  "V",   "mm/min", "m/min"};
+    const bool isUnit = unitIn('(' + std::string(unit) + ')') != nullptr || unit.starts_with('%') ||
+                        std::ranges::find(others, unit) != others.end();
     return number.size > 0 && isUnit && (texts.size() == 2 || rest.empty());
 }
 
@@ -57,9 +62,10 @@ bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
     std::size_t directions = 0;
     for (const TableCell &cell : cells) {
         filled += cell.kind != CellKind::empty ? 1 : 0;
-        words += cell.kind == CellKind::text ? 1 : 0;
         const std::string_view text = table.text(cell);
-        directions += !text.empty() && (namesRuns(readHeading(text)) || senseIn(text)) ? 1 : 0;
+        const bool namesRun = !text.empty() && (namesRuns(readHeading(text)) || senseIn(text));
+        words += cell.kind == CellKind::text || (cell.kind == CellKind::missing && namesRun) ? 1 : 0; // "-"
+        directions += namesRun ? 1 : 0;
     }
     if (directions >= 2 && words >= 2)
         return true;
@@ -159,6 +165,8 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
             std::string_view text = c < cells.size() ? table.text(cells[c]) : std::string_view();
             if (hasUnits && folded(text) == "-")
                 continue;
+            if (hasUnits && text == "\"") // a unit in brackets only
+                text = "(\")";
             if (!text.empty())
                 last = text;
             else if (spans && c > 0)
@@ -170,16 +178,62 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
     }
 }
 
-void readHeadings(std::vector<TableColumn> &columns) {
-    for (TableColumn &column : columns) {
+/// Cells that say their unit know it better than the heading, but both are to be looked at.
+void takeUnitOfCells(const CellTable &table, std::size_t c, TableColumn &column,
+                     std::vector<Remark> &remarks) {
+    const ColumnUnit cells = table.unitOfColumn(c);
+    if (!cells.unit)
+        return;
+    const bool isTarget = column.meaning == Meaning::target || column.meaning == Meaning::place;
+    const char *choice = isTarget ? "positionUnit" : "unit";
+    if (column.unit && column.unit != cells.unit)
+        remarks.push_back(
+            {RemarkGrade::assumption,
+             {REPORT_TEXT("report", "Unit: the heading “%1” names another unit than the cells of "
+                                    "its column; read in %2, as the cells say."),
+              {excerpt(column.heading), std::string(cells.unit->sign)}},
+             0,
+             0,
+             choice});
+    if (cells.bareLine > 0)
+        remarks.push_back({RemarkGrade::assumption,
+                           {REPORT_TEXT("report", "Unit: a number has none, where the others of its column "
+                                                  "have one; read in %1."),
+                            {std::string(cells.unit->sign)}},
+                           cells.bareLine,
+                           0,
+                           choice});
+    column.unit = cells.unit;
+}
+
+void readHeadings(const CellTable &table, std::vector<TableColumn> &columns, std::vector<Remark> &remarks) {
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        TableColumn &column = columns[c];
         column.words = readHeading(column.heading);
         column.meaning = column.words.meaning;
         column.unit = unitIn(column.heading);
+        takeUnitOfCells(table, c, column, remarks);
         // "Point (mm)" is no counter.
         if (column.meaning == Meaning::index && column.unit &&
             (column.unit->kind == UnitKind::length || column.unit->kind == UnitKind::angle))
             column.meaning = Meaning::place;
     }
+}
+
+} // namespace
+
+namespace {
+
+/// "2s", "± 4 s": so many standard deviations; "1 s" could number a run.
+bool isSpread(std::string_view label) {
+    std::string bare;
+    for (const char c : label) {
+        if (c != ' ')
+            bare += c;
+    }
+    if (bare.starts_with("±"))
+        bare.erase(0, std::string_view("±").size());
+    return bare == "2s" || bare == "3s" || bare == "4s";
 }
 
 } // namespace
@@ -195,7 +249,8 @@ bool isComputedRow(const CellTable &table, const TableRow &row) {
         if (!isLabelled) {
             const Meaning meaning =
                 cell.kind == CellKind::text ? readHeading(table.text(cell)).meaning : Meaning::unknown;
-            isLabelled = meaning == Meaning::statistic || meaning == Meaning::other;
+            isLabelled =
+                meaning == Meaning::statistic || meaning == Meaning::other || isSpread(table.text(cell));
             if (!isLabelled)
                 return false;
         } else {
@@ -222,7 +277,7 @@ void findSections(const CellTable &table, TableBody &body) {
         const bool named =
             std::ranges::any_of(columns, [](const TableColumn &column) { return !column.heading.empty(); });
         if (named || body.sections.empty()) {
-            readHeadings(columns);
+            readHeadings(table, columns, body.remarks);
             body.sections.push_back(std::move(columns));
         }
         block.section = body.sections.size() - 1;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/columnsearch.h"
 
+#include "document/place.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -38,16 +40,27 @@ public:
             return;
         const std::vector<double> first = valuesOf(*m_result.target);
         for (std::size_t c = *m_result.target + 1; c < m_result.values.back(); ++c) {
-            if (!isNumeric(c) || role(c) != ColumnRole::ignored || m_heads[c].meaning != Meaning::target ||
-                hasForeignAxis(c))
+            const bool isPlace = m_heads[c].meaning == Meaning::target || isCalledAsTarget(c) ||
+                                 m_heads[c].meaning == Meaning::place;
+            if (!isNumeric(c) || role(c) != ColumnRole::ignored || !isPlace || hasForeignAxis(c))
                 continue;
             const std::vector<double> values = valuesOf(c);
-            if (values != first && isStrictlyMonotone(values))
-                role(c) = ColumnRole::target;
+            // A list goes there and back.
+            const bool isList = m_result.direction || m_result.number;
+            if (values == first || !(isList || isStrictlyMonotone(values)))
+                continue;
+            role(c) = ColumnRole::target;
+            if (m_heads[c].meaning != Meaning::target && !isCalledAsTarget(c))
+                ask({REPORT_TEXT("report",
+                                 "Columns: the readings behind “%1” are taken to stand at its positions."),
+                     {excerpt(m_heads[c].heading)}});
         }
     }
 
 private:
+    [[nodiscard]] bool isCalledAsTarget(std::size_t c) const {
+        return !m_heads[c].heading.empty() && m_heads[c].heading == m_heads[*m_result.target].heading;
+    }
     [[nodiscard]] bool hasForeignAxis(std::size_t c) const {
         return !m.axisFound.empty() && words(c).axis != 0 && words(c).axis != m.axisFound[0];
     }

@@ -288,8 +288,7 @@ private:
                 for (const std::uint32_t row : piece.rows)
                     add(placed, row, m.cell(row, m_target)->value, column);
                 // A column that is not continued in a second block is no run there.
-                const bool hasValue = std::ranges::any_of(
-                    placed.pass.readings, [](const PassReading &r) { return r.value.has_value(); });
+                const bool hasValue = !std::ranges::all_of(placed.pass.readings, &PassReading::isMissing);
                 if (m_pieces.size() == 1 || hasValue)
                     m_found.passes.push_back(std::move(placed));
             }

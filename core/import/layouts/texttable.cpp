@@ -99,6 +99,20 @@ bool couldBeAngles(const TableReading &reading, std::size_t column) {
     return high - low >= 85 && high - low <= 800 && high <= 800 && low >= -800;
 }
 
+/// Whether the numbers of a column differ from line to line.
+bool moves(const TableReading &reading, std::size_t column) {
+    std::optional<double> last;
+    for (const TableBlock &block : reading.body.blocks) {
+        for (const std::uint32_t row : block.rows) {
+            const TableCell *cell = reading.cell(row, column);
+            if (!cell || !cell->isNumber() || cell->value == last)
+                return false;
+            last = cell->value;
+        }
+    }
+    return true;
+}
+
 /// Kind of measurement that the columns show.
 std::string kindOf(const TableReading &reading, Origin &origin) {
     const TableBody &body = reading.body;
@@ -111,8 +125,14 @@ std::string kindOf(const TableReading &reading, Origin &origin) {
     const bool positions = has(Meaning::run) || has(Meaning::direction);
     // A place beside what was measured there is a target, whatever the clock says.
     const bool placed = has(Meaning::place) && (!body.columnOf(ColumnKind::clock) || has(Meaning::actual));
-    if (hasTimes(body) && !positions && !placed)
-        return seriesKindOf(body, origin);
+    if (hasTimes(body) && !positions && !placed) {
+        // Places and deviations beside the time of day: a pass, or a series somewhere?
+        const bool isEither = has(Meaning::place) && has(Meaning::deviation);
+        const bool goesOn = isEither && moves(reading, *body.columnOf(Meaning::place));
+        const std::string series = seriesKindOf(body, origin);
+        origin = isEither ? Origin::guessed : origin;
+        return goesOn ? "positioning" : series;
+    }
     if (positions || has(Meaning::place) || has(Meaning::angle) || body.blocks.front().numericHead)
         return "positioning";
     // Two columns without a word (three with a counter): points of a circle, if they are many.
@@ -150,6 +170,7 @@ bool isAnything(QByteArrayView) {
 }
 
 void readMeasurementTable(Choices &choices, Imported &imported) {
+    imported.table.takeUnits();
     TableReading reading(imported, choices);
     Origin origin = Origin::recognised;
     const std::string found = kindOf(reading, origin);

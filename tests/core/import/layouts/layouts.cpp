@@ -474,6 +474,111 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "2;10:00:14;100;100.001;1\n3;10:00:21;200;200.002;2\n4;10:00:28;200;199.999;-1\n"
         "5;10:00:35;100;99.998;-2\n6;10:00:42;0;-0.003;-3\n",
         "ignored,ignored,target,actual,deviation / 0 100 200 / ↑ 2.3 1 2 / ↓ -3 -2 -1 / ");
+    // Cells that say their unit.
+    const char *const withUnits = "target,run+1,run-1 / 0 100 200 / ↑ 1.2 2.2 0.5 / ↓ 2.1 -3.1 4 / ";
+    row("each number with its unit",
+        "Target;Run 1 up;Run 1 down\n0 mm;1.2 µm;2.1 µm\n100 mm;2.2 µm;-3.1 µm\n200 mm;0.5 µm;4.0 µm\n",
+        withUnits);
+    row("some readings in mm, some in µm",
+        "Target;Run 1 up;Run 1 down\n0 mm;1.2 µm;0.0021 mm\n100 mm;2.2 µm;-3.1um\n200 mm;0.0005 mm;4 µm\n",
+        withUnits);
+    row("units behind decimal commas",
+        "Soll;Hin 1;Rück 1\n0,0 mm;1,2 µm;2,1 µm\n100,0 mm;2,2 µm;-3,1 µm\n200,0 mm;0,5 µm;4,0 µm\n",
+        withUnits);
+    row("units among blanks",
+        "Target Up1 Down1\n0 mm 1.2 µm 2.1 µm\n100 mm 2.2 µm -3.1 µm\n200 mm 0.5 µm 4.0 µm\n", withUnits);
+    row("units, and rows of statistics",
+        "Target;Run 1 up;Run 1 down\n0 mm;1.2 µm;2.1 µm\n100 mm;2.2 µm;-3.1 µm\n200 mm;0.5 µm;4.0 µm\n"
+        "Mean;1.3 µm;1 µm\n2s;0.3 µm;0.5 µm\n",
+        withUnits);
+    row("labels whose values have units",
+        "Travel;500 mm\nRadius;100 mm;Step;5 mm\nTarget (mm);Run 1 up (µm);Run 1 down (µm)\n"
+        "0;1.2;2.1\n100;2.2;-3.1\n200;0.5;4\n",
+        withUnits);
+    row("a number without a unit among others",
+        "Target;Run 1 up;Run 1 down\n0 mm;1.2 µm;2.1 µm\n100 mm;2.2;-3.1 µm\n200 mm;0.5 µm;4.0 µm\n",
+        "target,run+1,run-1 / 0 100 200 / ↑ 1.2 2.2 0.5 / ↓ 2.1 -3.1 4 / unit");
+    row("the heading names another unit than the cells",
+        "Target (mm);Run 1 up (mm);Run 1 down (µm)\n0;1.2 µm;2.1 µm\n100;2.2 µm;-3.1 µm\n200;0.5 µm;4 µm\n",
+        "target,run+1,run-1 / 0 100 200 / ↑ 1.2 2.2 0.5 / ↓ 2.1 -3.1 4 / unit");
+    row("units of targets across", "Run;0 mm;100 mm;200 mm\n1 ↑ (µm);1.2;2.2;0.5\n1 ↓ (µm);2.1;-3.1;4\n",
+        "ignored,run,run,run / 0 100 200 / ↑ 1.2 2.2 0.5 / ↓ 2.1 -3.1 4 / ");
+    row("units of targets across, and of readings",
+        "Run\t0 mm\t100 mm\t200 mm\n1 ↑\t1.2 µm\t2.2 µm\t0.5 µm\n1 ↓\t2.1 µm\t-3.1 µm\t4 µm\n",
+        "ignored,run,run,run / 0 100 200 / ↑ 1.2 2.2 0.5 / ↓ 2.1 -3.1 4 / ");
+    row("first, second, third run", "Target (mm);1°;2°\n0;1.2;2.1\n100;2.2;-3.1\n200;0.5;4\n",
+        "target,run1,run2 / 0 100 200 / ↑ 1.2 2.2 0.5 / ↓ 2.1 -3.1 4 / content directions unit");
+    row("a unit that nobody knows", "Target;Up 1;Down 1\n0;1.2 ell;2.1 ell\n100;2.2 ell;3 ell\n", "refused");
+    row("degrees, minutes, seconds",
+        "Target;Up 1;Down 1\n-0°30';-3.6\";7.2″\n12°30';1.8\";3.6″\n30°15'36\";0\";-1.8″\n",
+        "target,run+1,run-1 / -0.5 12.5 30.26 / ↑ -0.001 0.0005 0 / ↓ 0.002 0.001 -0.0005 / ");
+    row("degrees, minutes, seconds in quotation marks",
+        "Target,Up 1,Down 1\n\"-0°30'0\"\"\",\"-3.6\"\"\",\"7.2\"\"\"\n"
+        "\"12°30'0\"\"\",\"1.8\"\"\",\"3.6\"\"\"\n",
+        "target,run+1,run-1 / -0.5 12.5 / ↑ -0.001 0.0005 / ↓ 0.002 0.001 / ");
+    row("positions in degrees, minutes, seconds",
+        "Soll;Ist 1 hin;Ist 1 rück\n0°00'00\";0°00'01,8\";-0°00'03,6\"\n"
+        "90°00'00\";90°00'03,6\";89°59'58,2\"\n",
+        "target,actual+1,actual-1 / 0 90 / ↑ 0.0005 0.001 / ↓ -0.001 -0.0005 / ");
+    // Lists whose readings have targets of their own.
+    for (const char *heading :
+         {"Position (mm)", "Quota (mm)", "Axis position (mm)", "Punkt (mm)", "Soll (mm)"}) {
+        const QByteArray name(heading);
+        QTest::newRow(name + " twice, rising and falling")
+            << name + ";1 ↑ (µm);" + name + ";1 ↓ (µm)\n0;1;200;2\n100;3;100;4\n200;5;0;6\n"
+            << "target,run+1,target,run-1 / 0 100 200 / ↑ 1 3 5 / ↓ 6 4 2 / ";
+    }
+    row("another heading of places before the second direction",
+        "Target (mm);1 ↑ (µm);Position (mm);1 ↓ (µm)\n0;1;200;2\n100;3;100;4\n200;5;0;6\n",
+        "target,run+1,target,run-1 / 0 100 200 / ↑ 1 3 5 / ↓ 6 4 2 / columns");
+    for (const char *label : {"2s", "±2s", "4 s", "2σ", "Ø"})
+        QTest::newRow(qPrintable(QString("a footer of %1").arg(label)))
+            << "Target (mm);Up 1 (µm);Down 1 (µm)\n0;1;2\n100;3;4\n" + QByteArray(label) + ";2.5;3.5\n"
+            << "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / ";
+    row("signs above several columns", ";+;;-;\nTarget;1;2;1;2\nmm;µm;µm;µm;µm\n0;1;2;3;4\n100;5;6;7;8\n",
+        "target,run+1,run+2,run-1,run-2 / 0 100 / ↑ 1 5 / ↓ 3 7 / ↑ 2 6 / ↓ 4 8 / ");
+    row("signs of seconds in a row of units",
+        "Target;Up 1;Down 1;Up 2\n°;\";\";\"\n0;3.6;7.2;1.8\n30;1.8;3.6;0\n",
+        "target,run+1,run-1,run+2 / 0 30 / ↑ 0.001 0.0005 / ↓ 0.002 0.001 / ↑ 0.0005 0 / unequalRuns");
+    row("outward and inward", "Target (mm);Outward 1 (µm);Inward 1 (µm)\n0;1;2\n100;3;4\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / directions");
+    row("a damaged number in two columns", "Target (mm);Dev ↑ (µm)\n0;1\n100;2x\n200;3\n",
+        "target,deviation+ / 0 200 / ↑ 1 3 / unread");
+    row("a damaged number in the first line", "Target (mm);↑ (µm);↓ (µm)\n0x;1;5\n100;2;6\n200;3;7\n",
+        "target,run+,run- / 100 200 / ↑ 2 3 / ↓ 6 7 / unread");
+    row("a letter for a digit", "Target (mm);↑ (µm)\n0;1\n1O0;2\n200;3\n",
+        "target,run+ / 0 200 / ↑ 1 3 / unread");
+    row("a damaged row of a compensation text",
+        "Compensation spacing 50 mm\nNo.  Axis position  Combined\n1  0.0  0.0\n2  5x0.0  -2.5\n3  100.0  "
+        "4.0\n",
+        " / 0 100 / ↑ 0 -4 / unit unread");
+    row("damaged names of readings",
+        "TGT_DATA[1]=0\nTGT_DATA[2]=100\nREF_DATA_FWD[1,1]=0.001\nREF_DATA_FWD[2,1x=100.002\n"
+        "REF_DxTA_BWD[1,1]=0.003\nREF_DATA_BWD[2,1]=100.004\n",
+        " / 0 100 / ↑ 1 – / ↓ – 4 / unit unread");
+    row("a gap among blanks",
+        "Position Fwd1 Rev1 Fwd2 Rev2\n(mm) (um) (um) (um) (um)\n0 1 2 3 4\n100 5 6      7\n200 8 9 10 11\n",
+        "target,run+1,run-1,run+2,run-2 / 0 200 / ↑ 1 8 / ↓ 2 9 / ↑ 3 10 / ↓ 4 11 / unread");
+    row("places, deviations and the time of day",
+        "Cota (mm);Error avance 1 (µm);Hora\n0;1;10:00:00\n100;2;10:00:05\n200;3;10:00:10\n",
+        "target,deviation1,ignored / 0 100 200 / ↑ 1 2 3 / directions kind");
+    row("labels with values in other units above",
+        "Measured 2024-03-05;;\nPressure;1013.2;hPa\nHumidity;45;%\nTarget (mm);↑1 (µm);↓1 "
+        "(µm)\n0;1;2\n100;3;4\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
+    row("own targets, there and back",
+        "Target (mm);Direction;Dev 1 (µm);Target (mm);Dev 2 (µm)\n0;+;1;0.5;5\n100;+;2;100.5;6\n"
+        "100;-;3;100.5;7\n0;-;4;0.5;8\n",
+        "target,direction,deviation1,target,deviation2 / 0 0.5 100 100.5 / ↑ 1 – 2 – / ↓ 4 – 3 – / "
+        "↑ – 5 – 6 / ↓ – 8 – 7 / ");
+    row("a column of targets without one",
+        "Target (mm);Direction;Dev 1 (µm);Target (mm);Dev 2 (µm)\n0;+;1;;5\n100;+;2;;6\n",
+        "target,direction,deviation1,ignored,deviation2 / 0 100 / ↑ 1 2 / ↑ 5 6 / columns");
+    row("own targets that are none: a pass without a reading",
+        "Target (mm);Direction;Dev 1 (µm);Target (mm);Dev 2 (µm)\n0;+;1;0.5;5\n100;+;2;100.5;6\n"
+        "100;-;3;x;7\n0;-;4;x;8\n",
+        "target,direction,deviation1,target,deviation2 / 0 0.5 100 100.5 / ↑ 1 – 2 – / ↓ 4 – 3 – / "
+        "↑ – 5 – 6 / ↓ – – – – / unread");
     // Series over time.
     row("drift with temperature", "Time (s);Deviation (µm);Temp (°C)\n0;0;20\n60;1;20.1\n120;2;20.2\n",
         "time,deviation,temperature / drift  0:0 60:1 120:2 / ");

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 using namespace palmer;
 
@@ -156,6 +157,51 @@ private slots:
                 lines << QString("Mean") + QString(";0.5").repeated(head.size() - 1);
             const QByteArray text = lines.join(u'\n').toUtf8();
             QVERIFY2(numbersOf(text) == expected, text.constData());
+        }
+    }
+
+    /// Lists whose second reading stands at a target of its own: where those are none, whole passes may be
+    /// without a reading; nothing else is lost, and it is asked.
+    void ownTargetsMayBeNone() {
+        std::mt19937 random(13);
+        for (int trial = 0; trial < 300; ++trial) {
+            const auto targets = static_cast<int>(2 + random() % 5);
+            const auto often = static_cast<unsigned>(random() % 5); // in how many of four lines there is none
+            QByteArray text = "Target (mm);Direction;Dev 1 (µm);Target (mm);Dev 2 (µm)\n";
+            std::multiset<std::pair<double, double>> expected;
+            bool asked = false;
+            for (const bool up : {true, false}) {
+                const bool any = random() % 3 > 0;
+                for (int k = 0; k < targets; ++k) {
+                    const int i = up ? k : targets - 1 - k;
+                    const bool none = !any || random() % 4 < often;
+                    const int one = static_cast<int>(random() % 90) + 1;
+                    const int other = static_cast<int>(random() % 90) + 1;
+                    text += QStringLiteral("%1;%2;%3;%4;%5\n")
+                                .arg(i * 100)
+                                .arg(up ? '+' : '-')
+                                .arg(one)
+                                .arg(none ? QString(random() % 2 ? "x" : "") : QString::number(i * 100 + 0.5))
+                                .arg(other)
+                                .toUtf8();
+                    expected.insert({i * 100, one / 1000.0});
+                    if (!none)
+                        expected.insert({i * 100 + 0.5, other / 1000.0});
+                    asked |= none;
+                }
+            }
+            const Imported imported = importMeasurement(text, "x.csv");
+            const auto &read = std::get<PositioningMeasurement>(imported.test->measurement);
+            std::multiset<std::pair<double, double>> readings;
+            for (const Run &run : read.runs) {
+                for (std::size_t i = 0; i < run.deviations.size(); ++i) {
+                    if (run.deviations[i])
+                        readings.insert({read.targets[i], *run.deviations[i]});
+                }
+            }
+            const bool hasOwn = expected.size() > static_cast<std::size_t>(2 * targets);
+            QVERIFY2(!hasOwn || readings == expected || asked, text.constData());
+            QVERIFY2(!asked || std::ranges::any_of(imported.questions, isAboutThisFile), text.constData());
         }
     }
 
