@@ -2159,7 +2159,7 @@
     <message>
         <source>mean reversal value</source>
         <comment>1988</comment>
-        <translation>erreur moy. de réversibilité</translation>
+        <translation>réversibilité moyenne</translation>
     </message>
     <message>
         <source>signed mean</source>

@@ -108,6 +108,10 @@ CircleFigureView::CircleFigureView(Selection &selection, QWidget *parent)
         if (!m_current)
             m_current = canvas;
         connect(canvas, &CircleCanvas::pressed, this, [this, canvas] { m_current = canvas; });
+        connect(canvas, &CircleCanvas::made, this, [this, canvas] {
+            if (canvas == m_current)
+                emit figureChanged();
+        });
     }
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -128,6 +132,8 @@ void CircleFigureView::show(const EvaluatedDocument &evaluated, std::size_t test
     m_separate = separateCircleFigures(*evaluated.document->tests[test], *evaluated.tests[test]);
     fillChoice();
     if (other) {
+        for (CircleCanvas *canvas : m_canvases)
+            canvas->clear();
         m_choice->setCurrentIndex(0);
         fit(); // zoom belongs to a test
     }
@@ -250,7 +256,8 @@ void CircleFigureView::refresh() {
     }
     if (!m_current->isVisibleTo(this))
         m_current = m_canvases.front();
-    emit figureChanged();
+    if (!m_current->isMaking()) // else when it is made
+        emit figureChanged();
 }
 
 void CircleFigureView::describe(const QString &content) {

@@ -9,7 +9,7 @@ class QPainter;
 namespace palmer::ui {
 
 /// A card to click: icon, title with its shortcut, one line of explanation; the large one with a picture of
-/// what it makes above them.
+/// what it makes above them and the standard below the title.
 class StartButton : public QAbstractButton {
     Q_OBJECT
 
@@ -21,17 +21,22 @@ public:
     /// The text of the button is its title; `&` marks the mnemonic.
     void setTexts(const QString &title, const QString &detail, const QString &shortcut);
 
+    /// By which standard the new test can be evaluated, on a line of its own.
+    void setStandard(const QString &standard);
+
     [[nodiscard]] QSize sizeHint() const override;
 
 protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    void describe();
     void paintPicture(QPainter &painter, const QRectF &area) const;
 
     QString m_icon;
     Picture m_picture;
     QString m_detail;
+    QString m_standard;
     QString m_shortcut;
 };
 

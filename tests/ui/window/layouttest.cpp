@@ -62,6 +62,8 @@ private slots:
     void allExamplesAreInSight();
     void headsAreNotCutInAWord();
     void namesOfLimitsAreWhole();
+    void namesOfResultsAreWhole();
+    void startsSayTheirStandard();
     void aDriftTestHasNoEmptyTable();
     void pageAndFigureTakeTurnsInALowWindow_data();
     void pageAndFigureTakeTurnsInALowWindow();
@@ -412,6 +414,34 @@ void LayoutTest::namesOfLimitsAreWhole() {
                  qPrintable(label->text()));
     }
     QVERIFY(names >= 10);
+}
+
+void LayoutTest::namesOfResultsAreWhole() {
+    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+        setWindowLanguage(language);
+        for (const char *example : {"iso230-2-1988-example", "one-direction", "iso230-4-full-circles-xy"}) {
+            const ShownWindow shown(examplePath(example), {960, 690}); // 960 × 720 less the title
+            const auto *table = shown.find<QTableView>("results");
+            QTRY_VERIFY(table->model()->rowCount() > 0);
+            QTest::qWait(20);
+            for (int row = 0; row < table->model()->rowCount(); ++row) {
+                const QString name = table->model()->index(row, ResultsModel::name).data().toString();
+                QVERIFY2(QFontMetrics(table->font()).horizontalAdvance(name) <=
+                             table->columnWidth(ResultsModel::name) - 6,
+                         qPrintable(name));
+            }
+        }
+    }
+}
+
+void LayoutTest::startsSayTheirStandard() {
+    const ShownWindow shown({}, {1280, 770});
+    QVERIFY(shown.find("welcomeNew")
+                ->accessibleDescription()
+                .startsWith(u"ISO 230-2 · 1988, 1997, 2006, 2014, "_s));
+    QVERIFY(shown.find("welcomeNewCircle")
+                ->accessibleDescription()
+                .startsWith(u"ISO 230-4 · 1996, 2005, 2022, "_s));
 }
 
 void LayoutTest::aDriftTestHasNoEmptyTable() {
