@@ -122,6 +122,33 @@ void StartButton::paintPicture(QPainter &painter, const QRectF &area) const {
     drawTrace(painter, area.center(), radius, -0.1, down);
 }
 
+/// Painted once: under the pointer and with the keyboard the ground alone is another.
+const QPixmap &StartButton::picture() {
+    const double ratio = devicePixelRatioF();
+    const QSize wanted(width(), height() - textHeight - lineHeight);
+    if (m_painted.isNull() || m_painted.devicePixelRatio() != ratio) {
+        m_painted = QPixmap((QSizeF(wanted) * ratio).toSize());
+        m_painted.setDevicePixelRatio(ratio);
+        m_painted.fill(Qt::transparent);
+        QPainter painter(&m_painted);
+        painter.setRenderHint(QPainter::Antialiasing);
+        paintPicture(painter, QRectF(pictureMargin, pictureMargin, width() - 2.0 * pictureMargin,
+                                     wanted.height() - pictureMargin - 4.0));
+    }
+    return m_painted;
+}
+
+void StartButton::resizeEvent(QResizeEvent *event) {
+    m_painted = {};
+    QAbstractButton::resizeEvent(event);
+}
+
+void StartButton::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::PaletteChange)
+        m_painted = {};
+    QAbstractButton::changeEvent(event);
+}
+
 void StartButton::paintEvent(QPaintEvent *) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -134,8 +161,7 @@ void StartButton::paintEvent(QPaintEvent *) {
     const bool large = m_picture != Picture::none;
     const int top = height() - textHeight - (large ? lineHeight : 0);
     if (large)
-        paintPicture(painter, QRectF(pictureMargin, pictureMargin, width() - 2.0 * pictureMargin,
-                                     top - pictureMargin - 4.0));
+        painter.drawPixmap(0, 0, picture());
     const int left = large ? pictureMargin : 48;
     const QRect upper(left, top + 8, width() - left - 12, lineHeight);
     const QRect lower(left, height() - 8 - lineHeight, upper.width(), lineHeight);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QAbstractButton>
+#include <QPixmap>
 
 class QPainter;
 
@@ -28,16 +29,20 @@ public:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
 
 private:
     void describe();
     void paintPicture(QPainter &painter, const QRectF &area) const;
+    [[nodiscard]] const QPixmap &picture();
 
     QString m_icon;
     Picture m_picture;
     QString m_detail;
     QString m_standard;
     QString m_shortcut;
+    QPixmap m_painted; ///< the picture; null: to be painted
 };
 
 } // namespace palmer::ui

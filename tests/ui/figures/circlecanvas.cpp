@@ -112,11 +112,11 @@ private slots:
         shown.canvas->show(evaluated, 0, content, Language(Language::Id::english));
         QVERIFY(shown.canvas->isMaking());
         QCOMPARE(shown.canvas->readOut({0, 100}), before); // until then that of before
-        content.contacts = true;                           // asked for meanwhile
+        content.options.contacts = true;                   // asked for meanwhile
         shown.canvas->show(evaluated, 0, content, Language(Language::Id::english));
         QTRY_VERIFY(!shown.canvas->isMaking());
         QVERIFY(shown.canvas->readOut({0, 100}) != before);
-        QVERIFY(shown.canvas->paperFigure()->contacts.size() > 0);
+        QVERIFY(!shown.canvas->paperFigure()->contacts.empty());
         shown.canvas->show(evaluated, 0, content, Language(Language::Id::french)); // the same paths
         QVERIFY(!shown.canvas->isMaking());
         shown.canvas->clear();

@@ -12,6 +12,7 @@
 #include "ui/forms/field.h"
 #include "ui/navigation/navigationmodel.h"
 #include "ui/readings/readingsmodel.h"
+#include "ui/results/resultsmodel.h"
 #include "ui/welcome/examples.h"
 
 #include <QLabel>
