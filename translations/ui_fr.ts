@@ -6279,6 +6279,10 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <source>Dia&amp;gnosis</source>
         <translation>Dia&amp;gnostic</translation>
     </message>
+    <message>
+        <source>%1 · in the figure %2</source>
+        <translation>%1 · sur la figure %2</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ZoomButtons</name>

@@ -319,6 +319,13 @@ QString CircleCanvas::readOut(const ReadingPlace &point) const {
     return text;
 }
 
+QString CircleCanvas::deviationText(const ReadingPlace &point) const {
+    const auto found = find(point);
+    return found ? m_language.quantity(m_profiles[found->profile][found->point].deviation,
+                                       Quantity::micrometres, deviationDecimals)
+                 : QString();
+}
+
 // ---- Painting --------------------------------------------------------------------------------------------
 
 void CircleCanvas::paintEvent(QPaintEvent *) {
@@ -330,6 +337,7 @@ void CircleCanvas::paintEvent(QPaintEvent *) {
     }
     painter.drawPixmap(0, 0, m_drawn);
     painter.setRenderHint(QPainter::Antialiasing);
+    paintCentre(painter);
     paintMarking(painter);
     paintHover(painter);
     if (hasFocus()) {
@@ -337,6 +345,19 @@ void CircleCanvas::paintEvent(QPaintEvent *) {
         painter.setBrush(Qt::NoBrush);
         painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 3, 3);
     }
+}
+
+/// In the corner that circles leave free, whatever room the head has: numbers mean nothing without it.
+void CircleCanvas::paintCentre(QPainter &painter) const {
+    painter.setFont(themeFont(TextSize::tiny));
+    const QRect room(6, 4, std::max(width() * 3 / 10, 100), height());
+    constexpr int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+    const QRect text = painter.boundingRect(room, flags, m_shown.centre);
+    QColor ground = palette().color(QPalette::Base);
+    ground.setAlphaF(0.8F);
+    painter.fillRect(text.adjusted(-2, -1, 2, 1), ground);
+    painter.setPen(token(Token::secondaryText, palette()));
+    painter.drawText(text, flags, m_shown.centre);
 }
 
 void CircleCanvas::paintHover(QPainter &painter) const {

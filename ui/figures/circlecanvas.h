@@ -67,6 +67,8 @@ public:
     [[nodiscard]] std::optional<QPointF> placeOf(const ReadingPlace &point);
     /// "XY 12,30°  −2,21 µm  0,39 s" of a point; empty where it is not shown.
     [[nodiscard]] QString readOut(const ReadingPlace &point) const;
+    /// "−2,21 µm": the deviation of it; empty where it is not shown.
+    [[nodiscard]] QString deviationText(const ReadingPlace &point) const;
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {140, 140}; }
     [[nodiscard]] QSize sizeHint() const override { return {480, 330}; }
@@ -115,6 +117,7 @@ private:
     [[nodiscard]] ReadingPlace placeOf(const ProfilePoint &point) const;
     void paintMarking(QPainter &painter) const;
     void paintHover(QPainter &painter) const;
+    void paintCentre(QPainter &painter) const;
 
     Selection &m_selection;
     Asked m_asked;

@@ -183,6 +183,10 @@ std::optional<CircleFigure> CircleFigureView::paperFigure() const {
     return m_evaluated.tests.empty() ? std::nullopt : m_current->paperFigure();
 }
 
+QString CircleFigureView::deviationText(const ReadingPlace &point) const {
+    return m_evaluated.tests.empty() ? QString() : m_current->deviationText(point);
+}
+
 /// Combined; G(b) and G side by side; each figure of the standard by itself.
 void CircleFigureView::fillChoice() {
     const QSignalBlocker blocker(m_choice);

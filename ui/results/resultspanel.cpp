@@ -276,6 +276,17 @@ void ResultsPanel::fitColumns() {
     m_table->setColumnHidden(ResultsModel::scale, m_narrow || other);
     for (const int column : {ResultsModel::other, ResultsModel::otherUncertainty, ResultsModel::change})
         m_table->setColumnHidden(column, !other);
+    // In a narrow window names need the room of columns that say nothing.
+    const auto saysNothing = [this](int column) {
+        for (int row = 0; row < m_model.rowCount(); ++row) {
+            const QString text = m_model.index(row, column).data().toString();
+            if (!text.isEmpty() && text != QStringLiteral("–"))
+                return false;
+        }
+        return true;
+    };
+    for (const int column : {ResultsModel::uncertainty, ResultsModel::limit, ResultsModel::verdict})
+        m_table->setColumnHidden(column, m_narrow && saysNothing(column));
     // What was before stands left of what is after, whichever of the two is in view.
     QHeaderView *header = m_table->horizontalHeader();
     const bool isFirst = m_model.table().otherIsFound;

@@ -15,8 +15,8 @@ namespace palmer::ui {
 namespace {
 
 constexpr int textHeight = 56;
-constexpr int lineHeight = 20;
-constexpr int pictureHeight = 116;
+constexpr int lineHeight = 18;
+constexpr int pictureHeight = 98;
 constexpr int pictureMargin = 16;
 
 // What a picture shows is nobody's measurement: the shapes of one, from 0 to 1.
@@ -163,8 +163,8 @@ void StartButton::paintEvent(QPaintEvent *) {
     if (large)
         painter.drawPixmap(0, 0, picture());
     const int left = large ? pictureMargin : 48;
-    const QRect upper(left, top + 8, width() - left - 12, lineHeight);
-    const QRect lower(left, height() - 8 - lineHeight, upper.width(), lineHeight);
+    const QRect upper(left, top + 9, width() - left - 12, lineHeight);
+    const QRect lower(left, height() - 9 - lineHeight, upper.width(), lineHeight);
     if (!large)
         drawLineIcon(painter, QRect(8, top, 36, textHeight), m_icon, accent);
     const QFont titleFont = themeFont(TextSize::head);
@@ -179,7 +179,7 @@ void StartButton::paintEvent(QPaintEvent *) {
     painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter,
                      painter.fontMetrics().elidedText(m_detail, Qt::ElideRight, below.width()));
     if (large) {
-        const QRect middle = upper.translated(0, lineHeight);
+        const QRect middle(left, (upper.top() + lower.top()) / 2, upper.width(), lineHeight);
         painter.drawText(middle, Qt::AlignLeft | Qt::AlignVCenter,
                          painter.fontMetrics().elidedText(m_standard, Qt::ElideRight, middle.width()));
     }
