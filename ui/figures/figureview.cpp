@@ -330,10 +330,10 @@ void FigureView::refreshCircles() {
     m_title->setText(figure->title);
     m_circles->describe(figureSentence(*figure, m_language));
     QStringList note;
+    if (isCorrectedTo20(measurement->conditions.common)) // first: what has no room is left out
+        note << tr("at 20 °C");
     if (measurement->feed)
         note << QStringLiteral("F ") + m_language.quantity(*measurement->feed, Quantity::feed);
-    if (isCorrectedTo20(measurement->conditions.common))
-        note << tr("at 20 °C");
     m_note->setText(note.join(QStringLiteral(" · ")));
 }
 
