@@ -64,6 +64,7 @@ private slots:
     void headsAreNotCutInAWord();
     void namesOfLimitsAreWhole();
     void namesOfResultsAreWhole();
+    void wideWindowsSayFullNames();
     void startsSayTheirStandard();
     void aDriftTestHasNoEmptyTable();
     void pageAndFigureTakeTurnsInALowWindow_data();
@@ -433,6 +434,19 @@ void LayoutTest::namesOfResultsAreWhole() {
             }
         }
     }
+}
+
+void LayoutTest::wideWindowsSayFullNames() {
+    setWindowLanguage(Language::Id::french);
+    const auto name = [](int width) {
+        const ShownWindow shown(examplePath("iso230-2-1988-example"), {width, 1050});
+        const auto *table = shown.find<QTableView>("results");
+        QTest::qWait(20);
+        return table->model()->index(0, ResultsModel::name).data().toString();
+    };
+    QCOMPARE(name(1280), u"précision"_s);
+    const QString full = name(1920);
+    QVERIFY2(full.size() > 12 && full.startsWith(u"précision"_s), qPrintable(full));
 }
 
 void LayoutTest::startsSayTheirStandard() {
