@@ -2953,8 +2953,8 @@
         <translation>Origine</translation>
     </message>
     <message>
-        <source>that of the test</source>
-        <translation>celle de l’essai</translation>
+        <source>of the test</source>
+        <translation>de l’essai</translation>
     </message>
     <message>
         <source>Origin of all limits</source>
