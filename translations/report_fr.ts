@@ -2159,7 +2159,7 @@
     <message>
         <source>mean reversal value</source>
         <comment>1988</comment>
-        <translation>erreur moy. de réversibilité</translation>
+        <translation>réversibilité moyenne</translation>
     </message>
     <message>
         <source>signed mean</source>
@@ -8448,6 +8448,66 @@
     <message>
         <source>Columns: the readings behind “%1” are taken to stand at its positions.</source>
         <translation>Colonnes&#xa0;: les relevés qui suivent «&#xa0;%1&#xa0;» sont lus aux positions de cette colonne.</translation>
+    </message>
+    <message>
+        <source>Ballbar pair</source>
+        <translation>Deux trajectoires au ballbar</translation>
+    </message>
+    <message>
+        <source>Synthetic paths, R 150 mm, 1800 points each way, with scale mismatch, squareness, servo mismatch, backlash, lateral play and straightness of known size. The results were computed elsewhere from the same points.</source>
+        <translation>Trajectoires synthétiques, R 150&#xa0;mm, 1800 points par sens, avec une différence d’échelle, un défaut de perpendicularité, un défaut de servo, un jeu à l’inversion, un jeu latéral et un défaut de rectitude de valeurs connues. Les résultats ont été calculés ailleurs à partir des mêmes points.</translation>
+    </message>
+    <message>
+        <source>Correction C to 20 °C</source>
+        <translation>Correction C à 20&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>Computed by hand for radii of 75 mm, 150 mm and 300 mm, each with other temperatures and coefficients of expansion.</source>
+        <translation>Calculée à la main pour des rayons de 75&#xa0;mm, 150&#xa0;mm et 300&#xa0;mm, chacun avec d’autres températures et d’autres coefficients de dilatation.</translation>
+    </message>
+    <message>
+        <source>Constructed set</source>
+        <translation>Jeu construit</translation>
+    </message>
+    <message>
+        <source>Readings of mean + s·(−1, −1, 0, 1, 1) at each target, whose standard deviation is exactly s: every result is exact. No published set.</source>
+        <translation>Relevés égaux à la moyenne + s·(−1, −1, 0, 1, 1) à chaque point visé, dont l’écart-type est exactement s&#xa0;: chaque résultat est exact. Ce jeu n’est pas publié.</translation>
+    </message>
+    <message>
+        <source>ISO 230-2:1988, table 2</source>
+        <translation>ISO 230-2:1988, tableau 2</translation>
+    </message>
+    <message>
+        <source>Worked example of the standard, reconstructed from the printed means, s, B and R. The position of the first target and ten readings (target 6 in the negative, target 7 in the positive direction) are substitutes with the published mean and s: compare the mean reversal value, R, A and the values per target, never the single readings.</source>
+        <translation>Exemple traité de la norme, reconstitué à partir des moyennes, s, B et R imprimés. La position du premier point visé et dix relevés (point visé 6 dans le sens négatif, point visé 7 dans le sens positif) sont des valeurs de remplacement ayant la moyenne et le s publiés&#xa0;: comparer l’erreur moyenne de réversibilité, R, A et les valeurs par point visé, jamais les relevés isolés.</translation>
+    </message>
+    <message>
+        <source>ISO 230-4:2005, annex C</source>
+        <translation>ISO 230-4:2005, annexe C</translation>
+    </message>
+    <message>
+        <source>500 mm/min at a diameter of 100 mm are 559 mm/min at 125 mm, printed to 1 mm/min; exactly 500·√1.25 mm/min.</source>
+        <translation>500&#xa0;mm/min pour un diamètre de 100&#xa0;mm correspondent à 559&#xa0;mm/min pour 125&#xa0;mm, valeur imprimée à 1&#xa0;mm/min près&#x202f;; exactement 500·√1,25&#xa0;mm/min.</translation>
+    </message>
+    <message>
+        <source>NIST circles</source>
+        <translation>Cercles du NIST</translation>
+    </message>
+    <message>
+        <source>NIST reference pairs of two-dimensional circles: least squares centre (x, y) and radius R published by NIST; width w of the minimum zone circles recomputed in exact arithmetic, certified here as the least</source>
+        <translation>Paires de référence du NIST pour des cercles à deux dimensions&#xa0;: centre (x, y) et rayon R des moindres carrés publiés par le NIST&#x202f;; largeur w de la zone minimale recalculée en arithmétique exacte, certifiée ici comme la plus petite</translation>
+    </message>
+    <message>
+        <source>Constructed circles</source>
+        <translation>Cercles construits</translation>
+    </message>
+    <message>
+        <source>Points between two circles with four alternating contacts: the width w of the minimum zone is exact by construction; least squares circle recomputed in exact arithmetic</source>
+        <translation>Points entre deux cercles avec quatre contacts alternés&#xa0;: la largeur w de la zone minimale est exacte par construction&#x202f;; cercle des moindres carrés recalculé en arithmétique exacte</translation>
+    </message>
+    <message>
+        <source>Univariate data of the statistical reference datasets of NIST (public domain), https://www.itl.nist.gov/div898/strd/univ/</source>
+        <translation>Données à une variable des jeux de référence statistiques du NIST (domaine public), https://www.itl.nist.gov/div898/strd/univ/</translation>
     </message>
 </context>
 </TS>

@@ -2953,8 +2953,8 @@
         <translation>Origine</translation>
     </message>
     <message>
-        <source>that of the test</source>
-        <translation>celle de l’essai</translation>
+        <source>of the test</source>
+        <translation>de l’essai</translation>
     </message>
     <message>
         <source>Origin of all limits</source>
@@ -6278,6 +6278,10 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Dia&amp;gnosis</source>
         <translation>Dia&amp;gnostic</translation>
+    </message>
+    <message>
+        <source>%1 · in the figure %2</source>
+        <translation>%1 · sur la figure %2</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include <QEvent>
 #include <QFile>
 #include <QIconEngine>
+#include <QPaintEngine>
 #include <QPainter>
 #include <QPalette>
 #include <QPixmapCache>
@@ -15,6 +16,7 @@
 #include <QSvgRenderer>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <string_view>
@@ -66,6 +68,10 @@ QColor mixed(const QColor &colour, const QColor &ground, double strength) {
     const auto part = [&](int a, int b) { return qRound(a * strength + b * (1 - strength)); };
     return {part(colour.red(), ground.red()), part(colour.green(), ground.green()),
             part(colour.blue(), ground.blue())};
+}
+
+bool isWhole(double value) {
+    return value == std::floor(value);
 }
 
 /// Read once in each colour: a list draws the same few for all its rows.
@@ -373,7 +379,28 @@ void drawLineIcon(QPainter &painter, const QRect &area, const QString &name, con
     QRectF square(0, 0, 16, 16);
     square.moveCenter(QRectF(area).center());
     square.moveTopLeft(square.topLeft().toPoint());
-    renderIcon(painter, square, name, colour);
+    const double ratio = painter.device()->devicePixelRatioF();
+    const QTransform &moved = painter.worldTransform();
+    const bool onGrid = painter.paintEngine()->type() == QPaintEngine::Raster &&
+                        moved.type() <= QTransform::TxTranslate && isWhole(ratio) && isWhole(moved.dx()) &&
+                        isWhole(moved.dy());
+    if (!onGrid) {
+        renderIcon(painter, square, name, colour);
+        return;
+    }
+    // Lists and tables draw the same few in each row.
+    const QString key = QStringLiteral("palmer-mark %1 %2 %3").arg(name, colour.name()).arg(ratio);
+    QPixmap mark;
+    if (!QPixmapCache::find(key, &mark)) {
+        mark = QPixmap((square.size() * ratio).toSize());
+        mark.setDevicePixelRatio(ratio);
+        mark.fill(Qt::transparent);
+        QPainter once(&mark);
+        renderIcon(once, QRectF(QPointF(), square.size()), name, colour);
+        once.end();
+        QPixmapCache::insert(key, mark);
+    }
+    painter.drawPixmap(square.topLeft(), mark);
 }
 
 void installTheme() {

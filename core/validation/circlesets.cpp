@@ -43,7 +43,7 @@ Points points(const QString &name) {
     return result;
 }
 
-Comparison comparison(const QString &of, const QString &symbol, double expected, double tolerance,
+Comparison comparison(const QString &of, Symbol symbol, double expected, double tolerance,
                       ExpectationSource source, std::optional<double> computed) {
     Comparison result;
     result.of = of;
@@ -63,22 +63,21 @@ void compareSet(SetValidation &set, const ReferenceRow &row, bool constructed) {
     const QString file = row.at(QStringLiteral("file"));
     const QString of = QString(file).remove(QStringLiteral(".csv"));
     const auto number = [&](const char *column) { return row.at(QLatin1StringView(column)).toDouble(); };
-    const auto add = [&](const char *symbol, const char *column, double tolerance, ExpectationSource source,
+    const auto add = [&](Symbol symbol, const char *column, double tolerance, ExpectationSource source,
                          std::optional<double> computed) {
-        set.comparisons.push_back(
-            comparison(of, QString::fromUtf8(symbol), number(column), tolerance, source, computed));
+        set.comparisons.push_back(comparison(of, symbol, number(column), tolerance, source, computed));
     };
     const Points measured = points(file);
     const LeastSquaresCircle fit = leastSquaresCircle(measured.view());
     const auto fitted = [&](double value) { return fit.valid() ? std::optional(value) : std::nullopt; };
     const auto ofFit = constructed ? ExpectationSource::recomputed : ExpectationSource::certified;
-    add("LSC x", "lsc_cx", leastSquaresTolerance, ofFit, fitted(fit.centre.x));
-    add("LSC y", "lsc_cy", leastSquaresTolerance, ofFit, fitted(fit.centre.y));
-    add("LSC R", "lsc_R", leastSquaresTolerance, ofFit, fitted(fit.radius));
+    add({"x", "LSC"}, "lsc_cx", leastSquaresTolerance, ofFit, fitted(fit.centre.x));
+    add({"y", "LSC"}, "lsc_cy", leastSquaresTolerance, ofFit, fitted(fit.centre.y));
+    add({"R", "LSC"}, "lsc_R", leastSquaresTolerance, ofFit, fitted(fit.radius));
     if (row.at(QStringLiteral("status")) != QStringLiteral("ok"))
         return; // three points have no minimum zone
     const MinimumZone zone = minimumZone(measured.view());
-    add("MZC w", "mzc_width", std::max(widthTolerance, relativeToRadius * number("mzc_Ro")),
+    add({"w", "MZC"}, "mzc_width", std::max(widthTolerance, relativeToRadius * number("mzc_Ro")),
         constructed ? ExpectationSource::exact : ExpectationSource::recomputed,
         zone.valid() && zone.certified ? std::optional(zone.width) : std::nullopt);
 }
@@ -86,22 +85,8 @@ void compareSet(SetValidation &set, const ReferenceRow &row, bool constructed) {
 } // namespace
 
 std::vector<SetValidation> validateCircles() {
-    SetValidation nist{
-        QStringLiteral("NIST circles"),
-        QStringLiteral("NIST reference pairs of two-dimensional circles: least squares centre (x, y) and "
-                       "radius R published by NIST; width w of the minimum zone circles recomputed in "
-                       "exact arithmetic, certified here as the least"),
-        Quantity::position,
-        {},
-        true};
-    SetValidation constructed{
-        QStringLiteral("Constructed circles"),
-        QStringLiteral(
-            "Points between two circles with four alternating contacts: the width w of the minimum zone is "
-            "exact by construction; least squares circle recomputed in exact arithmetic"),
-        Quantity::position,
-        {},
-        true};
+    SetValidation nist{QStringLiteral("NIST circles"), {}, Quantity::position, {}, true};
+    SetValidation constructed{QStringLiteral("Constructed circles"), {}, Quantity::position, {}, true};
     const auto table = lines(QStringLiteral("expected.csv"));
     for (std::size_t i = 1; i < table.size(); ++i) {
         ReferenceRow row;

@@ -15,36 +15,33 @@ namespace palmer {
 
 namespace {
 
-QString targetSymbol(const Edition &edition, const Expectation &expected) {
-    const auto term = std::ranges::find(edition.targetTerms, std::string_view(expected.statistic),
-                                        [](const TargetTerm &t) { return std::string_view(t.id); });
-    if (term == edition.targetTerms.end())
-        return QString::fromStdString(expected.statistic);
-    return QString::fromUtf8(term->symbol.base) + QString::number(expected.target) +
-           QString::fromUtf8(term->symbol.arrow);
-}
-
 void computeStatistic(Comparison &comparison, const TestEvaluation &evaluation) {
     const auto &results = std::get<PositioningResults>(evaluation.results);
     const Expectation &expected = comparison.expectation;
-    comparison.symbol = targetSymbol(*evaluation.edition, expected);
+    const auto &terms = evaluation.edition->targetTerms;
+    const auto term = std::ranges::find(terms, std::string_view(expected.statistic),
+                                        [](const TargetTerm &t) { return std::string_view(t.id); });
+    if (term != terms.end())
+        comparison.symbol = {term->symbol.base, "", term->symbol.arrow};
+    comparison.index = term != terms.end() ? std::to_string(expected.target) : expected.statistic;
     const auto index = static_cast<std::size_t>(expected.target) - 1;
     if (index < results.targets.size())
         comparison.computed = targetValue(expected.statistic, results.targets[index], evaluation.edition->c);
 }
 
 void computeParameter(Comparison &comparison, const TestEvaluation &evaluation) {
-    comparison.symbol = QString::fromStdString(comparison.expectation.parameter);
+    comparison.index = comparison.expectation.parameter; // where there is none of that name
     for (const Parameter &parameter : evaluation.parameters) {
         if (parameterId(parameter) != comparison.expectation.parameter)
             continue;
-        comparison.symbol = QString::fromStdString(plainSymbol(parameter));
+        comparison.symbol = parameter.term.symbol;
+        comparison.index = parameter.index;
         comparison.computed = parameter.value;
     }
 }
 
 void computeCorrection(Comparison &comparison, const TestEvaluation &evaluation) {
-    comparison.symbol = QStringLiteral("C");
+    comparison.symbol = {"C"};
     if (const auto *results = std::get_if<CircularResults>(&evaluation.results))
         comparison.computed = results->correction;
 }
@@ -73,7 +70,7 @@ Comparison compare(const Expectation &expected, const EvaluatedDocument &evaluat
     result.expectation = expected;
     result.of = QString::fromStdString(expected.edition);
     if (expected.what == Expected::contouringFeed) {
-        result.symbol = QStringLiteral("V1");
+        result.symbol = {"V", "1"};
         result.computed = iso230_4::contouringFeed(expected.feed);
     } else {
         compute(result, evaluated);

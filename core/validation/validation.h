@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/evaluation/parameter.h"
 #include "validation/referenceset.h"
 
 #include <QString>
@@ -13,8 +14,9 @@ namespace palmer {
 /// A computed value beside the expected one, in the unit of the set (mm, or none).
 struct Comparison {
     Expectation expectation;
-    QString of;     ///< the edition, or the file of the points
-    QString symbol; ///< "A↑", "R10"
+    QString of;        ///< the edition, or the file of the points
+    Symbol symbol;     ///< "A↑"
+    std::string index; ///< of the plane "XY", of the target "10"
     std::optional<double> computed;
     std::optional<double> difference; ///< computed − expected; relative where the tolerance is
     bool agrees = false;

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editing/editreadings.h"
 #include "ui/circles.h"
+#include "ui/circles/arccurvesview.h"
 #include "ui/examples.h"
+#include "ui/figures/circlecanvas.h"
 #include "ui/figures/figurecanvas.h"
 #include "ui/figures/figureview.h"
 #include "ui/readings/readingspage.h"
@@ -212,7 +214,11 @@ void editCircle(benchmark::State &state) {
     const auto large = std::make_shared<const Test>(testdata::longPair(static_cast<int>(state.range(0)) / 2));
     window->model().edit("prepare", [&](Document &document) { document.tests = {large}; });
     const auto settle = [&] {
-        while (window->evaluator().isBusy())
+        const auto isMaking = [](const auto &views) {
+            return std::ranges::any_of(views, [](const auto *view) { return view->isMaking(); });
+        };
+        while (window->evaluator().isBusy() || isMaking(window->findChildren<CircleCanvas *>()) ||
+               isMaking(window->findChildren<ArcCurvesView *>()))
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
         Parts::paint();
     };

@@ -6,6 +6,7 @@
 #include "figures/extremes.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/paths.h"
+#include "kernel/measurement/testfacts.h"
 #include "ui/figures/style.h"
 #include "ui/theme.h"
 
@@ -17,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -35,9 +37,10 @@ constexpr double margin = 0.08; ///< of the values, above and below
 constexpr double mostAngleParts = 4;
 constexpr double mostValueParts = 5;
 constexpr double quarterTurn = 90;
-constexpr double nearTurn = 0.02; ///< of the range
-constexpr double roundTo = 0.1;   ///< degrees a dragged handle is rounded to
-constexpr double leastRange = 1;  ///< degrees
+constexpr double nearTurn = 0.02;            ///< of the range
+constexpr double roundTo = 0.1;              ///< degrees a dragged handle is rounded to
+constexpr double leastRange = 1;             ///< degrees
+constexpr std::size_t drawnAtOnce = 200'000; ///< points
 
 Medium mediumOf(const QWidget &widget) {
     return isDark(widget.palette()) ? Medium::screenDark : Medium::screenLight;
@@ -59,30 +62,52 @@ ArcCurvesView::ArcCurvesView(Selection &selection, QWidget *parent)
 }
 
 void ArcCurvesView::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
-    const Test &shown = *evaluated.document->tests[test];
-    m_measurement = measured<CircularMeasurement>(evaluated, test);
-    if (m_profilesOf != evaluated.tests[test]) {
-        m_profiles.clear();
-        for (std::size_t k = 0; k < m_measurement->arcs.size(); ++k)
-            m_profiles.push_back(wholeArc(shown, *evaluated.tests[test], k));
-    }
+    const TestPointer shown = evaluated.document->tests[test];
+    const TestEvaluationPointer evaluation = evaluated.tests[test];
+    if (m_measurement && m_evaluated.document->tests[m_test]->id != shown->id)
+        m_curves = {};
     m_evaluated = evaluated;
     m_test = test;
-    m_profilesOf = evaluated.tests[test];
+    m_measurement = measured<CircularMeasurement>(evaluated, test);
     m_language = language;
     m_dragged = Handle::none;
     m_preview.reset();
-    m_drawn = {};
-    Interval angles{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-    Interval values = angles;
-    for (const PathProfile &profile : m_profiles) {
+    if (std::exchange(m_curvesOf, evaluation) == evaluation) {
+        fitAxes();
+    } else if (m_making.cancel(); readingsOf(*shown) <= drawnAtOnce) {
+        take(curvesOf(*shown, *evaluation));
+    } else {
+        m_making.start([shown, evaluation](const Background::Job &) { return curvesOf(*shown, *evaluation); },
+                       [this](Curves curves) { take(std::move(curves)); });
+    }
+}
+
+ArcCurvesView::Curves ArcCurvesView::curvesOf(const Test &test, const TestEvaluation &evaluation) {
+    Curves curves;
+    curves.angles = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+    curves.deviations = curves.angles;
+    const auto &measurement = std::get<CircularMeasurement>(test.measurement);
+    for (std::size_t k = 0; k < measurement.arcs.size(); ++k) {
+        const PathProfile &profile = curves.profiles.emplace_back(wholeArc(test, evaluation, k));
         if (profile.angles.empty())
             continue;
-        const Interval ownAngles = extremesOf(profile.angles);
-        const Interval ownValues = extremesOf(profile.deviations);
-        angles = {std::min(angles.from, ownAngles.from), std::max(angles.to, ownAngles.to)};
-        values = {std::min(values.from, ownValues.from), std::max(values.to, ownValues.to)};
+        const auto include = [](Interval &all, const Interval &own) {
+            all = {std::min(all.from, own.from), std::max(all.to, own.to)};
+        };
+        include(curves.angles, extremesOf(profile.angles));
+        include(curves.deviations, extremesOf(profile.deviations));
     }
+    return curves;
+}
+
+void ArcCurvesView::take(Curves curves) {
+    m_curves = std::move(curves);
+    fitAxes();
+}
+
+void ArcCurvesView::fitAxes() {
+    Interval angles = m_curves.angles;
+    Interval values = m_curves.deviations;
     if (!(angles.from < angles.to))
         angles = {0, 360};
     // A full circle of points begins and ends a step beside its turn.
@@ -95,16 +120,18 @@ void ArcCurvesView::show(const EvaluatedDocument &evaluated, std::size_t test, c
     if (!(values.from < values.to))
         values = {-1, 1};
     const double space = margin * (values.to - values.from);
-    setRange(m_angles, angles.from, angles.to, mostAngleParts, TickSteps::angles, language);
+    setRange(m_angles, angles.from, angles.to, mostAngleParts, TickSteps::angles, m_language);
     setRange(m_deviations, values.from - space, values.to + space, mostValueParts, TickSteps::values,
-             language);
+             m_language);
+    m_drawn = {};
     update();
 }
 
 void ArcCurvesView::clear() {
+    m_making.cancel();
     m_evaluated = {};
-    m_profilesOf.reset();
-    m_profiles.clear();
+    m_curvesOf.reset();
+    m_curves = {};
     m_measurement = nullptr;
     m_preview.reset();
     m_drawn = {};
@@ -205,7 +232,7 @@ void ArcCurvesView::drawCurves(QPainter &painter) const {
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setClipRect(plot().adjusted(0, -2, 0, 2));
     const double step = (m_angles.to - m_angles.from) / std::max(1.0, plot().width());
-    for (auto profile = m_profiles.rbegin(); profile != m_profiles.rend(); ++profile) {
+    for (auto profile = m_curves.profiles.rbegin(); profile != m_curves.profiles.rend(); ++profile) {
         QPen line = figurePen(roleOf(profile->sense), mediumOf(*this));
         line.setWidthF(profile->sense == Sense::counterclockwise ? 1.6 : 0.99);
         painter.setPen(line);
@@ -243,9 +270,10 @@ void ArcCurvesView::paintRange(QPainter &painter) const {
 
 void ArcCurvesView::paintHovered(QPainter &painter) const {
     const auto place = m_selection.hovered();
-    if (!place || place->run >= m_profiles.size() || place->target >= m_profiles[place->run].angles.size())
+    if (!place || place->run >= m_curves.profiles.size() ||
+        place->target >= m_curves.profiles[place->run].angles.size())
         return;
-    const TracePoint at = m_profiles[place->run][place->target]; // the whole arc: its own indices
+    const TracePoint at = m_curves.profiles[place->run][place->target]; // the whole arc: its own indices
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(token(Token::accent, palette()), 2));
     painter.setBrush(Qt::NoBrush);
@@ -274,17 +302,19 @@ ArcCurvesView::Handle ArcCurvesView::handleAt(QPointF at) const {
 }
 
 std::optional<ReadingPlace> ArcCurvesView::nearest(QPointF at) const {
+    if (m_making.isBusy())
+        return std::nullopt; // the points are others
     std::optional<ReadingPlace> found;
     double least = pointerReach;
     const double window = pointerReach * (m_angles.to - m_angles.from) / std::max(1.0, plot().width());
     const double middle = angleAt(at.x());
-    for (std::size_t k = 0; k < m_profiles.size(); ++k) {
-        const auto &angles = m_profiles[k].angles;
+    for (std::size_t k = 0; k < m_curves.profiles.size(); ++k) {
+        const auto &angles = m_curves.profiles[k].angles;
         if (angles.empty())
             continue;
         const bool ascending = angles.back() >= angles.front();
         std::size_t i = 0;
-        if (m_profiles[k].ordered) {
+        if (m_curves.profiles[k].ordered) {
             const auto before = [&](double angle) {
                 return ascending ? angle < middle - window : angle > middle + window;
             };
@@ -292,11 +322,11 @@ std::optional<ReadingPlace> ArcCurvesView::nearest(QPointF at) const {
         }
         for (; i < angles.size(); ++i) {
             if (std::abs(angles[i] - middle) > window) {
-                if (m_profiles[k].ordered)
+                if (m_curves.profiles[k].ordered)
                     break;
                 continue;
             }
-            const TracePoint point = m_profiles[k][i];
+            const TracePoint point = m_curves.profiles[k][i];
             const double far = std::hypot(xOf(point.angle) - at.x(), yOf(point.deviation) - at.y());
             if (far < least) {
                 least = far;

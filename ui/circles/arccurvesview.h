@@ -6,6 +6,7 @@
 #include "figures/figure.h"
 #include "figures/pathprofile.h"
 #include "language/language.h"
+#include "ui/model/background.h"
 #include "ui/model/selection.h"
 
 #include <QPixmap>
@@ -23,8 +24,10 @@ class ArcCurvesView : public QWidget {
 public:
     explicit ArcCurvesView(Selection &selection, QWidget *parent = nullptr);
 
+    /// The curves of many points are made beside the window, which shows those of before until then.
     void show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language);
     void clear();
+    [[nodiscard]] bool isMaking() const { return m_making.isBusy(); }
     void setCurrentArc(std::size_t arc);
 
     /// x of an angle (degrees) on the widget.
@@ -48,6 +51,16 @@ protected:
 private:
     enum class Handle { none, from, to };
 
+    /// The whole arcs and how far they reach.
+    struct Curves {
+        std::vector<PathProfile> profiles;
+        Interval angles;
+        Interval deviations; ///< µm
+    };
+
+    [[nodiscard]] static Curves curvesOf(const Test &test, const TestEvaluation &evaluation);
+    void take(Curves curves);
+    void fitAxes();
     void drawAnew();
     void drawAxes(QPainter &painter) const;
     void drawCurves(QPainter &painter) const;
@@ -63,16 +76,17 @@ private:
     Selection &m_selection;
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
-    TestEvaluationPointer m_profilesOf;
+    TestEvaluationPointer m_curvesOf;
     Language m_language{Language::Id::english};
     const CircularMeasurement *m_measurement = nullptr; ///< of m_evaluated
-    std::vector<PathProfile> m_profiles;
+    Curves m_curves;
     std::size_t m_arc = 0;
     FigureAxis m_angles;
     FigureAxis m_deviations;
     QPixmap m_drawn; ///< null: to be drawn
     Handle m_dragged = Handle::none;
     std::optional<Interval> m_preview; ///< the range while a handle is dragged
+    Background m_making;
 };
 
 } // namespace palmer::ui

@@ -121,8 +121,11 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     layout->addLayout(grid);
     layout->addWidget(m_arcs);
     layout->addLayout(rangeRow);
-    layout->addWidget(m_reason);
-    layout->addWidget(m_curves);
+    auto *curves = new QGridLayout; // a reason comes and goes over them: nothing below moves
+    curves->addWidget(m_curves, 0, 0);
+    curves->addWidget(m_reason, 0, 0, Qt::AlignTop);
+    m_reason->raise();
+    layout->addLayout(curves);
     layout->addWidget(m_points, 1);
     layout->addWidget(m_empty, 1);
     connect(m_curves, &ArcCurvesView::rangeWanted, this,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figures/circlecanvas.h"
 
+#include "kernel/measurement/testfacts.h"
 #include "ui/figures/canvaslabel.h"
 #include "ui/figures/metrics.h"
 #include "ui/figures/zoomkeys.h"
@@ -15,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -25,6 +27,7 @@ constexpr double millimetresPerPixel = 25.4 / 96;
 constexpr int angleDecimals = 2;
 constexpr int deviationDecimals = 2;
 constexpr int timeDecimals = 2;
+constexpr std::size_t circleAtOnce = 200'000; ///< points
 
 /// The points of a path, of which there are some, whose angle is no further than `window` from the direction;
 /// degrees.
@@ -66,22 +69,47 @@ CircleCanvas::CircleCanvas(Selection &selection, QWidget *parent)
 
 void CircleCanvas::show(const EvaluatedDocument &evaluated, std::size_t test,
                         const CircleCanvasContent &content, const Language &language) {
-    const TestEvaluationPointer &evaluation = evaluated.tests[test];
+    const TestPointer shown = evaluated.document->tests[test];
+    const TestEvaluationPointer evaluation = evaluated.tests[test];
     const auto samePaths = [](const CircleFigureOptions &a, const CircleFigureOptions &b) {
         return a.of == b.of && a.subject == b.subject && a.repetitions == b.repetitions;
     };
-    const bool others = m_profilesOf != evaluation || !samePaths(m_content.options, content.options);
-    if (others)
-        m_profiles = pathProfiles(*evaluated.document->tests[test], *evaluation, content.options);
-    m_profilesOf = evaluation;
-    if (others || m_content.synthetic != content.synthetic) {
-        m_content.options = content.options;
-        addSynthetic(*evaluated.document->tests[test], content.synthetic);
-    }
-    m_evaluated = evaluated;
-    m_test = test;
-    m_content = content;
+    const bool others = m_asked.evaluated.tests.empty() ||
+                        m_asked.evaluated.tests[m_asked.test] != evaluation ||
+                        !samePaths(m_asked.content.options, content.options);
+    m_asked = {evaluated, test, content};
     m_language = language;
+    if (!others) {
+        if (!isMaking())
+            take({});
+        return;
+    }
+    m_making.cancel();
+    if (readingsOf(*shown) <= circleAtOnce) {
+        take(pathProfiles(*shown, *evaluation, content.options));
+        return;
+    }
+    m_making.start([shown, evaluation, options = content.options](
+                       const Background::Job &) { return pathProfiles(*shown, *evaluation, options); },
+                   [this](std::vector<PathProfile> profiles) {
+                       take(std::move(profiles));
+                       emit made();
+                   });
+}
+
+/// What was asked for is shown, with other profiles where there are.
+void CircleCanvas::take(std::optional<std::vector<PathProfile>> profiles) {
+    const TestPointer &test = m_asked.evaluated.document->tests[m_asked.test];
+    if (profiles)
+        m_profiles = std::move(*profiles);
+    m_profilesOf = m_asked.evaluated.tests[m_asked.test];
+    if (profiles || m_content.synthetic != m_asked.content.synthetic) {
+        m_content.options = m_asked.content.options;
+        addSynthetic(*test, m_asked.content.synthetic);
+    }
+    m_evaluated = m_asked.evaluated;
+    m_test = m_asked.test;
+    m_content = m_asked.content;
     m_figure.reset();
     m_drawn = {};
     update();
@@ -98,6 +126,8 @@ void CircleCanvas::addSynthetic(const Test &test, const SyntheticPaths &syntheti
 }
 
 void CircleCanvas::clear() {
+    m_making.cancel();
+    m_asked = {};
     m_evaluated = {};
     m_profilesOf.reset();
     m_profiles.clear();
@@ -289,6 +319,13 @@ QString CircleCanvas::readOut(const ReadingPlace &point) const {
     return text;
 }
 
+QString CircleCanvas::deviationText(const ReadingPlace &point) const {
+    const auto found = find(point);
+    return found ? m_language.quantity(m_profiles[found->profile][found->point].deviation,
+                                       Quantity::micrometres, deviationDecimals)
+                 : QString();
+}
+
 // ---- Painting --------------------------------------------------------------------------------------------
 
 void CircleCanvas::paintEvent(QPaintEvent *) {
@@ -300,6 +337,7 @@ void CircleCanvas::paintEvent(QPaintEvent *) {
     }
     painter.drawPixmap(0, 0, m_drawn);
     painter.setRenderHint(QPainter::Antialiasing);
+    paintCentre(painter);
     paintMarking(painter);
     paintHover(painter);
     if (hasFocus()) {
@@ -307,6 +345,19 @@ void CircleCanvas::paintEvent(QPaintEvent *) {
         painter.setBrush(Qt::NoBrush);
         painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 3, 3);
     }
+}
+
+/// In the corner that circles leave free, whatever room the head has: numbers mean nothing without it.
+void CircleCanvas::paintCentre(QPainter &painter) const {
+    painter.setFont(themeFont(TextSize::tiny));
+    const QRect room(6, 4, std::max(width() * 3 / 10, 100), height());
+    constexpr int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
+    const QRect text = painter.boundingRect(room, flags, m_shown.centre);
+    QColor ground = palette().color(QPalette::Base);
+    ground.setAlphaF(0.8F);
+    painter.fillRect(text.adjusted(-2, -1, 2, 1), ground);
+    painter.setPen(token(Token::secondaryText, palette()));
+    painter.drawText(text, flags, m_shown.centre);
 }
 
 void CircleCanvas::paintHover(QPainter &painter) const {

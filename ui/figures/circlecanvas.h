@@ -7,6 +7,7 @@
 #include "language/language.h"
 #include "report/explanations/explanation.h"
 #include "ui/figures/drawfigure.h"
+#include "ui/model/background.h"
 #include "ui/model/selection.h"
 
 #include <QPixmap>
@@ -44,8 +45,11 @@ class CircleCanvas : public QWidget {
 public:
     explicit CircleCanvas(Selection &selection, QWidget *parent = nullptr);
 
+    /// Profiles of many points are made beside the window, which shows the figure of before until then.
     void show(const EvaluatedDocument &evaluated, std::size_t test, const CircleCanvasContent &content,
               const Language &language);
+    /// Whether what was asked for last is not shown yet.
+    [[nodiscard]] bool isMaking() const { return m_making.isBusy(); }
     void clear();
     /// What the explanation of the chosen parameter says ("G = 20,42 µm"), and the points that rule it.
     void setMarking(const QString &label, const std::vector<RulingPoint> &points);
@@ -63,12 +67,16 @@ public:
     [[nodiscard]] std::optional<QPointF> placeOf(const ReadingPlace &point);
     /// "XY 12,30°  −2,21 µm  0,39 s" of a point; empty where it is not shown.
     [[nodiscard]] QString readOut(const ReadingPlace &point) const;
+    /// "−2,21 µm": the deviation of it; empty where it is not shown.
+    [[nodiscard]] QString deviationText(const ReadingPlace &point) const;
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {140, 140}; }
     [[nodiscard]] QSize sizeHint() const override { return {480, 330}; }
 
 signals:
     void pressed();
+    /// The figure that had to be waited for is shown.
+    void made();
 
 protected:
     void paintEvent(QPaintEvent *event) override;
@@ -88,6 +96,14 @@ private:
         std::size_t point = 0;
     };
 
+    /// What is to be shown.
+    struct Asked {
+        EvaluatedDocument evaluated;
+        std::size_t test = 0;
+        CircleCanvasContent content;
+    };
+
+    void take(std::optional<std::vector<PathProfile>> profiles);
     void drawAnew();
     void addSynthetic(const Test &test, const SyntheticPaths &synthetic);
     void zoom(double factor, QPointF about);
@@ -101,8 +117,10 @@ private:
     [[nodiscard]] ReadingPlace placeOf(const ProfilePoint &point) const;
     void paintMarking(QPainter &painter) const;
     void paintHover(QPainter &painter) const;
+    void paintCentre(QPainter &painter) const;
 
     Selection &m_selection;
+    Asked m_asked;
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
     CircleCanvasContent m_content;
@@ -118,6 +136,7 @@ private:
     FigureTransform m_transform;
     std::optional<QPointF> m_drag; ///< where the pointer was
     bool m_dragged = false;
+    Background m_making;
 };
 
 } // namespace palmer::ui

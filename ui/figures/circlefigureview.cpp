@@ -109,6 +109,10 @@ CircleFigureView::CircleFigureView(Selection &selection, QWidget *parent)
         if (!m_current)
             m_current = canvas;
         connect(canvas, &CircleCanvas::pressed, this, [this, canvas] { m_current = canvas; });
+        connect(canvas, &CircleCanvas::made, this, [this, canvas] {
+            if (canvas == m_current)
+                emit figureChanged();
+        });
     }
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);
@@ -129,6 +133,8 @@ void CircleFigureView::show(const EvaluatedDocument &evaluated, std::size_t test
     m_separate = separateCircleFigures(*evaluated.document->tests[test], *evaluated.tests[test]);
     fillChoice();
     if (other) {
+        for (CircleCanvas *canvas : m_canvases)
+            canvas->clear();
         m_choice->setCurrentIndex(0);
         fit(); // zoom belongs to a test
     }
@@ -176,6 +182,10 @@ void CircleFigureView::zoomBy(int steps) {
 
 std::optional<CircleFigure> CircleFigureView::paperFigure() const {
     return m_evaluated.tests.empty() ? std::nullopt : m_current->paperFigure();
+}
+
+QString CircleFigureView::deviationText(const ReadingPlace &point) const {
+    return m_evaluated.tests.empty() ? QString() : m_current->deviationText(point);
 }
 
 /// Combined; G(b) and G side by side; each figure of the standard by itself.
@@ -249,7 +259,8 @@ void CircleFigureView::refresh() {
     }
     if (!m_current->isVisibleTo(this))
         m_current = m_canvases.front();
-    emit figureChanged();
+    if (!m_current->isMaking()) // else when it is made
+        emit figureChanged();
 }
 
 void CircleFigureView::describe(const QString &content) {

@@ -43,6 +43,8 @@ public:
     /// Says for those who cannot see it what the current figure shows.
     void describe(const QString &content);
     [[nodiscard]] std::optional<CircleFigure> paperFigure() const;
+    /// Of a point in the figure used last.
+    [[nodiscard]] QString deviationText(const ReadingPlace &point) const;
     [[nodiscard]] CircleCanvas *canvas() const { return m_canvases.front(); }
 
 signals:

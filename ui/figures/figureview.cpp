@@ -314,12 +314,15 @@ void FigureView::refreshCircles() {
     m_title->setText(figure->title);
     m_circles->describe(figureSentence(*figure, m_language));
     QStringList note;
+    if (isCorrectedTo20(measurement->conditions.common)) // first: what has no room is left out
+        note << tr("at 20 °C");
     if (measurement->feed)
         note << QStringLiteral("F ") + m_language.quantity(*measurement->feed, Quantity::feed);
-    if (isCorrectedTo20(measurement->conditions.common))
-        note << tr("at 20 °C");
-    note << figure->centre;
     m_note->setText(note.join(QStringLiteral(" · ")));
+}
+
+QString FigureView::deviationText(const ReadingPlace &point) const {
+    return circularOf(m_evaluated, m_test) ? m_circles->deviationText(point) : QString();
 }
 
 std::optional<FigureView::Leaving> FigureView::leaving() const {

@@ -37,6 +37,8 @@ public:
 
     /// The figure of a positioning test as it is shown, with the ranges zoomed to; nothing for other tests.
     [[nodiscard]] std::optional<CurveFigure> figure() const;
+    /// What a figure of circles says of a point, about its own centre; empty where it does not show it.
+    [[nodiscard]] QString deviationText(const ReadingPlace &point) const;
     /// Draws these over the paths of the circular test they belong to.
     void setSynthetic(const SyntheticPaths &paths);
     void fit();

@@ -205,7 +205,7 @@ void LimitsPage::addLimit(const Formula &symbol, const Text &name, const std::st
     limit->edit()->installEventFilter(this);
     m_ids.push_back({id, symbol.plain()});
     m_edits.push_back(limit->edit());
-    std::vector<const char *> words{QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "that of the test")};
+    std::vector<const char *> words{QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "of the test")};
     std::vector<std::optional<std::string>> values{std::nullopt};
     for (const Edition *edition : editions()) {
         if (edition->kind != kind)

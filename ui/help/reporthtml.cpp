@@ -21,9 +21,16 @@ QString html(const Phrase &phrase) {
     return text;
 }
 
+constexpr std::size_t manyColumns =
+    7; ///< columns: with as many a table is set smaller, and no number in two lines
+
 QString html(const Table &table) {
+    const bool isWide = table.columns.size() >= manyColumns;
     QString text =
-        QStringLiteral("<table width=\"100%\" cellspacing=\"0\" cellpadding=\"4\" border=\"0\"><tr>");
+        QStringLiteral("<table width=\"100%\" cellspacing=\"0\" cellpadding=\"%1\" border=\"0\"><tr>")
+            .arg(isWide ? 3 : 4);
+    const QString style =
+        isWide ? QStringLiteral(" style=\"white-space:nowrap; font-size:small\"") : QString();
     const auto side = [](Alignment alignment) {
         return alignment == Alignment::left ? QStringLiteral("left") : QStringLiteral("right");
     };
@@ -31,14 +38,15 @@ QString html(const Table &table) {
         QString head = html(column.title);
         if (!column.unit.isEmpty())
             head += QStringLiteral("<br>") + column.unit.toHtmlEscaped();
-        text += QStringLiteral("<th align=\"%1\">%2</th>").arg(side(column.alignment), head);
+        text += QStringLiteral("<th align=\"%1\"%2>%3</th>").arg(side(column.alignment), style, head);
     }
     text += QStringLiteral("</tr>");
     for (const auto &row : table.rows) {
         text += QStringLiteral("<tr>");
         for (std::size_t i = 0; i < row.size() && i < table.columns.size(); ++i) {
             const QString cell = row[i].isMissing() ? QStringLiteral("–") : html(row[i].text);
-            text += QStringLiteral("<td align=\"%1\">%2</td>").arg(side(table.columns[i].alignment), cell);
+            text += QStringLiteral("<td align=\"%1\"%2>%3</td>")
+                        .arg(side(table.columns[i].alignment), style, cell);
         }
         text += QStringLiteral("</tr>");
     }

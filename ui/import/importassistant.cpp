@@ -104,7 +104,8 @@ QString profileSetting(const QString &fileName) {
 MeasurementFile readMeasurementFile(const QByteArray &bytes, const QString &fileName,
                                     const ImportOptions &options) {
     const QString name = QFileInfo(fileName).fileName();
-    MeasurementFile file{bytes, name, showMeasurement(bytes, name, options), sha256(bytes), nullptr};
+    MeasurementFile file{bytes, name, showMeasurement(bytes, name, options), sha256(bytes), nullptr, {}};
+    file.lines = linesOf(file.imported);
     if (file.imported.test)
         file.test = std::make_shared<const Test>(*file.imported.test);
     return file;
@@ -486,7 +487,7 @@ void ImportAssistant::confirmAll() {
 
 /// What was read takes the place of what is shown, with the reason where there is no measurement in it.
 void ImportAssistant::takeRead(MeasurementFile file) {
-    m_raw.show(nullptr);
+    m_raw.clear();
     m_recognised.show(nullptr);
     m_file = std::move(file);
     m_refusal.reset();
@@ -825,7 +826,7 @@ void ImportAssistant::showSizes() {
 }
 
 void ImportAssistant::refresh() {
-    m_raw.show(&m_file.imported);
+    m_raw.show(m_file.imported, m_file.lines);
     m_recognised.show(&m_file.imported);
     constexpr int mostWidened = 100;
     QHeaderView *const heads = m_table->horizontalHeader();

@@ -46,6 +46,7 @@ struct MeasurementFile {
     Imported imported;
     std::string hash; ///< SHA-256 of the bytes
     TestPointer test; ///< that of `imported`, for who draws it on another thread; null for none
+    TextLines lines;  ///< of `imported`
 };
 
 /// Throws Error for bytes of which nothing can be shown.

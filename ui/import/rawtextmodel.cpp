@@ -51,26 +51,24 @@ std::set<std::size_t> problemsOf(const Imported &imported) {
     return lines;
 }
 
-} // namespace
-
-void RawTextModel::show(const Imported *imported) {
-    beginResetModel();
-    m_imported = imported;
-    m_begins.clear();
-    m_problems.clear();
-    m_longest = 0;
-    m_sheet = imported && imported->format == "workbook";
-    if (m_sheet)
-        m_longest = longestRow(imported->table);
-    else if (imported)
-        findLines(text());
-    if (imported)
-        m_problems = problemsOf(*imported);
-    endResetModel();
+bool isSheet(const Imported &imported) {
+    return imported.format == "workbook";
 }
 
-/// Of 10⁶ lines in some milliseconds: each end is looked for alone, most texts have but one of both.
-void RawTextModel::findLines(const std::string &text) {
+const std::string &textOf(const Imported &imported) {
+    return imported.text.empty() ? imported.table.text() : imported.text;
+}
+
+} // namespace
+
+/// Each end is looked for alone: most texts have but one of both.
+TextLines linesOf(const Imported &imported) {
+    TextLines lines;
+    if (isSheet(imported)) {
+        lines.longest = longestRow(imported.table);
+        return lines;
+    }
+    const std::string &text = textOf(imported);
     std::size_t begin = 0;
     std::size_t feed = text.find('\n');
     std::size_t carriage = text.find('\r');
@@ -80,22 +78,38 @@ void RawTextModel::findLines(const std::string &text) {
         if (carriage < begin)
             carriage = text.find('\r', begin);
         const std::size_t end = std::min({feed, carriage, text.size()});
-        m_begins.push_back(static_cast<std::uint32_t>(begin));
-        m_longest = std::max(m_longest, static_cast<int>(std::min(end - begin, longestShown)));
+        lines.begins.push_back(static_cast<std::uint32_t>(begin));
+        lines.longest = std::max(lines.longest, static_cast<int>(std::min(end - begin, longestShown)));
         begin = end + (end == carriage && feed == carriage + 1 ? 2 : 1);
     }
+    return lines;
 }
 
-const std::string &RawTextModel::text() const {
-    return m_imported->text.empty() ? m_imported->table.text() : m_imported->text;
+void RawTextModel::show(const Imported &imported, const TextLines &lines) {
+    beginResetModel();
+    m_imported = &imported;
+    m_lines = &lines;
+    m_sheet = isSheet(imported);
+    m_problems = problemsOf(imported);
+    endResetModel();
+}
+
+void RawTextModel::clear() {
+    beginResetModel();
+    m_imported = nullptr;
+    m_lines = nullptr;
+    m_sheet = false;
+    m_problems.clear();
+    endResetModel();
 }
 
 /// Without its end.
 RawTextModel::Line RawTextModel::line(int row) const {
     const auto at = static_cast<std::size_t>(row);
-    const std::string &all = text();
-    const std::size_t begin = m_begins[at];
-    std::size_t end = at + 1 < m_begins.size() ? m_begins[at + 1] : all.size();
+    const std::string &all = textOf(*m_imported);
+    const auto &begins = m_lines->begins;
+    const std::size_t begin = begins[at];
+    std::size_t end = at + 1 < begins.size() ? begins[at + 1] : all.size();
     if (end > begin && all[end - 1] == '\n')
         --end;
     if (end > begin && all[end - 1] == '\r')
@@ -106,7 +120,7 @@ RawTextModel::Line RawTextModel::line(int row) const {
 int RawTextModel::rowCount(const QModelIndex &parent) const {
     if (parent.isValid() || !m_imported)
         return 0;
-    return static_cast<int>(m_sheet ? m_imported->table.rows().size() : m_begins.size());
+    return static_cast<int>(m_sheet ? m_imported->table.rows().size() : m_lines->begins.size());
 }
 
 QVariant RawTextModel::data(const QModelIndex &index, int role) const {
@@ -131,7 +145,7 @@ int RawTextModel::rowOf(std::size_t line) const {
     if (!m_imported || line == 0)
         return -1;
     if (!m_sheet)
-        return line <= m_begins.size() ? static_cast<int>(line) - 1 : -1;
+        return line <= m_lines->begins.size() ? static_cast<int>(line) - 1 : -1;
     const auto rows = m_imported->table.rows();
     const auto found = std::ranges::lower_bound(rows, line, {}, &TableRow::line);
     return found != rows.end() && found->line == line ? static_cast<int>(found - rows.begin()) : -1;
@@ -164,7 +178,7 @@ std::vector<RawPiece> RawTextModel::pieces(int row) const {
         }
         return pieces;
     }
-    const std::string_view text = this->text();
+    const std::string_view text = textOf(*m_imported);
     const Line line = this->line(row);
     const std::size_t end = line.begin + std::min(line.size, longestShown);
     std::size_t at = line.begin;

@@ -18,6 +18,15 @@ struct RawPiece {
     CellRole role = CellRole::ignored;
 };
 
+/// Where the lines of a text begin, which has at most 1 GiB.
+struct TextLines {
+    std::vector<std::uint32_t> begins;
+    int longest = 0; ///< bytes
+};
+
+/// Those of what was read; none of a workbook, which has rows. Of 10⁶ lines in some milliseconds.
+[[nodiscard]] TextLines linesOf(const Imported &imported);
+
 /// The lines of a measurement file as they were read: text of a table, rows of a sheet, lines of a text. The
 /// pieces of a line are made when it is looked at, so that a million lines cost nothing.
 class RawTextModel : public QAbstractListModel {
@@ -26,8 +35,9 @@ class RawTextModel : public QAbstractListModel {
 public:
     using QAbstractListModel::QAbstractListModel;
 
-    /// What was read; it must stay alive and unchanged while it is shown.
-    void show(const Imported *imported);
+    /// What was read and its lines; both must stay alive and unchanged while they are shown.
+    void show(const Imported &imported, const TextLines &lines);
+    void clear();
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
@@ -37,7 +47,7 @@ public:
     [[nodiscard]] bool isProblem(int row) const;
     /// The row that shows a line of the file; -1 for none.
     [[nodiscard]] int rowOf(std::size_t line) const;
-    [[nodiscard]] int longestLine() const { return m_longest; } ///< bytes
+    [[nodiscard]] int longestLine() const { return m_lines ? m_lines->longest : 0; } ///< bytes
 
 private:
     struct Line {
@@ -45,16 +55,13 @@ private:
         std::size_t size = 0;
     };
 
-    void findLines(const std::string &text);
-    [[nodiscard]] const std::string &text() const;
     [[nodiscard]] Line line(int row) const;
     [[nodiscard]] const TableRow *tableRow(int row) const;
 
     const Imported *m_imported = nullptr;
-    bool m_sheet = false;                ///< rows of a workbook, which has no text of its own
-    std::vector<std::uint32_t> m_begins; ///< of the lines of a text, which has at most 1 GiB
+    const TextLines *m_lines = nullptr;
+    bool m_sheet = false; ///< rows of a workbook, which has no text of its own
     std::set<std::size_t> m_problems;
-    int m_longest = 0;
 };
 
 /// Draws a line with its number, the cells in the colours of what they were read as.

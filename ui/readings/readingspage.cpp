@@ -87,8 +87,8 @@ void ReadingsPage::arrange() {
     layout->setContentsMargins(pageMargin, 0, pageMargin, 8);
     layout->setSpacing(0);
     layout->addWidget(barArea);
-    layout->addWidget(m_pasteBar);
-    layout->addWidget(m_view);
+    layout->addWidget(m_view, 1);
+    layout->addWidget(m_pasteBar); // below: what was pasted stays where it came in
 }
 
 void ReadingsPage::connectParts() {

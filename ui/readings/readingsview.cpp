@@ -13,6 +13,7 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QScreen>
 #include <QScrollBar>
@@ -86,6 +87,13 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
     m_frozen->setSelectionModel(selectionModel());
     m_frozen->viewport()->installEventFilter(this);
     m_frozen->setFocusProxy(this);
+    m_frozen->setContextMenuPolicy(Qt::CustomContextMenu); // what is done to targets is looked for at them
+    connect(m_frozen, &QWidget::customContextMenuRequested, this, [this](const QPoint &at) {
+        auto *menu = new QMenu(this);
+        menu->setAttribute(Qt::WA_DeleteOnClose);
+        menu->addActions(actions());
+        menu->popup(m_frozen->viewport()->mapToGlobal(at));
+    });
     connect(verticalScrollBar(), &QScrollBar::valueChanged, m_frozen->verticalScrollBar(),
             &QScrollBar::setValue);
     connect(m_frozen->verticalScrollBar(), &QScrollBar::valueChanged, verticalScrollBar(),

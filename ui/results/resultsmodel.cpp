@@ -14,6 +14,14 @@ void ResultsModel::retranslate() {
     emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
 }
 
+void ResultsModel::setFullNames(bool full) {
+    if (m_full == full)
+        return;
+    m_full = full;
+    if (rowCount() > 0)
+        emit dataChanged(index(0, name), index(rowCount() - 1, name));
+}
+
 int ResultsModel::rowOf(const QString &id) const {
     for (std::size_t row = 0; row < m_table.lines.size(); ++row) {
         if (m_table.lines[row].id == id)
@@ -51,7 +59,7 @@ QVariant ResultsModel::data(const QModelIndex &index, int role) const {
     case symbol:
         return shown.symbol.plain();
     case name:
-        return shown.name;
+        return m_full ? shown.fullName : shown.name;
     case other:
         return shown.other;
     case otherUncertainty:

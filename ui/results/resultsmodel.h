@@ -37,6 +37,8 @@ public:
     [[nodiscard]] const ResultLine &line(int row) const {
         return m_table.lines[static_cast<std::size_t>(row)];
     }
+    /// Names as in the standard, not the short ones.
+    void setFullNames(bool full);
     [[nodiscard]] int rowOf(const QString &id) const; ///< −1: none
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
@@ -47,6 +49,7 @@ public:
 
 private:
     ResultTable m_table;
+    bool m_full = false;
 };
 
 } // namespace palmer::ui

@@ -39,6 +39,7 @@ constexpr int symbolWidth = 40;
 constexpr int symbolMargin = 14; ///< before a symbol and after it
 constexpr int scaleWidth = 62;
 constexpr int cellMargin = 10;
+constexpr int nameMargin = 8;
 
 /// A head without a look of its own: small words over their columns, a rule below.
 class PlainHeader : public QHeaderView {
@@ -145,6 +146,10 @@ void ResultsPanel::makeTable() {
     header->setFixedHeight(headHeight);
     header->setSectionResizeMode(QHeaderView::Fixed);
     header->setSectionResizeMode(ResultsModel::name, QHeaderView::Stretch);
+    connect(header, &QHeaderView::sectionResized, this, [this](int section) {
+        if (section == ResultsModel::name)
+            fitNames();
+    });
     header->setMinimumSectionSize(10);
     header->setSectionsClickable(false);
     header->setHighlightSections(false);
@@ -286,6 +291,17 @@ void ResultsPanel::fitColumns() {
     m_table->setColumnHidden(ResultsModel::scale, m_narrow || other);
     for (const int column : {ResultsModel::other, ResultsModel::otherUncertainty, ResultsModel::change})
         m_table->setColumnHidden(column, !other);
+    // In a narrow window names need the room of columns that say nothing.
+    const auto saysNothing = [this](int column) {
+        for (int row = 0; row < m_model.rowCount(); ++row) {
+            const QString text = m_model.index(row, column).data().toString();
+            if (!text.isEmpty() && text != QStringLiteral("–"))
+                return false;
+        }
+        return true;
+    };
+    for (const int column : {ResultsModel::uncertainty, ResultsModel::limit, ResultsModel::verdict})
+        m_table->setColumnHidden(column, m_narrow && saysNothing(column));
     // What was before stands left of what is after, whichever of the two is in view.
     QHeaderView *header = m_table->horizontalHeader();
     const bool isFirst = m_model.table().otherIsFound;
@@ -296,6 +312,18 @@ void ResultsPanel::fitColumns() {
         header->moveSection(header->visualIndex(first), place);
         header->moveSection(header->visualIndex(second), place + 1);
     }
+    fitNames();
+}
+
+/// The standard's own names where all of them fit, else the short ones; those of circles, too, which tell the
+/// senses apart.
+void ResultsPanel::fitNames() {
+    const QFontMetrics metrics(m_table->font());
+    const int room = m_table->columnWidth(ResultsModel::name) - nameMargin;
+    int widest = 0;
+    for (int row = 0; row < m_model.rowCount(); ++row)
+        widest = std::max(widest, metrics.horizontalAdvance(m_model.line(row).fullName));
+    m_model.setFullNames(widest <= room && m_model.table().circle.isEmpty());
 }
 
 /// Which tests stand beside each other.

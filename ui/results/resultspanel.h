@@ -52,6 +52,7 @@ private:
     void explain(const QModelIndex &index);
     void showExplained();
     void fitColumns();
+    void fitNames();
     void showVerdict();
     [[nodiscard]] QString rolesNote() const;
     void retranslate();

@@ -15,7 +15,8 @@ namespace palmer::ui {
 namespace {
 
 constexpr int textHeight = 56;
-constexpr int pictureHeight = 116;
+constexpr int lineHeight = 18;
+constexpr int pictureHeight = 98;
 constexpr int pictureMargin = 16;
 
 // What a picture shows is nobody's measurement: the shapes of one, from 0 to 1.
@@ -73,7 +74,7 @@ StartButton::StartButton(QString icon, QWidget *parent, Picture picture)
 }
 
 QSize StartButton::sizeHint() const {
-    return {200, textHeight + (m_picture == Picture::none ? 0 : pictureHeight)};
+    return {200, textHeight + (m_picture == Picture::none ? 0 : lineHeight + pictureHeight)};
 }
 
 void StartButton::setTexts(const QString &title, const QString &detail, const QString &shortcut) {
@@ -81,7 +82,16 @@ void StartButton::setTexts(const QString &title, const QString &detail, const QS
     m_detail = detail;
     m_shortcut = shortcut;
     setAccessibleName(QString(title).remove(u'&'));
-    setAccessibleDescription(detail);
+    describe();
+}
+
+void StartButton::setStandard(const QString &standard) {
+    m_standard = standard;
+    describe();
+}
+
+void StartButton::describe() {
+    setAccessibleDescription(m_standard.isEmpty() ? m_detail : m_standard + QStringLiteral(", ") + m_detail);
     update();
 }
 
@@ -112,6 +122,33 @@ void StartButton::paintPicture(QPainter &painter, const QRectF &area) const {
     drawTrace(painter, area.center(), radius, -0.1, down);
 }
 
+/// Painted once: under the pointer and with the keyboard the ground alone is another.
+const QPixmap &StartButton::picture() {
+    const double ratio = devicePixelRatioF();
+    const QSize wanted(width(), height() - textHeight - lineHeight);
+    if (m_painted.isNull() || m_painted.devicePixelRatio() != ratio) {
+        m_painted = QPixmap((QSizeF(wanted) * ratio).toSize());
+        m_painted.setDevicePixelRatio(ratio);
+        m_painted.fill(Qt::transparent);
+        QPainter painter(&m_painted);
+        painter.setRenderHint(QPainter::Antialiasing);
+        paintPicture(painter, QRectF(pictureMargin, pictureMargin, width() - 2.0 * pictureMargin,
+                                     wanted.height() - pictureMargin - 4.0));
+    }
+    return m_painted;
+}
+
+void StartButton::resizeEvent(QResizeEvent *event) {
+    m_painted = {};
+    QAbstractButton::resizeEvent(event);
+}
+
+void StartButton::changeEvent(QEvent *event) {
+    if (event->type() == QEvent::PaletteChange)
+        m_painted = {};
+    QAbstractButton::changeEvent(event);
+}
+
 void StartButton::paintEvent(QPaintEvent *) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -122,13 +159,12 @@ void StartButton::paintEvent(QPaintEvent *) {
                                               : palette().color(QPalette::Base));
     painter.drawRoundedRect(QRectF(rect()).adjusted(border / 2, border / 2, -border / 2, -border / 2), 6, 6);
     const bool large = m_picture != Picture::none;
-    const int top = height() - textHeight;
+    const int top = height() - textHeight - (large ? lineHeight : 0);
     if (large)
-        paintPicture(painter, QRectF(pictureMargin, pictureMargin, width() - 2.0 * pictureMargin,
-                                     top - pictureMargin - 4.0));
+        painter.drawPixmap(0, 0, picture());
     const int left = large ? pictureMargin : 48;
-    const QRect upper(left, top + 8, width() - left - 12, 20);
-    const QRect lower(left, top + 28, upper.width(), 20);
+    const QRect upper(left, top + 9, width() - left - 12, lineHeight);
+    const QRect lower(left, height() - 9 - lineHeight, upper.width(), lineHeight);
     if (!large)
         drawLineIcon(painter, QRect(8, top, 36, textHeight), m_icon, accent);
     const QFont titleFont = themeFont(TextSize::head);
@@ -142,6 +178,11 @@ void StartButton::paintEvent(QPaintEvent *) {
     const QRect below = lower.adjusted(0, 0, above ? 0 : -keys, 0);
     painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter,
                      painter.fontMetrics().elidedText(m_detail, Qt::ElideRight, below.width()));
+    if (large) {
+        const QRect middle(left, (upper.top() + lower.top()) / 2, upper.width(), lineHeight);
+        painter.drawText(middle, Qt::AlignLeft | Qt::AlignVCenter,
+                         painter.fontMetrics().elidedText(m_standard, Qt::ElideRight, middle.width()));
+    }
     painter.setFont(titleFont);
     painter.setPen(palette().color(QPalette::WindowText));
     const QRect room = upper.adjusted(0, 0, above ? -keys : 0, 0);

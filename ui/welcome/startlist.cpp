@@ -203,6 +203,13 @@ void StartList::resizeEvent(QResizeEvent *event) {
     }
 }
 
+/// It looks the same in the window in front and behind others: at the start it is not painted twice.
+bool StartList::viewportEvent(QEvent *event) {
+    if (event->type() == QEvent::WindowActivate || event->type() == QEvent::WindowDeactivate)
+        return true;
+    return QListView::viewportEvent(event);
+}
+
 void StartList::keyPressEvent(QKeyEvent *event) {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (enter && currentIndex().isValid()) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/welcome/welcomepage.h"
 
+#include "kernel/evaluation/edition.h"
 #include "ui/theme.h"
 #include "ui/welcome/examples.h"
 #include "ui/welcome/recentfiles.h"
@@ -26,6 +27,21 @@ constexpr int mostRecent = 12;
 
 QString kindIcon(bool circular) {
     return circular ? QStringLiteral("circle") : QStringLiteral("axis");
+}
+
+/// "ISO 230-2 · 1988, 1997, 2006, 2014": what a new test of the kind can be evaluated by.
+QString standardOf(Kind kind) {
+    QString standard;
+    QStringList years;
+    for (const Edition *edition : editions()) {
+        const QString word = QString::fromUtf8(edition->word);
+        if (edition->kind != kind || !word.startsWith(QStringLiteral("ISO ")))
+            continue;
+        standard = word.section(u':', 0, 0);
+        years << word.section(u':', 1);
+    }
+    years.sort();
+    return standard + QStringLiteral(" · ") + years.join(QStringLiteral(", "));
 }
 
 /// The dashed field that says where files may be dropped; the whole window takes them.
@@ -219,6 +235,8 @@ void WelcomePage::retranslate() {
                     QKeySequence(QKeySequence::New).toString(QKeySequence::NativeText));
     m_newCircle->setTexts(tr("New &circular test…"), tr("type or paste the points of the arcs"),
                           QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N).toString(QKeySequence::NativeText));
+    m_new->setStandard(standardOf(Kind::positioning));
+    m_newCircle->setStandard(standardOf(Kind::circular));
     m_open->setTexts(tr("&Open…"), tr("a test file, .palmer, or a report"),
                      QKeySequence(QKeySequence::Open).toString(QKeySequence::NativeText));
     m_import->setTexts(tr("&Import…"), tr("tables and files of instruments"),

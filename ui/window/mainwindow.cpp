@@ -725,6 +725,8 @@ void MainWindow::showError(const QString &title, const QString &fileName, const 
     box->setObjectName(QStringLiteral("errorBox"));
     box->setAttribute(Qt::WA_DeleteOnClose);
     QString sentence = windowLanguage().sentence(error.message);
+    if (!sentence.isEmpty()) // elsewhere it stands behind a colon
+        sentence[0] = sentence[0].toUpper();
     if (!error.place.empty())
         sentence += QStringLiteral("\n\n") + tr("Place: %1").arg(QString::fromStdString(error.place));
     box->setInformativeText(sentence);

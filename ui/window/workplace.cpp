@@ -636,8 +636,11 @@ void Workplace::presentCircularStatus(const CircularMeasurement &measurement) {
     const auto place = m_selection.hovered() ? m_selection.hovered() : m_selection.reading();
     const bool exists = place && place->run < measurement.arcs.size() &&
                         place->target < measurement.arcs[place->run].angles.size();
-    emit hintChanged(exists ? pointText(measurement, place->run, place->target, windowLanguage())
-                            : QString());
+    if (!exists)
+        return emit hintChanged({});
+    const QString read = pointText(measurement, place->run, place->target, windowLanguage());
+    const QString drawn = m_figure->deviationText(*place); // about another centre it is another number
+    emit hintChanged(drawn.isEmpty() ? read : tr("%1 · in the figure %2").arg(read, drawn));
 }
 
 QStringList Workplace::refusedTexts() const {

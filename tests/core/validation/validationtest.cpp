@@ -49,7 +49,7 @@ void ValidationTest::agreesWithAllReferenceData() {
     QCOMPARE(int(result.comparisons.size()), values);
     for (const Comparison &comparison : result.comparisons)
         QVERIFY2(comparison.agrees, qPrintable(QString::fromStdString(comparison.expectation.edition) + ' ' +
-                                               comparison.symbol));
+                                               comparison.symbol.base));
 }
 
 void ValidationTest::agreesWithAllCircles() {
@@ -60,7 +60,7 @@ void ValidationTest::agreesWithAllCircles() {
     for (const SetValidation &set : sets) {
         QVERIFY(set.points);
         for (const Comparison &comparison : set.comparisons)
-            QVERIFY2(comparison.agrees, qPrintable(comparison.of + ' ' + comparison.symbol));
+            QVERIFY2(comparison.agrees, qPrintable(comparison.of + ' ' + comparison.symbol.base));
     }
 }
 

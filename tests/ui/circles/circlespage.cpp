@@ -193,7 +193,11 @@ private slots:
 
     void anEmptyRangeIsNotTaken() {
         Shown shown;
+        const QRect before = shown.find<QTableView>("points")->geometry();
         shown.type("evaluatedTo", u"-5"_s);
+        shown.page.grab(); // lays it out
+        QVERIFY(shown.find<QLabel>("circlesReason")->isVisible());
+        QCOMPARE(shown.find<QTableView>("points")->geometry(), before); // nothing moves
         QVERIFY(!shown.circles().arcs[0].evaluated);
         QCOMPARE(shown.find<QLineEdit>("evaluatedTo")->text(), u"-5"_s); // stays, and it is said why
         QVERIFY(shown.find<QLabel>("circlesReason")

@@ -54,7 +54,11 @@ private slots:
         texts.clear();
         for (const QLabel *label : shown.window->findChildren<QLabel *>())
             texts << label->text();
-        QVERIFY(texts.contains(u"anticlockwise, point 1: 0.1° · −2.211\u00a0µm"_s));
+        // The number of the label in the figure, about the centre of it, beside that which was read.
+        const QString label = shown.window->findChild<CircleCanvas *>()->readOut({0, 0});
+        const QString drawn = shown.window->findChild<CircleCanvas *>()->deviationText({0, 0});
+        QVERIFY(!drawn.isEmpty() && label.contains(drawn));
+        QVERIFY(texts.contains(u"anticlockwise, point 1: 0.1° · −2.211\u00a0µm · in the figure "_s + drawn));
     }
 
     void aShorterRangeGivesOtherResultsUntilItIsUndone() {

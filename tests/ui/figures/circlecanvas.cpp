@@ -101,6 +101,41 @@ private slots:
         QCOMPARE(shown.canvas->grab().toImage(), before);
     }
 
+    void manyPointsAreMadeBesideTheWindow() {
+        Shown shown;
+        const QString before = shown.canvas->readOut({0, 100});
+        QVERIFY(!before.isEmpty());
+        Test many = longPair(120'000); // each way
+        many.title = "many";
+        const EvaluatedDocument evaluated = evaluatedCircles(many);
+        CircleCanvasContent content;
+        shown.canvas->show(evaluated, 0, content, Language(Language::Id::english));
+        QVERIFY(shown.canvas->isMaking());
+        QCOMPARE(shown.canvas->readOut({0, 100}), before); // until then that of before
+        content.options.contacts = true;                   // asked for meanwhile
+        shown.canvas->show(evaluated, 0, content, Language(Language::Id::english));
+        QTRY_VERIFY(!shown.canvas->isMaking());
+        QVERIFY(shown.canvas->readOut({0, 100}) != before);
+        QVERIFY(!shown.canvas->paperFigure()->contacts.empty());
+        shown.canvas->show(evaluated, 0, content, Language(Language::Id::french)); // the same paths
+        QVERIFY(!shown.canvas->isMaking());
+        shown.canvas->clear();
+        shown.canvas->show(evaluated, 0, content, Language(Language::Id::english));
+        QVERIFY(shown.canvas->isMaking());
+        shown.canvas->clear(); // nothing of it is heard any more
+        QTest::qWait(100);
+        QVERIFY(!shown.canvas->paperFigure());
+    }
+
+    void theSentenceOfManyPointsFollows() {
+        Shown shown;
+        const QString before = shown.canvas->accessibleDescription();
+        QVERIFY(!before.isEmpty());
+        shown.view.show(evaluatedCircles(longPair(120'000)), 0);
+        QTRY_VERIFY(!shown.canvas->isMaking());
+        QVERIFY(shown.canvas->accessibleDescription() != before);
+    }
+
     void whatIsUnderThePointerStaysThere() {
         Shown shown;
         const auto at = shown.canvas->placeOf(ReadingPlace{0, 400});

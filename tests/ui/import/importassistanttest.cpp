@@ -159,7 +159,8 @@ private slots:
         Imported imported;
         imported.text = text.toStdString();
         RawTextModel model;
-        model.show(&imported);
+        const TextLines of = linesOf(imported);
+        model.show(imported, of);
         QStringList shown;
         for (int row = 0; row < model.rowCount(); ++row)
             shown << model.index(row).data().toString();

@@ -18,9 +18,11 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
@@ -298,6 +300,31 @@ private slots:
             QCOMPARE(typing.window->model().undoStack()->count(), 1);
             QVERIFY(typing.find<QWidget>("pasteBar")->isVisible());
         }
+    }
+
+    void whatIsPastedStaysWhereItCameIn() {
+        const TypingWindow typing(emptyTest());
+        typing.setCurrent(0, 0);
+        const auto place = [&] { return typing.view->mapTo(typing.window, QPoint(0, 0)); };
+        const QPoint before = place();
+        typing.paste("1,2\t3,4\n5,6\tabc");
+        QVERIFY(typing.find<QWidget>("pasteBar")->isVisible());
+        typing.window->grab(); // lays it out
+        QCOMPARE(place(), before);
+    }
+
+    void theMenuOfTheTableOpensAtTargetsToo() {
+        const TypingWindow typing(publishedTest());
+        typing.setCurrent(0, 1);
+        auto *frozen = typing.find<QTableView>("frozenReadings");
+        const QRect cell = frozen->visualRect(typing.view->currentIndex().siblingAtColumn(1));
+        QContextMenuEvent event(QContextMenuEvent::Mouse, cell.center(),
+                                frozen->viewport()->mapToGlobal(cell.center()));
+        QCoreApplication::sendEvent(frozen->viewport(), &event);
+        auto *menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
+        QVERIFY(menu);
+        QVERIFY(menu->actions().contains(typing.find<QAction>("removeTargets")));
+        menu->close();
     }
 
     void onePasteIsOneNamedStep() {

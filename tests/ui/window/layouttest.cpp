@@ -12,6 +12,7 @@
 #include "ui/forms/field.h"
 #include "ui/navigation/navigationmodel.h"
 #include "ui/readings/readingsmodel.h"
+#include "ui/results/resultsmodel.h"
 #include "ui/welcome/examples.h"
 
 #include <QLabel>
@@ -62,6 +63,9 @@ private slots:
     void allExamplesAreInSight();
     void headsAreNotCutInAWord();
     void namesOfLimitsAreWhole();
+    void namesOfResultsAreWhole();
+    void wideWindowsSayFullNames();
+    void startsSayTheirStandard();
     void aDriftTestHasNoEmptyTable();
     void pageAndFigureTakeTurnsInALowWindow_data();
     void pageAndFigureTakeTurnsInALowWindow();
@@ -412,6 +416,47 @@ void LayoutTest::namesOfLimitsAreWhole() {
                  qPrintable(label->text()));
     }
     QVERIFY(names >= 10);
+}
+
+void LayoutTest::namesOfResultsAreWhole() {
+    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+        setWindowLanguage(language);
+        for (const int width : {960, 1024}) {
+            const ShownWindow shown(examplePath("iso230-2-1988-example"), {width, 690});
+            const auto *table = shown.find<QTableView>("results");
+            QTRY_VERIFY(table->model()->rowCount() > 0);
+            QTest::qWait(20);
+            for (int row = 0; row < table->model()->rowCount(); ++row) {
+                const QString name = table->model()->index(row, ResultsModel::name).data().toString();
+                QVERIFY2(QFontMetrics(table->font()).horizontalAdvance(name) <=
+                             table->columnWidth(ResultsModel::name) - 6,
+                         qPrintable(name));
+            }
+        }
+    }
+}
+
+void LayoutTest::wideWindowsSayFullNames() {
+    setWindowLanguage(Language::Id::french);
+    const auto name = [](int width) {
+        const ShownWindow shown(examplePath("iso230-2-1988-example"), {width, 1050});
+        const auto *table = shown.find<QTableView>("results");
+        QTest::qWait(20);
+        return table->model()->index(0, ResultsModel::name).data().toString();
+    };
+    QCOMPARE(name(1280), u"précision"_s);
+    const QString full = name(1920);
+    QVERIFY2(full.size() > 12 && full.startsWith(u"précision"_s), qPrintable(full));
+}
+
+void LayoutTest::startsSayTheirStandard() {
+    const ShownWindow shown({}, {1280, 770});
+    QVERIFY(shown.find("welcomeNew")
+                ->accessibleDescription()
+                .startsWith(u"ISO 230-2 · 1988, 1997, 2006, 2014, "_s));
+    QVERIFY(shown.find("welcomeNewCircle")
+                ->accessibleDescription()
+                .startsWith(u"ISO 230-4 · 1996, 2005, 2022, "_s));
 }
 
 void LayoutTest::aDriftTestHasNoEmptyTable() {
