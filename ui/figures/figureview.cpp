@@ -322,7 +322,7 @@ void FigureView::refreshCircles() {
 }
 
 QString FigureView::deviationText(const ReadingPlace &point) const {
-    return circularOf(m_evaluated, m_test) ? m_circles->deviationText(point) : QString();
+    return measured<CircularMeasurement>(m_evaluated, m_test) ? m_circles->deviationText(point) : QString();
 }
 
 std::optional<FigureView::Leaving> FigureView::leaving() const {
