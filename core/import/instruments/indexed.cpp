@@ -148,12 +148,15 @@ private:
                                        {Number{static_cast<double>(ignored), Quantity::count}}});
     }
 
-    /// Named like targets or readings, but damaged.
+    /// Named like targets or readings, or a number with two indexes, but damaged.
     [[nodiscard]] static bool isOfData(std::string_view line) {
         constexpr std::size_t longestName = 4;
         const std::string begin = folded(line.substr(0, longestName));
-        return line.find('=') != std::string_view::npos &&
-               (begin.starts_with("ref") || begin.starts_with("tgt"));
+        const std::size_t equals = line.find('=');
+        const bool isIndexed = equals != std::string_view::npos && line.substr(0, equals).find(',') < equals;
+        return begin == "ref_" || begin == "tgt_" ||
+               (isIndexed &&
+                leadingNumber(withoutBlanks(line.substr(equals + 1)), DecimalMark::point).size > 0);
     }
 
     bool take(const Assignment &assignment, std::size_t line) {

@@ -111,7 +111,7 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
             ignored += isUnknown(line) ? 1 : 0;
             continue;
         }
-        if (!numbers || numbers->size() < 3) {
+        if (!numbers || numbers->size() != 3) {
             imported.remarks.push_back(
                 {RemarkGrade::problem,
                  {REPORT_TEXT("report", "This line is not like the others and was not read.")},

@@ -184,7 +184,8 @@ private:
             const bool isOther = meaning == Meaning::statistic || meaning == Meaning::other ||
                                  meaning == Meaning::index || meaning == Meaning::target;
             if (isNumeric(c) && role(c) == ColumnRole::ignored && isOfAxis && !isOther &&
-                m_heads[c].unit == m_result.unit && (words(c).number || words(c).direction || words(c).hint))
+                (m_heads[c].unit == m_result.unit || !m_heads[c].unit) &&
+                (words(c).number || words(c).direction || words(c).hint))
                 ask({REPORT_TEXT("report", "Columns: “%1” may be a run like the others; it is not read."),
                      {excerpt(m_heads[c].heading)}});
         }

@@ -237,24 +237,33 @@ private:
         return dashes > 0 && 2 * dashes >= m_table.cells(row).size();
     }
 
-    /// Numbers, and in the place of the others what begins as one: "0.5x", "12O.5". Neither words nor dates.
+    /// Made of digits for the most part, or beginning with a number: "12O.5", "~97.1", "1.2x5".
+    [[nodiscard]] bool isDamagedNumber(std::string_view text, bool alone) const {
+        constexpr std::size_t shortest = 3;
+        const auto digits = static_cast<std::size_t>(std::ranges::count_if(text, isDigit));
+        const bool mostly = text.size() >= shortest && 2 * digits >= text.size();
+        const bool begins = leadingNumber(text, m_table.decimalMark.value).size > 0;
+        return (alone ? mostly && begins : mostly || begins) && !isDate(text) && !clockTime(text);
+    }
+
+    /// Numbers, and in the place of the others what was one. Neither words nor dates.
     [[nodiscard]] bool isDamaged(const TableRow &row) const {
+        if (row.comment || isComputedRow(m_table, row))
+            return false;
         std::size_t numbers = 0;
         std::size_t damaged = 0;
         for (const TableCell &cell : m_table.cells(row)) {
-            const std::string_view text = m_table.text(cell);
             if (cell.isNumber()) {
                 ++numbers;
             } else if (cell.kind != CellKind::empty && cell.kind != CellKind::missing) {
-                if (row.comment || leadingNumber(text, m_table.decimalMark.value).size == 0 || isDate(text) ||
-                    clockTime(text))
+                if (!isDamagedNumber(m_table.text(cell), row.count == 1))
                     return false;
                 ++damaged;
             }
         }
-        return !isComputedRow(m_table, row) && numbers > 0 && damaged > 0 &&
-               numbers + damaged >= std::min<std::size_t>(m_numberColumns, 2) &&
-               2 * (numbers + damaged) >= m_numberColumns;
+        if (numbers == 0) // "-68.1x133.6" among rows of two
+            return damaged == 1 && row.count == 1 && m_numberColumns == 2 && !m_block.rows.empty();
+        return damaged > 0 && 2 * (numbers + damaged) >= m_numberColumns;
     }
 
     /// A row that is none of the body, but has its numbers: below it, unless it begins with what is computed.

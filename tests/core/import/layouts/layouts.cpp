@@ -566,6 +566,21 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "Measured 2024-03-05;;\nPressure;1013.2;hPa\nHumidity;45;%\nTarget (mm);↑1 (µm);↓1 "
         "(µm)\n0;1;2\n100;3;4\n",
         "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
+    row("a damaged unit above a run", "P (mm);1 ↑ (µm);2 ↑ (µm);3 ↑ (xµm)\n0;1;2;3\n100;4;5;6\n",
+        "target,run+1,run+2,ignored / 0 100 / ↑ 1 4 / ↑ 2 5 / columns");
+    row("a letter in the place of the delimiter",
+        "Radius: 100 mm\nAngle (°);Deviation (µm)\n0;1\n90;2\n180x1\n270;0\n",
+        "angle,deviation / ISO 230-4:2005 XY R 100 mm F – / ccw polar 3: 0:1 90:2 270:0 / unread");
+    row("a sign in the place of a minus", "Target[mm] Dev[µm]\n0 1\n100 ~2.1\n200 3\n",
+        "target,deviation / 0 200 / ↑ 1 3 / directions unread");
+    row("a number in two pieces in a compensation text",
+        "Compensation spacing 50 mm\nNo.  Axis position  Combined\n1  0.0  0.0\n2  5 0.0  -2.5\n3  100.0  "
+        "4.0\n",
+        " / 0 100 / ↑ 0 -4 / unit unread");
+    row("readings whose name is damaged or cut off",
+        "UNIT=mm\nTGT_DATA[1]=0\nTGT_DATA[2]=100\nREF_DATA_FWD[1,1]=0.001\nRE?_DATA_FWD[2,1]=100.002\nREF_"
+        "DATA",
+        " / 0 100 / ↑ 1 – / unread");
     row("own targets, there and back",
         "Target (mm);Direction;Dev 1 (µm);Target (mm);Dev 2 (µm)\n0;+;1;0.5;5\n100;+;2;100.5;6\n"
         "100;-;3;100.5;7\n0;-;4;0.5;8\n",
