@@ -71,8 +71,10 @@ private:
 
     /// The end of the text, with room for so many characters behind it.
     char *room(std::size_t characters) {
-        if (static_cast<std::size_t>(m_text.size()) < m_size + characters)
-            m_text.resize(static_cast<qsizetype>(2 * m_size + characters));
+        if (static_cast<std::size_t>(m_text.size()) < m_size + characters) {
+            const std::size_t wanted = 2 * m_size + characters;
+            m_text.resize(static_cast<qsizetype>(wanted));
+        }
         return m_text.data() + m_size;
     }
     void append(std::string_view text) {
