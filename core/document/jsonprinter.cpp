@@ -32,6 +32,7 @@ char *printParts(double size, char *text) {
     constexpr double scale = parts;
     if (!(size < 1e8))
         return nullptr;
+    // NOLINTNEXTLINE(bugprone-incorrect-roundings): the next line refuses what is rounded wrong
     const auto whole = static_cast<std::int64_t>(size * scale + 0.5);
     if (static_cast<double>(whole) / scale != size)
         return nullptr;

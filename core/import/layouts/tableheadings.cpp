@@ -150,6 +150,11 @@ std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBloc
     return rows;
 }
 
+void addWords(std::string &heading, std::string_view words) {
+    if (!words.empty())
+        heading += (heading.empty() ? "" : " ") + std::string(words);
+}
+
 /// The headings that rows make, joined from above.
 void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &rows,
                      std::vector<TableColumn> &columns) {
@@ -171,9 +176,7 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
                 last = text;
             else if (spans && c > 0)
                 text = last;
-            std::string &heading = columns[c].heading;
-            if (!text.empty())
-                heading += (heading.empty() ? "" : " ") + std::string(text);
+            addWords(columns[c].heading, text);
         }
     }
 }
