@@ -40,19 +40,11 @@ std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasur
 }
 
 std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what) {
-    double sum = 0;
-    int count = 0;
-    for (const Sensor &sensor : conditions.sensors) {
-        if (sensor.measures != what)
-            continue;
+    return meanTemperature(conditions, what, [](const Sensor &sensor) -> std::optional<double> {
         const auto start = startTemperature(sensor);
         const auto end = endTemperature(sensor);
-        if (!start || !end)
-            return std::nullopt;
-        sum += (*start + *end) / 2;
-        ++count;
-    }
-    return count ? std::optional(sum / count) : std::nullopt;
+        return start && end ? std::optional((*start + *end) / 2) : std::nullopt;
+    });
 }
 
 std::optional<double> gradientPerHour(const TemperatureSeries &series) {
