@@ -8509,5 +8509,17 @@
         <source>Univariate data of the statistical reference datasets of NIST (public domain), https://www.itl.nist.gov/div898/strd/univ/</source>
         <translation>Données à une variable des jeux de référence statistiques du NIST (domaine public), https://www.itl.nist.gov/div898/strd/univ/</translation>
     </message>
+    <message>
+        <source>%1 has these indexes for the second time; the line was not read.</source>
+        <translation>%1 porte ces indices pour la deuxième fois&#x202f;; la ligne n’a pas été lue.</translation>
+    </message>
+    <message>
+        <source>The lines are numbered %1 and then %2: some are missing, or one is there twice.</source>
+        <translation>Les lignes passent du numéro %1 au numéro %2&#xa0;: il en manque, ou l’une d’elles est présente deux fois.</translation>
+    </message>
+    <message>
+        <source>The head announces %1 samples, %2 are there; those beyond were not read.</source>
+        <translation>L’en-tête annonce %1 échantillons, le fichier en contient %2&#x202f;; les suivants n’ont pas été lus.</translation>
+    </message>
 </context>
 </TS>

@@ -33,13 +33,19 @@ struct TypeUnit {
     const char *unit = nullptr; ///< as shown
     double multiplier = 1;      ///< lengths: to mm
     double divisor = 1;
+    bool isLength = false;
 };
 constexpr std::array typeUnits{
-    TypeUnit{"UT_LENGTH_MM", "mm"},     TypeUnit{"UT_LENGTH_UM", "µm", 1, 1000},
-    TypeUnit{"UT_LENGTH_M", "m", 1000}, TypeUnit{"UT_FEEDRATE", "mm/min"},
-    TypeUnit{"UT_SQUARENESS", "µm/m"},  TypeUnit{"UT_SERVO_MISMATCH", "ms"},
-    TypeUnit{"UT_SCALE_ERROR", "ppm"},  TypeUnit{"UT_ANGLE", "°"},
-    TypeUnit{"UT_SPEED", "mm/min"},     TypeUnit{"UT_PERCENT", "%"},
+    TypeUnit{"UT_LENGTH_MM", "mm", 1, 1, true},
+    TypeUnit{"UT_LENGTH_UM", "µm", 1, 1000, true},
+    TypeUnit{"UT_LENGTH_M", "m", 1000, 1, true},
+    TypeUnit{"UT_FEEDRATE", "mm/min"},
+    TypeUnit{"UT_SQUARENESS", "µm/m"},
+    TypeUnit{"UT_SERVO_MISMATCH", "ms"},
+    TypeUnit{"UT_SCALE_ERROR", "ppm"},
+    TypeUnit{"UT_ANGLE", "°"},
+    TypeUnit{"UT_SPEED", "mm/min"},
+    TypeUnit{"UT_PERCENT", "%"},
     TypeUnit{"UT_RANKING", ""},
 };
 
@@ -168,15 +174,10 @@ private:
     void end(const QString &text) {
         const QString name = m_path.isEmpty() ? QString() : m_path.takeLast();
         const std::string value = text.trimmed().toStdString();
-        const auto length = [&]() -> std::optional<double> {
-            const auto number = numberOf(text);
-            const TypeUnit *unit = typeUnit(m_type);
-            return number && unit ? std::optional(*number * unit->multiplier / unit->divisor) : number;
-        };
         if (name == QLatin1StringView("NOMINAL_LENGTH"))
-            m_length = length();
+            takeLength(text);
         else if (name == QLatin1StringView("PROGRAMMED_FEEDRATE"))
-            m_feed = numberOf(text);
+            takeFeed(text);
         else if (name == QLatin1StringView("A_AXIS_NAME"))
             m_axisA = value;
         else if (name == QLatin1StringView("B_AXIS_NAME"))
@@ -196,6 +197,31 @@ private:
             takeReadings(value);
         else if (name == QLatin1StringView("FEATURE"))
             takeFeature(text);
+    }
+
+    /// In mm where it states no unit; in one that is not known it is none.
+    void takeLength(const QString &text) {
+        const TypeUnit *unit = typeUnit(m_type);
+        m_length = numberOf(text);
+        if (m_length && unit && unit->isLength)
+            m_length = *m_length * unit->multiplier / unit->divisor;
+        else if (m_length && !m_type.isEmpty())
+            leaveOut(m_length);
+    }
+
+    /// In mm/min.
+    void takeFeed(const QString &text) {
+        const TypeUnit *unit = typeUnit(m_type);
+        m_feed = numberOf(text);
+        const bool isFeed = unit && QLatin1StringView(unit->unit) == QLatin1StringView("mm/min");
+        if (m_feed && !isFeed && !m_type.isEmpty())
+            leaveOut(m_feed);
+    }
+
+    void leaveOut(std::optional<double> &value) {
+        value.reset();
+        remark(RemarkGrade::problem,
+               {REPORT_TEXT("report", "The unit “%1” is not known."), {excerpt(m_type.toStdString())}});
     }
 
     [[nodiscard]] static std::optional<std::string> isoDate(const QString &text) {

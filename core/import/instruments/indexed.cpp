@@ -179,11 +179,14 @@ private:
                     Error::Kind::content,
                     {REPORT_TEXT("report", "“%1” is no target position"), {excerpt(assignment.value)}},
                     place(line));
-            m_targets[assignment.indexes[0]] = *value;
+            if (!m_targets.emplace(assignment.indexes[0], *value).second)
+                remarkRepetition(name, line);
         } else if ((name == "REF_DATA_FWD" || name == "REF_DATA_BWD") && assignment.indexes.size() == 2) {
             auto &readings = name == "REF_DATA_FWD" ? m_forward : m_backward;
-            if (const auto value = number())
-                readings[{assignment.indexes[0], assignment.indexes[1]}] = {*value, line};
+            const auto value = number();
+            const std::pair index{assignment.indexes[0], assignment.indexes[1]};
+            if (value && !readings.try_emplace(index, *value, line).second)
+                remarkRepetition(name, line);
         } else if (name == "UNIT") {
             m_unit = unitWord(assignment.value);
             if (!m_unit)
@@ -200,6 +203,13 @@ private:
             return false;
         }
         return true;
+    }
+
+    void remarkRepetition(const std::string &name, std::size_t line) {
+        remark(RemarkGrade::problem,
+               {REPORT_TEXT("report", "%1 has these indexes for the second time; the line was not read."),
+                {name}},
+               line, "unread");
     }
 
     /// Whether the first index is the target, the second the cycle; exchanged where only this fits.

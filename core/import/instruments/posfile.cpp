@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 
 namespace palmer {
 
@@ -21,7 +22,9 @@ constexpr std::string_view headingMark = "Avg Error";
 /// A table of means: below "Position  Forward Directional Avg Error".
 struct MeanTable {
     std::optional<Direction> direction; ///< null: of both directions
-    Pass pass;
+    std::size_t line = 0;               ///< of its heading
+    Pass pass = {};
+    std::set<double> positions = {};
 };
 
 std::optional<Direction> directionOfTitle(std::string_view line) {
@@ -43,17 +46,25 @@ bool isDamagedRow(std::string_view line) {
     return rest.find_first_of(" \t") == std::string_view::npos && begins(rest);
 }
 
+/// A position that a table has already belongs to another, whose heading is lost.
 std::vector<MeanTable> tablesOf(std::string_view text, std::vector<Remark> &remarks) {
     std::vector<MeanTable> tables;
     bool inTable = false;
     std::size_t number = 0;
+    const auto leave = [&](std::size_t place) {
+        remarks.push_back({RemarkGrade::problem,
+                           {REPORT_TEXT("report", "This line is not like the others and was not read.")},
+                           place,
+                           0,
+                           "unread"});
+    };
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
         const std::string_view line = withoutBlanks(text.substr(at, end - at));
         ++number;
         at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
         if (line.find(headingMark) != std::string_view::npos) {
-            tables.push_back({directionOfTitle(line), {}});
+            tables.push_back({directionOfTitle(line), number});
             inTable = true;
             continue;
         }
@@ -63,16 +74,17 @@ std::vector<MeanTable> tablesOf(std::string_view text, std::vector<Remark> &rema
             continue;
         if (!isData) {
             inTable = false;
-        } else if (inTable && numbers && numbers->size() == 2) {
+        } else if (inTable && numbers && numbers->size() == 2 &&
+                   tables.back().positions.insert((*numbers)[0]).second) {
             tables.back().pass.readings.push_back(
                 {(*numbers)[0], (*numbers)[1], static_cast<std::uint32_t>(number)});
         } else {
-            remarks.push_back({RemarkGrade::problem,
-                               {REPORT_TEXT("report", "This line is not like the others and was not read.")},
-                               number,
-                               0,
-                               "unread"});
+            leave(number);
         }
+    }
+    for (const MeanTable &table : tables) {
+        if (table.pass.readings.empty())
+            leave(table.line);
     }
     std::erase_if(tables, [](const MeanTable &table) { return table.pass.readings.empty(); });
     return tables;

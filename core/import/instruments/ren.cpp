@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace palmer {
 
@@ -96,6 +97,7 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
     const std::string_view text = imported.text;
     Header header;
     Pass pass;
+    std::optional<double> lastNo;
     std::size_t number = 0;
     std::size_t ignored = 0;
     for (std::size_t at = 0; at < text.size();) {
@@ -120,6 +122,16 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
                  "unread"});
             continue;
         }
+        if (const double no = (*numbers)[0]; lastNo && no != *lastNo + 1)
+            imported.remarks.push_back(
+                {RemarkGrade::problem,
+                 {REPORT_TEXT("report", "The lines are numbered %1 and then %2: some are missing, or one is "
+                                        "there twice."),
+                  {Number{*lastNo, Quantity::count}, Number{no, Quantity::count}}},
+                 number,
+                 0,
+                 "unread"});
+        lastNo = (*numbers)[0];
         pass.readings.push_back({(*numbers)[1], (*numbers)[2], static_cast<std::uint32_t>(number)});
     }
     if (pass.readings.empty())

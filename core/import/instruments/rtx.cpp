@@ -88,6 +88,24 @@ void readSamples(std::string_view samples, const Sampling &sampling, const Unit 
     }
 }
 
+/// Behind the samples stands the end mark; where it stands further behind, more were measured than announced.
+void remarkEnd(std::string_view rest, const Sampling &sampling, std::vector<Remark> &remarks) {
+    const std::size_t mark = rest.find("EOF::");
+    if (mark == std::string_view::npos)
+        remarks.push_back(
+            {RemarkGrade::problem, {REPORT_TEXT("report", "The file has no end mark behind its samples.")}});
+    else if (mark >= sizeof(double))
+        remarks.push_back(
+            {RemarkGrade::problem,
+             {REPORT_TEXT("report", "The head announces %1 samples, %2 are there; those beyond "
+                                    "were not read."),
+              {Number{static_cast<double>(sampling.count), Quantity::count},
+               Number{static_cast<double>(sampling.count + mark / sizeof(double)), Quantity::count}}},
+             0,
+             0,
+             "unread"});
+}
+
 } // namespace
 
 bool isRtx(QByteArrayView bytes) {
@@ -124,8 +142,7 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     const auto remark = [&](RemarkGrade grade, Message message) {
         imported.remarks.push_back({grade, std::move(message)});
     };
-    if (samples.find("EOF::", sampling.count * sizeof(double)) == std::string_view::npos)
-        remark(RemarkGrade::problem, {REPORT_TEXT("report", "The file has no end mark behind its samples.")});
+    remarkEnd(samples.substr(sampling.count * sizeof(double)), sampling, imported.remarks);
     remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
                                {Number{static_cast<double>(sampling.count), Quantity::count},
                                 Number{drift.times.back(), Quantity::time}}});
