@@ -324,16 +324,15 @@ ComparisonCurve meanCurve(const PositioningMeasurement &measurement, const Posit
 }
 
 /// What of a profile is evaluated; `points` are indices of the arc.
-PathProfile onlyPoints(const PathProfile &profile, const std::vector<std::size_t> &points) {
-    const auto [first, last] = std::ranges::minmax(points);
+PathProfile onlyPoints(const PathProfile &profile, const RisingIndices &points) {
     PathProfile result;
     result.ordered = profile.ordered;
     for (std::size_t i = 0; i < profile.source.size(); ++i) {
-        if (profile.source[i] < first || profile.source[i] > last)
+        if (profile.source[i] < points.front() || profile.source[i] > points.back())
             continue;
         result.angles.push_back(profile.angles[i]);
         result.deviations.push_back(profile.deviations[i]);
-        result.source.push_back(profile.source[i]);
+        result.source.add(profile.source[i]);
     }
     return result;
 }

@@ -11,6 +11,7 @@
 
 #include "kernel/measurement/circular.h"
 #include "kernel/numerics/points.h"
+#include "kernel/numerics/risingindices.h"
 #include "kernel/uncertainty/contribution.h"
 #include "kernel/uncertainty/simulation.h"
 
@@ -50,8 +51,8 @@ struct EvaluatedPath {
     /// The step that closes it is at most twice its largest inner step, and its holes, steps above four times
     /// the median step, the closing one among them, make up at most 90°.
     bool fullCircle = false;
-    Points points;                   ///< evaluated points
-    std::vector<std::size_t> source; ///< of each point: its index in the arc
+    Points points;        ///< evaluated points
+    RisingIndices source; ///< of each point: its index in the arc
 };
 
 enum class CircleOf { both, counterclockwise, clockwise };

@@ -175,7 +175,8 @@ CircularTrials::Part CircularTrials::partOf(const EvaluatedPath &path, std::uint
     std::vector<double> x;
     std::vector<double> y;
     std::vector<double> radii;
-    for (const std::size_t i : path.source) {
+    for (std::size_t k = 0; k < path.source.size(); ++k) {
+        const std::size_t i = path.source[k];
         const Point u = direction(arc.angles[i]);
         const double r = m_measurement.nominalRadius + arc.radialDeviations[i];
         part.angles.push_back(arc.angles[i]);
@@ -298,8 +299,9 @@ void CircularTrials::perturb(long long trial, std::size_t index, const Common &a
 void CircularTrials::setReadings(std::size_t index, Workplace &place) const {
     auto &deviations = place.measurement->arcs[m_parts[index].arc].radialDeviations;
     const auto &source = m_results.paths[index].source;
-    for (std::size_t i = 0; i < source.size(); ++i)
-        deviations[source[i]] = place.errors[i];
+    for (const auto &[first, size, from] : source.stretches())
+        std::copy_n(place.errors.begin() + static_cast<std::ptrdiff_t>(from), size,
+                    deviations.begin() + static_cast<std::ptrdiff_t>(first));
 }
 
 std::vector<CommandedArc>

@@ -18,8 +18,7 @@ namespace {
 
 PathProfile profileOf(std::vector<double> angles, std::vector<double> deviations) {
     PathProfile profile;
-    for (std::size_t i = 0; i < angles.size(); ++i)
-        profile.source.push_back(i);
+    profile.source = RisingIndices::upTo(angles.size());
     profile.angles = std::move(angles);
     profile.deviations = std::move(deviations);
     profile.ordered =

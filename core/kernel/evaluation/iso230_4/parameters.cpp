@@ -20,19 +20,21 @@ std::optional<double> width(const CircularCase &test, CircleOf of) {
 
 /// Of the values at some places, of which there are any. Four side by side: one after the other every
 /// comparison waits for the one before.
-Interval extremes(std::span<const double> values, std::span<const std::size_t> places) {
+Interval extremes(std::span<const double> values, const RisingIndices &places) {
     Lanes least = values[places.front()];
     Lanes greatest = least;
-    std::size_t i = 0;
-    for (; i + Lanes::count <= places.size(); i += Lanes::count) {
-        const Lanes v = Lanes::from(
-            {values[places[i]], values[places[i + 1]], values[places[i + 2]], values[places[i + 3]]});
-        least = smaller(v, least);
-        greatest = larger(v, greatest);
-    }
-    for (; i < places.size(); ++i) {
-        least = smaller(Lanes(values[places[i]]), least);
-        greatest = larger(Lanes(values[places[i]]), greatest);
+    for (const RisingIndices::Stretch &stretch : places.stretches()) {
+        const std::span some = values.subspan(stretch.first, stretch.size);
+        std::size_t i = 0;
+        for (; i + Lanes::count <= some.size(); i += Lanes::count) {
+            const Lanes v = Lanes::from({some[i], some[i + 1], some[i + 2], some[i + 3]});
+            least = smaller(v, least);
+            greatest = larger(v, greatest);
+        }
+        for (; i < some.size(); ++i) {
+            least = smaller(Lanes(some[i]), least);
+            greatest = larger(Lanes(some[i]), greatest);
+        }
     }
     return {std::ranges::min(least.values()), std::ranges::max(greatest.values())};
 }

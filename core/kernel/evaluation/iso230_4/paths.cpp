@@ -24,7 +24,7 @@ constexpr double mostHoles = 90;     ///< degrees, of a full circle
 struct Selection {
     std::vector<double> angles;    ///< degrees
     std::vector<double> distances; ///< mm
-    std::vector<std::size_t> source;
+    RisingIndices source;
 
     [[nodiscard]] CommandedArc commanded() const { return {angles, distances}; }
 };
@@ -36,13 +36,12 @@ Selection selection(const Arc &arc, double nominalRadius) {
         return result;
     result.angles.reserve(arc.angles.size());
     result.distances.reserve(arc.angles.size());
-    result.source.reserve(arc.angles.size());
     for (std::size_t i = 0; i < arc.angles.size(); ++i) {
         if (arc.angles[i] < range->from || arc.angles[i] > range->to)
             continue;
         result.angles.push_back(arc.angles[i]);
         result.distances.push_back(nominalRadius + arc.radialDeviations[i]);
-        result.source.push_back(i);
+        result.source.add(i);
     }
     return result;
 }
