@@ -120,6 +120,7 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
                  number,
                  0,
                  "unread"});
+            lastNo.reset(); // it is said
             continue;
         }
         if (const double no = (*numbers)[0]; lastNo && no != *lastNo + 1)
