@@ -33,7 +33,7 @@ struct TypeUnit {
     const char *unit = nullptr; ///< as shown
     double multiplier = 1;      ///< lengths: to mm
     double divisor = 1;
-    bool isLength = false;
+    bool isLength = false; ///< else as shown only
 };
 constexpr std::array typeUnits{
     TypeUnit{"UT_LENGTH_MM", "mm", 1, 1, true},

@@ -250,12 +250,15 @@ private:
         std::vector<Pass> passes;
         for (auto &[cycle, both] : cycles) {
             for (Pass &pass : both) {
-                if (!pass.readings.empty()) {
-                    addMissing(pass);
+                if (!pass.readings.empty())
                     passes.push_back(std::move(pass));
-                }
             }
         }
+        std::vector<double> targets;
+        for (const auto &[index, position] : m_targets)
+            targets.push_back(position);
+        if (!passes.empty())
+            addMissing(passes.front(), targets);
         if (m_cycles && *m_cycles != static_cast<double>(cycles.size()))
             remark(
                 RemarkGrade::problem,
@@ -263,20 +266,6 @@ private:
                  {Number{*m_cycles, Quantity::count},
                   Number{static_cast<double>(cycles.size()), Quantity::count}}});
         return passes;
-    }
-
-    /// Targets without a reading in any run are targets all the same.
-    void addMissing(Pass &pass) {
-        if (m_complete)
-            return;
-        m_complete = true;
-        for (const auto &[index, position] : m_targets) {
-            const auto same = [&target = position](const PassReading &reading) {
-                return reading.position == target;
-            };
-            if (std::ranges::none_of(pass.readings, same))
-                pass.readings.push_back({position, 0, 0, true});
-        }
     }
 
     Choices &m_choices;
@@ -288,7 +277,6 @@ private:
     std::optional<double> m_positions;
     std::optional<double> m_cycles;
     std::string m_axis;
-    bool m_complete = false;
 };
 
 } // namespace

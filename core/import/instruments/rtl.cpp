@@ -236,20 +236,8 @@ private:
         std::vector<Pass> passes;
         for (auto &[number, run] : m_runs)
             passes.push_back({run.direction, std::move(run.readings)});
-        addMissing(passes.front());
+        addMissing(passes.front(), m_targets);
         return passes;
-    }
-
-    /// Targets without a reading in any run are targets all the same.
-    void addMissing(Pass &pass) const {
-        std::vector<double> there;
-        for (const PassReading &reading : pass.readings)
-            there.push_back(reading.position);
-        std::ranges::sort(there);
-        for (const double target : m_targets) {
-            if (!std::ranges::binary_search(there, target))
-                pass.readings.push_back({target, 0, 0, true});
-        }
     }
 
     PassForm settleForms() {

@@ -173,6 +173,17 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
     return result;
 }
 
+void addMissing(Pass &pass, std::span<const double> targets) {
+    std::vector<double> there;
+    for (const PassReading &reading : pass.readings)
+        there.push_back(reading.position);
+    std::ranges::sort(there);
+    for (const double target : targets) {
+        if (!std::ranges::binary_search(there, target))
+            pass.readings.push_back({target, 0, 0, true});
+    }
+}
+
 std::vector<Pass> inCycles(std::vector<Pass> passes) {
     std::vector<Pass> upward;
     std::vector<Pass> downward;

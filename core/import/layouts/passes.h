@@ -9,6 +9,7 @@
 #include "tables/units.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,10 @@ struct PassForm {
 /// zeros, gaps, runs that differ in number.
 [[nodiscard]] PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &form,
                                                    std::vector<Remark> &remarks);
+
+/// Targets of a list that have a reading in no run are targets all the same: those a pass lacks are added to
+/// it as missing readings.
+void addMissing(Pass &pass, std::span<const double> targets);
 
 /// The numbers of both directions, one after the other: ↑1 ↓1 ↑2 ↓2 …, as the standard cycle measures.
 [[nodiscard]] std::vector<Pass> inCycles(std::vector<Pass> passes);
