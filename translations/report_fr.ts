@@ -8521,5 +8521,9 @@
         <source>The head announces %1 samples, %2 are there; those beyond were not read.</source>
         <translation>L’en-tête annonce %1 échantillons, le fichier en contient %2&#x202f;; les suivants n’ont pas été lus.</translation>
     </message>
+    <message>
+        <source>Columns: the lines end before “%1”; either nothing was entered there, or the headings do not stand above their columns.</source>
+        <translation>Colonnes&#xa0;: les lignes s’arrêtent avant «&#xa0;%1&#xa0;»&#x202f;; soit rien n’y a été saisi, soit les titres ne sont pas au-dessus de leurs colonnes.</translation>
+    </message>
 </context>
 </TS>

@@ -636,6 +636,7 @@ void TableBuilder::add(double number, std::string_view shown) {
 }
 
 CellTable TableBuilder::take(std::optional<DecimalMark> mark) {
+    m_table.isPlaced = true;
     std::array<std::size_t, 2> marked{}; // numbers with decimals under either mark
     for (const std::size_t i : m_texts) {
         const std::string_view text = m_table.text(m_table.m_cells[i]);

@@ -83,6 +83,7 @@ public:
 
     Choice<Delimiter> delimiter;
     Choice<DecimalMark> decimalMark;
+    bool isPlaced = false; ///< the file says the column of each cell, as workbooks do
 
 private:
     friend CellTable readTable(std::string text, const TableOptions &options);

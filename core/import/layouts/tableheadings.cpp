@@ -223,9 +223,45 @@ void readHeadings(const CellTable &table, std::vector<TableColumn> &columns, std
     }
 }
 
-} // namespace
+/// Whether a heading says what stands below it, and no readings.
+bool isNoReading(const HeadingWords &heading) {
+    return !heading.direction && !heading.hint &&
+           (heading.meaning == Meaning::unknown || heading.meaning == Meaning::other ||
+            heading.meaning == Meaning::statistic);
+}
 
-namespace {
+/// Headings further to the right than any line: either what they name was left out in all lines, or the
+/// headings do not stand above their columns. A remark behind headings that begin with the targets is the
+/// former.
+void askForHeadingsBeyond(const CellTable &table, const std::vector<std::uint32_t> &heads,
+                          const TableBlock &block, const std::vector<TableColumn> &columns,
+                          std::vector<Remark> &remarks) {
+    if (table.isPlaced)
+        return;
+    const auto isAsLong = [&](std::size_t count) {
+        return std::ranges::any_of(block.rows,
+                                   [&](std::uint32_t row) { return table.rows()[row].count >= count; });
+    };
+    for (const std::uint32_t head : heads) {
+        const auto cells = trimmed(table.cells(table.rows()[head]));
+        if (cells.size() <= columns.size() || isAsLong(cells.size()))
+            continue;
+        const std::string_view beyond = table.text(cells[columns.size()]);
+        const Meaning first = columns.front().meaning;
+        const bool beginsWithTargets = first == Meaning::target || first == Meaning::place ||
+                                       first == Meaning::angle || first == Meaning::time;
+        if (beginsWithTargets && isNoReading(readHeading(beyond)))
+            continue;
+        remarks.push_back({RemarkGrade::assumption,
+                           {REPORT_TEXT("report", "Columns: the lines end before “%1”; either nothing was "
+                                                  "entered there, or the headings do not stand above their "
+                                                  "columns."),
+                            {excerpt(beyond)}},
+                           table.rows()[head].line,
+                           0,
+                           "columns"});
+    }
+}
 
 /// "2s", "± 4 s": so many standard deviations; "1 s" could number a run.
 bool isSpread(std::string_view label) {
@@ -281,6 +317,7 @@ void findSections(const CellTable &table, TableBody &body) {
             std::ranges::any_of(columns, [](const TableColumn &column) { return !column.heading.empty(); });
         if (named || body.sections.empty()) {
             readHeadings(table, columns, body.remarks);
+            askForHeadingsBeyond(table, rows, block, columns, body.remarks);
             body.sections.push_back(std::move(columns));
         }
         block.section = body.sections.size() - 1;

@@ -103,6 +103,21 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
             << "ignored,run,run,run / 0 100 200 / ↑ 1.1 3 5 / ↓ 2.1 4 6 / " +
                    QString(name.startsWith("Temp") ? "sensor Temperature machine 20.3 / " : "");
     }
+    // Headings that no line reaches: they may stand a column too far to the right.
+    row("a heading more than cells", "Nr;Target (mm);Up 1 (µm);Up 2 (µm)\n0;1;2\n100;2;3\n200;3;4\n",
+        "ignored,target,run+1 / 1 2 3 / ↑ 2 3 4 / columns");
+    row("a heading of no reading more than cells",
+        "Target (mm);Up 1 (µm);Down 1 (µm);Remark\n0;1;2\n100;2;3\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 2 3 / ");
+    row("a run that is still to be made",
+        "Target (mm);Up 1 (µm);Down 1 (µm);Up 2 (µm)\n0;1;2;\n100;2;3;\n200;3;4;\n",
+        "target,run+1,run-1,ignored / 0 100 200 / ↑ 1 2 3 / ↓ 2 3 4 / ");
+    row("a remark more than cells, no targets first",
+        "Nr;Target (mm);Up 1 (µm);Remark\n0;1;2\n100;2;3\n200;3;4\n",
+        "ignored,target,run+1 / 1 2 3 / ↑ 2 3 4 / columns");
+    row("one line alone goes as far as the headings",
+        "Target (mm);Up 1 (µm);Down 1 (µm);Up 2 (µm)\n0;1;2;7\n100;2;3\n200;3;4\n",
+        "target,run+1,run-1 / 100 200 / ↑ 2 3 / ↓ 3 4 / columns unread");
     // One further column cancels nothing.
     for (const char *name :
          {"B",         "s",     "Min",        "Max",      "R",       "Umkehrspanne", "Écart type", "Remark",
