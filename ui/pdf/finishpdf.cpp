@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pdf/finishpdf.h"
 
+#include <QFile>
 #include <QStringList>
 #include <memory>
 #include <qpdf/Buffer.hh>
@@ -11,6 +12,7 @@
 #include <qpdf/QPDFFileSpecObjectHelper.hh>
 #include <qpdf/QPDFObjectHandle.hh>
 #include <qpdf/QPDFWriter.hh>
+#include <stdexcept>
 
 namespace palmer::ui {
 
@@ -85,6 +87,20 @@ void attach(QPDF &document, const std::vector<PdfAttachment> &attachments, const
     }
     if (!attachments.empty())
         document.getRoot().replaceKey("/AF", associated);
+}
+
+/// sRGB again, but its curves said as formulas: viewers turn Qt's tables of 1 024 values round for each page,
+/// which takes them longer than to draw it.
+void setColourProfile(QPDF &document) {
+    Handle intents = document.getRoot().getKey("/OutputIntents");
+    if (!intents.isArray())
+        return;
+    QFile file(QStringLiteral(":/colour/srgb.icc"));
+    if (!file.open(QIODevice::ReadOnly))
+        throw std::runtime_error("no colour profile");
+    intents.getArrayItem(0)
+        .getKey("/DestOutputProfile")
+        .replaceStreamData(file.readAll().toStdString(), Handle::newNull(), Handle::newNull());
 }
 
 double heightOf(Handle page) {
@@ -166,6 +182,7 @@ QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
     root.replaceKey("/Lang", text(properties.metadata.language));
     root.replaceKey("/ViewerPreferences", Handle::parse("<< /DisplayDocTitle true >>"));
     root.replaceKey("/PageLabels", Handle::parse("<< /Nums [0 << /S /D >>] >>"));
+    setColourProfile(document);
     setMetadata(document, properties.xmp);
     setInformation(document, properties.metadata);
     document.getTrailer().removeKey("/ID"); // drawn by lot

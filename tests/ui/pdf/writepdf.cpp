@@ -8,6 +8,7 @@
 #include "ui/pdf/reports.h"
 
 #include <QApplication>
+#include <QColorSpace>
 #include <QHashSeed>
 #include <ctime>
 #include <qpdf/QPDF.hh>
@@ -346,6 +347,9 @@ void WritePdf::isArchivalWithItsData() {
                           static_cast<qsizetype>(icc->getSize()));
     QCOMPARE(data.mid(36, 4), "acsp");
     QCOMPARE(data.mid(12, 8), "mntrRGB ");
+    QCOMPARE(data.mid(8, 2), QByteArray::fromHex("0420")); // the version that PDF/A-3 knows
+    QCOMPARE(QColorSpace::fromIccProfile(data), QColorSpace(QColorSpace::SRgb));
+    QVERIFY(data.contains("para") && !data.contains("curv")); // formulas: pages open four times as fast
 
     // The packet is not packed, and says what the dictionary says.
     QPDFObjectHandle metadata = root.getKey("/Metadata");
