@@ -5505,7 +5505,7 @@
     </message>
     <message>
         <source>a line is longer than 1 MiB; expected a table of readings</source>
-        <translation>une ligne dépasse 1 Mio&#x202f;; un tableau de relevés est attendu</translation>
+        <translation>une ligne dépasse 1&#xa0;Mio&#x202f;; un tableau de relevés est attendu</translation>
     </message>
     <message>
         <source>Here a table with other columns begins, which was not read.</source>
@@ -6736,8 +6736,8 @@
         <translation>ce PDF contient plusieurs fichiers d’essai, et on ne sait pas duquel le rapport est issu</translation>
     </message>
     <message>
-        <source>this PDF unpacks to more than %1 MB and is not read</source>
-        <translation>ce PDF dépasse %1&#xa0;Mo une fois décompressé et n’est pas lu</translation>
+        <source>this PDF unpacks to more than %1 MiB and is not read</source>
+        <translation>ce PDF dépasse %1&#xa0;Mio une fois décompressé et n’est pas lu</translation>
     </message>
     <message>
         <source>valid</source>

@@ -2574,8 +2574,8 @@
         <translation>Le fichier ne peut pas être lu.</translation>
     </message>
     <message>
-        <source>The picture is larger than 4 MB: it stands in every report. Choose a smaller one.</source>
-        <translation>L’image dépasse 4&#xa0;Mo&#xa0;: elle figure dans chaque rapport. Choisissez-en une plus petite.</translation>
+        <source>The picture is larger than 4 MiB: it stands in every report. Choose a smaller one.</source>
+        <translation>L’image dépasse 4&#xa0;Mio&#xa0;: elle figure dans chaque rapport. Choisissez-en une plus petite.</translation>
     </message>
     <message>
         <source>This is no picture that a report can show. Choose a PNG or an SVG.</source>
@@ -6189,8 +6189,8 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>%1 tirages</translation>
     </message>
     <message>
-        <source>%1 of %2 MB</source>
-        <translation>%1 sur %2 Mo</translation>
+        <source>%1 of %2 MiB</source>
+        <translation>%1 sur %2&#xa0;Mio</translation>
     </message>
 </context>
 <context>
