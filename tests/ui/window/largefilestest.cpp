@@ -190,6 +190,17 @@ private slots:
         QTRY_VERIFY(shown.window->hasDocument());
     }
 
+    /// And not in the turn in which the file comes: here it never does.
+    void pagesAreMadeWhileAFileIsRead() {
+        const ShownWindow shown;
+        QVERIFY(!shown.window->findChild<Workplace *>());
+        shown.window->openFile(document());
+        QVERIFY(!shown.window->findChild<Workplace *>());
+        shown.find<QPushButton>("cancelWork")->click();
+        QTRY_VERIFY(shown.window->findChild<Workplace *>());
+        QVERIFY(!shown.window->hasDocument());
+    }
+
     void filesComeInTheirOrder() {
         const ShownWindow shown;
         shown.window->importFiles({table(), smallTable()});
