@@ -1804,7 +1804,7 @@
     </message>
     <message>
         <source>%1 of %2 parameters told apart · condition %3</source>
-        <translation>%1 paramètres sur %2 séparés · conditionnement %3</translation>
+        <translation>%1 sur %2 séparés · conditionnement %3</translation>
     </message>
     <message>
         <source>Trace: %1</source>
@@ -1833,10 +1833,6 @@
     <message>
         <source>No single circle tells it.</source>
         <translation>Aucun cercle seul ne le dit.</translation>
-    </message>
-    <message>
-        <source>standard deviation %1; measured minus all sources</source>
-        <translation>écart-type %1&#x202f;; mesuré moins toutes les sources</translation>
     </message>
     <message>
         <source>one wave a turn is %1 Hz</source>
@@ -1914,6 +1910,10 @@
     <message>
         <source>Interpretation, not a result of ISO 230-4</source>
         <translation>Interprétation, pas un résultat de l’ISO&#xa0;230-4</translation>
+    </message>
+    <message>
+        <source>standard deviation %1; measured minus sources</source>
+        <translation>écart-type %1&#x202f;; mesuré moins les sources</translation>
     </message>
 </context>
 <context>
