@@ -453,7 +453,7 @@
     </message>
     <message>
         <source>machine complete and in working order</source>
-        <translation>machine complète et en ordre de marche</translation>
+        <translation>machine complète et en état de marche</translation>
     </message>
     <message>
         <source>machine unloaded</source>
@@ -1569,7 +1569,7 @@
     </message>
     <message>
         <source>complete and in working order</source>
-        <translation>complète et en ordre de marche</translation>
+        <translation>complète et en état de marche</translation>
     </message>
     <message>
         <source>not complete</source>
@@ -4202,11 +4202,11 @@
     </message>
     <message>
         <source>Complete, in working order</source>
-        <translation>Machine complète, en ordre de marche</translation>
+        <translation>Machine complète, en état de marche</translation>
     </message>
     <message>
         <source>The machine was completely assembled and in working order; guards may be absent.</source>
-        <translation>La machine était complètement assemblée et en ordre de marche&#x202f;; les protecteurs peuvent manquer.</translation>
+        <translation>La machine était complètement assemblée et en état de marche&#x202f;; les protecteurs peuvent manquer.</translation>
     </message>
     <message>
         <source>Levelled and aligned</source>
@@ -6043,7 +6043,7 @@
     </message>
     <message>
         <source>The machine was not complete or not in working order.</source>
-        <translation>Machine incomplète ou pas en ordre de marche.</translation>
+        <translation>Machine incomplète ou pas en état de marche.</translation>
     </message>
     <message>
         <source>levelling, alignment and functional checks</source>

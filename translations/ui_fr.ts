@@ -1714,7 +1714,7 @@
     </message>
     <message>
         <source>Machine complete, in working order</source>
-        <translation>Machine complète, en ordre de marche</translation>
+        <translation>Machine complète, en état de marche</translation>
     </message>
     <message>
         <source>Machine unloaded</source>
