@@ -1133,8 +1133,13 @@ void MainWindow::resizeEvent(QResizeEvent *event) {
     const bool iconsOnly = width() < iconsOnlyBelow;
     m_toolBar->setVisible(hasTools());
     m_toolBar->setToolButtonStyle(iconsOnly ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
-    for (const WindowAction step : {WindowAction::undo, WindowAction::redo})
-        toolButton(step).setToolButtonStyle(Qt::ToolButtonIconOnly);
+    for (const WindowAction tool : tools) {
+        const bool isStep = tool == WindowAction::undo || tool == WindowAction::redo;
+        if (isStep)
+            toolButton(tool).setToolButtonStyle(Qt::ToolButtonIconOnly);
+        if (tool != WindowAction::none)
+            setStyled(toolButton(tool), "iconOnly", iconsOnly || isStep);
+    }
 }
 
 void MainWindow::keyPressEvent(QKeyEvent *event) {
