@@ -8521,5 +8521,26 @@
         <source>The head announces %1 samples, %2 are there; those beyond were not read.</source>
         <translation>L’en-tête annonce %1 échantillons, le fichier en contient %2&#x202f;; les suivants n’ont pas été lus.</translation>
     </message>
+    <message>
+        <source>unidir. accuracy</source>
+        <comment>1988</comment>
+        <translation>précision unidir.</translation>
+    </message>
+    <message>
+        <source>unidir. accuracy</source>
+        <translation>exactitude unidir.</translation>
+    </message>
+    <message>
+        <source>unidir. systematic dev.</source>
+        <translation>écart syst. unidir.</translation>
+    </message>
+    <message>
+        <source>unidir. systematic error</source>
+        <translation>erreur syst. unidir.</translation>
+    </message>
+    <message>
+        <source>unidir. repeatability</source>
+        <translation>répétabilité unidir.</translation>
+    </message>
 </context>
 </TS>
