@@ -1912,8 +1912,8 @@
         <translation>Interprétation, pas un résultat de l’ISO&#xa0;230-4</translation>
     </message>
     <message>
-        <source>standard deviation %1; measured minus sources</source>
-        <translation>écart-type %1&#x202f;; mesuré moins les sources</translation>
+        <source>measured minus sources, s = %1</source>
+        <translation>mesuré moins les sources, s = %1</translation>
     </message>
 </context>
 <context>
