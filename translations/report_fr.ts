@@ -453,7 +453,7 @@
     </message>
     <message>
         <source>machine complete and in working order</source>
-        <translation>machine complète et en ordre de marche</translation>
+        <translation>machine complète et en état de marche</translation>
     </message>
     <message>
         <source>machine unloaded</source>
@@ -1569,7 +1569,7 @@
     </message>
     <message>
         <source>complete and in working order</source>
-        <translation>complète et en ordre de marche</translation>
+        <translation>complète et en état de marche</translation>
     </message>
     <message>
         <source>not complete</source>
@@ -4202,11 +4202,11 @@
     </message>
     <message>
         <source>Complete, in working order</source>
-        <translation>Machine complète, en ordre de marche</translation>
+        <translation>Machine complète, en état de marche</translation>
     </message>
     <message>
         <source>The machine was completely assembled and in working order; guards may be absent.</source>
-        <translation>La machine était complètement assemblée et en ordre de marche&#x202f;; les protecteurs peuvent manquer.</translation>
+        <translation>La machine était complètement assemblée et en état de marche&#x202f;; les protecteurs peuvent manquer.</translation>
     </message>
     <message>
         <source>Levelled and aligned</source>
@@ -5505,7 +5505,7 @@
     </message>
     <message>
         <source>a line is longer than 1 MiB; expected a table of readings</source>
-        <translation>une ligne dépasse 1 Mio&#x202f;; un tableau de relevés est attendu</translation>
+        <translation>une ligne dépasse 1&#xa0;Mio&#x202f;; un tableau de relevés est attendu</translation>
     </message>
     <message>
         <source>Here a table with other columns begins, which was not read.</source>
@@ -6043,7 +6043,7 @@
     </message>
     <message>
         <source>The machine was not complete or not in working order.</source>
-        <translation>Machine incomplète ou pas en ordre de marche.</translation>
+        <translation>Machine incomplète ou pas en état de marche.</translation>
     </message>
     <message>
         <source>levelling, alignment and functional checks</source>
@@ -6736,8 +6736,8 @@
         <translation>ce PDF contient plusieurs fichiers d’essai, et on ne sait pas duquel le rapport est issu</translation>
     </message>
     <message>
-        <source>this PDF unpacks to more than %1 MB and is not read</source>
-        <translation>ce PDF dépasse %1&#xa0;Mo une fois décompressé et n’est pas lu</translation>
+        <source>this PDF unpacks to more than %1 MiB and is not read</source>
+        <translation>ce PDF dépasse %1&#xa0;Mio une fois décompressé et n’est pas lu</translation>
     </message>
     <message>
         <source>valid</source>
@@ -8524,6 +8524,27 @@
     <message>
         <source>Columns: the lines end before “%1”; either nothing was entered there, or the headings do not stand above their columns.</source>
         <translation>Colonnes&#xa0;: les lignes s’arrêtent avant «&#xa0;%1&#xa0;»&#x202f;; soit rien n’y a été saisi, soit les titres ne sont pas au-dessus de leurs colonnes.</translation>
+    </message>
+    <message>
+        <source>unidir. accuracy</source>
+        <comment>1988</comment>
+        <translation>précision unidir.</translation>
+    </message>
+    <message>
+        <source>unidir. accuracy</source>
+        <translation>exactitude unidir.</translation>
+    </message>
+    <message>
+        <source>unidir. systematic dev.</source>
+        <translation>écart syst. unidir.</translation>
+    </message>
+    <message>
+        <source>unidir. systematic error</source>
+        <translation>erreur syst. unidir.</translation>
+    </message>
+    <message>
+        <source>unidir. repeatability</source>
+        <translation>répétabilité unidir.</translation>
     </message>
 </context>
 </TS>

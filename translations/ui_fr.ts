@@ -1269,10 +1269,6 @@
         <translation>Air, fin</translation>
     </message>
     <message>
-        <source>Position of the sensor</source>
-        <translation>Position du capteur</translation>
-    </message>
-    <message>
         <source>Correction to 20 °C</source>
         <translation>Correction à 20 °C</translation>
     </message>
@@ -1318,7 +1314,7 @@
     </message>
     <message>
         <source>Dwell at the target</source>
-        <translation>Temps d’arrêt au point</translation>
+        <translation>Temps d’arrêt</translation>
     </message>
     <message>
         <source>Load</source>
@@ -1482,7 +1478,7 @@
     </message>
     <message>
         <source>Shielded from draughts and radiation</source>
-        <translation>À l’abri des courants d’air et du rayonnement</translation>
+        <translation>Protégée des courants d’air, du rayonnement</translation>
     </message>
     <message>
         <source>Thermal guidelines of the maker</source>
@@ -1618,7 +1614,7 @@
     </message>
     <message>
         <source>Warm-up specified by</source>
-        <translation>Mise en température prescrite par</translation>
+        <translation>Mise en température selon</translation>
     </message>
     <message>
         <source>the maker</source>
@@ -1714,7 +1710,7 @@
     </message>
     <message>
         <source>Machine complete, in working order</source>
-        <translation>Machine complète, en ordre de marche</translation>
+        <translation>Machine complète, en état de marche</translation>
     </message>
     <message>
         <source>Machine unloaded</source>
@@ -1727,10 +1723,6 @@
     <message>
         <source>All of these apply</source>
         <translation>Tout cela est le cas</translation>
-    </message>
-    <message>
-        <source>How large the correction to 20 °C is, is known when temperature and expansion of machine and instrument are stated.</source>
-        <translation>La valeur de la correction à 20 °C est connue dès que température et dilatation de la machine et de l’instrument sont indiquées.</translation>
     </message>
     <message>
         <source>Correction to 20 °C: %1.</source>
@@ -1755,6 +1747,14 @@
     <message>
         <source>%1 of %2 apply</source>
         <translation>%1 sur %2 déclarées satisfaites</translation>
+    </message>
+    <message>
+        <source>Its size is known when temperatures and expansions are stated.</source>
+        <translation>Sa valeur est connue dès que températures et dilatations sont indiquées.</translation>
+    </message>
+    <message>
+        <source>Sensor position</source>
+        <translation>Position du capteur</translation>
     </message>
 </context>
 <context>
@@ -1804,7 +1804,7 @@
     </message>
     <message>
         <source>%1 of %2 parameters told apart · condition %3</source>
-        <translation>%1 paramètres sur %2 séparés · conditionnement %3</translation>
+        <translation>%1 sur %2 séparés · conditionnement %3</translation>
     </message>
     <message>
         <source>Trace: %1</source>
@@ -1833,10 +1833,6 @@
     <message>
         <source>No single circle tells it.</source>
         <translation>Aucun cercle seul ne le dit.</translation>
-    </message>
-    <message>
-        <source>standard deviation %1; measured minus all sources</source>
-        <translation>écart-type %1&#x202f;; mesuré moins toutes les sources</translation>
     </message>
     <message>
         <source>one wave a turn is %1 Hz</source>
@@ -1914,6 +1910,10 @@
     <message>
         <source>Interpretation, not a result of ISO 230-4</source>
         <translation>Interprétation, pas un résultat de l’ISO&#xa0;230-4</translation>
+    </message>
+    <message>
+        <source>measured minus sources, s = %1</source>
+        <translation>mesuré moins les sources, s = %1</translation>
     </message>
 </context>
 <context>
@@ -2574,8 +2574,8 @@
         <translation>Le fichier ne peut pas être lu.</translation>
     </message>
     <message>
-        <source>The picture is larger than 4 MB: it stands in every report. Choose a smaller one.</source>
-        <translation>L’image dépasse 4&#xa0;Mo&#xa0;: elle figure dans chaque rapport. Choisissez-en une plus petite.</translation>
+        <source>The picture is larger than 4 MiB: it stands in every report. Choose a smaller one.</source>
+        <translation>L’image dépasse 4&#xa0;Mio&#xa0;: elle figure dans chaque rapport. Choisissez-en une plus petite.</translation>
     </message>
     <message>
         <source>This is no picture that a report can show. Choose a PNG or an SVG.</source>
@@ -5465,8 +5465,8 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>essai de dérive</translation>
     </message>
     <message>
-        <source>View; edition of the test: %1</source>
-        <translation>Vue&#x202f;; édition de l’essai&#xa0;: %1</translation>
+        <source>View; test: %1</source>
+        <translation>Vue&#x202f;; essai&#xa0;: %1</translation>
     </message>
     <message>
         <source>E&amp;dition</source>
@@ -5481,16 +5481,16 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Montre les résultats selon une autre édition&#x202f;; le fichier reste tel quel</translation>
     </message>
     <message>
-        <source>&amp;Set as edition of the test</source>
-        <translation>Définir comme édition de l’&amp;essai</translation>
-    </message>
-    <message>
         <source>Set as edition of the test</source>
         <translation>Définir comme édition de l’essai</translation>
     </message>
     <message>
         <source>Writes this edition into the test; it can be undone</source>
         <translation>Inscrit cette édition dans l’essai&#x202f;; peut être annulé</translation>
+    </message>
+    <message>
+        <source>&amp;Set as edition</source>
+        <translation>Défi&amp;nir comme édition</translation>
     </message>
 </context>
 <context>
@@ -5691,7 +5691,7 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     </message>
     <message>
         <source>Env. variation E_VE</source>
-        <translation>Variation environnementale E_VE</translation>
+        <translation>Environnement E_VE</translation>
     </message>
     <message>
         <source>typed in</source>
@@ -5958,10 +5958,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Incertitude élargie des résultats selon les deux méthodes</translation>
     </message>
     <message>
-        <source>95.45 % interval</source>
-        <translation>intervalle 95,45&#xa0;%</translation>
-    </message>
-    <message>
         <source>distribution</source>
         <translation>répartition</translation>
     </message>
@@ -6044,6 +6040,10 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>2s of U: %1; tolerance of u: %2</source>
         <translation>2s de U&#xa0;: %1&#x202f;; tolérance sur u&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>interval</source>
+        <translation>intervalle</translation>
     </message>
 </context>
 <context>
@@ -6189,8 +6189,8 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>%1 tirages</translation>
     </message>
     <message>
-        <source>%1 of %2 MB</source>
-        <translation>%1 sur %2 Mo</translation>
+        <source>%1 of %2 MiB</source>
+        <translation>%1 sur %2&#xa0;Mio</translation>
     </message>
 </context>
 <context>

@@ -7,13 +7,16 @@
 #include <QApplication>
 #include <QEvent>
 #include <QFile>
+#include <QFontMetrics>
 #include <QIconEngine>
 #include <QPaintEngine>
 #include <QPainter>
 #include <QPalette>
 #include <QPixmapCache>
 #include <QSettings>
+#include <QStyle>
 #include <QSvgRenderer>
+#include <QWidget>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -135,8 +138,8 @@ QMenuBar { background: @window; padding-left: 10px; }
 QMenuBar::item { background: transparent; padding: 5px 8px; border-radius: 4px; }
 QMenuBar::item:selected { background: @selected; color: @text; }
 QToolTip { background: @base; color: @text; border: 1px solid @field; padding: 3px; }
-QToolBar { background: @window; border: none; border-bottom: 1px solid @line; padding: 0 8px; spacing: 4px; }
-QToolBar::separator { background: @line; width: 1px; margin: 8px 6px; }
+QToolBar { background: @window; border: none; border-bottom: 1px solid @line; padding: 0 8px; spacing: 0; }
+QToolBar::separator { background: @line; width: 1px; margin: 8px 0; }
 QCheckBox::indicator, QListView::indicator { width: 14px; height: 14px; border: 1px solid @field; border-radius: 3px;
     background: @base; }
 QCheckBox::indicator:hover, QCheckBox::indicator:focus, QListView::indicator:hover { border-color: @accent; }
@@ -188,6 +191,13 @@ QToolButton:disabled { color: @disabled; }
 QToolButton:focus { border: 2px solid @accent; min-height: 24px; padding: 0 6px; }
 QToolButton[iconOnly="true"]:focus { padding: 0 4px; }
 QToolButton[tight="true"]:focus { padding: 0; }
+QToolBar > QToolButton { padding: 0 @afterWord 0 12px; }
+QToolBar > QToolButton:focus { padding: 0 @afterFocusedWord 0 11px; }
+QToolBar > QToolButton[iconOnly="true"] { padding: 0 12px; }
+QToolBar > QToolButton[iconOnly="true"]:focus { padding: 0 11px; }
+QToolBar > QToolButton[popupMode="1"] { padding-right: 20px; }
+QToolBar > QToolButton[popupMode="1"]:focus { padding-right: 19px; }
+QToolBar > QToolButton::menu-button { width: 36px; }
 QToolButton[segment="first"], QToolButton[segment="middle"], QToolButton[segment="last"] {
     background: @base; border: 1px solid @field; border-radius: 0; padding: 0 9px; min-height: 24px; }
 QToolButton[segment="only"] { background: @base; border: 1px solid @field; padding: 0 22px 0 9px; min-height: 24px; }
@@ -202,7 +212,8 @@ QLineEdit, QAbstractSpinBox, QComboBox { min-height: 26px; padding: 0 8px; }
 QLineEdit > QToolButton { border: none; padding: 0; min-height: 0; }
 QLineEdit:focus, QAbstractSpinBox:focus, QComboBox:focus { border: 2px solid @accent; min-height: 24px; padding: 0 7px; }
 QLineEdit[cell="true"], QLineEdit[cell="true"]:focus { border: 2px solid @accent; min-height: 0; padding: 0 4px 0 2px; }
-QPlainTextEdit:focus { border: 2px solid @accent; }
+QPlainTextEdit { padding: 0 6px; }
+QPlainTextEdit:focus { border: 2px solid @accent; padding: 0 5px; }
 QLineEdit[refused="true"], QPlainTextEdit[refused="true"] { color: @bad; border-color: @bad; }
 QLineEdit:disabled, QComboBox:disabled { color: @disabled; }
 QComboBox::drop-down { border: none; width: 22px; }
@@ -223,12 +234,21 @@ QLabel[tone="unsure"] { color: @unsure; }
 QLabel[tone="bad"] { color: @bad; }
 )";
 
+QString pixels(int count) {
+    return QString::number(std::max(count, 0)) + QStringLiteral("px");
+}
+
 QString filledStyleSheet(const QPalette &palette) {
     const QColor window = palette.color(QPalette::Window);
     const QColor base = palette.color(QPalette::Base);
     const QColor text = palette.color(QPalette::WindowText);
     const QColor accent = token(Token::accent, palette);
-    const std::array<std::pair<const char *, QString>, 18> values{{
+    // Qt leaves room for two spaces behind the word of a tool button, and three pixels; less padding there
+    // puts icon and word in the middle.
+    const int behind = 2 * QFontMetrics(QApplication::font()).horizontalAdvance(u' ') + 3;
+    const std::array<std::pair<const char *, QString>, 20> values{{
+        {"@afterWord", pixels(12 - behind)},
+        {"@afterFocusedWord", pixels(11 - behind)},
         // longer names first: one is the beginning of another
         {"@accentHover", mixed(accent, text, 0.85).name()},
         {"@accent", accent.name()},
@@ -401,6 +421,14 @@ void drawLineIcon(QPainter &painter, const QRect &area, const QString &name, con
         QPixmapCache::insert(key, mark);
     }
     painter.drawPixmap(square.topLeft(), mark);
+}
+
+void setStyled(QWidget &widget, const char *property, bool value) {
+    if (widget.property(property).toBool() == value)
+        return;
+    widget.setProperty(property, value);
+    widget.style()->unpolish(&widget); // lets the rules be matched anew
+    widget.style()->polish(&widget);
 }
 
 void installTheme() {

@@ -9,6 +9,7 @@
 #include <QString>
 
 class QPainter;
+class QWidget;
 
 namespace palmer::ui {
 
@@ -57,6 +58,9 @@ enum class ThemeChoice { system, light, dark };
 [[nodiscard]] ThemeChoice themeChoice();
 /// Holds at once.
 void setThemeChoice(ThemeChoice choice);
+
+/// Gives a widget a property that the style sheet looks at.
+void setStyled(QWidget &widget, const char *property, bool value);
 
 /// Fills the application's one style sheet from its palette, now and whenever the palette changes; the
 /// palette is that of the choice. Call once.

@@ -19,8 +19,8 @@ namespace palmer::ui {
 namespace {
 
 QString sizeText(long long bytes) {
-    constexpr double megabyte = 1e6;
-    return windowLanguage().number(static_cast<double>(bytes) / megabyte, Quantity::count, 1);
+    constexpr double mebibyte = 1 << 20; // as file dialogs say sizes
+    return windowLanguage().number(static_cast<double>(bytes) / mebibyte, Quantity::count, 1);
 }
 
 QString countText(long long count) {
@@ -94,7 +94,7 @@ void WorkBar::showProgress() {
         text = of > 0 ? tr("%1 of %2 trials").arg(countText(done), countText(of))
                       : tr("%1 trials").arg(countText(done));
     else if (of > 0)
-        text = tr("%1 of %2 MB").arg(sizeText(done), sizeText(of));
+        text = tr("%1 of %2 MiB").arg(sizeText(done), sizeText(of));
     m_count->setVisible(!text.isEmpty());
     m_count->setText(text);
     m_count->setMinimumWidth(std::max(m_count->minimumWidth(), m_count->sizeHint().width())); // never jumps

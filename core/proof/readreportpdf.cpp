@@ -37,7 +37,7 @@ std::optional<PdfParts> partsOf(const QByteArray &pdf) {
     } catch (const std::exception &) {
         if (exceeded)
             refuse(Error::Kind::tooLarge,
-                   REPORT_TEXT("report", "this PDF unpacks to more than %1 MB and is not read"),
+                   REPORT_TEXT("report", "this PDF unpacks to more than %1 MiB and is not read"),
                    {Number{static_cast<double>(mostUnpacked >> 20), Quantity::count, 0}});
         return {};
     }

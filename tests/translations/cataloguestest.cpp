@@ -294,13 +294,14 @@ void CataloguesTest::leaveOutWordsThatWereGivenUp_data() {
                                 "un chacun",
                                 "coupe de %",
                                 "^Plus (petit|grand)$",
-                                "[Mm]arque décimale"})
+                                "[Mm]arque décimale",
+                                "\\b[KkM]o\\b"}) // sizes as file dialogs say them: Kio, Mio
         row(true, pattern);
     for (const char *pattern :
          {"place of the (2 m )?working zone", "\\b[Bb]idirectional", "means and limits at",
           "taken from (the )?unrounded", "that rules the parameter", "(budget|simulation) decides",
           "[Tt]o improve first", "errors of measurement shift", "is surer", "may not be rejected",
-          "centred anew", "was not unloaded", "stand-ins?\\b"})
+          "centred anew", "was not unloaded", "stand-ins?\\b", "\\b[kKM]B\\b"})
         row(false, pattern);
 }
 

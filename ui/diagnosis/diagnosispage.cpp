@@ -422,7 +422,7 @@ void DiagnosisPage::fillChart() {
     }
     const DiagnosedTest &test = *shown->test;
     if (m_rest->isChecked()) {
-        m_chartNote->setText(tr("standard deviation %1; measured minus all sources")
+        m_chartNote->setText(tr("measured minus sources, s = %1")
                                  .arg(m_language.quantity(test.diagnosis.residual, Quantity::deviation, 3)));
         m_chart->setReadOut({});
         m_chart->setFigure(shown->residual, m_language);

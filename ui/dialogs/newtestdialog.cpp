@@ -10,6 +10,7 @@
 #include "ui/dialogs/limits.h"
 #include "ui/dialogs/statementsbox.h"
 #include "ui/testname.h"
+#include "ui/theme.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -23,7 +24,6 @@
 #include <QRandomGenerator>
 #include <QRegularExpression>
 #include <QSignalBlocker>
-#include <QStyle>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -326,11 +326,7 @@ void NewTestDialog::check() {
          std::initializer_list<QWidget *>{m_name, m_travel, m_runs, m_first, m_last, m_count, m_list}) {
         const bool refused = field == found.field;
         field->setAccessibleDescription(refused ? found.sentence : QString());
-        if (field->property("refused").toBool() == refused)
-            continue;
-        field->setProperty("refused", refused);
-        field->style()->unpolish(field); // lets the rules be matched anew
-        field->style()->polish(field);
+        setStyled(*field, "refused", refused);
     }
     m_problem->setText(found.sentence);
     m_problem->setVisible(found.field);

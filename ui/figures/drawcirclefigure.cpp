@@ -922,7 +922,7 @@ private:
         }
     }
 
-    /// Paths in the upper left corner, all else in the lower right.
+    /// Paths in the upper right corner, all else in the lower right; upper left stands the centre.
     void drawCorners() {
         std::vector<const CircleLegendEntry *> paths;
         std::vector<const CircleLegendEntry *> others;
@@ -934,18 +934,20 @@ private:
                               entry.sample == CircleLegendSample::layer;
             (path ? paths : others).push_back(&entry);
         }
+        const auto leftOf = [&](const std::vector<const CircleLegendEntry *> &entries) {
+            double widest = 0;
+            for (const CircleLegendEntry *entry : entries)
+                widest = std::max(widest, textWidth(entry->text));
+            return m_plot.right() - screenInset - widest - screenSample - screenSampleGap;
+        };
         double y = m_plot.top() + screenRow;
         for (const CircleLegendEntry *entry : paths) {
-            drawCornerEntry(*entry, m_plot.left() + screenInset, y);
+            drawCornerEntry(*entry, leftOf(paths), y);
             y += screenRow;
         }
         y = m_plot.bottom() - screenRow;
         for (auto entry = others.rbegin(); entry != others.rend(); ++entry) {
-            double widest = 0;
-            for (const CircleLegendEntry *other : others)
-                widest = std::max(widest, textWidth(other->text));
-            drawCornerEntry(**entry, m_plot.right() - screenInset - widest - screenSample - screenSampleGap,
-                            y);
+            drawCornerEntry(**entry, leftOf(others), y);
             y -= screenRow;
         }
     }

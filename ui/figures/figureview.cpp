@@ -30,7 +30,6 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
-#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -132,11 +131,8 @@ void FigureView::resizeEvent(QResizeEvent *event) {
     if (m_copy->property("tight").toBool() == tight)
         return;
     for (QToolButton *button : findChildren<QToolButton *>()) {
-        if (!button->property("iconOnly").toBool())
-            continue;
-        button->setProperty("tight", tight);
-        button->style()->unpolish(button); // lets the rules be matched anew
-        button->style()->polish(button);
+        if (button->property("iconOnly").toBool())
+            setStyled(*button, "tight", tight);
     }
 }
 

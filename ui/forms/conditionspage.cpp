@@ -247,8 +247,9 @@ void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal) {
     start->setLabelArgument(argument);
     addNumber("sensors", labels.end, Quantity::temperature, endOf(what, ordinal), 3)
         ->setLabelArgument(argument);
-    addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the sensor"),
-            ofSensor<&Sensor::position>(what, ordinal), 3);
+    addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Sensor position"),
+            ofSensor<&Sensor::position>(what, ordinal),
+            what == SensorMeasures::air && ordinal == 0 ? 6 : 3); // the others have something beside them
     m_lastSensors[what] = start;
 }
 
@@ -278,31 +279,35 @@ void ConditionsPage::addTemperatures(const Test &test) {
                 addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"),
                           Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::instrument>(),
                           3);
-            } else {
-                addChoice("correctionTo20",
-                          QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Correction to 20 °C"),
-                          {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
-                           QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not applied"),
-                           QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by the instrument"),
-                           QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "applied here")},
-                          choiceOf<CorrectionTo20>(common<&Conditions::correctionTo20>(),
-                                                   {CorrectionTo20::notStated, CorrectionTo20::notApplied,
-                                                    CorrectionTo20::appliedByInstrument,
-                                                    CorrectionTo20::appliedHere}),
-                          true, 3);
             }
         }
     }
+    addCorrection();
+    addSensorButtons();
+    addRoom();
+    addAir(test);
+}
+
+/// With room for its words, and its size beside it.
+void ConditionsPage::addCorrection() {
     beginColumns();
+    addChoice("correctionTo20", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Correction to 20 °C"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not applied"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by the instrument"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "applied here")},
+              choiceOf<CorrectionTo20>(common<&Conditions::correctionTo20>(),
+                                       {CorrectionTo20::notStated, CorrectionTo20::notApplied,
+                                        CorrectionTo20::appliedByInstrument, CorrectionTo20::appliedHere}),
+              true, 4);
     m_correction = new QLabel(body());
     m_correction->setObjectName(QStringLiteral("correctionSize"));
     m_correction->setFont(themeFont(TextSize::small));
     m_correction->setProperty("secondary", true);
     m_correction->setWordWrap(true);
-    addWidget(m_correction, 12);
-    addSensorButtons();
-    addRoom();
-    addAir(test);
+    m_correction->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    m_correction->setContentsMargins(0, Field::headHeight, 0, 0); // beside the field, not its label
+    addWidget(m_correction, 8);
 }
 
 void ConditionsPage::addSensorButtons() {
@@ -403,7 +408,7 @@ void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
 }
 
 void ConditionsPage::addWarmUp(bool isPositioning, bool rotary) {
-    constexpr int third = 4;
+    const int width = isPositioning && !rotary ? 6 : 4; // two or three in a row
     beginColumns();
     addChoice("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
@@ -423,21 +428,21 @@ void ConditionsPage::addWarmUp(bool isPositioning, bool rotary) {
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "agreement")},
               choiceOf<SpecifiedBy>(commonPart<&Conditions::warmUp, &WarmUp::specifiedBy>(),
                                     {SpecifiedBy::notStated, SpecifiedBy::maker, SpecifiedBy::agreement}),
-              true, third);
+              true, width);
     if (isPositioning)
         addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed feed rate"),
-                  rotary ? Quantity::angularFeed : Quantity::feed, agreedValue("feed"), third);
+                  rotary ? Quantity::angularFeed : Quantity::feed, agreedValue("feed"), width);
     if (isPositioning && rotary)
         addYesNo("continuousDevice",
                  QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Continuous measuring device"),
                  positioning<&PositioningMeasurement::conditions, &PositioningConditions::continuousDevice>(),
-                 third);
+                 width);
     if (!isPositioning) {
         addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified diameter"),
                   Quantity::position, circular<&CircularMeasurement::specified, &SpecifiedCircle::diameter>(),
-                  third, Allowed::positive);
+                  width, Allowed::positive);
         addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified feed"), Quantity::feed,
-                  circular<&CircularMeasurement::specified, &SpecifiedCircle::feed>(), third,
+                  circular<&CircularMeasurement::specified, &SpecifiedCircle::feed>(), width,
                   Allowed::positive);
     }
     beginColumns();
@@ -474,22 +479,23 @@ void ConditionsPage::addDeclarations(const Edition *edition) {
         addDeclarationsOf(edition, clause);
     beginColumns();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Rest of the requirements declared met by"),
-            ofTest([](auto &test) { return &test.declaredAccordance.by; }), 5);
+            ofTest([](auto &test) { return &test.declaredAccordance.by; }), 6);
     addDate("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declared on"),
-            ofTest([](auto &test) { return &test.declaredAccordance.date; }), 3);
+            ofTest([](auto &test) { return &test.declaredAccordance.date; }), 6);
+    beginColumns();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Text of the declaration"),
-            ofTest([](auto &test) { return &test.declaredAccordance.text; }), 4);
+            ofTest([](auto &test) { return &test.declaredAccordance.text; }), 12);
 }
 
-/// Those of one clause beside its number, three in a row.
+/// Those of one clause beside its number, two in a row: their labels are long.
 void ConditionsPage::addDeclarationsOf(const Edition *edition, const std::string &clause) {
-    constexpr int inRow = 3;
-    const int width = clause.empty() ? 4 : 11 / inRow;
+    constexpr int inRow = 2;
     int count = 0;
     for (const Declaration &declaration : declarations) {
         if (clause != (edition ? clauseOf(*edition, declaration.id) : std::string()))
             continue;
-        if (count++ % inRow == 0) {
+        const bool begins = count++ % inRow == 0;
+        if (begins) {
             beginColumns();
             if (!clause.empty()) {
                 auto *label = new QLabel(count == 1 ? QString::fromStdString(clause) : QString(), body());
@@ -497,7 +503,8 @@ void ConditionsPage::addDeclarationsOf(const Edition *edition, const std::string
                 addWidget(label);
             }
         }
-        addYesNo(declaration.key, declaration.label, ofDeclaration(declaration.member), width);
+        addYesNo(declaration.key, declaration.label, ofDeclaration(declaration.member),
+                 begins && !clause.empty() ? 5 : 6);
     }
 }
 
@@ -737,11 +744,9 @@ void ConditionsPage::refreshOthers() {
         const auto *axis = std::get_if<PositioningMeasurement>(&shown->measurement);
         const QString size = correctionSizeText(*shown, language());
         m_correction->setVisible(!axis || axis->axis.motion == Motion::linear);
-        m_correction->setText(
-            size.isEmpty()
-                ? tr("How large the correction to 20 °C is, is known when temperature and expansion of "
-                     "machine and instrument are stated.")
-                : tr("Correction to 20 °C: %1.").arg(size));
+        m_correction->setText(size.isEmpty()
+                                  ? tr("Its size is known when temperatures and expansions are stated.")
+                                  : tr("Correction to 20 °C: %1.").arg(size));
     }
     const auto &instruments = evaluated().document->instruments;
     for (std::size_t i = 0; shown && i < m_instruments.size() && i < instruments.size(); ++i) {

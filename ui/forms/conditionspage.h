@@ -27,6 +27,7 @@ protected:
 
 private:
     void addTemperatures(const Test &test);
+    void addCorrection();
     void addSensorButtons();
     void addRoom();
     void addAir(const Test &test);

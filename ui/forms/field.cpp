@@ -17,7 +17,6 @@
 #include <QLineEdit>
 #include <QPainter>
 #include <QPlainTextEdit>
-#include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
@@ -27,8 +26,8 @@ namespace palmer::ui {
 namespace {
 
 constexpr int linesHeight = 66;
-constexpr int labelHeight = 16;
 constexpr int labelGap = 4;
+constexpr int labelHeight = Field::headHeight - labelGap;
 constexpr int barWidth = 4;
 constexpr int margin = 8;
 constexpr int iconSize = 12;
@@ -64,15 +63,6 @@ protected:
 QString beginningOf(const QString &text) {
     constexpr qsizetype enough = 60;
     return text.size() <= enough ? text : text.first(enough).trimmed() + u'…';
-}
-
-/// A property that the style sheet looks at.
-void setStyled(QWidget *widget, const char *name, bool value) {
-    if (widget->property(name).toBool() == value)
-        return;
-    widget->setProperty(name, value);
-    widget->style()->unpolish(widget); // lets the rules be matched anew
-    widget->style()->polish(widget);
 }
 
 } // namespace
@@ -409,7 +399,7 @@ void Field::retranslate() {
         m_reason->setText(refusalText());
     placeReason();
     QWidget *shown = edit();
-    setStyled(shown, "refused", isRefused());
+    setStyled(*shown, "refused", isRefused());
     shown->setAccessibleName(label);
     shown->setAccessibleDescription(description());
     placeParts();

@@ -33,6 +33,8 @@ public:
     };
     using Reader = std::function<Reading(const QString &)>;
 
+    static constexpr int headHeight = 20; ///< of the label and the gap below it, pixels
+
     explicit Field(Kind kind, QWidget *parent = nullptr);
     ~Field() override;
     Q_DISABLE_COPY_MOVE(Field)

@@ -169,7 +169,7 @@ void IdentificationPage::choosePicture(Picture picture) {
     } catch (const Error &error) {
         problem =
             error.kind == Error::Kind::tooLarge
-                ? tr("The picture is larger than 4 MB: it stands in every report. Choose a smaller one.")
+                ? tr("The picture is larger than 4 MiB: it stands in every report. Choose a smaller one.")
                 : tr("The file cannot be read.");
     }
     if (!problem.isEmpty()) {

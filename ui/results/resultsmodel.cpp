@@ -14,10 +14,15 @@ void ResultsModel::retranslate() {
     emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
 }
 
-void ResultsModel::setFullNames(bool full) {
-    if (m_full == full)
+QString ResultsModel::nameOf(int row, Names names) const {
+    const ResultLine &shown = line(row);
+    return names == Names::full ? shown.fullName : names == Names::brief ? shown.name : shown.narrowName;
+}
+
+void ResultsModel::setNames(Names names) {
+    if (m_names == names)
         return;
-    m_full = full;
+    m_names = names;
     if (rowCount() > 0)
         emit dataChanged(index(0, name), index(rowCount() - 1, name));
 }
@@ -59,7 +64,7 @@ QVariant ResultsModel::data(const QModelIndex &index, int role) const {
     case symbol:
         return shown.symbol.plain();
     case name:
-        return m_full ? shown.fullName : shown.name;
+        return nameOf(index.row(), m_names);
     case other:
         return shown.other;
     case otherUncertainty:

@@ -37,8 +37,9 @@ public:
     [[nodiscard]] const ResultLine &line(int row) const {
         return m_table.lines[static_cast<std::size_t>(row)];
     }
-    /// Names as in the standard, not the short ones.
-    void setFullNames(bool full);
+    enum class Names { full, brief, narrow }; ///< full: as in the standard
+    [[nodiscard]] QString nameOf(int row, Names names) const;
+    void setNames(Names names);
     [[nodiscard]] int rowOf(const QString &id) const; ///< −1: none
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
@@ -49,7 +50,7 @@ public:
 
 private:
     ResultTable m_table;
-    bool m_full = false;
+    Names m_names = Names::brief;
 };
 
 } // namespace palmer::ui

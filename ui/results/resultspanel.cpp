@@ -36,9 +36,11 @@ constexpr int headHeight = 22;
 constexpr int mostRows = 13;
 constexpr int leastRows = 6;
 constexpr int symbolWidth = 40;
+constexpr int narrowSymbolWidth = 32;
 constexpr int symbolMargin = 14; ///< before a symbol and after it
 constexpr int scaleWidth = 62;
 constexpr int cellMargin = 10;
+constexpr int narrowCellMargin = 7;
 constexpr int nameMargin = 8;
 
 /// A head without a look of its own: small words over their columns, a rule below.
@@ -269,7 +271,7 @@ void ResultsPanel::fitColumns() {
     QFont bold = font();
     bold.setWeight(QFont::DemiBold);
     const QFontMetrics metrics(bold);
-    double symbols = symbolWidth;
+    double symbols = m_narrow ? narrowSymbolWidth : symbolWidth;
     for (int row = 0; row < m_model.rowCount(); ++row)
         symbols = std::max(symbols, formulaWidth(m_model.line(row).symbol, bold) + symbolMargin);
     m_table->setColumnWidth(ResultsModel::symbol, static_cast<int>(std::ceil(symbols)));
@@ -285,7 +287,7 @@ void ResultsPanel::fitColumns() {
             const int mark = column == ResultsModel::verdict && !text.isEmpty() ? 16 : 0;
             width = std::max(width, metrics.horizontalAdvance(text) + mark);
         }
-        m_table->setColumnWidth(column, width + cellMargin);
+        m_table->setColumnWidth(column, width + (m_narrow ? narrowCellMargin : cellMargin));
     }
     const auto &other = m_model.table().otherTest;
     m_table->setColumnHidden(ResultsModel::scale, m_narrow || other);
@@ -315,15 +317,23 @@ void ResultsPanel::fitColumns() {
     fitNames();
 }
 
-/// The standard's own names where all of them fit, else the short ones; those of circles, too, which tell the
+/// The standard's own names where all of them fit, else shorter ones; those of circles, too, which tell the
 /// senses apart.
 void ResultsPanel::fitNames() {
+    using Names = ResultsModel::Names;
     const QFontMetrics metrics(m_table->font());
     const int room = m_table->columnWidth(ResultsModel::name) - nameMargin;
-    int widest = 0;
-    for (int row = 0; row < m_model.rowCount(); ++row)
-        widest = std::max(widest, metrics.horizontalAdvance(m_model.line(row).fullName));
-    m_model.setFullNames(widest <= room && m_model.table().circle.isEmpty());
+    const auto fit = [&](Names names) {
+        for (int row = 0; row < m_model.rowCount(); ++row) {
+            if (metrics.horizontalAdvance(m_model.nameOf(row, names)) > room)
+                return false;
+        }
+        return true;
+    };
+    const bool isCircle = !m_model.table().circle.isEmpty();
+    m_model.setNames(!isCircle && fit(Names::full) ? Names::full
+                     : fit(Names::brief)           ? Names::brief
+                                                   : Names::narrow);
 }
 
 /// Which tests stand beside each other.

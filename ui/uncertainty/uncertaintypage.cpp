@@ -802,7 +802,7 @@ void UncertaintyPage::nameResultColumns(UncertaintyMethod method) {
     m_results->setHead(column::simulation, tr("Monte Carlo, 95.45 %"), true);
     // There is little room: the report has this line in any case.
     m_results->setColumnHidden(column::actual, method != UncertaintyMethod::budgetActual);
-    m_results->setHead(column::interval, tr("95.45 % interval"), true);
+    m_results->setHead(column::interval, tr("interval"), true);
     m_results->setHead(column::distribution, tr("distribution"), false);
     m_results->setHead(column::shift, tr("shift"), true);
     m_results->setHead(column::difference, tr("difference"), false);

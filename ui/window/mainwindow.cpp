@@ -62,6 +62,7 @@
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QTime>
+#include <QTimer>
 #include <QToolBar>
 #include <QToolButton>
 #include <QUndoStack>
@@ -281,6 +282,11 @@ Workplace &MainWindow::workplace() {
     return *m_workplace;
 }
 
+/// While a large file is read beside the window: not when it comes, which is work enough for one turn.
+void MainWindow::makePagesMeanwhile() {
+    QTimer::singleShot(0, this, [this] { workplace(); });
+}
+
 std::size_t MainWindow::testInView() const {
     return m_workplace ? m_workplace->selection().test() : 0;
 }
@@ -350,6 +356,7 @@ void MainWindow::readToImport(const std::function<QByteArray(const std::stop_tok
         return;
     }
     m_importing = name;
+    makePagesMeanwhile();
     m_reader.start([read](const Background::Job &job) { return read(job.stop()); },
                    [this, show](Outcome outcome) {
                        m_importing.clear();
@@ -484,6 +491,7 @@ void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
     if (m_reading.contains(path))
         return;
     m_reading += path;
+    makePagesMeanwhile();
     m_reader.start([open](const Background::Job &job) { return open(job.stop()); },
                    [this, path, finish](Outcome outcome) {
                        m_reading.removeAll(path);
@@ -1125,8 +1133,13 @@ void MainWindow::resizeEvent(QResizeEvent *event) {
     const bool iconsOnly = width() < iconsOnlyBelow;
     m_toolBar->setVisible(hasTools());
     m_toolBar->setToolButtonStyle(iconsOnly ? Qt::ToolButtonIconOnly : Qt::ToolButtonTextBesideIcon);
-    for (const WindowAction step : {WindowAction::undo, WindowAction::redo})
-        toolButton(step).setToolButtonStyle(Qt::ToolButtonIconOnly);
+    for (const WindowAction tool : tools) {
+        const bool isStep = tool == WindowAction::undo || tool == WindowAction::redo;
+        if (isStep)
+            toolButton(tool).setToolButtonStyle(Qt::ToolButtonIconOnly);
+        if (tool != WindowAction::none)
+            setStyled(toolButton(tool), "iconOnly", iconsOnly || isStep);
+    }
 }
 
 void MainWindow::keyPressEvent(QKeyEvent *event) {

@@ -111,6 +111,7 @@ private:
     void importNext();
     void readToImport(const std::function<QByteArray(const std::stop_token &)> &bytes, const QString &name,
                       qint64 size);
+    void makePagesMeanwhile();
     void showReading();
     void cancelReading();
     void showAssistant(MeasurementFile file);

@@ -71,6 +71,7 @@ void PageTabs::paintEvent(QPaintEvent *) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
     const QColor accent = token(Token::accent, palette());
+    const QFontMetrics bold(tabFont(true));
     for (int tab = 0; tab < count(); ++tab) {
         const bool current = tab == currentIndex();
         const bool hovered = tabRect(tab).contains(mapFromGlobal(QCursor::pos())) && underMouse();
@@ -78,10 +79,14 @@ void PageTabs::paintEvent(QPaintEvent *) {
         painter.setFont(tabFont(current));
         painter.setPen(current || hovered ? palette().color(QPalette::WindowText)
                                           : token(Token::secondaryText, palette()));
-        const QRect word = area.adjusted(padding, 0, -padding, 0);
+        const QString shown = QString(tabText(tab)).remove(u'&');
+        const int width = painter.fontMetrics().horizontalAdvance(shown);
+        // In the middle of the room of the bold word, so that gaps are even; the first at the edge of the
+        // page.
+        const int slack = tab == 0 ? 0 : (bold.horizontalAdvance(shown) - width) / 2;
+        const QRect word = area.adjusted(padding + slack, 0, -padding, 0);
         painter.drawText(word, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextShowMnemonic, tabText(tab));
         if (count(tab) > 0) {
-            const int width = painter.fontMetrics().horizontalAdvance(QString(tabText(tab)).remove(u'&'));
             const QRect badge(word.left() + width + badgeGap, area.center().y() - badgeSize / 2 + 1,
                               badgeSize, badgeSize); // nearer to its word than to the next
             painter.setPen(Qt::NoPen);

@@ -130,7 +130,7 @@ void TestHead::show(const EvaluatedDocument &evaluated, std::size_t test) {
     const bool hasEdition = evaluation.edition;
     const bool view = hasEdition && evaluation.view;
     if (view)
-        m_subtitleText = tr("View; edition of the test: %1").arg(QString::fromStdString(shown.edition));
+        m_subtitleText = tr("View; test: %1").arg(QString::fromStdString(shown.edition));
     m_edition->setVisible(hasEdition);
     m_editionLabel->setVisible(hasEdition && !view);
     m_set->setVisible(view);
@@ -187,7 +187,7 @@ void TestHead::retranslate() {
     m_editionLabel->setText(tr("E&dition"));
     m_edition->setAccessibleName(tr("Edition the test is evaluated under"));
     m_edition->setToolTip(tr("Shows the results under another edition; the file stays as it is"));
-    m_set->setText(tr("&Set as edition of the test"));
+    m_set->setText(tr("&Set as edition"));
     m_set->setAccessibleName(tr("Set as edition of the test"));
     m_set->setToolTip(tr("Writes this edition into the test; it can be undone"));
 }

@@ -22,7 +22,8 @@ namespace {
 struct ShortName {
     Text term;
     Text name;
-    Text alone = {}; ///< where its bidirectional companion does not stand above it; empty: the name
+    Text alone = {};  ///< where its bidirectional companion does not stand above it; empty: the name
+    Text narrow = {}; ///< the same where there is little room; empty: the same
 };
 
 // clang-format off
@@ -41,13 +42,13 @@ constexpr std::array shortNames{
     ShortName{REPORT_TEXT_FOR("report", "mean reversal value of an axis", "1988"), REPORT_TEXT_FOR("report", "mean reversal value", "1988")},
     ShortName{REPORT_TEXT("report", "mean reversal value of an axis"), REPORT_TEXT("report", "signed mean"), REPORT_TEXT("report", "mean reversal value")},
     ShortName{REPORT_TEXT("report", "mean reversal error of an axis"), REPORT_TEXT("report", "signed mean"), REPORT_TEXT("report", "mean reversal error")},
-    ShortName{REPORT_TEXT("report", "accuracy of an axis, unidirectional"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT_FOR("report", "unidirectional accuracy", "1988")},
-    ShortName{REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional accuracy")},
-    ShortName{REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional accuracy")},
-    ShortName{REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine"), REPORT_TEXT("report", "unidirectional systematic deviation")},
-    ShortName{REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine"), REPORT_TEXT("report", "unidirectional systematic error")},
-    ShortName{REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional repeatability")},
-    ShortName{REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional repeatability")},
+    ShortName{REPORT_TEXT("report", "accuracy of an axis, unidirectional"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT_FOR("report", "unidirectional accuracy", "1988"), REPORT_TEXT_FOR("report", "unidir. accuracy", "1988")},
+    ShortName{REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional accuracy"), REPORT_TEXT("report", "unidir. accuracy")},
+    ShortName{REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional accuracy"), REPORT_TEXT("report", "unidir. accuracy")},
+    ShortName{REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine"), REPORT_TEXT("report", "unidirectional systematic deviation"), REPORT_TEXT("report", "unidir. systematic dev.")},
+    ShortName{REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine"), REPORT_TEXT("report", "unidirectional systematic error"), REPORT_TEXT("report", "unidir. systematic error")},
+    ShortName{REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional repeatability"), REPORT_TEXT("report", "unidir. repeatability")},
+    ShortName{REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional repeatability"), REPORT_TEXT("report", "unidir. repeatability")},
     ShortName{REPORT_TEXT("report", "unidirectional positioning repeatability (UPR)"), REPORT_TEXT("report", "smaller of R↑, R↓")},
     ShortName{REPORT_TEXT("report", "positional uncertainty (VDI: Positionsunsicherheit)"), REPORT_TEXT("report", "positional uncertainty")},
     ShortName{REPORT_TEXT("report", "positional deviation (VDI: Positionsabweichung)"), REPORT_TEXT_FOR("report", "positional deviation", "VDI")},
@@ -64,15 +65,20 @@ constexpr std::array shortNames{
 };
 // clang-format on
 
-Text shortName(const Text &term, bool alone) {
+enum class Room { little, usual };
+
+Text shortName(const Text &term, bool alone, Room room = Room::usual) {
     const auto found = std::ranges::find(shortNames, term, &ShortName::term);
     if (found == shortNames.end())
         return term;
+    if (alone && room == Room::little && !found->narrow.empty())
+        return found->narrow;
     return alone && !found->alone.empty() ? found->alone : found->name;
 }
 
 /// Of a path its sense: the symbol tells the rest.
-Text shortNameOf(const Parameter &parameter, const TestEvaluation &evaluation, bool alone) {
+Text shortNameOf(const Parameter &parameter, const TestEvaluation &evaluation, bool alone,
+                 Room room = Room::usual) {
     const std::string_view id = parameter.term.id;
     const auto *results = std::get_if<CircularResults>(&evaluation.results);
     const bool ofPath = id == "G" || id == "Gf" || id.starts_with('F');
@@ -82,7 +88,7 @@ Text shortNameOf(const Parameter &parameter, const TestEvaluation &evaluation, b
     }
     const auto *positioning = std::get_if<PositioningResults>(&evaluation.results);
     const bool oneDirection = positioning && positioning->upward != positioning->downward;
-    return shortName(parameter.term.name, alone || oneDirection);
+    return shortName(parameter.term.name, alone || oneDirection, room);
 }
 
 Text ruleName(Rule rule) {
@@ -253,7 +259,9 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         const std::string_view own = circular ? id.substr(0, 1) : familyOf(id);
         line.isFirst = own != family;
         line.main = circular ? own != "F" : line.isFirst;
-        line.name = language.text(shortNameOf(parameter, evaluation, line.isFirst && !circular));
+        const bool alone = line.isFirst && !circular;
+        line.name = language.text(shortNameOf(parameter, evaluation, alone));
+        line.narrowName = language.text(shortNameOf(parameter, evaluation, alone, Room::little));
         family = own;
         table.lines.push_back(std::move(line));
     }

@@ -34,10 +34,11 @@ struct DecisionScale {
 struct ResultLine {
     QString id; ///< parameterId
     Formula symbol;
-    QString name;     ///< short; beside the bidirectional one "unidirectional" is enough
-    QString fullName; ///< the edition's term
-    QString ruling;   ///< "2↓ – 5↑"
-    QString value;    ///< a dash for none
+    QString name;       ///< short; beside the bidirectional one "unidirectional" is enough
+    QString narrowName; ///< where there is little room
+    QString fullName;   ///< the edition's term
+    QString ruling;     ///< "2↓ – 5↑"
+    QString value;      ///< a dash for none
     QString uncertainty;
     QString limit;
     std::optional<Verdict> verdict;

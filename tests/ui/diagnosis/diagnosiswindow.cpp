@@ -3,10 +3,12 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include "ui/diagnosis/diagnosispage.h"
+#include "ui/elidedlabel.h"
 #include "ui/figures/circlecanvas.h"
 #include "ui/window/pagetabs.h"
 #include "ui/window/shownwindow.h"
 
+#include <QImage>
 #include <QTest>
 
 using namespace palmer;
@@ -48,6 +50,33 @@ private slots:
         QCOMPARE(figure.starts.size(), std::size_t(2));
         workplace.showPage(Page::limits);
         QVERIFY(!isSyntheticDrawn(shown));
+    }
+
+    /// What it is drawn about stands in a corner of its own.
+    void theSyntheticPathIsNamedBesideTheCentre() {
+        setWindowLanguage(Language::Id::french);
+        const ShownWindow shown(examplePath("iso230-4-full-circles-xy"));
+        auto *canvas = shown.window->findChild<CircleCanvas *>();
+        QTRY_VERIFY(canvas->paperFigure() && !canvas->isMaking());
+        const QRect corner(0, 0, canvas->width() * 3 / 10, 40);
+        const QImage before = canvas->grab(corner).toImage();
+        shown.window->workplace().showPage(Page::diagnosis);
+        QTRY_VERIFY_WITH_TIMEOUT(isSyntheticDrawn(shown), 60'000);
+        QTRY_VERIFY(!canvas->isMaking());
+        QCOMPARE(canvas->grab(corner).toImage(), before);
+    }
+
+    void nothingOfItIsCutOff() {
+        for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+            setWindowLanguage(language);
+            const ShownWindow shown(examplePath("iso230-4-full-circles-xy"), {1280, 800});
+            shown.window->workplace().showPage(Page::diagnosis);
+            for (const char *name : {"diagnosisSummary", "chartNote"}) {
+                const auto *label = shown.find<ElidedLabel>(name);
+                QTRY_VERIFY_WITH_TIMEOUT(!label->text().isEmpty() && label->isVisible(), 60'000);
+                QCOMPARE(label->shownText(), label->text());
+            }
+        }
     }
 
     void theSyntheticPathIsNotPointedAt() {

@@ -400,7 +400,7 @@ void VerifyReport::nothingUnpacksBeyondTheBound() {
     });
     QVERIFY(bomb.size() < 4'000'000);
     const QString sentence = refusal(bomb);
-    QVERIFY2(sentence.contains(u"512 MB"_s), qPrintable(sentence));
+    QVERIFY2(sentence.contains(u"512 MiB"_s), qPrintable(sentence));
 }
 
 void VerifyReport::outcomeAsJson() {

@@ -8,6 +8,7 @@
 #include "editing/newtest.h"
 #include "ui/dialogs/plandialog.h"
 #include "ui/dialogs/reportdialog.h"
+#include "ui/elidedbox.h"
 #include "ui/elidedlabel.h"
 #include "ui/forms/field.h"
 #include "ui/navigation/navigationmodel.h"
@@ -15,6 +16,7 @@
 #include "ui/results/resultsmodel.h"
 #include "ui/welcome/examples.h"
 
+#include <QImage>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -26,11 +28,22 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
 using namespace palmer;
 using namespace palmer::ui;
 using namespace Qt::StringLiterals;
+
+namespace {
+
+constexpr std::array pages{Page::identification, Page::machine,     Page::instruments,
+                           Page::readings,       Page::conditions,  Page::agreedPoints,
+                           Page::limits,         Page::uncertainty, Page::diagnosis};
+
+} // namespace
 
 /// What is in sight in windows of the sizes that are used.
 class LayoutTest : public QObject {
@@ -62,8 +75,12 @@ private slots:
     void allExamplesAreInSight_data();
     void allExamplesAreInSight();
     void headsAreNotCutInAWord();
+    void choicesOfConditionsAreWhole();
+    void theEditionOfTheTestIsWholeBesideAView();
     void namesOfLimitsAreWhole();
     void namesOfResultsAreWhole();
+    void labelsOfFormsAreWhole();
+    void toolsAreEvenlySpaced();
     void wideWindowsSayFullNames();
     void startsSayTheirStandard();
     void aDriftTestHasNoEmptyTable();
@@ -401,6 +418,41 @@ void LayoutTest::headsAreNotCutInAWord() {
     }
 }
 
+void LayoutTest::choicesOfConditionsAreWhole() {
+    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+        setWindowLanguage(language);
+        const ShownWindow shown(examplePath("iso230-2-1988-example"), {1280, 770});
+        shown.window->workplace().showPage(Page::conditions);
+        QTest::qWait(20);
+        auto *correction = qobject_cast<ElidedBox *>([&]() -> QWidget * {
+            for (auto *box : shown.find("conditionsPage")->findChildren<ElidedBox *>())
+                if (box->findText(language == Language::Id::french ? u"par l’instrument"_s
+                                                                   : u"by the instrument"_s) >= 0)
+                    return box;
+            return nullptr;
+        }());
+        QVERIFY(correction);
+        for (int word = 0; word < correction->count(); ++word) {
+            correction->setCurrentIndex(word);
+            QCOMPARE(correction->shownText(), correction->currentText());
+        }
+    }
+}
+
+void LayoutTest::theEditionOfTheTestIsWholeBesideAView() {
+    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+        setWindowLanguage(language);
+        for (const int width : {1024, 1280}) {
+            const ShownWindow shown(examplePath("iso230-2-1988-example"), {width, 770});
+            shown.window->evaluator().setView(0, "ISO 230-2:2014");
+            QTest::qWait(20);
+            const auto *summary = shown.find<QLabel>("testSummary");
+            QVERIFY(summary->accessibleName().contains(u"ISO 230-2:1988"_s));
+            QCOMPARE(summary->text(), summary->accessibleName());
+        }
+    }
+}
+
 void LayoutTest::namesOfLimitsAreWhole() {
     setWindowLanguage(Language::Id::french);
     const ShownWindow shown(examplePath("iso230-2-1988-example"), {1280, 770});
@@ -421,17 +473,79 @@ void LayoutTest::namesOfLimitsAreWhole() {
 void LayoutTest::namesOfResultsAreWhole() {
     for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
         setWindowLanguage(language);
-        for (const int width : {960, 1024}) {
-            const ShownWindow shown(examplePath("iso230-2-1988-example"), {width, 690});
-            const auto *table = shown.find<QTableView>("results");
-            QTRY_VERIFY(table->model()->rowCount() > 0);
-            QTest::qWait(20);
-            for (int row = 0; row < table->model()->rowCount(); ++row) {
-                const QString name = table->model()->index(row, ResultsModel::name).data().toString();
-                QVERIFY2(QFontMetrics(table->font()).horizontalAdvance(name) <=
-                             table->columnWidth(ResultsModel::name) - 6,
-                         qPrintable(name));
+        for (const char *example : {"iso230-2-1988-example", "one-direction"}) {
+            for (const int width : {960, 1024, 1280}) {
+                const ShownWindow shown(examplePath(example), {width, 690});
+                const auto *table = shown.find<QTableView>("results");
+                QTRY_VERIFY(table->model()->rowCount() > 0);
+                QTest::qWait(20);
+                for (int row = 0; row < table->model()->rowCount(); ++row) {
+                    const QString name = table->model()->index(row, ResultsModel::name).data().toString();
+                    QVERIFY2(QFontMetrics(table->font()).horizontalAdvance(name) <=
+                                 table->columnWidth(ResultsModel::name) - 6,
+                             qPrintable(name));
+                }
             }
+        }
+    }
+}
+
+void LayoutTest::labelsOfFormsAreWhole() {
+    QStringList cut;
+    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+        setWindowLanguage(language);
+        for (const char *example :
+             {"iso230-2-1988-example", "long-axis-with-zone", "rotary-axis", "iso230-4-full-circles-xy"}) {
+            const ShownWindow shown(examplePath(example), {1280, 800});
+            for (const Page page : pages) {
+                shown.window->workplace().showPage(page);
+                QTest::qWait(10);
+                for (const Field *field : shown.window->findChildren<Field *>()) {
+                    const auto *label = field->findChild<ElidedLabel *>();
+                    if (label->isVisible() && label->shownText() != label->text())
+                        cut += label->text();
+                }
+            }
+        }
+    }
+    QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+}
+
+/// The first and the last column of a tool in which something is drawn, in its toolbar.
+static std::pair<int, int> drawnOf(QToolButton &tool) {
+    const QImage picture = tool.grab().toImage();
+    const QRgb ground = picture.pixel(1, picture.height() / 2);
+    std::pair<int, int> drawn(picture.width(), 0);
+    for (int x = 0; x < picture.width(); ++x) {
+        for (int y = 0; y < picture.height(); ++y) {
+            if (picture.pixel(x, y) != ground)
+                drawn = {std::min(drawn.first, x), std::max(drawn.second, x)};
+        }
+    }
+    return {tool.x() + drawn.first, tool.x() + drawn.second};
+}
+
+/// From a word to the next icon, with or without a line between them.
+void LayoutTest::toolsAreEvenlySpaced() {
+    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+        setWindowLanguage(language);
+        for (const int width : {1280, 960}) {
+            const ShownWindow shown(examplePath("iso230-2-1988-example"), {width, 800});
+            QTest::qWait(20);
+            std::vector<std::pair<int, int>> drawn;
+            for (QToolButton *tool :
+                 shown.find("toolBar")->findChildren<QToolButton *>(QString(), Qt::FindDirectChildrenOnly)) {
+                if (tool->isVisible())
+                    drawn.push_back(drawnOf(*tool));
+            }
+            QCOMPARE(drawn.size(), std::size_t(8));
+            std::vector<int> gaps;
+            QString said;
+            for (std::size_t i = 1; i < drawn.size(); ++i) {
+                gaps.push_back(drawn[i].first - drawn[i - 1].second);
+                said += QString::number(gaps.back()) + u' ';
+            }
+            QVERIFY2(std::ranges::max(gaps) - std::ranges::min(gaps) <= 4, qPrintable(said));
         }
     }
 }
