@@ -18,10 +18,6 @@ namespace palmer {
 /// What the user has chosen for an import: key → word, as after --set and in a profile.
 using ImportOptions = std::map<std::string, std::string, std::less<>>;
 
-/// What a file that names no edition is proposed to be read as: the latest of its kind.
-inline constexpr std::string_view latestPositioningEdition = "ISO 230-2:2014";
-inline constexpr std::string_view latestCircularEdition = "ISO 230-4:2005";
-
 /// A word that a choice can have, and what it is called.
 struct ImportWord {
     const char *word = nullptr;

@@ -6,6 +6,7 @@
 #include "document/place.h"
 #include "import/layouts/passes.h"
 #include "import/layouts/sections.h"
+#include "kernel/evaluation/edition.h"
 #include "tables/folded.h"
 
 #include <algorithm>
@@ -104,7 +105,8 @@ public:
         Test test;
         PositioningMeasurement measurement = measurementOf(std::move(passes), form, m.remarks);
         measurement.axis.name = m_choices.settle("axis", m_axis, Origin::recognised).value;
-        test.edition = m_choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
+        test.edition =
+            m_choices.settle("edition", defaultEdition(Kind::positioning).word, Origin::recognised).value;
         test.measurement = std::move(measurement);
         m.test = std::move(test);
     }

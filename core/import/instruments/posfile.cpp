@@ -6,6 +6,7 @@
 #include "import/layouts/passes.h"
 #include "import/layouts/phrases.h"
 #include "import/layouts/sections.h"
+#include "kernel/evaluation/edition.h"
 #include "tables/folded.h"
 #include "tables/numbercell.h"
 
@@ -157,7 +158,8 @@ void readPosText(const ImportSource &source, Choices &choices, Imported &importe
     Test test;
     PositioningMeasurement measurement = measurementOf(std::move(passes), form, imported.remarks);
     measurement.axis.name = choices.settle("axis", "", Origin::recognised).value;
-    test.edition = choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
+    test.edition =
+        choices.settle("edition", defaultEdition(Kind::positioning).word, Origin::recognised).value;
     test.measurement = std::move(measurement);
     imported.test = std::move(test);
     choices.settle("kind", "positioning", Origin::recognised);

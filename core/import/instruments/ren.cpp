@@ -5,6 +5,7 @@
 #include "document/documenterror.h"
 #include "import/layouts/passes.h"
 #include "import/layouts/sections.h"
+#include "kernel/evaluation/edition.h"
 
 #include <algorithm>
 #include <array>
@@ -186,7 +187,8 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
     Test test;
     PositioningMeasurement measurement = measurementOf({pass}, form, imported.remarks);
     measurement.axis.name = choices.settle("axis", "", Origin::recognised).value;
-    test.edition = choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
+    test.edition =
+        choices.settle("edition", defaultEdition(Kind::positioning).word, Origin::recognised).value;
     test.measurement = std::move(measurement);
     imported.test = std::move(test);
     choices.settle("kind", "positioning", Origin::recognised);

@@ -42,10 +42,10 @@ void settleCircle(CircularMeasurement &measurement, std::string &edition, std::s
              0,
              0,
              "calibrated"});
-    edition = choices.settle("edition", latestCircularEdition, Origin::recognised).value;
+    edition = choices.settle("edition", defaultEdition(Kind::circular).word, Origin::recognised).value;
     const Edition *known = findEdition(edition);
     if (!known || known->kind != Kind::circular) {
-        edition = latestCircularEdition;
+        edition = defaultEdition(Kind::circular).word;
     }
 }
 

@@ -205,10 +205,11 @@ void readPositioning(TableReading &reading) {
     PositioningMeasurement measurement = measurementOf(std::move(passes), form, reading.result.remarks);
     measurement.axis.name = reading.choices.settle("axis", axisName(reading), Origin::recognised).value;
     Test test;
-    test.edition = reading.choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
+    test.edition =
+        reading.choices.settle("edition", defaultEdition(Kind::positioning).word, Origin::recognised).value;
     const Edition *edition = findEdition(test.edition);
     if (!edition || edition->kind != Kind::positioning)
-        test.edition = latestPositioningEdition;
+        test.edition = defaultEdition(Kind::positioning).word;
     test.measurement = std::move(measurement);
     reading.result.test = std::move(test);
 }
