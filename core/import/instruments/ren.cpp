@@ -5,7 +5,6 @@
 #include "document/documenterror.h"
 #include "import/layouts/passes.h"
 #include "import/layouts/sections.h"
-#include "kernel/evaluation/edition.h"
 
 #include <algorithm>
 #include <array>
@@ -180,17 +179,8 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
     form.positionUnit = unitOf(
         choices.settle("positionUnit", form.unit->kind == UnitKind::angle ? "deg" : "mm", Origin::recognised)
             .value);
-    if (form.unit->kind != form.positionUnit->kind)
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
-                     {"positionUnit", std::string(form.positionUnit->word)}});
-    Test test;
-    PositioningMeasurement measurement = measurementOf({pass}, form, imported.remarks);
-    measurement.axis.name = choices.settle("axis", "", Origin::recognised).value;
-    test.edition =
-        choices.settle("edition", defaultEdition(Kind::positioning).word, Origin::recognised).value;
-    test.measurement = std::move(measurement);
-    imported.test = std::move(test);
+    demandOneMotion(form);
+    imported.test = testFrom(measurementOf({pass}, form, imported.remarks), "", choices);
     choices.settle("kind", "positioning", Origin::recognised);
 }
 

@@ -6,7 +6,6 @@
 #include "document/place.h"
 #include "import/layouts/passes.h"
 #include "import/layouts/sections.h"
-#include "kernel/evaluation/edition.h"
 #include "tables/dates.h"
 
 #include <algorithm>
@@ -56,8 +55,7 @@ public:
         PositioningMeasurement measurement = measurementOf(passesInOrder(), form, m.remarks);
         readUserText(test, measurement);
         readEnvironment(measurement);
-        test.edition =
-            m_choices.settle("edition", defaultEdition(Kind::positioning).word, Origin::recognised).value;
+        test.edition = m_choices.settleEdition(Kind::positioning);
         test.measurement = std::move(measurement);
         m.test = std::move(test);
         remarkIgnored();
