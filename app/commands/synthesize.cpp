@@ -9,6 +9,7 @@
 #include "document/writedocument.h"
 #include "export/diagnosisjson.h"
 #include "kernel/diagnosis/synthesize.h"
+#include "kernel/evaluation/edition.h"
 
 #include <QFileInfo>
 #include <QStringList>
@@ -263,14 +264,12 @@ PositioningSynthesis positioning(const Invocation &invocation) {
     return asked;
 }
 
-TestPointer
-madeTest(const Language &language, const char *edition, const char *id,
-         std::variant<PositioningMeasurement, CircularMeasurement, DriftMeasurement> measurement) {
+TestPointer madeTest(const Language &language, const char *id, decltype(Test::measurement) measurement) {
     Test test;
     test.id = id;
-    test.edition = edition;
     test.title = language.text(REPORT_TEXT("report", "Made by computation, not measured")).toStdString();
     test.measurement = std::move(measurement);
+    test.edition = defaultEdition(kindOf(test)).word;
     return std::make_shared<const Test>(std::move(test));
 }
 
@@ -319,8 +318,7 @@ int runSynthesize(const Invocation &invocation) {
     document.writtenBy = "Palmer " PALMER_VERSION;
     if (!isCircular) {
         const PositioningSynthesis asked = positioning(invocation);
-        document.tests.push_back(
-            madeTest(invocation.language, "ISO 230-2:2014", "made", synthesizePositioning(asked)));
+        document.tests.push_back(madeTest(invocation.language, "made", synthesizePositioning(asked)));
         return write(document, truthJson(asked), invocation, *output);
     }
     CircularSynthesis asked = circular(invocation);
@@ -330,8 +328,7 @@ int runSynthesize(const Invocation &invocation) {
         one.feed = all[i];
         one.noise.seed += static_cast<long long>(i); // every test has noise of its own
         const std::string id = "made-" + std::to_string(i + 1);
-        document.tests.push_back(
-            madeTest(invocation.language, "ISO 230-4:2005", id.c_str(), synthesizeCircular(one)));
+        document.tests.push_back(madeTest(invocation.language, id.c_str(), synthesizeCircular(one)));
     }
     return write(document, truthJson(asked, all), invocation, *output);
 }

@@ -23,8 +23,6 @@ namespace palmer {
 
 namespace {
 
-constexpr const char *defaultEdition = "ISO 230-2:2014";
-
 constexpr std::array targetsOptions{
     Option{"axis", "X", REPORT_TEXT("report", "name of the axis")},
     Option{"travel", "1000", REPORT_TEXT("report", "measurement travel, mm; of rotary axes degrees")},
@@ -77,12 +75,12 @@ std::optional<Dialect> dialect(const Invocation &invocation) {
 
 const Edition &edition(const Invocation &invocation) {
     const Edition *asked = editionAsked(invocation, Kind::positioning);
-    return asked ? *asked : *findEdition(defaultEdition);
+    return asked ? *asked : defaultEdition(Kind::positioning);
 }
 
 TargetRequest request(const Invocation &invocation) {
     TargetRequest result;
-    result.rule = targetRuleOf(edition(invocation));
+    result.rule = edition(invocation).targetRule;
     result.motion = invocation.has(QLatin1StringView("rotary")) ? Motion::rotary : Motion::linear;
     result.from = numberOf(invocation, "from").value_or(0);
     const auto travel = number(invocation, "travel", 0);

@@ -117,15 +117,18 @@ void removeSensor(Conditions &conditions, SensorMeasures what, std::size_t ordin
 }
 
 void takeAgreedValue(Test &test, std::string_view point) {
-    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
     const auto found = std::ranges::find(test.agreedPoints, point, &AgreedPoint::point);
-    if (!measurement || found == test.agreedPoints.end())
+    if (found == test.agreedPoints.end())
         return;
-    const PositioningConditions &conditions = measurement->conditions;
+    std::optional<double> &value = found->value;
     if (point == "gradient")
-        found->value = conditions.gradientPerHour;
-    else if (point == "feed" && conditions.feedMode == FeedMode::programmed)
-        found->value = conditions.feed;
+        value = partOr(value, test.measurement, [](auto &m) -> decltype(m.conditions.gradientPerHour) {
+            return m.conditions.gradientPerHour;
+        });
+    else if (point == "feed")
+        value = partOr(value, test.measurement, [&](auto &m) -> decltype(m.conditions.feed) {
+            return m.conditions.feedMode == FeedMode::programmed ? m.conditions.feed : value;
+        });
 }
 
 void setAgreedPoint(Test &test, const std::string &point, std::optional<AgreementState> state,

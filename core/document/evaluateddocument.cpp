@@ -21,9 +21,9 @@ namespace {
 /// E_VE of a drift test; a linear axis learns nothing from angles, a rotary one nothing from lengths.
 std::optional<double> driftRange(const Document &document, const std::string &id, Motion motion) {
     for (const TestPointer &test : document.tests) {
-        const auto *drift = std::get_if<DriftMeasurement>(&test->measurement);
-        if (drift && test->id == id && !drift->deviations.empty() && drift->axis.motion == motion)
-            return rangeOf(*drift);
+        const auto range = rangeAtRest(*test);
+        if (range && test->id == id && motionOf(*test) == motion)
+            return range;
     }
     return std::nullopt;
 }

@@ -167,9 +167,4 @@ template <class Enumeration>
     return "";
 }
 
-/// The kind of a test: that of its measurement.
-[[nodiscard]] inline Kind kindOf(const Test &test) {
-    return static_cast<Kind>(test.measurement.index());
-}
-
 } // namespace palmer

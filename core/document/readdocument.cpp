@@ -11,6 +11,8 @@
 #include "document/place.h"
 #include "document/refuse.h"
 #include "document/refusedreadings.h"
+#include "kernel/evaluation/edition.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <QStringDecoder>
 #include <nlohmann/json.hpp>
@@ -196,13 +198,13 @@ void demandParameter(Kind kind, const std::string &id, const Place &place) {
         refuseAt(
             place,
             REPORT_TEXT("report", "unknown parameter “%1”; expected one of this kind of test, such as %2"),
-            {excerpt(id), kind == Kind::circular ? std::string("G") : std::string("A")});
+            {excerpt(id), std::string(termsOf(defaultEdition(kind)).front()->id)});
 }
 
 void check(const Test &test, const Place &place) {
     const Kind kind = kindOf(test);
     std::visit([&](const auto &measurement) { check(measurement, place); }, test.measurement);
-    if (kind == Kind::drift)
+    if (!isJudged(test))
         return;
 
     demandEdition(test.edition, Place(place, "edition"));
@@ -219,11 +221,12 @@ void check(const Test &test, const Place &place) {
         for (const auto &[id, value] : inputs.expanded)
             demandParameter(kind, id, Place(atExpanded, id));
     });
-    if (const auto *const circular = std::get_if<CircularMeasurement>(&test.measurement)) {
-        const Place at(place, "requiredResults");
-        for (std::size_t i = 0; i < circular->requiredResults.size(); ++i)
-            demandParameter(kind, circular->requiredResults[i], Place(at, i));
-    }
+    const Place atResults(place, "requiredResults");
+    const auto *required = partOr<const std::vector<std::string> *>(
+        nullptr, test.measurement,
+        [](auto &m) -> decltype(&m.requiredResults) { return &m.requiredResults; });
+    for (std::size_t i = 0; required && i < required->size(); ++i)
+        demandParameter(kind, (*required)[i], Place(atResults, i));
 
     const Place atPoints(place, "agreedPoints");
     std::set<std::string_view> points;
@@ -259,7 +262,7 @@ void check(const Document &document, const Place &place) {
     for (std::size_t i = 0; i < document.tests.size(); ++i) {
         const Test &test = *document.tests[i];
         demandNew(tests, test.id, Place(atTests, i));
-        if (kindOf(test) == Kind::drift && !test.id.empty())
+        if (!isJudged(test) && !test.id.empty())
             drifts.insert(test.id);
     }
 
@@ -521,11 +524,7 @@ private:
             refuseAt(place, REPORT_TEXT("report", "the key “%1” is missing"), {std::string("kind")});
         Kind kind{};
         read(*kindWord, kind, Place(place, "kind"));
-        Test test;
-        if (kind == Kind::circular)
-            test.measurement = CircularMeasurement{};
-        else if (kind == Kind::drift)
-            test.measurement = DriftMeasurement{};
+        Test test = testOf(kind);
         readStruct(value, test, place, {"kind"});
         takeRefusedReadings(test);
         member = std::make_shared<const Test>(std::move(test));

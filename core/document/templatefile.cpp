@@ -9,6 +9,8 @@
 #include "document/place.h"
 #include "document/readdocument.h"
 #include "document/writedocument.h"
+#include "kernel/evaluation/edition.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <algorithm>
 #include <array>
@@ -21,7 +23,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char *templateFormat = "palmer template";
-constexpr auto anEditionOf = std::to_array({"ISO 230-2:2014", "ISO 230-4:2005"}); // by Kind
 
 [[noreturn]] void refuse(Text text, std::vector<Argument> arguments = {}, std::string place = {}) {
     throw Error(Error::Kind::content, {text, std::move(arguments), {}}, std::move(place));
@@ -75,22 +76,37 @@ json declaredIn(const json &conditions) {
 Kind kindIn(const json &file) {
     const auto entry = file.find("kind");
     const auto *const word = entry == file.end() ? nullptr : entry->get_ptr<const std::string *>();
-    for (const Kind kind : {Kind::positioning, Kind::circular}) {
+    std::string known;
+    for (const Kind kind : allKinds) {
+        if (!traitsOf(kind).isJudged)
+            continue;
         if (word && *word == fileWord(kind))
             return kind;
+        known += (known.empty() ? "" : " · ") + std::string(fileWord(kind));
     }
-    refuse(REPORT_TEXT("report", "expected one of the words: %1"), {std::string("positioning · circular")},
-           "kind");
+    refuse(REPORT_TEXT("report", "expected one of the words: %1"), {known}, "kind");
 }
 
-/// A test of that kind without readings, to stand around limits.
-json emptyTest(Kind kind) {
-    json test{{"kind", fileWord(kind)}, {"edition", anEditionOf.at(static_cast<std::size_t>(kind))}};
-    if (kind == Kind::positioning)
-        test.update({{"targets", json::array()}, {"runs", json::array()}});
-    else
-        test.update({{"nominalRadius", 1}, {"arcs", json::array()}});
+/// A test of that kind without readings, to stand around limits or conditions.
+Test bearer(Kind kind) {
+    Test test = testOf(kind);
+    test.edition = defaultEdition(kind).word;
+    if (double *radius =
+            partOr<double *>(nullptr, test.measurement,
+                             [](auto &m) -> decltype(&m.nominalRadius) { return &m.nominalRadius; }))
+        *radius = 1;
     return test;
+}
+
+json written(const Document &document) {
+    const QByteArray bytes = writeDocument(document);
+    return parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+}
+
+json writtenBearer(Kind kind) {
+    Document document;
+    document.tests = {std::make_shared<const Test>(bearer(kind))};
+    return written(document)["tests"][0];
 }
 
 /// The test file that says of its one part what the template says.
@@ -106,11 +122,11 @@ json testFile(const json &file, const TemplatePart &part) {
     } else if (key == "laboratory") {
         around["report"] = {{"laboratory", file["laboratory"]}};
     } else if (key == "conditions") {
-        json test = emptyTest(Kind::positioning);
+        json test = writtenBearer(Kind::positioning);
         test["conditions"] = file["conditions"];
         around["tests"] = json::array({test});
     } else {
-        json test = emptyTest(kindIn(file));
+        json test = writtenBearer(kindIn(file));
         test["limits"] = file["limits"];
         if (file.contains("decisionRule"))
             test["decisionRule"] = file["decisionRule"];
@@ -203,7 +219,6 @@ Template readTemplate(const QByteArray &bytes) {
 
 QByteArray writeTemplate(const Template &content) {
     Document document;
-    Test test;
     const char *key = templateParts[content.content.index()].key;
     if (const auto *machine = std::get_if<Machine>(&content.content)) {
         document.machine = *machine;
@@ -212,26 +227,23 @@ QByteArray writeTemplate(const Template &content) {
     } else if (const auto *laboratory = std::get_if<Laboratory>(&content.content)) {
         document.report.laboratory = *laboratory;
     } else if (const auto *declarations = std::get_if<Declarations>(&content.content)) {
-        test.edition = anEditionOf.front();
-        test.measurement.emplace<PositioningMeasurement>().conditions.common = declarations->conditions;
-        document.tests = {std::make_shared<const Test>(test)};
+        Test test = bearer(Kind::positioning);
+        *conditionsOf(test) = declarations->conditions;
+        document.tests = {std::make_shared<const Test>(std::move(test))};
     } else {
         const auto &set = std::get<LimitSet>(content.content);
-        if (set.kind == Kind::circular)
-            test.measurement.emplace<CircularMeasurement>().nominalRadius = 1;
-        test.edition = anEditionOf.at(static_cast<std::size_t>(set.kind));
+        Test test = bearer(set.kind);
         test.limits = set.limits;
         test.decisionRule = set.decisionRule;
-        document.tests = {std::make_shared<const Test>(test)};
+        document.tests = {std::make_shared<const Test>(std::move(test))};
     }
-    const QByteArray bytes = writeDocument(document);
-    const json file = parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    const json file = written(document);
     json result{{"format", templateFormat}, {"version", file["version"]}, {"name", content.name}};
     if (const auto *set = std::get_if<LimitSet>(&content.content)) {
-        const json &written = file["tests"][0];
+        const json &test = file["tests"][0];
         result["kind"] = fileWord(set->kind);
-        result["limits"] = written["limits"];
-        result["decisionRule"] = written["decisionRule"];
+        result["limits"] = test["limits"];
+        result["decisionRule"] = test["decisionRule"];
     } else {
         const std::string_view word = key;
         result[key] = word == "machine"      ? file["machine"]

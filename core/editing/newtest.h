@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "kernel/evaluation/edition.h"
 
 #include <cstddef>
 #include <optional>
@@ -14,7 +15,7 @@ namespace palmer {
 /// What a new positioning test begins with.
 struct NewPositioningTest {
     Axis axis;
-    std::string edition = "ISO 230-2:2014";
+    std::string edition = defaultEdition(Kind::positioning).word;
     Cycle cycle = Cycle::standard;
     std::vector<double> targets; ///< mm, rotary: degrees; strictly ascending
     TargetChoice targetChoice;   ///< how they came about
@@ -28,7 +29,7 @@ struct NewCircularTest {
     double nominalRadius = 150; ///< mm
     std::optional<double> feed; ///< mm/min
     SignalSource source = SignalSource::external;
-    std::string edition = "ISO 230-4:2005";
+    std::string edition = defaultEdition(Kind::circular).word;
 };
 
 [[nodiscard]] Test newTest(const NewCircularTest &wanted);

@@ -68,7 +68,7 @@ void take(CircularMeasurement &measurement, const CircularMeasurement &from) {
 
 /// Whether they are made with the same instruments and state the same: of one kind, of axes of one motion.
 bool areAlike(const Test &test, const Test &other) {
-    return test.measurement.index() == other.measurement.index() && motionOf(test) == motionOf(other);
+    return kindOf(test) == kindOf(other) && motionOf(test) == motionOf(other);
 }
 
 } // namespace

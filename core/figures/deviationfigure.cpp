@@ -321,21 +321,6 @@ Interval rangeOfValues(const CurveFigure &figure) {
     return {lowest - margin, highest + margin};
 }
 
-/// 2014 renamed the positional deviation.
-bool renamed(const Edition *edition) {
-    return edition && std::string_view(edition->family) == "ISO 230-2:2014";
-}
-
-Text title(const Edition *edition) {
-    return renamed(edition) ? REPORT_TEXT("report", "Positioning deviations of the %1 axis")
-                            : REPORT_TEXT("report", "Positional deviations of the %1 axis");
-}
-
-Text deviationTerm(const Edition *edition) {
-    return renamed(edition) ? REPORT_TEXT("report", "Positioning deviation")
-                            : REPORT_TEXT("report", "Positional deviation");
-}
-
 } // namespace
 
 CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, const Language &language,
@@ -343,7 +328,9 @@ CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, 
     const auto &measurement = std::get<PositioningMeasurement>(test.measurement);
     const PositioningResults &results = resultsOf(measurement, evaluation);
     const bool rotary = measurement.axis.motion == Motion::rotary;
-    const double c = evaluation.edition ? evaluation.edition->c : 0;
+    static const Edition ofNone;
+    const Edition &edition = evaluation.edition ? *evaluation.edition : ofNone;
+    const double c = edition.c;
     const AxisSource source{measurement,
                             results,
                             evaluation,
@@ -354,7 +341,7 @@ CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, 
                             c > 0 && !wholeTravelOfLongAxis(measurement, results)};
 
     CurveFigure figure;
-    figure.title = language.sentence({title(evaluation.edition), {measurement.axis.name}, std::nullopt});
+    figure.title = language.sentence({edition.deviationsOfAxis, {measurement.axis.name}, std::nullopt});
     for (std::size_t i = 0; i < source.targets(); ++i)
         figure.positions.push_back(source.position(i));
     for (const Direction direction : source.directions()) {
@@ -378,7 +365,7 @@ CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, 
     figure.x.subscript = QStringLiteral("i");
     figure.x.unit = language.unit(rotary ? Quantity::angle : Quantity::position);
     figure.x.angle = rotary;
-    figure.y.quantity = language.text(deviationTerm(evaluation.edition));
+    figure.y.quantity = language.text(edition.deviation);
     figure.y.symbol = QStringLiteral("x");
     figure.y.subscript = QStringLiteral("ij");
     figure.y.unit = language.unit(rotary ? Quantity::angularDeviation : Quantity::deviation);

@@ -248,6 +248,12 @@ Choice<double> Choices::settleNumber(std::string_view key, double found, Origin 
     return choice;
 }
 
+std::string Choices::settleEdition(Kind kind) {
+    const std::string chosen = settle("edition", defaultEdition(kind).word, Origin::recognised).value;
+    const Edition *edition = findEdition(chosen);
+    return edition && edition->kind == kind ? chosen : defaultEdition(kind).word;
+}
+
 void Choices::remember(std::string_view key, std::string value, Origin origin) {
     const auto same = [&](const ImportChoice &choice) { return choice.key == key; };
     const auto found = std::ranges::find_if(m_settled, same);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/measurement/test.h"
 #include "kernel/words/text.h"
 #include "tables/choice.h"
 
@@ -17,10 +18,6 @@ namespace palmer {
 
 /// What the user has chosen for an import: key → word, as after --set and in a profile.
 using ImportOptions = std::map<std::string, std::string, std::less<>>;
-
-/// What a file that names no edition is proposed to be read as: the latest of its kind.
-inline constexpr std::string_view latestPositioningEdition = "ISO 230-2:2014";
-inline constexpr std::string_view latestCircularEdition = "ISO 230-4:2005";
 
 /// A word that a choice can have, and what it is called.
 struct ImportWord {
@@ -69,6 +66,8 @@ public:
     /// Settles a choice: the user's, or what was found; remembers it.
     Choice<std::string> settle(std::string_view key, std::string_view found, Origin origin);
     Choice<double> settleNumber(std::string_view key, double found, Origin origin);
+    /// Under which a test of the kind is proposed to be read: the default unless one of its kind is chosen.
+    std::string settleEdition(Kind kind);
 
     [[nodiscard]] std::vector<ImportChoice> take() { return std::move(m_settled); }
 
@@ -78,17 +77,5 @@ private:
     ImportOptions m_options;
     std::vector<ImportChoice> m_settled;
 };
-
-/// The position of a word in a table of words that have the order of an enumeration.
-template <class Enumeration, class Words>
-[[nodiscard]] std::optional<Enumeration> enumerationOf(const Words &words, std::string_view word) {
-    int index = 0;
-    for (const ImportWord &row : words) {
-        if (row.word == word)
-            return static_cast<Enumeration>(index);
-        ++index;
-    }
-    return {};
-}
 
 } // namespace palmer

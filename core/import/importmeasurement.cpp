@@ -140,11 +140,14 @@ void addTemperatures(Test &test, const Imported &imported, const ImportedFile &f
     if (!conditions)
         return;
     conditions->sensors.insert(conditions->sensors.end(), imported.sensors.begin(), imported.sensors.end());
-    if (auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement);
-        positioning && imported.gradientPerHour) {
-        positioning->conditions.gradientPerHour = imported.gradientPerHour;
-        positioning->conditions.gradientHoursBefore = hoursBefore(test, imported);
-    }
+    const auto takeGradient = [&](auto &measurement) {
+        if constexpr (requires { measurement.conditions.gradientPerHour; }) {
+            measurement.conditions.gradientPerHour = imported.gradientPerHour;
+            measurement.conditions.gradientHoursBefore = hoursBefore(test, imported);
+        }
+    };
+    if (imported.gradientPerHour)
+        std::visit(takeGradient, test.measurement);
     test.imports.push_back(file);
 }
 
@@ -163,9 +166,8 @@ std::string freeId(const std::string &wish, const std::vector<Named> &taken) {
 }
 
 std::string wishedId(const Test &test) {
-    const Kind kind = kindOf(test);
-    std::string name = kind == Kind::drift ? fileWord(kind) : axesOf(test);
-    if (name.empty() && kind == Kind::positioning)
+    std::string name = isJudged(test) ? axesOf(test) : fileWord(kindOf(test));
+    if (name.empty() && axisOf(test))
         name = "axis";
     for (char &c : name)
         c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;

@@ -3,6 +3,7 @@
 #include "register/history.h"
 
 #include "document/documenterror.h"
+#include "kernel/measurement/testfacts.h"
 #include "language/rounding.h"
 #include "register/listing.h"
 #include "register/machinetrend.h"
@@ -50,7 +51,7 @@ public:
         : m_history(history)
         , m_language(language) {
         for (const ListedTest &test : history.tests) {
-            if (test.test.kind == Kind::drift)
+            if (!traitsOf(test.test.kind).isJudged)
                 continue;
             const auto found = std::ranges::find(m_axes, test.test.axis, &AxisTrends::axis);
             AxisTrends &axis = found == m_axes.end() ? m_axes.emplace_back() : *found;
@@ -242,7 +243,7 @@ private:
             return {};
         const QString length = m_language.quantity(*trend.series.front().travel,
                                                    trend.angular ? Quantity::angle : Quantity::position, 0);
-        return trend.kind == Kind::circular ? QStringLiteral("R ") + length : length;
+        return traitsOf(trend.kind).isOfAxis ? length : QStringLiteral("R ") + length;
     }
 
     /// In which the charts are: of an axis that turns in another one than the rest.
@@ -374,7 +375,7 @@ private:
     [[nodiscard]] static QString editionsOf(const Campaign &campaign) {
         QStringList years;
         for (const auto &[axis, listed] : campaign) {
-            if (listed->test.kind == Kind::positioning)
+            if (traitsOf(listed->test.kind).isOfAxis)
                 years << utf8(listed->test.edition).section(u':', -1);
         }
         years.removeDuplicates();

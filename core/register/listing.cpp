@@ -6,6 +6,7 @@
 #include "document/jsonprinter.h"
 #include "export/csvwriter.h"
 #include "export/resultsjson.h"
+#include "kernel/measurement/testfacts.h"
 #include "language/rounding.h"
 #include "register/jsonmembers.h"
 #include "register/machinetrend.h"
@@ -92,7 +93,7 @@ QByteArray listedTestJson(const ListedTest &listed) {
     std::vector<Members> results;
     for (const RegisteredResult &result : test.results)
         results.push_back(resultMembers(result, test));
-    const bool circular = test.kind == Kind::circular;
+    const bool ofAxis = traitsOf(test.kind).isOfAxis;
     const std::string none;
     Members members;
     members.text("file", paths.empty() ? none : paths.front())
@@ -102,8 +103,8 @@ QByteArray listedTestJson(const ListedTest &listed) {
         .text("title", test.title)
         .quoted("kind", fileWord(test.kind))
         .text("id", test.id)
-        .textOrNull("axis", circular ? none : test.axis)
-        .textOrNull("plane", circular ? test.axis : none)
+        .textOrNull("axis", ofAxis ? test.axis : none)
+        .textOrNull("plane", ofAxis ? none : test.axis)
         .textOrNull("date", test.date)
         .textOrNull("time", test.time)
         .textOrNull("edition", test.edition)
@@ -228,7 +229,8 @@ Report composeList(const QString &title, const std::vector<ListedTest> &tests, c
              Cell(said(purposeText(test.purpose))), Cell(said(roleText(test.role))),
              Cell(results.join(QStringLiteral("; "))),
              Cell(language.text(limitsText(test.verdict, anyLimit))),
-             Cell(test.kind == Kind::drift ? QString() : language.text(accordanceWords(test.accordance)))});
+             Cell(traitsOf(test.kind).isJudged ? language.text(accordanceWords(test.accordance))
+                                               : QString())});
     }
     report.blocks.emplace_back(std::move(table));
     return report;

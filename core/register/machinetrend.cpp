@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/machinetrend.h"
 
+#include "kernel/measurement/testfacts.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -77,7 +79,7 @@ public:
         m_trend.parameter = parameter;
         std::vector<ListedTest> dated;
         for (const ListedTest &test : tests) {
-            if (test.test.kind == Kind::drift)
+            if (!traitsOf(test.test.kind).isJudged)
                 continue;
             if (test.test.date && dateOf(*test.test.date).isValid())
                 dated.push_back(test);
@@ -205,7 +207,7 @@ std::vector<std::string> parametersOf(const std::vector<ListedTest> &tests) {
     };
     for (const char *id : {"A", "E", "R", "M", "B"}) {
         for (const ListedTest &test : tests) {
-            if (test.test.kind == Kind::positioning && resultOf(test.test, id))
+            if (resultOf(test.test, id))
                 add(id);
         }
     }

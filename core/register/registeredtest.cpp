@@ -8,6 +8,7 @@
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/conditions.h"
 #include "kernel/measurement/referencetemperature.h"
+#include "kernel/measurement/testfacts.h"
 #include "kernel/uncertainty/circularbudget.h"
 #include "kernel/uncertainty/positioningbudget.h"
 
@@ -205,8 +206,10 @@ private:
     }
 
     [[nodiscard]] bool isIn(const std::string &id, const Parameter &parameter) const {
-        if (const auto *circle = std::get_if<CircularMeasurement>(&m_test.measurement))
-            return takesUp(contributionsOf(parameter.term.id, circle->centring), id);
+        const auto *centring = partOr<const Centring *>(
+            nullptr, m_test.measurement, [](auto &m) -> decltype(&m.centring) { return &m.centring; });
+        if (centring)
+            return takesUp(contributionsOf(parameter.term.circle, *centring), id);
         return parameter.effectiveSystematic.has_value(); // what takes up S has an effective one
     }
 

@@ -30,14 +30,9 @@ constexpr int circularDecimals = 2;   // 0.01 µm
 constexpr double comparedStep = 0.25; ///< degrees: finer than a pixel of the picture
 constexpr double turnTolerance = 1;   ///< degrees by which a path may begin before the turn
 
-constexpr auto positioningFamilies = std::to_array<const char *>(
-    {"ISO 230-2:1988", "ISO 230-2:1997", "ISO 230-2:2006", "ISO 230-2:2014", "VDI/DGQ 3441:1977"});
-constexpr auto circularFamilies =
-    std::to_array<const char *>({"ISO 230-4:1996", "ISO 230-4:2005", "ISO 230-4:2022"});
-
 int decimalsFor(const Test &test) {
-    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-    return measurement ? statisticDecimals(*measurement) : circularDecimals;
+    return partOr(circularDecimals, test.measurement,
+                  [](auto &m) -> decltype(statisticDecimals(m)) { return statisticDecimals(m); });
 }
 
 const Parameter *parameterOf(const TestEvaluation &evaluation, const std::string &id) {
@@ -97,16 +92,8 @@ const Row *rowOfEdition(const Edition &edition, std::string_view id) {
 }
 
 bool knows(const Edition &edition, const std::string &id) {
-    if (!edition.circles)
-        return rowOfEdition(edition, id) != nullptr;
     const std::string bare = id.substr(0, id.find('_'));
-    return std::ranges::any_of(edition.circles->rows,
-                               [&](const CircularRow &row) { return bare == row.term.id; });
-}
-
-DeviationMethod methodOf(const TestEvaluation &evaluation) {
-    const auto *results = std::get_if<PositioningResults>(&evaluation.results);
-    return results ? results->standardDeviation : DeviationMethod::calculation;
+    return std::ranges::any_of(termsOf(edition), [&](const Term *term) { return bare == term->id; });
 }
 
 /// Which editions differ from the first one in a parameter, and by what.
@@ -125,7 +112,7 @@ void takeDifference(Differences &differences, const TestEvaluation &first, const
     const Row *row = rowOfEdition(edition, id);
     const bool scatter = row && (row->needs & palmer::scatter) != 0;
     const QString word = standardName(language, other.edition);
-    const bool otherMethod = scatter && methodOf(other) != methodOf(first);
+    const bool otherMethod = scatter && deviationMethod(other) != deviationMethod(first);
     const bool otherFactor = scatter && edition.c != first.edition->c;
     if (otherMethod)
         differences.byMethod << word;
@@ -160,7 +147,7 @@ QStringList reasons(const std::vector<const TestEvaluation *> &columns, const st
     QStringList sentences;
     const auto list = [](const QStringList &words) { return words.join(QStringLiteral(", ")).toStdString(); };
     const std::string firstWord = standardName(language, first.edition).toStdString();
-    const bool firstByRange = methodOf(first) == DeviationMethod::range;
+    const bool firstByRange = deviationMethod(first) == DeviationMethod::range;
     if (!byMethod.isEmpty())
         sentences << language.sentence(
             {REPORT_TEXT("report", "s from the range in %1, from the squares in %2."),
@@ -202,16 +189,11 @@ std::vector<std::string> editionsToCompare(const Test &test) {
     if (!own)
         return {};
     std::vector<std::string> words{test.edition};
-    const auto add = [&](const auto &families) {
-        for (const char *family : families) {
-            if (std::string_view(own->family) != family && test.edition != family)
-                words.emplace_back(family);
-        }
-    };
-    if (own->kind == Kind::positioning)
-        add(positioningFamilies);
-    else if (own->kind == Kind::circular)
-        add(circularFamilies);
+    for (const Edition *other : editions()) {
+        const std::string_view word = other->word;
+        if (other->kind == own->kind && word == other->family && word != own->family) // no alias
+            words.emplace_back(word);
+    }
     return words;
 }
 
@@ -357,6 +339,37 @@ ComparisonCurve pathCurve(const Test &test, const TestEvaluation &evaluation, co
     return curve;
 }
 
+/// What the curves of a test are made of, and the ranges they take.
+struct CurveSource {
+    const Test &test;
+    const TestEvaluation &evaluation;
+    const Language &language;
+    CurveRanges &ranges;
+};
+
+// The curves of a test, each with the name that tells it from the others.
+
+std::vector<ComparisonCurve> curvesOf(const CurveSource &source, const PositioningMeasurement &measurement,
+                                      const PositioningResults &results) {
+    return {meanCurve(measurement, results, source.language, source.ranges)};
+}
+
+std::vector<ComparisonCurve> curvesOf(const CurveSource &source, const CircularMeasurement & /*measurement*/,
+                                      const CircularResults &results) {
+    std::vector<ComparisonCurve> curves;
+    for (const EvaluatedPath &path : results.paths) {
+        curves.push_back(pathCurve(source.test, source.evaluation, path, source.language, source.ranges));
+        curves.back().name = QString::fromStdString(path.index);
+    }
+    return curves;
+}
+
+std::vector<ComparisonCurve> curvesOf(const CurveSource & /*source*/,
+                                      const DriftMeasurement & /*measurement*/,
+                                      const DriftResults & /*results*/) {
+    return {};
+}
+
 void setAxes(ComparisonFigure &figure, const Test &first, const CurveRanges &ranges,
              const Language &language) {
     const bool alongAxis = axisOf(first);
@@ -392,18 +405,15 @@ ComparisonFigure comparisonFigure(const std::vector<ComparedTest> &tests, const 
             continue;
         first = first ? first : &test;
         const TestEvaluation &evaluation = *compared.evaluated.tests[compared.test];
-        const auto add = [&](ComparisonCurve curve, const QString &name) {
-            curve.name = name;
+        const CurveSource source{test, evaluation, language, ranges};
+        auto curves = withResults(test, evaluation, [&](const auto &measurement, const auto &results) {
+            return curvesOf(source, measurement, results);
+        });
+        for (ComparisonCurve &curve : curves) {
+            curve.name = curve.name.isEmpty() ? compared.name
+                                              : QStringLiteral("%1 (%2)").arg(compared.name, curve.name);
             curve.test = shown;
             figure.curves.push_back(std::move(curve));
-        };
-        if (const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement)) {
-            add(meanCurve(*measurement, resultsOf(*measurement, evaluation), language, ranges),
-                compared.name);
-        } else {
-            for (const EvaluatedPath &path : std::get<CircularResults>(evaluation.results).paths)
-                add(pathCurve(test, evaluation, path, language, ranges),
-                    QStringLiteral("%1 (%2)").arg(compared.name, QString::fromStdString(path.index)));
         }
         ++shown;
     }

@@ -79,8 +79,9 @@ private:
         if (evaluation.edition)
             heading += QStringLiteral(" · ") + QString::fromUtf8(evaluation.edition->word);
         m_report.blocks.emplace_back(Heading{1, heading});
-        const auto *results = std::get_if<PositioningResults>(&evaluation.results);
-        if (results && results->stepCycleNotAgreed)
+        if (partOr(false, evaluation.results, [](auto &results) -> decltype(results.stepCycleNotAgreed) {
+                return results.stepCycleNotAgreed;
+            }))
             m_report.blocks.emplace_back(
                 Paragraph{text(REPORT_TEXT("report", "step cycle – not an ISO 230-2 acceptance result"))});
         if (evaluation.view)
@@ -234,7 +235,7 @@ private:
         Table table;
         const std::optional<double> finest = finestResolution(m_document, test);
         const CoverageOfResults coverage = coverageOf(evaluation, m_document.report);
-        char group = 0;
+        std::string_view family;
         QString unit;
         for (const Parameter &parameter : evaluation.parameters) {
             if (!isPrinted(parameter, m_document.report))
@@ -242,9 +243,9 @@ private:
             const Quantity quantity = parameter.term.quantity;
             const PrintedNumbers numbers = printedNumbers(parameter, test.decisionRule, finest, m_language);
             unit = m_language.unit(quantity);
-            if (group != 0 && group != *parameter.term.id)
+            if (!table.rows.empty() && family != parameter.term.family)
                 table.rulesAfter.push_back(table.rows.size() - 1);
-            group = *parameter.term.id;
+            family = parameter.term.family;
             table.rows.push_back(
                 {symbolPhrase(parameter.term.symbol, parameter.index), nameOf(parameter, notCorrected),
                  rulingText(parameter), numbers.value, numbers.uncertainty, numbers.limit,
@@ -259,7 +260,7 @@ private:
                          {uncertaintyHead(coverage, m_language), unit, Alignment::decimal, false},
                          {text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false},
                          {text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false}};
-        if (std::holds_alternative<CircularMeasurement>(test.measurement)) {
+        if (!axisOf(test)) {
             constexpr std::ptrdiff_t rulingTargets = 2; // a circle has none
             table.columns.erase(table.columns.begin() + rulingTargets);
             for (auto &row : table.rows)
@@ -284,7 +285,7 @@ private:
                           m_language.unit(along), Alignment::decimal, false}};
         std::vector<const char *> ids;
         for (const TargetTerm &term : edition.targetTerms) {
-            if (!isShown(term.id, results))
+            if (!isShown(term, results))
                 continue;
             ids.push_back(term.id);
             table.columns.push_back(

@@ -4,6 +4,7 @@
 
 #include "document/evaluateddocument.h"
 #include "kernel/evaluation/targetvalue.h"
+#include "kernel/measurement/testfacts.h"
 #include "validation/circlesets.h"
 
 #include <QFile>
@@ -42,8 +43,9 @@ void computeParameter(Comparison &comparison, const TestEvaluation &evaluation) 
 
 void computeCorrection(Comparison &comparison, const TestEvaluation &evaluation) {
     comparison.symbol = {"C"};
-    if (const auto *results = std::get_if<CircularResults>(&evaluation.results))
-        comparison.computed = results->correction;
+    comparison.computed =
+        partOr(comparison.computed, evaluation.results,
+               [](auto &results) -> decltype(results.correction) { return results.correction; });
 }
 
 void compute(Comparison &comparison, const EvaluatedDocument &evaluated) {

@@ -3,6 +3,7 @@
 #include "ui/diagnosis/diagnosispage.h"
 
 #include "kernel/diagnosis/sourcewords.h"
+#include "kernel/measurement/testfacts.h"
 #include "report/tables/statedsources.h"
 #include "ui/diagnosis/feedsview.h"
 #include "ui/elidedlabel.h"
@@ -209,7 +210,7 @@ QWidget *DiagnosisPage::makeBelow() {
 void DiagnosisPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
     m_evaluated = evaluated;
     m_test = test;
-    if (!measured<CircularMeasurement>(evaluated, test)) {
+    if (test >= evaluated.tests.size() || axisOf(*evaluated.document->tests[test])) {
         m_evaluated = {};
         return;
     }

@@ -174,7 +174,7 @@ QStringList fill(QTableWidget &table, const ResultComparison &comparison, const 
 
 /// Whether two tests are of the same axis, or of the same plane.
 bool isOfSameAxis(const Test &a, const Test &b) {
-    return isJudged(a) && a.measurement.index() == b.measurement.index() && axesOf(a) == axesOf(b);
+    return isJudged(a) && kindOf(a) == kindOf(b) && axesOf(a) == axesOf(b);
 }
 
 /// The tests of a test file, or the one of a file of measurements; its guesses go into `guesses`.

@@ -43,7 +43,6 @@ namespace {
 constexpr int compensationFieldsWidth = 280;
 constexpr int predictionRowHeight = 24;
 constexpr int predictionRows = 6;
-constexpr const char *editionOfAll = "ISO 230-2:2014"; ///< has E, M and B
 constexpr std::array formats{CompensationFormat::linuxcnc, CompensationFormat::siemens,
                              CompensationFormat::weihong, CompensationFormat::csv};
 constexpr std::array<std::string_view, 6> predicted{"A", "E", "M", "B", "Bmean", "R"};
@@ -257,7 +256,7 @@ void CompensationDialog::compute() {
         m_remarks = compensationRemarks(table, kind, options);
         Surroundings surroundings;
         surroundings.machine = &m_evaluated.document->machine;
-        const Edition *edition = parameter(evaluation, "M") ? nullptr : findEdition(editionOfAll);
+        const Edition *edition = parameter(evaluation, "M") ? nullptr : &defaultEdition(Kind::positioning);
         m_before = evaluateTest(test, surroundings, edition);
         m_after = evaluateTest(compensated(test, readCompensation(m_written, kind, options)), surroundings,
                                edition);

@@ -53,7 +53,7 @@ NewCircleDialog::NewCircleDialog(Language language, const Test *like, QWidget *p
         if (edition->kind == Kind::circular)
             m_edition->addItem(QString::fromUtf8(edition->word), QString::fromUtf8(edition->word));
     }
-    m_edition->setCurrentIndex(m_edition->findData(QStringLiteral("ISO 230-4:2005")));
+    m_edition->setCurrentIndex(m_edition->findData(QString::fromUtf8(defaultEdition(Kind::circular).word)));
     m_radius->setText(m_language.number(proposedRadius, Quantity::position));
     m_feed->setPlaceholderText(tr("not stated"));
     const auto *circle = like ? std::get_if<CircularMeasurement>(&like->measurement) : nullptr;

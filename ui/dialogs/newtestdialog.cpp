@@ -116,7 +116,8 @@ void NewTestDialog::fillFields(const Test *like) {
     m_problem->setProperty("reason", true);
     m_problem->setTextFormat(Qt::PlainText);
 
-    m_edition->setCurrentIndex(m_edition->findData(QStringLiteral("ISO 230-2:2014")));
+    m_edition->setCurrentIndex(
+        m_edition->findData(QString::fromUtf8(defaultEdition(Kind::positioning).word)));
     if (like && !like->edition.empty() && m_edition->findData(QString::fromStdString(like->edition)) >= 0)
         m_edition->setCurrentIndex(m_edition->findData(QString::fromStdString(like->edition)));
     m_name->setText(QStringLiteral("X"));
@@ -212,7 +213,7 @@ TargetRequest NewTestDialog::request() const {
     const Axis asked = axis();
     const Edition *edition = findEdition(m_edition->currentData().toString().toStdString());
     if (edition)
-        result.rule = targetRuleOf(*edition);
+        result.rule = edition->targetRule;
     result.motion = asked.motion;
     result.from = number(m_first).value_or(0);
     result.travel = number(m_last).value_or(0) - result.from;

@@ -43,7 +43,6 @@ namespace palmer::ui {
 namespace {
 
 constexpr int planFieldsWidth = 380;
-constexpr const char *defaultEdition = "ISO 230-2:2014";
 constexpr double pointsPerInch = 72;
 constexpr double mostDecimals = 9;
 constexpr double mostSeed = 999'999'999;
@@ -121,7 +120,7 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     : QDialog(parent)
     , m_model(model)
     , m_test(test)
-    , m_edition(defaultEdition)
+    , m_edition(defaultEdition(Kind::positioning).word)
     , m_view(new CycleView(this))
     , m_summary(new QLabel(this))
     , m_targets(new QLabel(this))
@@ -356,7 +355,7 @@ void PlanDialog::begin(std::size_t test) {
         return;
     m_edition = tests[test]->edition;
     if (const Edition *edition = findEdition(m_edition))
-        m_request.rule = targetRuleOf(*edition);
+        m_request.rule = edition->targetRule;
     m_request.motion = measurement->axis.motion;
     if (!measurement->axis.name.empty())
         m_program.axis = measurement->axis.name;

@@ -5,11 +5,12 @@
 #include "document/savedocument.h"
 #include "document/testfile.h"
 #include "figures/deviationfigure.h"
-#include "figures/driftfigure.h"
+#include "figures/figureoftest.h"
 #include "figures/figuresentence.h"
 #include "figures/thinning.h"
 #include "kernel/evaluation/correctionto20.h"
 #include "kernel/evaluation/resultsof.h"
+#include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
 #include "report/explanations/explanation.h"
 #include "report/tables/readingtable.h"
@@ -43,11 +44,35 @@ constexpr int tightWidth = 520;
 constexpr int clipboardDotsPerInch = 200;
 constexpr std::size_t drawnAtOnce = 50'000; ///< readings; figures of more are made on a thread
 
-std::size_t countReadings(const Test &test) {
-    if (const auto *drift = std::get_if<DriftMeasurement>(&test.measurement))
-        return drift->times.size();
-    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-    return measurement ? measurement->targets.size() * measurement->runs.size() : 0;
+// What the pointer finds in the curves of a test.
+
+FigureReadings readingsIn(std::shared_ptr<const CurveFigure> figure,
+                          const PositioningMeasurement &measurement) {
+    return {std::move(figure), measurement};
+}
+
+FigureReadings readingsIn(std::shared_ptr<const CurveFigure> figure, const auto & /*measurement*/) {
+    return FigureReadings(std::move(figure));
+}
+
+// What a figure of curves says of a reading.
+
+QString labelOf(const PositioningMeasurement &measurement, const ReadingPlace &place,
+                const Language &language) {
+    if (place.run >= measurement.runs.size() || place.target >= measurement.targets.size())
+        return {};
+    return ReadingTexts(measurement, language, ReadingUnit::deviations).label(place.run, place.target);
+}
+
+QString labelOf(const DriftMeasurement &drift, const ReadingPlace &place, const Language &language) {
+    if (place.target >= drift.times.size())
+        return {};
+    return language.quantity(drift.times[place.target], Quantity::time) + QStringLiteral(" · ") +
+           language.quantity(drift.deviations[place.target], deviationQuantity(drift.axis));
+}
+
+QString labelOf(const auto & /*measurement*/, const ReadingPlace & /*place*/, const Language & /*language*/) {
+    return {};
 }
 
 /// The figure in these ranges, or whole; no more of it than a screen resolves.
@@ -176,15 +201,15 @@ std::optional<CurveFigure> FigureView::figure() const {
 }
 
 void FigureView::refresh() {
-    const bool curves = measured<PositioningMeasurement>(m_evaluated, m_test) ||
-                        measured<DriftMeasurement>(m_evaluated, m_test);
-    const bool circular = measured<CircularMeasurement>(m_evaluated, m_test);
+    const Test *test = shownTest();
+    const bool curves = test && axisOf(*test);
+    const bool circular = showsCircles();
     m_making.cancel();
     m_zooming.cancel();
     for (QWidget *button : std::initializer_list<QWidget *>{m_zoom, m_copy, m_save, m_detach, m_maximise})
-        button->setEnabled(curves || circular);
-    m_marks->setVisible(!measured<DriftMeasurement>(m_evaluated, m_test));
-    m_marks->setEnabled(curves || circular);
+        button->setEnabled(test);
+    m_marks->setVisible(!test || isJudged(*test));
+    m_marks->setEnabled(test);
     m_circles->setVisible(circular);
     m_canvas->setVisible(!circular);
     if (curves)
@@ -216,7 +241,7 @@ void FigureView::refreshCurves() {
                        zoomed = zoomedRanges()] {
         return contentOf(*test, *evaluation, language, marks, zoomed);
     };
-    if (countReadings(*test) <= drawnAtOnce)
+    if (readingsOf(*test) <= drawnAtOnce)
         return take(make());
     m_making.start([make](const Background::Job &) { return make(); },
                    [this, zoomed = zoomedRanges()](Content content) {
@@ -231,13 +256,12 @@ void FigureView::refreshCurves() {
 FigureView::Content FigureView::contentOf(const Test &test, const TestEvaluation &evaluation,
                                           const Language &language, bool marks,
                                           const std::optional<std::array<Interval, 2>> &zoomed) {
-    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
     Content content;
-    content.whole = std::make_shared<const CurveFigure>(
-        measurement ? deviationFigure(test, evaluation, language) : driftFigure(test, evaluation, language));
-    content.readings =
-        measurement ? FigureReadings(content.whole, *measurement) : FigureReadings(content.whole);
-    if (!marks && measurement)
+    content.whole =
+        std::make_shared<const CurveFigure>(std::get<CurveFigure>(figureOfTest(test, evaluation, language)));
+    content.readings = std::visit(
+        [&](const auto &measurement) { return readingsIn(content.whole, measurement); }, test.measurement);
+    if (!marks && isJudged(test))
         content.whole = std::make_shared<const CurveFigure>(withoutReadings(*content.whole));
     content.shown = figureIn(*content.whole, zoomed, language);
     content.sentence = figureSentence(*content.whole, language);
@@ -249,40 +273,53 @@ void FigureView::take(Content content) {
     m_readings = std::move(content.readings);
     m_shown = std::move(content.shown);
     m_sentence = std::move(content.sentence);
-    if (measured<DriftMeasurement>(m_evaluated, m_test))
-        nameDrift();
-    else
-        namePositioning();
+    showTitle();
     m_canvas->setFigure(*m_shown, m_readings);
     describe();
     mark();
     showHoverLabel();
 }
 
-void FigureView::namePositioning() {
-    const PositioningMeasurement &measurement = *measured<PositioningMeasurement>(m_evaluated, m_test);
-    const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
+void FigureView::showTitle() {
+    withResults(*shownTest(), *m_evaluated.tests[m_test],
+                [this](const auto &measurement, const auto &results) { showTitle(measurement, results); });
+}
+
+void FigureView::showTitle(const PositioningMeasurement &measurement, const PositioningResults &results) {
     m_title->setText(m_whole->y.quantity);
-    const PositioningResults &results = resultsOf(measurement, evaluation);
     QString note = results.positiveRuns == results.negativeRuns || results.negativeRuns == 0
                        ? QStringLiteral("n = %1").arg(results.positiveRuns)
                        : QStringLiteral("n = %1 ↑, %2 ↓").arg(results.positiveRuns).arg(results.negativeRuns);
     if (!m_whole->bands.empty())
         note += QStringLiteral(" · ") +
-                tr("band ±%1s").arg(m_language.number(evaluation.edition->c, Quantity::number, -1));
+                tr("band ±%1s")
+                    .arg(m_language.number(m_evaluated.tests[m_test]->edition->c, Quantity::number, -1));
     if (measurement.axis.motion == Motion::linear && isCorrectedTo20(measurement.conditions.common))
         note += QStringLiteral(" · ") + tr("at 20 °C");
     m_note->setText(note);
 }
 
-void FigureView::nameDrift() {
-    const DriftMeasurement &drift = *measured<DriftMeasurement>(m_evaluated, m_test);
+void FigureView::showTitle(const DriftMeasurement &drift, const DriftResults &results) {
     m_title->setText(m_whole->title);
-    const auto &range = resultsOf(drift, *m_evaluated.tests[m_test]).range;
     constexpr int decimals = 2;
-    m_note->setText(range ? QStringLiteral("E_VE = ") +
-                                m_language.quantity(*range, deviationQuantity(drift.axis), decimals)
-                          : QString());
+    m_note->setText(results.range
+                        ? QStringLiteral("E_VE = ") +
+                              m_language.quantity(*results.range, deviationQuantity(drift.axis), decimals)
+                        : QString());
+}
+
+void FigureView::showTitle(const CircularMeasurement &measurement, const CircularResults & /*results*/) {
+    const auto figure = m_circles->paperFigure();
+    if (!figure)
+        return;
+    m_title->setText(figure->title);
+    m_circles->describe(figureSentence(*figure, m_language));
+    QStringList note;
+    if (isCorrectedTo20(measurement.conditions.common)) // first: what has no room is left out
+        note << tr("at 20 °C");
+    if (measurement.feed)
+        note << QStringLiteral("F ") + m_language.quantity(*measurement.feed, Quantity::feed);
+    m_note->setText(note.join(QStringLiteral(" · ")));
 }
 
 /// For those who cannot see it: the content, then the keys.
@@ -303,26 +340,25 @@ std::optional<std::array<Interval, 2>> FigureView::zoomedRanges() const {
 }
 
 void FigureView::refreshCircles() {
-    const CircularMeasurement *measurement = measured<CircularMeasurement>(m_evaluated, m_test);
-    const auto figure = measurement ? m_circles->paperFigure() : std::nullopt;
-    if (!figure)
-        return;
-    m_title->setText(figure->title);
-    m_circles->describe(figureSentence(*figure, m_language));
-    QStringList note;
-    if (isCorrectedTo20(measurement->conditions.common)) // first: what has no room is left out
-        note << tr("at 20 °C");
-    if (measurement->feed)
-        note << QStringLiteral("F ") + m_language.quantity(*measurement->feed, Quantity::feed);
-    m_note->setText(note.join(QStringLiteral(" · ")));
+    if (showsCircles())
+        showTitle();
+}
+
+const Test *FigureView::shownTest() const {
+    return m_test < m_evaluated.tests.size() ? m_evaluated.document->tests[m_test].get() : nullptr;
+}
+
+bool FigureView::showsCircles() const {
+    const Test *test = shownTest();
+    return test && !axisOf(*test);
 }
 
 QString FigureView::deviationText(const ReadingPlace &point) const {
-    return measured<CircularMeasurement>(m_evaluated, m_test) ? m_circles->deviationText(point) : QString();
+    return showsCircles() ? m_circles->deviationText(point) : QString();
 }
 
 std::optional<FigureView::Leaving> FigureView::leaving() const {
-    if (measured<CircularMeasurement>(m_evaluated, m_test)) {
+    if (showsCircles()) {
         if (const auto figure = m_circles->paperFigure())
             return Leaving{*figure, figure->title};
         return std::nullopt;
@@ -334,7 +370,7 @@ void FigureView::showRanges(const Interval &x, const Interval &y) {
     if (!m_whole || !m_shown)
         return;
     const std::array<Interval, 2> ranges = rangesWithin(*m_whole, x, y);
-    const bool atOnce = countReadings(*m_evaluated.document->tests[m_test]) <= drawnAtOnce;
+    const bool atOnce = readingsOf(*shownTest()) <= drawnAtOnce;
     // Of a larger test at once what is drawn already, then what belongs to the range.
     m_shown = atOnce ? figureIn(*m_whole, ranges, m_language)
                      : withRanges(*m_shown, ranges[0], ranges[1], m_language);
@@ -365,10 +401,9 @@ void FigureView::fit() {
 
 void FigureView::mark() {
     FigureMarking marking;
-    const PositioningMeasurement *measurement = measured<PositioningMeasurement>(m_evaluated, m_test);
     const auto explained =
         explanation(m_evaluated, m_test, m_selection.parameter().toStdString(), m_language);
-    if (measurement && m_whole && explained && !explained->result.isEmpty()) {
+    if (m_whole && explained && !explained->result.isEmpty()) {
         marking.label = explained->result;
         for (const std::size_t target : rulingTargets(m_evaluated, m_test, m_selection.parameter())) {
             if (target < m_whole->positions.size())
@@ -384,22 +419,13 @@ void FigureView::mark() {
 }
 
 void FigureView::showHoverLabel() {
-    const PositioningMeasurement *measurement = measured<PositioningMeasurement>(m_evaluated, m_test);
+    const Test *test = shownTest();
     const auto place = m_selection.hovered();
-    const DriftMeasurement *drift = measured<DriftMeasurement>(m_evaluated, m_test);
-    if (drift && place && place->target < drift->times.size()) {
-        m_canvas->setHoverLabel(
-            m_language.quantity(drift->times[place->target], Quantity::time) + QStringLiteral(" · ") +
-            m_language.quantity(drift->deviations[place->target], deviationQuantity(drift->axis)));
-        return;
-    }
-    if (!measurement || !place || place->run >= measurement->runs.size() ||
-        place->target >= measurement->targets.size()) {
-        m_canvas->setHoverLabel({});
-        return;
-    }
-    m_canvas->setHoverLabel(
-        ReadingTexts(*measurement, m_language, ReadingUnit::deviations).label(place->run, place->target));
+    QString label;
+    if (test && place)
+        label = std::visit([&](const auto &measurement) { return labelOf(measurement, *place, m_language); },
+                           test->measurement);
+    m_canvas->setHoverLabel(label);
 }
 
 void FigureView::copy() {
@@ -465,17 +491,16 @@ void FigureView::askWhereToSave() {
 void FigureView::retranslate() {
     m_title->setFont(themeFont(TextSize::head));
     m_note->setFont(themeFont(TextSize::small));
-    const auto name = [](QToolButton *button, const QString &text, const QString &keys = {}) {
+    const auto nameButton = [](QToolButton *button, const QString &text, const QString &keys = {}) {
         button->setAccessibleName(text);
         button->setToolTip(keys.isEmpty() ? text : text + QStringLiteral(" (") + keys + u')');
     };
-    name(m_marks, measured<CircularMeasurement>(m_evaluated, m_test)
-                      ? tr("Show the points that rule the result")
-                      : tr("Show single readings"));
-    name(m_copy, tr("Copy the figure"));
-    name(m_save, tr("Save the figure as PDF, SVG or PNG"));
-    name(m_detach, tr("Open the figure in a window of its own"));
-    name(m_maximise, tr("Maximise the figure"), QStringLiteral("F11"));
+    nameButton(m_marks,
+               showsCircles() ? tr("Show the points that rule the result") : tr("Show single readings"));
+    nameButton(m_copy, tr("Copy the figure"));
+    nameButton(m_save, tr("Save the figure as PDF, SVG or PNG"));
+    nameButton(m_detach, tr("Open the figure in a window of its own"));
+    nameButton(m_maximise, tr("Maximise the figure"), QStringLiteral("F11"));
     m_canvas->setToolTip({});
     refresh();
 }

@@ -83,8 +83,13 @@ private:
     void refreshCircles();
     void forget();
     void take(Content content);
-    void namePositioning();
-    void nameDrift();
+    /// Title and note: each kind has its own.
+    void showTitle();
+    void showTitle(const PositioningMeasurement &measurement, const PositioningResults &results);
+    void showTitle(const DriftMeasurement &drift, const DriftResults &results);
+    void showTitle(const CircularMeasurement &measurement, const CircularResults &results);
+    [[nodiscard]] const Test *shownTest() const; ///< null: none
+    [[nodiscard]] bool showsCircles() const;
     void describe();
     [[nodiscard]] std::optional<std::array<Interval, 2>> zoomedRanges() const;
     /// What is copied and saved: the figure in view, for paper.

@@ -3,11 +3,13 @@
 #include "ui/forms/conditionspage.h"
 
 #include "document/edits.h"
+#include "document/filewords.h"
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "language/decimals.h"
 #include "report/words/correctiontext.h"
 #include "ui/forms/agreedvalue.h"
+#include "ui/forms/ofmeasurement.h"
 #include "ui/forms/templatebutton.h"
 #include "ui/theme.h"
 
@@ -53,18 +55,12 @@ auto coordinate() {
 /// A member of a positioning test, or of a part of it.
 template <auto... members>
 auto positioning() {
-    return ofTest([](auto &test) {
-        auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
-        return measurement ? &reach(*measurement, members...) : nullptr;
-    });
+    return ofMeasurement<PositioningMeasurement, members...>();
 }
 
 template <auto... members>
 auto circular() {
-    return ofTest([](auto &test) {
-        auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
-        return measurement ? &reach(*measurement, members...) : nullptr;
-    });
+    return ofMeasurement<CircularMeasurement, members...>();
 }
 
 /// A sensor's member; what is said first makes the sensor.
@@ -204,14 +200,11 @@ ConditionsPage::ConditionsPage(DocumentModel &model, Selection &selection, QWidg
 void ConditionsPage::prepare() {
     const Test *shown = shownTest();
     const Conditions *conditions = shown ? conditionsOf(*shown) : nullptr;
-    const auto *measurement = shown ? std::get_if<PositioningMeasurement>(&shown->measurement) : nullptr;
-    const bool rotary = measurement && measurement->axis.motion == Motion::rotary;
     const Edition *edition = shown ? findEdition(shown->edition) : nullptr;
-    QString wanted = measurement ? QStringLiteral("positioning") : QStringLiteral("circular");
-    if (!conditions) {
-        wanted = QStringLiteral("none");
-    } else {
-        wanted += rotary ? QStringLiteral(" rotary") : QString();
+    QString wanted = QStringLiteral("none");
+    if (conditions) {
+        wanted = QString::fromLatin1(fileWord(kindOf(*shown))) + u' ' +
+                 QLatin1StringView(fileWord(motionOf(*shown)));
         wanted += edition && edition->rangeMethod ? QStringLiteral(" range") : QString();
         wanted += edition ? u' ' + QString::fromUtf8(edition->family) : QString();
         for (const SensorMeasures what : kinds)
@@ -227,11 +220,29 @@ void ConditionsPage::prepare() {
     clear();
     if (!conditions)
         return;
-    addTestAndAxis(measurement);
-    addTemperatures(*shown);
-    addDeclarations(edition);
-    addLoad(measurement != nullptr, rotary);
-    addPositions(measurement != nullptr);
+    std::visit(
+        [this](const auto &measurement) {
+            if constexpr (requires { measurement.conditions; })
+                addFields(measurement);
+        },
+        shown->measurement);
+}
+
+template <class Measurement>
+void ConditionsPage::addFields(const Measurement &measurement) {
+    addTestAndPurpose();
+    addAxis(measurement);
+    addTemperatures(measurement.conditions.common);
+    addAir(measurement);
+    addDeclarations(findEdition(shownTest()->edition));
+    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Cycle and load"));
+    beginColumns();
+    addCycle(measurement);
+    addWarmUp();
+    addAgreedCycle(measurement);
+    addLoad();
+    addPositions();
+    addPlace(measurement);
     addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks"));
     beginColumns();
     addLongText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks on the test"),
@@ -253,8 +264,7 @@ void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal) {
     m_lastSensors[what] = start;
 }
 
-void ConditionsPage::addTemperatures(const Test &test) {
-    const Conditions &conditions = *conditionsOf(test);
+void ConditionsPage::addTemperatures(const Conditions &conditions) {
     addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Temperatures"),
                       [this] { return temperatureSummary(); });
     for (const SensorMeasures what : kinds) {
@@ -285,7 +295,6 @@ void ConditionsPage::addTemperatures(const Test &test) {
     addCorrection();
     addSensorButtons();
     addRoom();
-    addAir(test);
 }
 
 /// With room for its words, and its size beside it.
@@ -355,9 +364,7 @@ void ConditionsPage::addRoom() {
 }
 
 /// Of linear and rotary axes: what a laser and a drift of the room ask for.
-void ConditionsPage::addAir(const Test &test) {
-    if (!std::holds_alternative<PositioningMeasurement>(test.measurement))
-        return;
+void ConditionsPage::addAir(const PositioningMeasurement & /*measurement*/) {
     constexpr auto conditionsMember = &PositioningMeasurement::conditions;
     beginColumns();
     addNumber("airPressure", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air pressure"),
@@ -376,39 +383,34 @@ void ConditionsPage::addAir(const Test &test) {
               Quantity::gradient, agreedValue("gradient"), 6);
 }
 
-void ConditionsPage::addLoad(bool isPositioning, bool rotary) {
-    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Cycle and load"));
-    beginColumns();
-    if (isPositioning) {
-        constexpr auto conditionsMember = &PositioningMeasurement::conditions;
-        addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Feed rate"),
-                  rotary ? Quantity::angularFeed : Quantity::feed,
-                  positioning<conditionsMember, &PositioningConditions::feed>(), 3);
-        addChoice("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Kind of feed"),
-                  {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "programmed"),
-                   QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "rapid")},
-                  choiceOf<FeedMode>(positioning<conditionsMember, &PositioningConditions::feedMode>(),
-                                     {FeedMode::programmed, FeedMode::rapid}),
-                  false, 3);
-        addNumber("dwell", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Dwell at the target"),
-                  Quantity::time, positioning<conditionsMember, &PositioningConditions::dwell>(), 3);
-        addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Approach distance"),
-                  rotary ? Quantity::angle : Quantity::position,
-                  positioning<conditionsMember, &PositioningConditions::approachDistance>(), 3);
-    } else {
-        addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Contouring feed"), Quantity::feed,
-                  circular<&CircularMeasurement::feed>(), 4);
-        addText("smoothing", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Data smoothing"),
-                circular<&CircularMeasurement::conditions, &CircularConditions::smoothing>(), 4);
-        addYesNo("recentredBetweenRuns",
-                 QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Re-centred between the runs"),
-                 circular<&CircularMeasurement::conditions, &CircularConditions::recentredBetweenRuns>(), 4);
-    }
-    addWarmUp(isPositioning, rotary);
+void ConditionsPage::addCycle(const PositioningMeasurement &measurement) {
+    constexpr auto conditionsMember = &PositioningMeasurement::conditions;
+    addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Feed rate"),
+              feedQuantity(*shownTest()), positioning<conditionsMember, &PositioningConditions::feed>(), 3);
+    addChoice("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Kind of feed"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "programmed"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "rapid")},
+              choiceOf<FeedMode>(positioning<conditionsMember, &PositioningConditions::feedMode>(),
+                                 {FeedMode::programmed, FeedMode::rapid}),
+              false, 3);
+    addNumber("dwell", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Dwell at the target"), Quantity::time,
+              positioning<conditionsMember, &PositioningConditions::dwell>(), 3);
+    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Approach distance"),
+              positionQuantity(measurement.axis),
+              positioning<conditionsMember, &PositioningConditions::approachDistance>(), 3);
 }
 
-void ConditionsPage::addWarmUp(bool isPositioning, bool rotary) {
-    const int width = isPositioning && !rotary ? 6 : 4; // two or three in a row
+void ConditionsPage::addCycle(const CircularMeasurement & /*measurement*/) {
+    addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Contouring feed"), Quantity::feed,
+              circular<&CircularMeasurement::feed>(), 4);
+    addText("smoothing", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Data smoothing"),
+            circular<&CircularMeasurement::conditions, &CircularConditions::smoothing>(), 4);
+    addYesNo("recentredBetweenRuns",
+             QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Re-centred between the runs"),
+             circular<&CircularMeasurement::conditions, &CircularConditions::recentredBetweenRuns>(), 4);
+}
+
+void ConditionsPage::addWarmUp() {
     beginColumns();
     addChoice("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
@@ -421,6 +423,9 @@ void ConditionsPage::addWarmUp(bool isPositioning, bool rotary) {
               true, 6);
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up, details"),
             commonPart<&Conditions::warmUp, &WarmUp::text>(), 6);
+}
+
+void ConditionsPage::addSpecifiedBy(int width) {
     beginColumns();
     addChoice("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up specified by"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
@@ -429,22 +434,30 @@ void ConditionsPage::addWarmUp(bool isPositioning, bool rotary) {
               choiceOf<SpecifiedBy>(commonPart<&Conditions::warmUp, &WarmUp::specifiedBy>(),
                                     {SpecifiedBy::notStated, SpecifiedBy::maker, SpecifiedBy::agreement}),
               true, width);
-    if (isPositioning)
-        addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed feed rate"),
-                  rotary ? Quantity::angularFeed : Quantity::feed, agreedValue("feed"), width);
-    if (isPositioning && rotary)
+}
+
+void ConditionsPage::addAgreedCycle(const PositioningMeasurement &measurement) {
+    const bool isRotary = measurement.axis.motion == Motion::rotary;
+    const int width = isRotary ? 4 : 6; // three or two in a row
+    addSpecifiedBy(width);
+    addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed feed rate"),
+              feedQuantity(*shownTest()), agreedValue("feed"), width);
+    if (isRotary)
         addYesNo("continuousDevice",
                  QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Continuous measuring device"),
                  positioning<&PositioningMeasurement::conditions, &PositioningConditions::continuousDevice>(),
                  width);
-    if (!isPositioning) {
-        addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified diameter"),
-                  Quantity::position, circular<&CircularMeasurement::specified, &SpecifiedCircle::diameter>(),
-                  width, Allowed::positive);
-        addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified feed"), Quantity::feed,
-                  circular<&CircularMeasurement::specified, &SpecifiedCircle::feed>(), width,
-                  Allowed::positive);
-    }
+}
+
+void ConditionsPage::addAgreedCycle(const CircularMeasurement & /*measurement*/) {
+    addSpecifiedBy(4);
+    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified diameter"), Quantity::position,
+              circular<&CircularMeasurement::specified, &SpecifiedCircle::diameter>(), 4, Allowed::positive);
+    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified feed"), Quantity::feed,
+              circular<&CircularMeasurement::specified, &SpecifiedCircle::feed>(), 4, Allowed::positive);
+}
+
+void ConditionsPage::addLoad() {
     beginColumns();
     addText("compensation", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Active compensation"),
             common<&Conditions::compensation>(), 6);
@@ -508,7 +521,7 @@ void ConditionsPage::addDeclarationsOf(const Edition *edition, const std::string
     }
 }
 
-void ConditionsPage::addPositions(bool isPositioning) {
+void ConditionsPage::addPositions() {
     constexpr auto position = Quantity::position;
     addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Positions"));
     beginColumns();
@@ -531,8 +544,10 @@ void ConditionsPage::addPositions(bool isPositioning) {
               position, coordinate<&Conditions::workpieceOffset, 1>(), 4);
     addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Z"),
               position, coordinate<&Conditions::workpieceOffset, 2>(), 4);
-    if (isPositioning)
-        return;
+}
+
+void ConditionsPage::addPlace(const CircularMeasurement & /*measurement*/) {
+    constexpr auto position = Quantity::position;
     const auto centre = []<std::size_t axis>() {
         return ofTest([](auto &test) {
             auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
@@ -553,7 +568,7 @@ void ConditionsPage::addPositions(bool isPositioning) {
             circular<&CircularMeasurement::conditions, &CircularConditions::stopPoint>(), 6);
 }
 
-void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
+void ConditionsPage::addTestAndPurpose() {
     addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test and axis"));
     beginColumns();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Title of the test"),
@@ -586,17 +601,16 @@ void ConditionsPage::addTestAndAxis(const PositioningMeasurement *measurement) {
                                  {TestRole::notStated, TestRole::asFound, TestRole::asLeft}),
               true, 6);
     addInstruments();
-    if (!measurement) {
-        beginColumns();
-        addText("positionFeedback",
-                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Measuring system of the axis"),
-                circular<&CircularMeasurement::positionFeedback>(), 6);
-        addYesNo("referenceLength",
-                 QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Reference length calibrated"),
-                 circular<&CircularMeasurement::referenceLength, &ReferenceLength::calibrated>(), 6);
-        return;
-    }
-    addAxis(*measurement);
+}
+
+void ConditionsPage::addAxis(const CircularMeasurement & /*measurement*/) {
+    beginColumns();
+    addText("positionFeedback",
+            QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Measuring system of the axis"),
+            circular<&CircularMeasurement::positionFeedback>(), 6);
+    addYesNo("referenceLength",
+             QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Reference length calibrated"),
+             circular<&CircularMeasurement::referenceLength, &ReferenceLength::calibrated>(), 6);
 }
 
 void ConditionsPage::addAxis(const PositioningMeasurement &measurement) {
@@ -741,9 +755,8 @@ bool ConditionsPage::focusField(const QString &id) {
 void ConditionsPage::refreshOthers() {
     const Test *shown = shownTest();
     if (shown && m_correction) {
-        const auto *axis = std::get_if<PositioningMeasurement>(&shown->measurement);
         const QString size = correctionSizeText(*shown, language());
-        m_correction->setVisible(!axis || axis->axis.motion == Motion::linear);
+        m_correction->setVisible(motionOf(*shown) == Motion::linear);
         m_correction->setText(size.isEmpty()
                                   ? tr("Its size is known when temperatures and expansions are stated.")
                                   : tr("Correction to 20 °C: %1.").arg(size));

@@ -26,22 +26,34 @@ protected:
     void refreshOthers() override;
 
 private:
-    void addTemperatures(const Test &test);
+    void addTemperatures(const Conditions &conditions);
     void addCorrection();
     void addSensorButtons();
     void addRoom();
-    void addAir(const Test &test);
+    template <class Measurement>
+    void addFields(const Measurement &measurement);
+    // What tests of one kind state.
+    void addAir(const PositioningMeasurement &measurement);
+    void addAir(const CircularMeasurement & /*measurement*/) {}
+    void addCycle(const PositioningMeasurement &measurement);
+    void addCycle(const CircularMeasurement &measurement);
+    void addAgreedCycle(const PositioningMeasurement &measurement);
+    void addAgreedCycle(const CircularMeasurement &measurement);
+    void addPlace(const PositioningMeasurement & /*measurement*/) {}
+    void addPlace(const CircularMeasurement &measurement);
+    void addAxis(const PositioningMeasurement &measurement);
+    void addAxis(const CircularMeasurement &measurement);
     void addSensor(SensorMeasures what, std::size_t ordinal);
-    void addLoad(bool positioning, bool rotary);
-    void addWarmUp(bool isPositioning, bool rotary);
+    void addWarmUp();
+    void addSpecifiedBy(int width);
+    void addLoad();
     /// What only a declaration can meet, by clause of the edition, and a button that says yes to the rest.
     void addDeclarations(const Edition *edition);
     void addDeclarationsOf(const Edition *edition, const std::string &clause);
     [[nodiscard]] QString temperatureSummary() const;
     [[nodiscard]] QString declarationSummary() const;
-    void addPositions(bool positioning);
-    void addTestAndAxis(const PositioningMeasurement *measurement);
-    void addAxis(const PositioningMeasurement &measurement);
+    void addPositions();
+    void addTestAndPurpose();
     void addTargets(const PositioningMeasurement &measurement);
     void addInstruments();
 

@@ -72,31 +72,22 @@ private:
 struct LimitRow {
     std::string id;
     Formula symbol;
-    Text name = {};
+    const Term *term = nullptr; ///< null: of no parameter alone
 };
 
 /// What limits can be agreed for: the parameters of the edition, and those the test has limits for already.
 std::vector<LimitRow> rowsOf(const Edition &edition, const Test &test) {
     std::vector<LimitRow> rows;
-    const auto add = [&](const Term &term) {
-        if (std::ranges::find(rows, term.id, &LimitRow::id) == rows.end())
-            rows.push_back({term.id, symbolFormula(term.symbol), term.name});
+    const auto add = [&](const std::string &id, const Formula &symbol, const Term *term = nullptr) {
+        if (!id.empty() && std::ranges::find(rows, id, &LimitRow::id) == rows.end())
+            rows.push_back({id, symbol, term});
     };
-    for (const Row &row : edition.rows)
-        add(row.term);
-    if (edition.circles) {
-        for (const CircularRow &row : edition.circles->rows) {
-            add(row.term);
-            // F: the larger of both in size
-            if (row.quantity == std::string_view("F") &&
-                std::ranges::find(rows, "F", &LimitRow::id) == rows.end())
-                rows.insert(rows.end() - 1, {"F", formulaFrom(QStringLiteral("F"))});
-        }
+    for (const Term *term : termsOf(edition)) {
+        add(term->also, formulaFrom(QString::fromUtf8(term->also))); // F: the larger of both in size
+        add(term->id, symbolFormula(term->symbol), term);
     }
-    for (const auto &[id, limit] : test.limits) {
-        if (std::ranges::find(rows, id, &LimitRow::id) == rows.end())
-            rows.push_back({id, formulaFrom(QString::fromStdString(id))});
-    }
+    for (const auto &[id, limit] : test.limits)
+        add(id, formulaFrom(QString::fromStdString(id)));
     return rows;
 }
 
@@ -172,13 +163,13 @@ void LimitsPage::prepare() {
         pasteLimits(0);
     })->setObjectName(QStringLiteral("pasteLimits"));
     for (const LimitRow &row : rows)
-        addLimit(row.symbol, row.name, row.id, edition->kind);
+        addLimit(row.symbol, row.term, row.id, edition->kind);
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Origin of all limits"), originOfAll());
     addStretch();
 }
 
-void LimitsPage::addLimit(const Formula &symbol, const Text &name, const std::string &id, Kind kind) {
+void LimitsPage::addLimit(const Formula &symbol, const Term *term, const std::string &id, Kind kind) {
     const bool first = m_names.empty();
     beginRow();
     auto *place = new QWidget(body());
@@ -198,7 +189,7 @@ void LimitsPage::addLimit(const Formula &symbol, const Text &name, const std::st
     column->addLayout(row);
     place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(place, 4);
-    m_names.push_back({label, name});
+    m_names.push_back({label, term});
     Field *limit = addNumber("limits", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Limit of %1"), m_quantity,
                              ofLimit<&Limit::value>(id), 2);
     limit->setLabelArgument(symbol.plain());
@@ -265,10 +256,10 @@ void LimitsPage::refreshOthers() {
     if (m_first)
         m_first->setHeading(tr("Limit"));
     for (const Name &of : m_names) {
-        if (of.name.empty())
+        if (!of.term)
             continue;
-        of.label->setText(language().text(listedName(of.name)));
-        of.label->setToolTip(language().text(of.name));
+        of.label->setText(language().text(listedName(*of.term)));
+        of.label->setToolTip(language().text(of.term->name));
     }
 }
 

@@ -28,11 +28,11 @@ private:
     void pasteLimits(std::size_t row);
 
     /// A limit as a row of the table: what it is of, its value, edition and origin.
-    void addLimit(const Formula &symbol, const Text &name, const std::string &id, Kind kind);
+    void addLimit(const Formula &symbol, const Term *term, const std::string &id, Kind kind);
 
     struct Name {
         QLabel *label = nullptr;
-        Text name;
+        const Term *term = nullptr; ///< null: a limit of no parameter
     };
 
     std::vector<Name> m_names;

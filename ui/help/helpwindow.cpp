@@ -136,7 +136,7 @@ void HelpWindow::fillList() {
         if (!page.id.startsWith(prefix))
             return page.id == u"validation" ? tr("Proof") : tr("Working with Palmer");
         const Edition *edition = findEdition(page.id.mid(prefix.size()).toStdString());
-        return edition && edition->kind == Kind::circular ? tr("Circular tests") : tr("Positioning of axes");
+        return edition && edition->circles ? tr("Circular tests") : tr("Positioning of axes");
     };
     QString group;
     for (std::size_t i = 0; i < m_pages.size(); ++i) {

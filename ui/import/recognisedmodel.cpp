@@ -159,12 +159,14 @@ int readingsOf(const Imported &imported) {
 
 int missingOf(const Imported &imported) {
     std::ptrdiff_t missing = 0;
-    const auto *positioning =
-        imported.test ? std::get_if<PositioningMeasurement>(&imported.test->measurement) : nullptr;
-    if (!positioning)
-        return 0;
-    for (const Run &run : positioning->runs)
-        missing += std::ranges::count_if(run.deviations, [](const auto &value) { return !value; });
+    const auto count = [&](const auto &measurement) {
+        if constexpr (requires { measurement.runs; }) {
+            for (const Run &run : measurement.runs)
+                missing += std::ranges::count_if(run.deviations, [](const auto &value) { return !value; });
+        }
+    };
+    if (imported.test)
+        std::visit(count, imported.test->measurement);
     return static_cast<int>(missing);
 }
 

@@ -5,6 +5,7 @@
 #include "document/filewords.h"
 #include "document/savedocument.h"
 #include "export/resultsjson.h"
+#include "kernel/measurement/testfacts.h"
 #include "register/history.h"
 #include "register/listing.h"
 #include "register/reevaluate.h"
@@ -1001,7 +1002,7 @@ QString RegisterWindow::trendAxis() const {
 
 /// "X axis", "XY": of a plane its name alone.
 QString RegisterWindow::axisName(const std::vector<ListedTest> &list) const {
-    const bool isAxis = !list.empty() && list.front().test.kind == Kind::positioning;
+    const bool isAxis = !list.empty() && traitsOf(list.front().test.kind).isOfAxis;
     return isAxis ? tr("%1 axis").arg(trendAxis()) : trendAxis();
 }
 

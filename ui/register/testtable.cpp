@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/testtable.h"
 
+#include "kernel/measurement/testfacts.h"
 #include "register/listing.h"
 #include "register/machinetrend.h"
 #include "report/words/wording.h"
@@ -99,10 +100,10 @@ QVariant TestTableModel::limitsData(const RegisteredTest &test, int role) {
 }
 
 QVariant TestTableModel::accordanceData(const RegisteredTest &test, int role) {
-    const bool isDrift = test.kind == Kind::drift;
+    const bool isJudged = traitsOf(test.kind).isJudged;
     switch (role) {
     case Qt::DisplayRole:
-        if (isDrift)
+        if (!isJudged)
             return QString();
         if (test.accordance == Accordance::no)
             return tr("%n not met", nullptr, test.counts.unmet);
@@ -114,7 +115,7 @@ QVariant TestTableModel::accordanceData(const RegisteredTest &test, int role) {
     case sortRole:
         return static_cast<int>(test.accordance);
     case iconRole:
-        if (isDrift)
+        if (!isJudged)
             return QString();
         return test.accordance == Accordance::yes  ? QStringLiteral("check")
                : test.accordance == Accordance::no ? QStringLiteral("warn")

@@ -81,10 +81,6 @@ QString driftTestName(const Test &drift) {
         .arg(QString::fromStdString(axis.empty() ? drift.id : axis));
 }
 
-std::optional<double> rangeOfDrift(const Test &drift) {
-    return rangeOf(std::get<DriftMeasurement>(drift.measurement));
-}
-
 std::vector<TestPointer> driftTestsFor(const Document &document, const Test &test) {
     std::vector<TestPointer> result;
     const std::string *named = driftTestOf(test);
@@ -104,7 +100,7 @@ std::vector<TypicalValue> typicalValues(const Document &document, const Test &te
     else if (motionOf(test) == Motion::linear)
         addLinear(values, language);
     for (const TestPointer &drift : driftTestsFor(document, test)) {
-        const auto range = rangeOfDrift(*drift);
+        const auto range = rangeAtRest(*drift);
         if (!range || motionOf(*drift) != motionOf(test))
             continue;
         constexpr int decimals = 2;

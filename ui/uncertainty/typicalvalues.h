@@ -27,9 +27,6 @@ struct TypicalValue {
 /// the one it names already. In the order of the document.
 [[nodiscard]] std::vector<TestPointer> driftTestsFor(const Document &document, const Test &test);
 
-/// E_VE: the range of the deviations of a drift test, mm or degrees; null without readings.
-[[nodiscard]] std::optional<double> rangeOfDrift(const Test &drift);
-
 /// Title of a drift test, or the name of its axis.
 [[nodiscard]] QString driftTestName(const Test &drift);
 

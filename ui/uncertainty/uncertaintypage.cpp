@@ -66,6 +66,21 @@ auto length() {
     return ofMeasurement<CircularMeasurement, &CircularMeasurement::referenceLength, member>();
 }
 
+/// A rotary axis has no metres; what a file says of them is shown to be taken out.
+bool asksPerMetre(const Test &test) {
+    const bool linear = motionOf(test) == Motion::linear;
+    return partOr(false, test.measurement,
+                  [linear](auto &m) -> decltype(m.uncertainty.device.perMetre.has_value()) {
+                      return linear || m.uncertainty.device.perMetre.value_or(0) != 0;
+                  });
+}
+
+bool asksForCentring(const Test &test) {
+    return partOr(false, test.measurement, [](auto &m) -> decltype(m.centring == Centring::instrument) {
+        return m.centring == Centring::instrument;
+    });
+}
+
 using Amount = std::optional<double>;
 
 QString withSign(double value, Quantity quantity, int decimals, const Language &language) {
@@ -259,12 +274,9 @@ void UncertaintyPage::prepare() {
             forgetParts();
         return;
     }
-    const auto *linear = std::get_if<PositioningMeasurement>(&shown->measurement);
-    const bool rotary = linear && linear->axis.motion == Motion::rotary;
-    // A rotary axis has no metres; what a file says of them is shown to be taken out.
-    const bool perMetre = linear && (!rotary || linear->uncertainty.device.perMetre.value_or(0) != 0);
-    const bool centring =
-        !linear && (std::get<CircularMeasurement>(shown->measurement).centring == Centring::instrument);
+    const bool rotary = motionOf(*shown) == Motion::rotary;
+    const bool perMetre = asksPerMetre(*shown);
+    const bool centring = asksForCentring(*shown);
     QStringList wanted{QString::fromUtf8(edition->word), rotary ? QStringLiteral("°") : QString(),
                        perMetre ? QStringLiteral("/m") : QString(),
                        centring ? QStringLiteral("+") : QString(),
@@ -294,12 +306,9 @@ void UncertaintyPage::prepare() {
     if (*method == UncertaintyMethod::direct) {
         addStatedUncertainties(*edition, rotary);
     } else if (usesContributions(*method)) {
-        if (linear)
-            addPositioningInputs(rotary, perMetre);
-        else
-            addCircularInputs(centring);
+        withUncertainty(*shown, [this](const auto &inputs) { addInputs(inputs); });
         addContributions();
-        addResults(linear);
+        addResults(axisOf(*shown));
     }
     addDecision();
     addStretch();
@@ -392,9 +401,10 @@ void UncertaintyPage::addTrials(Member<std::optional<long long>> trials, Member<
               seedOf(std::move(seed)), 1, Allowed::whole);
 }
 
-void UncertaintyPage::addPositioningInputs(bool rotary, bool perMetre) {
+void UncertaintyPage::addInputs(const PositioningUncertaintyInputs & /*inputs*/) {
     using Inputs = PositioningUncertaintyInputs;
     using Both = MachineAndInstrument;
+    const bool rotary = motionOf(*shownTest()) == Motion::rotary;
     const Quantity size = rotary ? Quantity::arcSeconds : Quantity::micrometres;
     beginRow();
     addChoice("device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument by"),
@@ -406,7 +416,7 @@ void UncertaintyPage::addPositioningInputs(bool rotary, bool perMetre) {
     m_fields[deviceId] =
         addNumber("device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument, fixed part"), size,
                   positioning<&Inputs::device, &DeviceUncertainty::fixed>(), 1, Allowed::notNegative);
-    if (perMetre)
+    if (asksPerMetre(*shownTest()))
         m_perMetre = addNumber(
             "device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument, per metre"), size,
             positioning<&Inputs::device, &DeviceUncertainty::perMetre>(), 1, Allowed::notNegative);
@@ -446,7 +456,7 @@ void UncertaintyPage::addPositioningInputs(bool rotary, bool perMetre) {
     }
 }
 
-void UncertaintyPage::addCircularInputs(bool centring) {
+void UncertaintyPage::addInputs(const CircularUncertaintyInputs & /*inputs*/) {
     using Inputs = CircularUncertaintyInputs;
     using Both = MachineAndInstrument;
     constexpr Quantity size = Quantity::micrometres;
@@ -473,7 +483,7 @@ void UncertaintyPage::addCircularInputs(bool centring) {
         addNumber("repeatability", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Repeatability, u"), size,
                   circular<&Inputs::repeatability>(), 1, Allowed::notNegative);
     m_fields[repeatabilityId] = m_repeatability;
-    if (centring)
+    if (asksForCentring(*shownTest()))
         m_fields[centringId] =
             addNumber("centring", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Centring, u"), size,
                       circular<&Inputs::centring>(), 1, Allowed::notNegative);
@@ -702,7 +712,7 @@ QString UncertaintyPage::driftPlaceholder() const {
     for (const TestPointer &drift : driftTestsFor(*evaluated().document, *shownTest())) {
         if (!id || *id != drift->id)
             continue;
-        const auto range = rangeOfDrift(*drift);
+        const auto range = rangeAtRest(*drift);
         return range ? language().number(*range, deviationQuantity(*drift), contributionDecimals) : QString();
     }
     return {};

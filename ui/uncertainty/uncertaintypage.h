@@ -39,8 +39,8 @@ protected:
 private:
     void forgetParts();
     void addMethods();
-    void addPositioningInputs(bool rotary, bool perMetre);
-    void addCircularInputs(bool centring);
+    void addInputs(const PositioningUncertaintyInputs &inputs);
+    void addInputs(const CircularUncertaintyInputs &inputs);
     void addEnvironment(Quantity size, Member<Amount> member);
     void addTrials(Member<std::optional<long long>> trials, Member<long long> seed);
     void addStatedUncertainties(const Edition &edition, bool rotary);

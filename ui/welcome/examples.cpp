@@ -3,6 +3,7 @@
 #include "ui/welcome/examples.h"
 
 #include "document/savedocument.h"
+#include "kernel/measurement/testfacts.h"
 #include "ui/windowlanguage.h"
 
 #include <QCoreApplication>
@@ -49,24 +50,25 @@ constexpr std::array rows{
         true},
 };
 
-QString words(const Test &test) {
-    const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement);
-    if (const auto *circular = std::get_if<CircularMeasurement>(&test.measurement)) {
-        std::size_t points = 0;
-        for (const Arc &arc : circular->arcs)
-            points += arc.angles.size();
-        const char *counted = QT_TRANSLATE_N_NOOP("examples", "%1 · %n arc(s), %2 points");
-        return QCoreApplication::translate("examples", counted, nullptr,
-                                           static_cast<int>(circular->arcs.size()))
-            .arg(QString::fromStdString(test.edition),
-                 windowLanguage().number(static_cast<double>(points), Quantity::count, 0));
-    }
-    if (!positioning)
-        return QString::fromStdString(test.edition);
+// What an example of the kind holds.
+
+QString words(const PositioningMeasurement &measurement, const Test &test) {
     return QCoreApplication::translate("examples", "%1 · %2 targets, %3 runs")
         .arg(QString::fromStdString(test.edition))
-        .arg(positioning->targets.size())
-        .arg(positioning->runs.size());
+        .arg(measurement.targets.size())
+        .arg(measurement.runs.size());
+}
+
+QString words(const CircularMeasurement &measurement, const Test &test) {
+    const char *counted = QT_TRANSLATE_N_NOOP("examples", "%1 · %n arc(s), %2 points");
+    return QCoreApplication::translate("examples", counted, nullptr,
+                                       static_cast<int>(measurement.arcs.size()))
+        .arg(QString::fromStdString(test.edition),
+             windowLanguage().number(static_cast<double>(readingsOf(test)), Quantity::count, 0));
+}
+
+QString words(const DriftMeasurement & /*measurement*/, const Test &test) {
+    return QString::fromStdString(test.edition);
 }
 
 } // namespace
@@ -84,7 +86,10 @@ std::vector<Example> examples() {
 
 QString exampleDetail(const QString &path) {
     const Document document = openDocument(path);
-    return document.tests.empty() ? QString() : words(*document.tests.front());
+    if (document.tests.empty())
+        return {};
+    const Test &test = *document.tests.front();
+    return std::visit([&](const auto &measurement) { return words(measurement, test); }, test.measurement);
 }
 
 bool isExample(const QString &path) {

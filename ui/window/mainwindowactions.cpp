@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/measurement/testfacts.h"
 #include "ui/dialogs/aboutbox.h"
 #include "ui/model/editname.h"
 #include "ui/register/openregister.h"
@@ -131,7 +132,7 @@ const std::vector<MainWindow::MenuRow> &MainWindow::menuRows() {
             [](W &w) { w.exportFigure(); }, {.possible = hasResults}),
         row(M::exports, A::compensation, "compensation", QT_TR_NOOP("&Compensation table…"),
             [](W &w) { w.showCompensation(); },
-            {.possible = [](const WindowSituation &now) { return now.hasResults && now.isPositioning; }}),
+            {.possible = [](const WindowSituation &now) { return now.hasResults && now.hasTargets; }}),
         lineIn(M::file),
         row(M::file, A::newWindow, "newWindow", QT_TR_NOOP("New &window"),
             [](W & /*window*/) { (new MainWindow)->show(); }, {.keys = {K(ctrl | shift | Qt::Key_W)}}),
@@ -321,7 +322,7 @@ void MainWindow::enableActions() {
         now.hasResults = !m_evaluator.isBusy() && currentTest();
         now.hasEdition = evaluated[now.test]->edition;
         now.underOtherEdition = evaluated[now.test]->view;
-        now.isPositioning = measured<PositioningMeasurement>(*m_model.document(), now.test);
+        now.hasTargets = traitsOf(*m_model.document()->tests[now.test]).hasTargets;
     }
     now.canUndo = m_open && m_model.undoStack()->canUndo();
     now.canRedo = m_open && m_model.undoStack()->canRedo();

@@ -81,7 +81,7 @@ struct WindowSituation {
     std::size_t test = 0;           ///< in view
     bool hasResults = false;        ///< the test in view, and they are of it as it is
     bool hasEdition = false;        ///< the test in view, evaluated
-    bool isPositioning = false;     ///< the test in view
+    bool hasTargets = false;        ///< the test in view
     bool underOtherEdition = false; ///< the test in view is shown as another edition sees it
     bool canUndo = false;
     bool canRedo = false;

@@ -59,7 +59,6 @@ constexpr int stackedBelow = 1000;
 /// Under the table of a low window the figure would leave two rows: there it stays beside a narrower centre.
 constexpr int narrowCentreWidth = 528;
 constexpr int narrowRightWidth = 366;
-constexpr int moreForCircles = 28; ///< the page of circles is wider by as much as their results need less
 constexpr int besideFrom = narrowCentreWidth + narrowRightWidth + 50; ///< with the rail
 constexpr int stackedFrom = 1200 - 99;                                ///< of the height
 constexpr int wideFrom = 1580;
@@ -75,6 +74,17 @@ constexpr QSize least(NavigationList::railWidth + 1 + centreWidth, 280); ///< in
 
 constexpr std::array testPages{Page::readings, Page::conditions,  Page::agreedPoints,
                                Page::limits,   Page::uncertainty, Page::diagnosis};
+
+/// How the tests of a kind are shown.
+struct KindView {
+    const char *sizes = nullptr; ///< whose widths they share, a word of the settings
+    int pages = 0;               ///< how many of testPages they have
+    int more = 0;                ///< by which their page is wider: their results need less
+};
+/// In the order of the kinds.
+constexpr std::array kindViews{KindView{"positioning", 5}, KindView{"circular", 6, 28},
+                               KindView{"positioning", 1}};
+static_assert(kindViews.size() == allKinds.size());
 
 /// What of a pane the keyboard is for: its table, else what is no button, else its first button.
 QWidget *mainPart(QWidget *pane) {
@@ -97,16 +107,15 @@ QWidget *mainPart(QWidget *pane) {
 }
 
 /// The first reading that differs in value, or in being set aside; null where targets or runs differ.
-std::optional<ReadingPlace> changedReading(const Test &before, const Test &after) {
-    const auto *was = std::get_if<PositioningMeasurement>(&before.measurement);
-    const auto *is = std::get_if<PositioningMeasurement>(&after.measurement);
-    if (!was || !is || was->targets.size() != is->targets.size() || was->runs.size() != is->runs.size())
+std::optional<ReadingPlace> changedReading(const PositioningMeasurement &was,
+                                           const PositioningMeasurement &is) {
+    if (was.targets.size() != is.targets.size() || was.runs.size() != is.runs.size())
         return std::nullopt;
-    const ReadingsAside wasAside(*was);
-    const ReadingsAside isAside(*is);
-    for (std::size_t run = 0; run < is->runs.size(); ++run) {
-        for (std::size_t target = 0; target < is->targets.size(); ++target) {
-            const bool same = readingAt(*was, {run, target}) == readingAt(*is, {run, target}) &&
+    const ReadingsAside wasAside(was);
+    const ReadingsAside isAside(is);
+    for (std::size_t run = 0; run < is.runs.size(); ++run) {
+        for (std::size_t target = 0; target < is.targets.size(); ++target) {
+            const bool same = readingAt(was, {run, target}) == readingAt(is, {run, target}) &&
                               (wasAside.at(run, target) == nullptr) == (isAside.at(run, target) == nullptr);
             if (!same)
                 return ReadingPlace{run, target};
@@ -116,25 +125,22 @@ std::optional<ReadingPlace> changedReading(const Test &before, const Test &after
 }
 
 /// The target whose position is another; null where their number or none differs.
-std::optional<std::size_t> changedTarget(const Test &before, const Test &after) {
-    const auto *was = std::get_if<PositioningMeasurement>(&before.measurement);
-    const auto *is = std::get_if<PositioningMeasurement>(&after.measurement);
-    if (!was || !is || was->targets.size() != is->targets.size())
+std::optional<std::size_t> changedTarget(const PositioningMeasurement &was,
+                                         const PositioningMeasurement &is) {
+    if (was.targets.size() != is.targets.size())
         return std::nullopt;
-    const auto [old, now] = std::ranges::mismatch(was->targets, is->targets);
-    return now == is->targets.end() ? std::nullopt
-                                    : std::optional(static_cast<std::size_t>(now - is->targets.begin()));
+    const auto [old, now] = std::ranges::mismatch(was.targets, is.targets);
+    return now == is.targets.end() ? std::nullopt
+                                   : std::optional(static_cast<std::size_t>(now - is.targets.begin()));
 }
 
 /// The first point of the arcs that differs; null where arcs or their points are others.
-std::optional<ReadingPlace> changedPoint(const Test &before, const Test &after) {
-    const auto *was = std::get_if<CircularMeasurement>(&before.measurement);
-    const auto *is = std::get_if<CircularMeasurement>(&after.measurement);
-    if (!was || !is || was->arcs.size() != is->arcs.size())
+std::optional<ReadingPlace> changedPoint(const CircularMeasurement &was, const CircularMeasurement &is) {
+    if (was.arcs.size() != is.arcs.size())
         return std::nullopt;
-    for (std::size_t arc = 0; arc < is->arcs.size(); ++arc) {
-        const Arc &old = was->arcs[arc];
-        const Arc &now = is->arcs[arc];
+    for (std::size_t arc = 0; arc < is.arcs.size(); ++arc) {
+        const Arc &old = was.arcs[arc];
+        const Arc &now = is.arcs[arc];
         if (old.angles.size() != now.angles.size())
             return std::nullopt;
         const auto angle = std::ranges::mismatch(old.angles, now.angles).in2 - now.angles.begin();
@@ -237,7 +243,7 @@ void Workplace::makePages(QWidget *centre) {
     m_circles->setAttribute(Qt::WA_StyledBackground);
     m_circles->setProperty("ground", QStringLiteral("base"));
     m_circlesPlace->setWidget(m_circles);
-    m_readingPages->addWidget(m_readings);
+    m_readingPages->addWidget(m_readings); // in the order of the kinds
     m_drift = new DriftPage(m_model, m_selection, m_readingPages);
     m_readingPages->addWidget(m_circlesPlace);
     m_readingPages->addWidget(m_drift);
@@ -369,7 +375,7 @@ void Workplace::show(const EvaluatedDocument &evaluated) {
 void Workplace::showPage(Page page) {
     if (tabOf(page) >= 0 && m_evaluated.tests.empty())
         return;
-    if ((tabOf(page) > 0 && isDrift()) || (page == Page::diagnosis && !isCircular()))
+    if (!hasPage(page))
         page = Page::readings;
     commitTyping();
     m_right->turnTo(nullptr);
@@ -463,11 +469,21 @@ void Workplace::showChange(const Document &before, const Document &after, const 
 void Workplace::showChangedMeasurement(const Test &before, const Test &after) {
     showPage(Page::readings);
     m_readingPages->currentWidget()->setFocus();
-    if (const auto reading = changedReading(before, after))
+    static_cast<void>(areOfOneKind(before, after, [this](const auto &was, const auto &is) {
+        showChanged(was, is);
+        return true;
+    }));
+}
+
+void Workplace::showChanged(const PositioningMeasurement &was, const PositioningMeasurement &is) {
+    if (const auto reading = changedReading(was, is))
         m_selection.setReading(reading);
-    else if (const auto target = changedTarget(before, after))
+    else if (const auto target = changedTarget(was, is))
         m_readings->showTarget(*target);
-    else if (const auto point = changedPoint(before, after))
+}
+
+void Workplace::showChanged(const CircularMeasurement &was, const CircularMeasurement &is) {
+    if (const auto point = changedPoint(was, is))
         m_circles->showPoint(*point);
 }
 
@@ -498,16 +514,11 @@ void Workplace::presentTest() {
         return;
     m_readings->show(m_evaluated, test);
     m_circles->show(m_evaluated, test);
-    const bool circular = isCircular();
-    const bool drift = isDrift();
     m_drift->show(m_evaluated, test);
-    m_readingPages->setCurrentWidget(drift      ? static_cast<QWidget *>(m_drift)
-                                     : circular ? static_cast<QWidget *>(m_circlesPlace)
-                                                : m_readings);
-    for (std::size_t i = 1; i < testPages.size(); ++i) // a drift test has readings and nothing else
-        m_tabs->setTabVisible(static_cast<int>(i),
-                              !drift && (testPages.at(i) != Page::diagnosis || circular));
-    if ((drift && tabOf(m_selection.page()) > 0) || (!circular && m_selection.page() == Page::diagnosis))
+    m_readingPages->setCurrentIndex(static_cast<int>(kind()));
+    for (std::size_t i = 1; i < testPages.size(); ++i)
+        m_tabs->setTabVisible(static_cast<int>(i), hasPage(testPages.at(i)));
+    if (!hasPage(m_selection.page()))
         m_selection.setPage(Page::readings);
     m_conditions->show(m_evaluated, test);
     m_agreedPoints->show(m_evaluated, test);
@@ -529,7 +540,7 @@ void Workplace::presentResults() {
     const std::string &id = m_evaluated.document->tests[test]->id;
     const bool pending = m_evaluated.isPending(test);
     m_right->setComputing(pending);
-    m_right->setHasResults(!isDrift());
+    m_right->setHasResults(traitsOf(kind()).isJudged);
     if (pending && id == m_resultsOf)
         return;
     m_resultsOf = id;
@@ -572,12 +583,12 @@ void Workplace::presentPage() {
 
 void Workplace::presentCard() {
     const bool explains = !m_selection.parameter().isEmpty();
-    const bool wanted = explains || (m_selection.page() == Page::readings && isPositioning());
+    const bool wanted = explains || (m_selection.page() == Page::readings && traitsOf(kind()).hasTargets);
     // One height for both, so that nothing above moves when a result is explained.
     const bool stacked = m_right->isTabbed();
     const bool hasRoom = height() >= (stacked ? stackedFrom : noCardBelow);
     const bool hasRoomForKeys = height() >= (stacked ? stackedFrom : noKeysBelow);
-    const bool readings = m_selection.page() == Page::readings && isPositioning();
+    const bool readings = m_selection.page() == Page::readings && traitsOf(kind()).hasTargets;
     m_card->setMinimumHeight(readings && hasRoom ? m_target->sizeHint().height() : 0);
     m_explanation->setVisible(explains);
     m_target->setVisible(!explains);
@@ -589,44 +600,45 @@ void Workplace::presentStatus() {
     const std::size_t index = m_selection.test();
     if (index >= m_evaluated.tests.size())
         return;
-    if (const auto *circles = measured<CircularMeasurement>(m_evaluated, index))
-        return presentCircularStatus(*circles);
-    const auto *measurement = measured<PositioningMeasurement>(m_evaluated, index);
-    if (!measurement) {
-        const auto readings = static_cast<int>(readingsOf(*m_evaluated.document->tests[index]));
-        emit contentChanged(withGroups(tr("%n reading(s)", nullptr, readings), readings));
-        emit hintChanged({});
-        return;
-    }
-    const auto targetCount = static_cast<int>(measurement->targets.size());
+    std::visit([this](const auto &measurement) { presentStatusOf(measurement); },
+               m_evaluated.document->tests[index]->measurement);
+}
+
+void Workplace::presentStatusOf(const DriftMeasurement &measurement) {
+    const auto readings = static_cast<int>(measurement.times.size());
+    emit contentChanged(withGroups(tr("%n reading(s)", nullptr, readings), readings));
+    emit hintChanged({});
+}
+
+void Workplace::presentStatusOf(const PositioningMeasurement &measurement) {
+    const auto targetCount = static_cast<int>(measurement.targets.size());
     const QString targets = withGroups(tr("%n target(s)", nullptr, targetCount), targetCount);
-    const auto runCount = static_cast<int>(measurement->runs.size());
+    const auto runCount = static_cast<int>(measurement.runs.size());
     const QString runs = withGroups(tr("%n run(s)", nullptr, runCount), runCount);
     emit contentChanged(targets + QStringLiteral(" · ") + runs);
     const auto place = m_selection.hovered() ? m_selection.hovered() : m_selection.reading();
-    if (!place || place->run >= measurement->runs.size() ||
-        place->target >= measurement->runs[place->run].deviations.size()) {
+    if (!place || place->run >= measurement.runs.size() ||
+        place->target >= measurement.runs[place->run].deviations.size()) {
         emit hintChanged({});
         return;
     }
-    const Run &run = measurement->runs[place->run];
-    const auto count = std::count_if(measurement->runs.begin(),
-                                     measurement->runs.begin() + static_cast<std::ptrdiff_t>(place->run) + 1,
+    const Run &run = measurement.runs[place->run];
+    const auto count = std::count_if(measurement.runs.begin(),
+                                     measurement.runs.begin() + static_cast<std::ptrdiff_t>(place->run) + 1,
                                      [&](const Run &other) { return other.approach == run.approach; });
     const QString arrow = run.approach == Direction::positive ? QStringLiteral("↑") : QStringLiteral("↓");
-    const auto quantity =
-        measurement->axis.motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
+    const Quantity quantity = deviationQuantity(measurement.axis);
     const auto &value = run.deviations[place->target];
     QString hint = tr("target %1, run %2 %3: %4")
                        .arg(place->target + 1)
                        .arg(count)
                        .arg(arrow, value ? windowLanguage().quantity(*value, quantity) : tr("no reading"));
-    if (const auto next = nextInCycle(*measurement, *place); next && !m_selection.hovered())
+    if (const auto next = nextInCycle(measurement, *place); next && !m_selection.hovered())
         hint += QStringLiteral(" · ") + tr("next: target %1").arg(next->target + 1);
     emit hintChanged(hint);
 }
 
-void Workplace::presentCircularStatus(const CircularMeasurement &measurement) {
+void Workplace::presentStatusOf(const CircularMeasurement &measurement) {
     std::size_t points = 0;
     for (const Arc &arc : measurement.arcs)
         points += arc.angles.size();
@@ -718,14 +730,10 @@ void Workplace::beginTyping() {
     if (test >= m_evaluated.tests.size())
         return;
     showPage(Page::readings);
-    const auto *measurement = measured<PositioningMeasurement>(m_evaluated, test);
-    if (isCircular()) {
-        m_circles->setFocus();
-        return;
-    }
-    if (measurement)
+    if (const auto *measurement = measured<PositioningMeasurement>(m_evaluated, test))
         m_selection.setReading(firstMissing(*measurement));
-    m_readings->setFocus();
+    const std::array<QWidget *, allKinds.size()> pages{m_readings, m_circles, m_drift};
+    pages.at(static_cast<std::size_t>(kind()))->setFocus();
 }
 
 void Workplace::setFigureMaximised(bool maximised) {
@@ -764,7 +772,7 @@ void Workplace::arrange() {
     const bool rail = width() < railBelow;
     const bool stacked = wantsStack();
     const bool narrow = width() < stackedBelow && !stacked;
-    const int more = isCircular() ? moreForCircles : 0;
+    const int more = kindViews.at(static_cast<std::size_t>(kind())).more;
     m_centre->setMinimumWidth(narrow ? narrowCentreWidth + more : centreWidth);
     m_right->setMinimumWidth(stacked ? 0 : narrow ? narrowRightWidth - more : leastRightWidth);
     if (rail != m_navigation->isRail() || m_side->maximumWidth() > NavigationList::fullWidth * 2) {
@@ -800,22 +808,18 @@ bool Workplace::wantsStack() const {
     return width() < stackedBelow && !beside;
 }
 
-bool Workplace::isCircular() const {
-    return measured<CircularMeasurement>(m_evaluated, m_selection.test());
+Kind Workplace::kind() const {
+    const std::size_t test = m_selection.test();
+    return test < m_evaluated.tests.size() ? kindOf(*m_evaluated.document->tests[test]) : Kind::positioning;
 }
 
-bool Workplace::isDrift() const {
-    return measured<DriftMeasurement>(m_evaluated, m_selection.test());
-}
-
-bool Workplace::isPositioning() const {
-    return !isCircular() && !isDrift();
+bool Workplace::hasPage(Page page) const {
+    return tabOf(page) < kindViews.at(static_cast<std::size_t>(kind())).pages;
 }
 
 QString Workplace::sizesKey() const {
-    const bool circular = isCircular();
     return QStringLiteral("sizes/%1%2")
-        .arg(circular ? QStringLiteral("circular") : QStringLiteral("positioning"),
+        .arg(QLatin1StringView(kindViews.at(static_cast<std::size_t>(kind())).sizes),
              m_right->isTabbed()   ? QStringLiteral("-stacked")
              : width() >= wideFrom ? QStringLiteral("-wide")
                                    : QString());
@@ -860,7 +864,7 @@ void Workplace::restoreNavigation() {
 
 QString Workplace::navigationKey() const {
     return QStringLiteral("sizes/navigation-") +
-           (isCircular() ? QStringLiteral("circular") : QStringLiteral("positioning"));
+           QLatin1StringView(kindViews.at(static_cast<std::size_t>(kind())).sizes);
 }
 
 void Workplace::keepSizes() const {

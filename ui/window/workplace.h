@@ -103,6 +103,9 @@ private:
     QWidget *makeCentre();
     void makePages(QWidget *centre);
     void showChangedMeasurement(const Test &before, const Test &after);
+    void showChanged(const PositioningMeasurement &was, const PositioningMeasurement &is);
+    void showChanged(const CircularMeasurement &was, const CircularMeasurement &is);
+    void showChanged(const DriftMeasurement & /*was*/, const DriftMeasurement & /*is*/) {}
     void connectParts();
     void present();
     void presentTest();
@@ -112,16 +115,17 @@ private:
     void presentCard();
     void presentTurn();
     void presentStatus();
-    void presentCircularStatus(const CircularMeasurement &measurement);
+    void presentStatusOf(const PositioningMeasurement &measurement);
+    void presentStatusOf(const CircularMeasurement &measurement);
+    void presentStatusOf(const DriftMeasurement &measurement);
     void arrange();
     void restoreSizes();
     void restoreNavigation();
     void keepSizes() const;
     void retranslate();
     [[nodiscard]] bool wantsStack() const;
-    [[nodiscard]] bool isCircular() const; ///< the test in view
-    [[nodiscard]] bool isDrift() const;
-    [[nodiscard]] bool isPositioning() const;
+    [[nodiscard]] Kind kind() const; ///< of the test in view
+    [[nodiscard]] bool hasPage(Page page) const;
     [[nodiscard]] QString sizesKey() const;
     [[nodiscard]] QString navigationKey() const;
     [[nodiscard]] bool isReportPage() const;

@@ -96,17 +96,9 @@ public:
                        .settle("positionUnit", choice.value,
                                choice.origin == Origin::guessed ? Origin::guessed : Origin::recognised)
                        .value);
-        if (form.unit->kind != form.positionUnit->kind)
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
-                         {"positionUnit", std::string(form.positionUnit->word)}});
+        demandOneMotion(form);
         form.sign = "actualMinusTarget";
-        Test test;
-        PositioningMeasurement measurement = measurementOf(std::move(passes), form, m.remarks);
-        measurement.axis.name = m_choices.settle("axis", m_axis, Origin::recognised).value;
-        test.edition = m_choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
-        test.measurement = std::move(measurement);
-        m.test = std::move(test);
+        m.test = testFrom(measurementOf(std::move(passes), form, m.remarks), m_axis, m_choices);
     }
 
 private:

@@ -150,16 +150,8 @@ void readPosText(const ImportSource &source, Choices &choices, Imported &importe
              "sign"});
     form.unit = unitOf(choices.settle("unit", "mm", Origin::recognised).value);
     form.positionUnit = unitOf(choices.settle("positionUnit", "mm", Origin::recognised).value);
-    if (form.unit->kind != form.positionUnit->kind)
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
-                     {"positionUnit", std::string(form.positionUnit->word)}});
-    Test test;
-    PositioningMeasurement measurement = measurementOf(std::move(passes), form, imported.remarks);
-    measurement.axis.name = choices.settle("axis", "", Origin::recognised).value;
-    test.edition = choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
-    test.measurement = std::move(measurement);
-    imported.test = std::move(test);
+    demandOneMotion(form);
+    imported.test = testFrom(measurementOf(std::move(passes), form, imported.remarks), "", choices);
     choices.settle("kind", "positioning", Origin::recognised);
 }
 

@@ -179,16 +179,8 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
     form.positionUnit = unitOf(
         choices.settle("positionUnit", form.unit->kind == UnitKind::angle ? "deg" : "mm", Origin::recognised)
             .value);
-    if (form.unit->kind != form.positionUnit->kind)
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
-                     {"positionUnit", std::string(form.positionUnit->word)}});
-    Test test;
-    PositioningMeasurement measurement = measurementOf({pass}, form, imported.remarks);
-    measurement.axis.name = choices.settle("axis", "", Origin::recognised).value;
-    test.edition = choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
-    test.measurement = std::move(measurement);
-    imported.test = std::move(test);
+    demandOneMotion(form);
+    imported.test = testFrom(measurementOf({pass}, form, imported.remarks), "", choices);
     choices.settle("kind", "positioning", Origin::recognised);
 }
 

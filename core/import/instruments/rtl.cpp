@@ -55,7 +55,7 @@ public:
         PositioningMeasurement measurement = measurementOf(passesInOrder(), form, m.remarks);
         readUserText(test, measurement);
         readEnvironment(measurement);
-        test.edition = m_choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
+        test.edition = m_choices.settleEdition(Kind::positioning);
         test.measurement = std::move(measurement);
         m.test = std::move(test);
         remarkIgnored();

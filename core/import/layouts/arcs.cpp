@@ -4,7 +4,6 @@
 
 #include "document/documenterror.h"
 #include "import/choices.h"
-#include "kernel/evaluation/edition.h"
 
 #include <cmath>
 
@@ -42,11 +41,7 @@ void settleCircle(CircularMeasurement &measurement, std::string &edition, std::s
              0,
              0,
              "calibrated"});
-    edition = choices.settle("edition", latestCircularEdition, Origin::recognised).value;
-    const Edition *known = findEdition(edition);
-    if (!known || known->kind != Kind::circular) {
-        edition = latestCircularEdition;
-    }
+    edition = choices.settleEdition(Kind::circular);
 }
 
 void unwrap(std::vector<double> &degrees) {

@@ -173,6 +173,21 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
     return result;
 }
 
+Test testFrom(PositioningMeasurement measurement, std::string_view axis, Choices &choices) {
+    Test test;
+    measurement.axis.name = choices.settle("axis", axis, Origin::recognised).value;
+    test.edition = choices.settleEdition(Kind::positioning);
+    test.measurement = std::move(measurement);
+    return test;
+}
+
+void demandOneMotion(const PassForm &form) {
+    if (form.unit->kind != form.positionUnit->kind)
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
+                     {"positionUnit", std::string(form.positionUnit->word)}});
+}
+
 void addMissing(Pass &pass, std::span<const double> targets) {
     std::vector<double> there;
     for (const PassReading &reading : pass.readings)

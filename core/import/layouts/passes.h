@@ -5,12 +5,13 @@
 #include "import/choices.h"
 #include "import/layouts/headings.h"
 #include "import/remark.h"
-#include "kernel/measurement/positioning.h"
+#include "kernel/measurement/test.h"
 #include "tables/units.h"
 
 #include <cstdint>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace palmer {
@@ -43,6 +44,12 @@ struct PassForm {
 /// zeros, gaps, runs that differ in number.
 [[nodiscard]] PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &form,
                                                    std::vector<Remark> &remarks);
+
+/// The test of a measurement: its edition and the name of its axis are chosen, else the default and `axis`.
+[[nodiscard]] Test testFrom(PositioningMeasurement measurement, std::string_view axis, Choices &choices);
+
+/// A table of an instrument is of lengths, or of angles: one unit of each is refused.
+void demandOneMotion(const PassForm &form);
 
 /// Targets of a list that have a reading in no run are targets all the same: those a pass lacks are added to
 /// it as missing readings.

@@ -202,15 +202,8 @@ void readPositioning(TableReading &reading) {
     const PassForm form =
         settleForm(passes, {found.content, found.sign, unit, found.positionUnit, signOf(reading)},
                    reading.choices, reading.result.remarks);
-    PositioningMeasurement measurement = measurementOf(std::move(passes), form, reading.result.remarks);
-    measurement.axis.name = reading.choices.settle("axis", axisName(reading), Origin::recognised).value;
-    Test test;
-    test.edition = reading.choices.settle("edition", latestPositioningEdition, Origin::recognised).value;
-    const Edition *edition = findEdition(test.edition);
-    if (!edition || edition->kind != Kind::positioning)
-        test.edition = latestPositioningEdition;
-    test.measurement = std::move(measurement);
-    reading.result.test = std::move(test);
+    reading.result.test = testFrom(measurementOf(std::move(passes), form, reading.result.remarks),
+                                   axisName(reading), reading.choices);
 }
 
 } // namespace palmer

@@ -3,6 +3,7 @@
 #include "kernel/evaluation/edition.h"
 
 #include "kernel/evaluation/iso230_2/editions.h"
+#include "kernel/evaluation/iso230_4/circularcase.h"
 #include "kernel/evaluation/iso230_4/editions.h"
 
 #include <algorithm>
@@ -29,12 +30,24 @@ const Edition *findEdition(std::string_view word) {
     return found == all.end() ? nullptr : *found;
 }
 
+const Edition &defaultEdition(Kind kind) {
+    return **std::ranges::find_if(
+        editions(), [kind](const Edition *edition) { return edition->kind == kind && edition->isDefault; });
+}
+
+std::vector<const Term *> termsOf(const Edition &edition) {
+    std::vector<const Term *> terms;
+    for (const Row &row : edition.rows)
+        terms.push_back(&row.term);
+    for (const CircularRow &row : edition.circles ? edition.circles->rows : std::span<const CircularRow>())
+        terms.push_back(&row.term);
+    return terms;
+}
+
 bool isParameter(Kind kind, std::string_view id) {
-    if (kind == Kind::circular)
-        return iso230_4::isQuantity(id);
     return std::ranges::any_of(editions(), [&](const Edition *edition) {
         return edition->kind == kind &&
-               std::ranges::any_of(edition->rows, [&](const Row &row) { return row.term.id == id; });
+               std::ranges::any_of(termsOf(*edition), [&](const Term *term) { return term->isMeantBy(id); });
     });
 }
 

@@ -6,10 +6,12 @@
 #include "kernel/evaluation/parameter.h"
 #include "kernel/evaluation/requirement.h"
 #include "kernel/evaluation/statistics.h"
+#include "kernel/measurement/test.h"
 
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace palmer {
 
@@ -19,8 +21,9 @@ struct Outcome {
     std::array<std::optional<Ruling>, 2> ruling;
 };
 
-/// What a parameter needs of the test to be listed: bits, joined with |.
-enum Need : unsigned { upward = 1, downward = 2, bothWays = 3, scatter = 4 };
+/// What a parameter needs of the test to be listed: bits, joined with |. Scatter: two runs of a direction;
+/// byRange: s by the range method.
+enum Need : unsigned { upward = 1, downward = 2, bothWays = 3, scatter = 4, byRange = 8 };
 
 /// One parameter of an edition of ISO 230-2: what it is called, what it needs, how it is computed from the
 /// statistics per target and the factor c.
@@ -37,11 +40,13 @@ struct TargetTerm {
     Symbol symbol;
     Text name = {};
     const char *clause = "";
+    unsigned needs = 0;
+    Weight weight = Weight::main; ///< detail: beside the readings only where one direction was measured
+    const char *largest = "";     ///< id of the parameter that is its largest: "R+"
 };
 
 struct PositioningCase; // a test and all that is known of it: positioningcase.h
 struct CircularCase;    // likewise: iso230_4/circularcase.h
-struct Test;
 
 /// Whether a point to be agreed applies to a test, or to none.
 enum class PointRole { listed, inRow, notApplicable };
@@ -56,8 +61,6 @@ struct AgreementPoint {
     bool needsReason = false;                  ///< "not applicable" holds with a text only
 };
 
-enum class Kind { positioning, circular, drift };
-
 /// How much of the text of an edition was read: what Palmer can cite.
 enum class TextRead { all, part, none };
 
@@ -66,16 +69,28 @@ using Requirement = RequirementOf<PositioningCase>;
 /// What an edition of ISO 230-4 computes and asks for; see iso230_4/circularcase.h.
 struct CircularRules;
 
+/// How targets are chosen where they can be chosen freely. 1988: P = (N + r)·p with p the largest cyclic
+/// pitch. Later editions: P_i = (i − 1)·p + r with p the nominal interval.
+enum class TargetRule { pitches1988, nominalInterval };
+
 /// One edition of a standard. Aliases share everything with their family but word and title.
 struct Edition {
     const char *word = nullptr;   ///< what the file says: "ISO 230-2:2006"
     const char *family = nullptr; ///< word of the edition whose rules these are; verdicts hold within it
     Kind kind = Kind::positioning;
-    Text title = {};          ///< the standard's own title; empty where the designation stands alone
+    Text title = {}; ///< the standard's own title; empty where the designation stands alone
+    Text deviation = REPORT_TEXT("report", "Positional deviation");
+    Text deviations = REPORT_TEXT("report", "positional deviations");
+    Text deviationsOfAxis = REPORT_TEXT("report", "Positional deviations of the %1 axis");
+    Text environment = REPORT_TEXT("report", "Environment");
+    Text unloaded = REPORT_TEXT("report", "machine unloaded");
+    Text agreedBetween = REPORT_TEXT("report", "between supplier/manufacturer and user");
+    bool isDefault = false;   ///< of its kind: where none is named
     double c = 0;             ///< factor of s (ISO 230-2)
     bool rangeMethod = false; ///< s by the range method allowed
     Text standardCycle = {};  ///< what the measuring cycles are called (ISO 230-2)
     Text stepCycle = {};
+    TargetRule targetRule = TargetRule::nominalInterval;
     std::span<const Row> rows = {};
     std::span<const TargetTerm> targetTerms = {};
     TextRead textRead = TextRead::none;
@@ -93,6 +108,12 @@ struct Edition {
 
 /// The edition of that word, or null.
 [[nodiscard]] const Edition *findEdition(std::string_view word);
+
+/// That of the kind where none is named.
+[[nodiscard]] const Edition &defaultEdition(Kind kind);
+
+/// The parameters of an edition in its order.
+[[nodiscard]] std::vector<const Term *> termsOf(const Edition &edition);
 
 /// Whether any edition of the kind has a parameter of this id (without axis index): a key of `limits`.
 [[nodiscard]] bool isParameter(Kind kind, std::string_view id);

@@ -18,12 +18,11 @@ namespace palmer {
 namespace {
 
 /// U as the laboratory states it; U of F is that of Fmax and Fmin.
-std::optional<double> statedUncertainty(const CircularMeasurement &measurement, const Parameter &p,
-                                        const CircularRow &row) {
+std::optional<double> statedUncertainty(const CircularMeasurement &measurement, const Parameter &p) {
     const auto &expanded = measurement.uncertainty.expanded;
     auto found = expanded.find(p.term.id);
     if (found == expanded.end())
-        found = expanded.find(row.quantity);
+        found = expanded.find(p.term.also);
     if (found == expanded.end() || !(found->second >= 0) || !std::isfinite(found->second))
         return std::nullopt;
     return found->second / 1000; // µm
@@ -34,7 +33,7 @@ Parameter parameter(const iso230_4::ListedParameter &listed, const CircularCase 
     result.term = listed.row->term;
     result.index = listed.index;
     result.dependsOnTemperature = listed.row->dependsOnTemperature;
-    result.required = test.isRequired(listed.row->quantity) || test.isRequired(listed.row->term.id);
+    result.required = test.isRequired(listed.row->term);
     result.value = iso230_4::value(listed, test);
     result.size = test.measurement.nominalRadius;
     return result;
@@ -80,8 +79,7 @@ std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const Circu
         Parameter &p = evaluation.parameters[k];
         if (!p.value)
             continue;
-        const CircularContributions uses =
-            contributionsOf(listed[k].row->quantity, test.measurement.centring);
+        const CircularContributions uses = contributionsOf(p.term.circle, test.measurement.centring);
         p.budgetUncertainty = combined(budget, uses, repeated[k]);
         anyUses.length |= uses.length;
         anyUses.centring |= uses.centring;
@@ -97,10 +95,8 @@ std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const Circu
             evaluation.uncertainty.contributions.push_back(contribution);
     }
     evaluation.uncertainty.complete = any && complete;
-    decideUncertainty(evaluation, inputs.method, test.surroundings, [&](const Parameter &p) {
-        const auto index = static_cast<std::size_t>(&p - evaluation.parameters.data());
-        return statedUncertainty(test.measurement, p, *listed[index].row);
-    });
+    decideUncertainty(evaluation, inputs.method, test.surroundings,
+                      [&](const Parameter &p) { return statedUncertainty(test.measurement, p); });
     return missing;
 }
 
@@ -147,16 +143,13 @@ Message reasonOfDifference(const Parameter &p, const TestEvaluation &evaluation,
 /// The parameters a key of `limits` is for. F stands for the larger of |Fmax| and |Fmin| of each path.
 std::vector<Judged> judged(std::vector<Parameter> &parameters, const std::string &id) {
     std::vector<Judged> result;
-    for (std::size_t k = 0; k < parameters.size(); ++k) {
-        Parameter &p = parameters[k];
+    for (Parameter &p : parameters) {
         if (id == p.term.id)
-            result.push_back({&p, id == "Fmax"   ? Bound::upper
-                                  : id == "Fmin" ? Bound::lower
-                                                 : Bound::magnitude});
-        if (id != "F" || std::string_view(p.term.id) != "Fmax")
+            result.push_back({&p, p.term.bound});
+        if (id != p.term.also || p.term.bound != Bound::upper)
             continue;
         const auto low = std::ranges::find_if(parameters, [&](const Parameter &q) {
-            return std::string_view(q.term.id) == "Fmin" && q.index == p.index;
+            return id == q.term.also && q.term.bound == Bound::lower && q.index == p.index;
         });
         const bool lowRules =
             low != parameters.end() && low->value && p.value && std::abs(*low->value) > std::abs(*p.value);

@@ -21,7 +21,7 @@ TestEvaluation evaluateDrift(const DriftMeasurement &measurement) {
 const Edition *editionFor(const Test &test, const Edition *asked) {
     if (!isJudged(test))
         return nullptr;
-    const bool isOfKind = asked && static_cast<std::size_t>(asked->kind) == test.measurement.index();
+    const bool isOfKind = asked && asked->kind == kindOf(test);
     return isOfKind ? asked : findEdition(test.edition);
 }
 

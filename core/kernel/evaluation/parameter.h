@@ -4,6 +4,7 @@
 
 #include "kernel/measurement/agreement.h"
 #include "kernel/measurement/axis.h"
+#include "kernel/measurement/circular.h"
 #include "kernel/measurement/uncertaintyinputs.h"
 #include "kernel/uncertainty/simulation.h"
 #include "kernel/words/quantity.h"
@@ -12,6 +13,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace palmer {
 
@@ -25,14 +27,43 @@ struct Symbol {
 /// always: in every table; onRequest: in JSON always, on the report only where it was asked for.
 enum class Printed { always, onRequest };
 
-/// What a parameter is called. `clause` of the edition; empty where it is not known.
+/// What lists call a parameter: the standards' own names are too long for a column.
+struct ShortName {
+    Text below;       ///< beside the first of its family; empty: the name
+    Text alone = {};  ///< where that does not stand above it; empty: the same
+    Text narrow = {}; ///< alone, where there is little room; empty: as alone
+};
+
+/// What a parameter is of: an axis, one path of a circle, both paths together.
+enum class Of { axis, path, pair };
+
+/// Whether it is read first, or looked up.
+enum class Weight { main, detail };
+
+/// How a value stands to its limit: by its size, signed from above (Fmax), signed from below (Fmin).
+enum class Bound { magnitude, upper, lower };
+
+/// All that is to be known of a parameter but how it is computed. `clause` of the edition; empty where it is
+/// not known.
 struct Term {
     const char *id = "";
     Symbol symbol;
     Text name = {};
     const char *clause = "";
-    Quantity quantity = Quantity::deviation;
+    const char *family = ""; ///< of those that belong together: "A" of A, A↑ and A↓
+    ShortName shortName = {};
+    Weight weight = Weight::main;
     Printed printed = Printed::always;
+    Of of = Of::axis;
+    OfCircle circle = OfCircle::nothing;
+    Bound bound = Bound::magnitude;
+    const char *also = ""; ///< what limits and requests call it with others: "F" of Fmax and Fmin
+    Quantity quantity = Quantity::deviation;
+
+    /// Whether `word`, of limits or of requests, means it.
+    [[nodiscard]] bool isMeantBy(std::string_view word) const {
+        return word == id || (*also && word == also);
+    }
 };
 
 /// What makes a parameter as large as it is: a target (counted from 1), and the approach where one rules.
@@ -44,9 +75,6 @@ struct Ruling {
 };
 
 enum class Verdict { conforms, notProven, doesNotConform };
-
-/// How a value stands to its limit: by its size, signed from above (Fmax), signed from below (Fmin).
-enum class Bound { magnitude, upper, lower };
 
 /// A parameter of a test. Values, uncertainty and guard band in mm (rotary: degrees), not rounded.
 /// `value` is null where a statistic it needs is missing; a finding says why.

@@ -3,6 +3,7 @@
 #include "kernel/evaluation/positioninguncertainty.h"
 
 #include "kernel/evaluation/decideuncertainty.h"
+#include "kernel/evaluation/iso230_2/parameters.h"
 #include "kernel/numerics/normalquantile.h"
 #include "kernel/uncertainty/coefficients.h"
 
@@ -64,10 +65,9 @@ Rulers rulersOf(const Parameter &p, const Row &row, Targets targets, double c) {
     };
     const Ruling &other = second.value_or(*first);
     Rulers result{end(*first), end(other), first->target == other.target};
-    const std::string_view id = p.term.id;
-    if (id == "R" && !result.upper.approach)
+    if (row.value == iso230_2::repeatabilityOfAxis && !result.upper.approach)
         result.upper.approach = rulingDirection(targetOf(*first, targets), c);
-    if (id == "P") {
+    if (row.value == iso230_2::vdiUncertainty) {
         result.upper.approach = directionOfMean(targetOf(*first, targets), true);
         result.lower.approach = directionOfMean(targetOf(other, targets), false);
     }

@@ -22,6 +22,9 @@ enum class SignalSource { external, feedback };
 enum class Centring { leastSquares, instrument };
 enum class ReferenceCircle { minimumZone, leastSquares };
 
+/// What of its circle a result of ISO 230-4 is: G and G(b), F, D, H.
+enum class OfCircle { nothing, deviation, radialDeviation, meanRadialDeviation, hysteresis };
+
 struct Plane {
     std::string first;
     std::string second;

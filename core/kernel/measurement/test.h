@@ -7,6 +7,7 @@
 #include "kernel/measurement/drift.h"
 #include "kernel/measurement/positioning.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <variant>
@@ -57,6 +58,10 @@ struct DeclaredAccordance {
     bool operator==(const DeclaredAccordance &) const = default;
 };
 
+/// In the order of the measurements of a test.
+enum class Kind { positioning, circular, drift };
+inline constexpr std::array allKinds{Kind::positioning, Kind::circular, Kind::drift};
+
 /// One test of a report: what all kinds have in common, and the measurement. `edition` is the word of the
 /// file, echoed literally; drift tests have none. `extensions` is a JSON object, kept as text.
 struct Test {
@@ -79,5 +84,12 @@ struct Test {
 
     bool operator==(const Test &) const = default;
 };
+
+static_assert(allKinds.size() == std::variant_size_v<decltype(Test::measurement)>);
+
+/// The kind of a test: that of its measurement.
+[[nodiscard]] inline Kind kindOf(const Test &test) {
+    return allKinds.at(test.measurement.index());
+}
 
 } // namespace palmer

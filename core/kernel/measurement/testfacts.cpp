@@ -5,6 +5,7 @@
 #include "kernel/measurement/readingsaside.h"
 
 #include <algorithm>
+#include <array>
 
 namespace palmer {
 
@@ -44,30 +45,30 @@ bool isIncomplete(const auto & /*measurement*/) {
     return false;
 }
 
-auto *conditionsWithin(auto &test) {
-    using Found = std::conditional_t<std::is_const_v<std::remove_reference_t<decltype(test)>>,
-                                     const Conditions, Conditions>;
-    return std::visit(
-        [](auto &measurement) -> Found * {
-            if constexpr (requires { measurement.conditions; })
-                return &measurement.conditions.common;
-            else
-                return nullptr;
-        },
-        test.measurement);
-}
-
 } // namespace
 
+Test testOf(Kind kind) {
+    static const std::array<decltype(Test::measurement), allKinds.size()> measurements{
+        PositioningMeasurement(), CircularMeasurement(), DriftMeasurement()};
+    Test test;
+    test.measurement = measurements.at(static_cast<std::size_t>(kind));
+    return test;
+}
+
+const KindOfTest &traitsOf(Kind kind) {
+    static constexpr std::array rows{
+        // in the order of the kinds
+        KindOfTest{.isJudged = true, .isOfAxis = true, .hasTargets = true},
+        KindOfTest{.isJudged = true},
+        KindOfTest{.isOfAxis = true},
+    };
+    static_assert(rows.size() == allKinds.size());
+    return rows.at(static_cast<std::size_t>(kind));
+}
+
 const Axis *axisOf(const Test &test) {
-    return std::visit(
-        [](const auto &measurement) -> const Axis * {
-            if constexpr (requires { measurement.axis; })
-                return &measurement.axis;
-            else
-                return nullptr;
-        },
-        test.measurement);
+    return partOr<const Axis *>(nullptr, test.measurement,
+                                [](auto &m) -> decltype(&m.axis) { return &m.axis; });
 }
 
 Motion motionOf(const Test &test) {
@@ -84,26 +85,23 @@ Quantity feedQuantity(const Test &test) {
 }
 
 std::string axesOf(const Test &test) {
-    return std::visit(
-        [](const auto &measurement) -> std::string {
-            if constexpr (requires { measurement.plane; })
-                return measurement.plane.first + measurement.plane.second;
-            else
-                return measurement.axis.name;
-        },
-        test.measurement);
+    const Axis *axis = axisOf(test);
+    return axis ? axis->name
+                : partOr<std::string>({}, test.measurement, [](auto &m) -> decltype(m.plane.first) {
+                      return m.plane.first + m.plane.second;
+                  });
 }
 
 Conditions *conditionsOf(Test &test) {
-    return conditionsWithin(test);
+    return partOr<Conditions *>(nullptr, test.measurement, [](auto &m) -> decltype(&m.conditions.common) {
+        return &m.conditions.common;
+    });
 }
 
 const Conditions *conditionsOf(const Test &test) {
-    return conditionsWithin(test);
-}
-
-bool isJudged(const Test &test) {
-    return conditionsOf(test); // an edition asks for them
+    return partOr<const Conditions *>(
+        nullptr, test.measurement,
+        [](auto &m) -> decltype(&m.conditions.common) { return &m.conditions.common; });
 }
 
 const UncertaintyMethod *methodOf(const Test &test) {
@@ -123,6 +121,11 @@ std::optional<double> rangeOf(const DriftMeasurement &measurement) {
         return std::nullopt;
     const auto [low, high] = std::ranges::minmax(measurement.deviations);
     return high - low;
+}
+
+std::optional<double> rangeAtRest(const Test &test) {
+    return partOr<std::optional<double>>({}, test.measurement,
+                                         [](auto &m) -> decltype(rangeOf(m)) { return rangeOf(m); });
 }
 
 std::size_t readingsOf(const Test &test) {

@@ -13,6 +13,34 @@ namespace palmer {
 // What a test says whatever its kind. A measurement answers by the parts it has: an axis or a plane,
 // conditions, inputs of the uncertainty. A new kind that has them needs nothing here.
 
+/// What `take` says of the measurement of a test, or of its results: of a part that not every kind has.
+/// `otherwise` where they have none: where `take`, which returns a decltype, does not compile with them.
+template <class Value, class Alternatives, class Take>
+[[nodiscard]] Value partOr(Value otherwise, Alternatives &ofKinds, Take take) {
+    return std::visit(
+        [&](auto &ofKind) -> Value {
+            if constexpr (requires { take(ofKind); })
+                return take(ofKind);
+            else
+                return otherwise;
+        },
+        ofKinds);
+}
+
+/// What tests of a kind have.
+struct KindOfTest {
+    bool isJudged = false;   ///< held to an edition, its points to agree and its limits
+    bool isOfAxis = false;   ///< of one axis; else of a plane
+    bool hasTargets = false; ///< readings of runs at target positions
+};
+[[nodiscard]] const KindOfTest &traitsOf(Kind kind);
+[[nodiscard]] inline const KindOfTest &traitsOf(const Test &test) {
+    return traitsOf(kindOf(test));
+}
+
+/// A test of that kind that says nothing yet.
+[[nodiscard]] Test testOf(Kind kind);
+
 /// The axis of a test of one axis; null for a plane.
 [[nodiscard]] const Axis *axisOf(const Test &test);
 
@@ -31,7 +59,9 @@ namespace palmer {
 [[nodiscard]] const Conditions *conditionsOf(const Test &test);
 
 /// Held to an edition, its points to agree and its limits: drift tests are not.
-[[nodiscard]] bool isJudged(const Test &test);
+[[nodiscard]] inline bool isJudged(const Test &test) {
+    return traitsOf(test).isJudged;
+}
 
 /// The method, the seed, …: what the inputs of all budgets have. Calls `use` with those of the test, not at
 /// all where its kind has no budget.
@@ -52,8 +82,9 @@ void withUncertainty(AnyTest &test, Use use) {
 [[nodiscard]] const std::string *driftTestOf(const Test &test);
 
 /// E_VE, the environmental variation error: the largest less the smallest deviation at rest, mm or degrees;
-/// null without readings.
+/// null without readings, and for a test of another kind.
 [[nodiscard]] std::optional<double> rangeOf(const DriftMeasurement &measurement);
+[[nodiscard]] std::optional<double> rangeAtRest(const Test &test);
 
 /// Readings with the missing ones, points of circles.
 [[nodiscard]] std::size_t readingsOf(const Test &test);

@@ -102,11 +102,6 @@ std::vector<double> quarterTurns(const TargetRequest &request, TargetPlan &plan)
 
 } // namespace
 
-TargetRule targetRuleOf(const Edition &edition) {
-    return std::string_view(edition.family) == "ISO 230-2:1988" ? TargetRule::pitches1988
-                                                                : TargetRule::nominalInterval;
-}
-
 TargetPlan planTargets(const TargetRequest &request) {
     TargetPlan plan;
     const bool sound = std::isfinite(request.from) && std::isfinite(request.travel) && request.travel > 0 &&

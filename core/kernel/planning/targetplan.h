@@ -12,13 +12,6 @@
 
 namespace palmer {
 
-/// How targets are chosen where they can be chosen freely. 1988: P = (N + r)·p with p the largest cyclic
-/// pitch. Later editions: P_i = (i − 1)·p + r with p the nominal interval.
-enum class TargetRule { pitches1988, nominalInterval };
-
-/// The rule of an edition of ISO 230-2.
-[[nodiscard]] TargetRule targetRuleOf(const Edition &edition);
-
 /// What a plan of targets is made of. Lengths in mm, of rotary axes in degrees.
 struct TargetRequest {
     TargetRule rule = TargetRule::nominalInterval;

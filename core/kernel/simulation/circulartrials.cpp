@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace palmer {
 
@@ -111,33 +110,32 @@ CircularTrials::CircularTrials(const Test &test, const CircularMeasurement &meas
         m_parameters.push_back({parameterId(parameter), *parameter.value, 0, 0, 0, 0, {}});
         m_listed.push_back(k);
         m_repeatability.push_back(repeated[k].value_or(deviation(contributions, repeatabilityId)));
-        if (std::string_view(listed[k].row->quantity) == "H")
+        if (parameter.term.circle == OfCircle::hysteresis)
             m_hysteresis = m_listed.size() - 1;
-        wantCircles(*listed[k].row);
+        wantCircles(parameter.term);
     }
 
     addParts();
     addReferences();
 }
 
-void CircularTrials::wantCircles(const CircularRow &row) {
-    const std::string_view quantity = row.quantity;
-    if (quantity == "F" && m_measurement.centring == Centring::instrument) {
+void CircularTrials::wantCircles(const Term &term) {
+    if (term.circle == OfCircle::radialDeviation && m_measurement.centring == Centring::instrument) {
         m_readings = true;
         return;
     }
-    const bool width = quantity.starts_with('G');
+    const bool width = term.circle == OfCircle::deviation;
     const ReferenceCircle kind = width ? m_measurement.referenceCircle : ReferenceCircle::leastSquares;
     const auto want = [&](CircleOf of) {
         const auto found =
             std::ranges::find_if(m_circles, [&](const Circle &c) { return c.of == of && c.kind == kind; });
-        const bool radiusAlone = row.of == CircularRow::Of::pair && !width;
+        const bool radiusAlone = term.of == Of::pair && !width;
         if (found == m_circles.end())
             m_circles.push_back({of, kind, radiusAlone, {}, {}, {}});
         else
             found->radiusAlone = found->radiusAlone && radiusAlone;
     };
-    if (row.of == CircularRow::Of::pair) {
+    if (term.of == Of::pair) {
         want(CircleOf::both);
         return;
     }

@@ -89,7 +89,7 @@ private:
     [[nodiscard]] Common common(long long trial) const;
     void perturb(long long trial, std::size_t index, const Common &all, Workplace &place) const;
     void setReadings(std::size_t index, Workplace &place) const;
-    void wantCircles(const CircularRow &row);
+    void wantCircles(const Term &term);
     void addParts();
     /// `place`: of the random numbers of its first points.
     [[nodiscard]] Part partOf(const EvaluatedPath &path, std::uint32_t place) const;

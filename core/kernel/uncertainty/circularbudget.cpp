@@ -204,12 +204,15 @@ const Contribution *CircularBudget::find(std::string_view id) const {
     return found == contributions.end() ? nullptr : &*found;
 }
 
-CircularContributions contributionsOf(std::string_view quantity, Centring centring) {
-    if (quantity == "F" || quantity == "Fmax" || quantity == "Fmin")
+CircularContributions contributionsOf(OfCircle what, Centring centring) {
+    switch (what) {
+    case OfCircle::radialDeviation:
         return {true, centring == Centring::instrument, false};
-    if (quantity == "D")
+    case OfCircle::meanRadialDeviation:
         return {true, false, true};
-    return {};
+    default:
+        return {};
+    }
 }
 
 bool takesUp(const CircularContributions &uses, std::string_view contribution) {

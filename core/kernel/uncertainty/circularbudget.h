@@ -28,8 +28,8 @@ struct CircularContributions {
     bool noise = false;    ///< point noise of the mean of all points
 };
 
-/// Of a quantity as `limits` write it ("G(b)", "F", "D"); F about the set-up centre has its centring too.
-[[nodiscard]] CircularContributions contributionsOf(std::string_view quantity, Centring centring);
+/// Of a quantity; F about the set-up centre has its centring too.
+[[nodiscard]] CircularContributions contributionsOf(OfCircle what, Centring centring);
 
 /// Whether a contribution (its id) is one of those.
 [[nodiscard]] bool takesUp(const CircularContributions &uses, std::string_view contribution);

@@ -380,19 +380,22 @@ private:
 
 namespace {
 
-std::optional<Explanation> explained(const Test &source, const TestEvaluation &evaluation,
-                                     const Parameter &parameter, const PrintedNumbers &printed,
-                                     const Language &language) {
-    const auto *measurement = std::get_if<PositioningMeasurement>(&source.measurement);
-    if (!measurement)
-        return circularExplanation(source, evaluation, parameter, printed, language);
+std::optional<Explanation> explained(const PositioningMeasurement &measurement, const Test & /*source*/,
+                                     const TestEvaluation &evaluation, const Parameter &parameter,
+                                     const PrintedNumbers &printed, const Language &language) {
     const Row *row = rowOf(*evaluation.edition, parameter);
     if (!row)
         return std::nullopt;
     const auto recipe = std::ranges::find(recipes, row->value, &Recipe::function);
     if (recipe == recipes.end())
         return std::nullopt;
-    return Explainer(evaluation, *measurement, parameter, printed, *recipe, language).explain();
+    return Explainer(evaluation, measurement, parameter, printed, *recipe, language).explain();
+}
+
+std::optional<Explanation> explained(const auto & /*circles*/, const Test &source,
+                                     const TestEvaluation &evaluation, const Parameter &parameter,
+                                     const PrintedNumbers &printed, const Language &language) {
+    return circularExplanation(source, evaluation, parameter, printed, language);
 }
 
 /// What its actual targets carry of the systematic part of the uncertainty.
@@ -443,7 +446,11 @@ std::optional<Explanation> explanation(const EvaluatedDocument &evaluated, std::
         return std::nullopt;
     const PrintedNumbers printed = printedNumbers(*parameter, source.decisionRule,
                                                   finestResolution(*evaluated.document, source), language);
-    std::optional<Explanation> result = explained(source, evaluation, *parameter, printed, language);
+    std::optional<Explanation> result = std::visit(
+        [&](const auto &measurement) {
+            return explained(measurement, source, evaluation, *parameter, printed, language);
+        },
+        source.measurement);
     if (result) {
         result->words += systematicCarried(evaluation, *parameter, language);
         result->words += statedBeside(source, evaluation, *parameter, language);

@@ -201,7 +201,7 @@ KeyValues parameterRows(const CircularPart &part) {
     rows.add(REPORT_TEXT("report", "Smoothing"), conditions.smoothing);
     rows.add(REPORT_TEXT("report", "Compensation"), common.compensation);
     rows.add(REPORT_TEXT("report", "Circle, G, G(b)"), circleKind(part, measurement.referenceCircle));
-    if (external && part.asksFor("F"))
+    if (external && part.asksFor(OfCircle::radialDeviation))
         rows.add(REPORT_TEXT("report", "Centre, F"),
                  write.text(measurement.centring == Centring::leastSquares
                                 ? REPORT_TEXT("report", "least squares")
@@ -300,19 +300,19 @@ Table resultsOf(const CircularPart &part, const CircleFigureOptions &options) {
     table.headless = true;
     table.columns = {{QString(), {}, Alignment::left, false, 20}, {QString(), {}, Alignment::left, true, 38}};
     for (const Parameter &parameter : part.evaluation.parameters) {
-        const std::string_view id = parameter.term.id;
-        const bool ofPair = id.starts_with("G(b)");
-        const bool shown =
-            lengths ? id.starts_with('F') : id.starts_with('G') && ofPair == (options.of == CircleOf::both);
+        const Term &term = parameter.term;
+        const bool shown = lengths ? term.circle == OfCircle::radialDeviation
+                                   : term.circle == OfCircle::deviation &&
+                                         (term.of == Of::pair) == (options.of == CircleOf::both);
         const bool ofPath = std::ranges::any_of(part.results.paths, [&](const EvaluatedPath &path) {
             return path.index == parameter.index && isOf(options, path);
         });
         if (parameter.value && shown && ofPath)
             table.rows.push_back(
-                {bold(symbolPhrase(parameter.term.symbol, parameter.index)),
+                {bold(symbolPhrase(term.symbol, parameter.index)),
                  withUnit(
                      printedNumbers(parameter, part.test.decisionRule, resolution, write.language()).value,
-                     parameter.term.quantity, write.language())});
+                     term.quantity, write.language())});
     }
     return table;
 }

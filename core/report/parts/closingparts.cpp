@@ -31,9 +31,9 @@ std::vector<const Instrument *> usedInstruments(const Document &document) {
 /// Millimetres or degrees: a test of a rotary axis that names the instrument makes it an angular one.
 Quantity resolutionQuantity(const Document &document, const Instrument &instrument) {
     for (const TestPointer &test : document.tests) {
-        const auto *m = std::get_if<PositioningMeasurement>(&test->measurement);
-        if (m && std::ranges::find(test->instruments, instrument.id) != test->instruments.end())
-            return deviationQuantity(m->axis);
+        if (isJudged(*test) && axisOf(*test) &&
+            std::ranges::find(test->instruments, instrument.id) != test->instruments.end())
+            return deviationQuantity(*test);
     }
     return Quantity::deviation;
 }
@@ -132,13 +132,12 @@ void addDriftTests(std::vector<Block> &blocks, const Writer &write, const Evalua
     values.labelWidth = statementLabels;
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
         const Test &test = *evaluated.document->tests[i];
-        const auto *drift = std::get_if<DriftMeasurement>(&test.measurement);
-        if (!drift)
+        if (isJudged(test))
             continue;
-        const auto &range = resultsOf(*drift, *evaluated.tests[i]).range;
+        const auto range = rangeAtRest(test);
         values.rows.push_back({joined({testName(write, test), QString::fromStdString(test.title)}),
                                range ? write.say(REPORT_TEXT("report", "range of the deviations %1"),
-                                                 {Number{*range, deviationQuantity(drift->axis), 1}})
+                                                 {Number{*range, deviationQuantity(test), 1}})
                                      : QString()});
     }
     if (values.rows.empty())

@@ -138,10 +138,9 @@ private:
 
 void addLoadAndState(ConditionRows &rows, const TestPart &part, const Conditions &conditions) {
     const Writer &write = part.write;
-    const Text unloaded = part.isOf1988() ? REPORT_TEXT_FOR("report", "machine unloaded", "1988")
-                                          : REPORT_TEXT("report", "machine unloaded");
     rows.add(REPORT_TEXT("report", "Load"),
-             joined({stated(write, conditions.unloaded, unloaded, REPORT_TEXT("report", "machine loaded")),
+             joined({stated(write, conditions.unloaded, part.edition().unloaded,
+                            REPORT_TEXT("report", "machine loaded")),
                      QString::fromStdString(conditions.load)}));
     rows.add(
         REPORT_TEXT("report", "State of the machine"),
@@ -292,12 +291,7 @@ class EnvironmentTable {
 public:
     EnvironmentTable(const TestPart &part, const Conditions &conditions)
         : m_write(part.write) {
-        m_table.columns = {{m_write.text(part.isOf1988() ? REPORT_TEXT_FOR("report", "Environment", "1988")
-                                                         : REPORT_TEXT("report", "Environment")),
-                            {},
-                            Alignment::left,
-                            true,
-                            42},
+        m_table.columns = {{m_write.text(part.edition().environment), {}, Alignment::left, true, 42},
                            {m_write.text(REPORT_TEXT("report", "Start")), {}, Alignment::decimal, false, 13},
                            {m_write.text(REPORT_TEXT("report", "End")), {}, Alignment::decimal, false, 13}};
         for (const SensorMeasures what :
@@ -504,9 +498,7 @@ std::optional<AgreedPoints> agreedPointsOf(const TestPart &part) {
     if (edition.points.empty())
         return std::nullopt;
     const Writer &write = part.write;
-    QString note = write.text(
-        part.isOf1988() ? REPORT_TEXT_FOR("report", "between supplier/manufacturer and user", "1988")
-                        : REPORT_TEXT("report", "between supplier/manufacturer and user"));
+    QString note = write.text(edition.agreedBetween);
     if (*edition.pointsClause != 0)
         note +=
             QStringLiteral(", ") + write.say(REPORT_TEXT("report", "%1, clause %2"),

@@ -63,18 +63,12 @@ void addGroupRules(Table &table) {
 /// Targets (from 1) that rule R↑, R↓, R, B and their likes: the cells of the table per target that stand
 /// bold.
 std::set<std::pair<std::string, int>> rulingCells(const TestEvaluation &evaluation) {
-    struct Column {
-        std::string_view parameter;
-        const char *term = nullptr;
-    };
-    constexpr std::array columns{Column{"R+", "R+"},      Column{"R-", "R-"},  Column{"R", "R"},
-                                 Column{"B", "reversal"}, Column{"Umax", "U"}, Column{"Psmax", "Ps"}};
     std::set<std::pair<std::string, int>> cells;
-    for (const Parameter &parameter : evaluation.parameters) {
-        const auto found =
-            std::ranges::find(columns, std::string_view(parameter.term.id), &Column::parameter);
-        if (parameter.ruling[0] && found != columns.end())
-            cells.emplace(found->term, parameter.ruling[0]->target);
+    for (const TargetTerm &term : evaluation.edition->targetTerms) {
+        for (const Parameter &parameter : evaluation.parameters) {
+            if (parameter.ruling[0] && std::string_view(term.largest) == parameter.term.id)
+                cells.emplace(term.id, parameter.ruling[0]->target);
+        }
     }
     return cells;
 }
@@ -313,7 +307,7 @@ Table targetTable(const PositioningPart &part) {
     table.columns = {targetColumn(part), positionColumn(part)};
     std::vector<const char *> ids;
     for (const TargetTerm &term : edition.targetTerms) {
-        if (!isShown(term.id, part.results))
+        if (!isShown(term, part.results))
             continue;
         ids.push_back(term.id);
         table.columns.push_back(
@@ -369,11 +363,7 @@ Table inHalves(Table table) {
 /// "positional deviations x_ij", and whether they are as read.
 Phrase readingsNote(const PositioningPart &part) {
     const Writer &write = part.write;
-    Phrase note = indexed(write.text(part.edition().family == std::string_view("ISO 230-2:2014")
-                                         ? REPORT_TEXT("report", "positioning deviations")
-                                         : REPORT_TEXT("report", "positional deviations")) +
-                              QStringLiteral(" x"),
-                          QStringLiteral("ij"));
+    Phrase note = indexed(write.text(part.edition().deviations) + QStringLiteral(" x"), QStringLiteral("ij"));
     if (!part.results.corrections.empty())
         note.spans.push_back({QStringLiteral(", ") +
                               write.text(REPORT_TEXT("report", "as read, without the correction to 20 °C"))});
@@ -448,16 +438,17 @@ int pagesOfAllReadings(const Document &document) {
     };
     std::size_t rows = 0;
     const auto add = [&](std::size_t more) { rows += more > mostRows ? more : 0; };
-    for (const TestPointer &test : document.tests) {
-        const auto *measurement = std::get_if<PositioningMeasurement>(&test->measurement);
-        if (!measurement)
-            continue;
-        if (!isOut(ReportPart::targetTable))
-            add(measurement->targets.size());
-        if (!isOut(ReportPart::readings) && !measurement->runs.empty())
-            add(ReadingTables::leastRows(*measurement));
-        add(measurement->excluded.size());
-    }
+    const auto addTables = [&](const auto &measurement) {
+        if constexpr (requires { measurement.targets; }) {
+            if (!isOut(ReportPart::targetTable))
+                add(measurement.targets.size());
+            if (!isOut(ReportPart::readings) && !measurement.runs.empty())
+                add(ReadingTables::leastRows(measurement));
+            add(measurement.excluded.size());
+        }
+    };
+    for (const TestPointer &test : document.tests)
+        std::visit(addTables, test->measurement);
     return static_cast<int>((rows + rowsOfAPage - 1) / rowsOfAPage);
 }
 
@@ -533,8 +524,7 @@ std::optional<Table> editionsTable(const TestPart &part, bool narrow) {
         table.rows.push_back(std::move(cells));
     }
     const QString unit = rows.empty() ? QString() : write.language().unit(rows.front()->term.quantity);
-    const auto *positioning = std::get_if<PositioningResults>(&part.evaluation.results);
-    const bool scatter = positioning && std::max(positioning->positiveRuns, positioning->negativeRuns) > 1;
+    const bool scatter = hasScatter(part.evaluation);
     table.columns.push_back({QString(), unit, Alignment::left, true, 20});
     for (const EditionColumn &column : columns) {
         QString factor;

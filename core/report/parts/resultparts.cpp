@@ -164,14 +164,12 @@ ResultForm positioningForm(const PositioningPart &part) {
 /// "Circular deviation, anticlockwise, minimum zone": the term, of which path, by which circle.
 QString circularName(const CircularPart &part, const Parameter &parameter) {
     const Writer &write = part.write;
-    const std::string_view id = parameter.term.id;
     QStringList words{nameInTable(write, parameter.term.name)};
-    const bool ofPair = id.starts_with("G(b)") || id == "D" || id == "H";
     for (const EvaluatedPath &path : part.results.paths) {
-        if (!ofPair && path.index == parameter.index)
+        if (parameter.term.of == Of::path && path.index == parameter.index)
             words << write.text(senseText(path.sense));
     }
-    if (id.starts_with('G'))
+    if (parameter.term.circle == OfCircle::deviation)
         words << write.text(part.measurement.referenceCircle == ReferenceCircle::minimumZone
                                 ? REPORT_TEXT("report", "minimum zone")
                                 : REPORT_TEXT("report", "least squares"));
@@ -248,20 +246,20 @@ std::vector<Column> resultColumns(const TestPart &part, const ResultForm &form, 
 }
 
 bool isRadialDeviation(const Parameter &parameter) {
-    return *parameter.term.id == 'F' && parameter.value;
+    return parameter.term.circle == OfCircle::radialDeviation && parameter.value;
 }
 
 Table resultTable(const TestPart &part, const ResultForm &form, const std::vector<PrintedResult> &results) {
     Table table;
     table.unbroken = true;
-    char group = 0;
+    std::string_view family;
     QString unit;
     for (const PrintedResult &result : results) {
         const Parameter &parameter = *result.parameter;
         unit = part.write.language().unit(parameter.term.quantity);
-        if (group != 0 && group != *parameter.term.id)
+        if (!table.rows.empty() && family != parameter.term.family)
             table.rulesAfter.push_back(table.rows.size() - 1);
-        group = *parameter.term.id;
+        family = parameter.term.family;
         Cell symbol(symbolPhrase(parameter.term.symbol, parameter.index));
         symbol.bold = true;
         QString name = form.nameOf(parameter);
@@ -292,8 +290,7 @@ Table resultTable(const TestPart &part, const ResultForm &form, const std::vecto
 QString resultsNote(const TestPart &part) {
     QStringList notes;
     if (part.edition().rangeMethod) {
-        const auto *results = std::get_if<PositioningResults>(&part.evaluation.results);
-        const bool range = results && results->standardDeviation == DeviationMethod::range;
+        const bool range = deviationMethod(part.evaluation) == DeviationMethod::range;
         notes << part.write.text(range ? REPORT_TEXT("report", "s by the range method")
                                        : REPORT_TEXT("report", "s by the calculation method"));
     }
@@ -684,8 +681,10 @@ QString decisionText(const TestPart &part) {
     words << write.text(
         REPORT_TEXT("report", "Signed results are compared by their absolute value; the verdict is based "
                               "on the unrounded values."));
-    const auto &limits = part.test.limits;
-    if (limits.contains("Fmax") || limits.contains("Fmin"))
+    const auto isSigned = [&](const Term *term) {
+        return term->bound != Bound::magnitude && part.test.limits.contains(term->id);
+    };
+    if (std::ranges::any_of(termsOf(part.edition()), isSigned))
         words << write.text(REPORT_TEXT(
             "report", "The limits of Fmax and Fmin hold with their signs, that of Fmin as a lower "
                       "limit: for it, above and below change places."));

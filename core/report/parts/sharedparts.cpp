@@ -200,13 +200,14 @@ private:
     static constexpr std::array measured{SensorMeasures::machine, SensorMeasures::instrument,
                                          SensorMeasures::air};
 
-    void addAir(std::vector<Cell> &row, const PositioningConditions &conditions) const {
-        row.push_back(shown(conditions.airPressure, Quantity::pressure));
-        row.push_back(shown(conditions.airHumidity, Quantity::percent));
-        row.push_back(shown(conditions.gradientPerHour, Quantity::gradient));
-    }
-    static void addAir(std::vector<Cell> &row, const CircularConditions & /*conditions*/) {
-        row.insert(row.end(), 3, blankCell()); // nobody asks for them
+    void addAir(std::vector<Cell> &row, const auto &conditions) const {
+        if constexpr (requires { conditions.airPressure; }) {
+            row.push_back(shown(conditions.airPressure, Quantity::pressure));
+            row.push_back(shown(conditions.airHumidity, Quantity::percent));
+            row.push_back(shown(conditions.gradientPerHour, Quantity::gradient));
+        } else {
+            row.insert(row.end(), 3, blankCell()); // nobody asks for them
+        }
     }
 
     [[nodiscard]] Cell shown(std::optional<double> value, Quantity quantity, int decimals = -1) const {
@@ -627,16 +628,16 @@ void addPathsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &pa
     SectionOfTests paths(parts.front().write);
     SectionOfTests corrections(parts.front().write);
     for (const TestPart &part : parts) {
-        const auto *measurement = std::get_if<CircularMeasurement>(&part.test.measurement);
-        if (!measurement)
-            continue;
-        const CircularPart circular{part, *measurement, resultsOf(*measurement, part.evaluation)};
-        std::vector<Block> own;
-        addPaths(own, circular);
-        paths.add(own, part.number);
-        own.clear();
-        addCorrection(own, circular);
-        corrections.add(own, part.number);
+        withKind(part, [&](const auto &own) {
+            if constexpr (requires { own.results.paths; }) {
+                std::vector<Block> section;
+                addPaths(section, own);
+                paths.add(section, part.number);
+                section.clear();
+                addCorrection(section, own);
+                corrections.add(section, part.number);
+            }
+        });
     }
     paths.addTo(blocks);
     corrections.addTo(blocks);
@@ -727,7 +728,7 @@ void addBeforeAndAfter(std::vector<Block> &blocks, const std::vector<TestPart> &
 void addComparisonsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
     std::vector<Block> tables;
     bool factors = false;
-    for (const Kind kind : {Kind::positioning, Kind::circular}) {
+    for (const Kind kind : allKinds) {
         EditionsOfTests beside;
         for (const TestPart &part : parts) {
             const auto table = part.edition().kind == kind ? editionsTable(part, true) : std::nullopt;

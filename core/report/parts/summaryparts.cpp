@@ -9,6 +9,7 @@
 #include "report/parts/resultparts.h"
 #include "report/tables/resulttable.h"
 #include "report/words/accordancetext.h"
+#include "report/words/kindwords.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 
@@ -48,10 +49,9 @@ QString briefTestName(const TestPart &part) {
     const Writer &write = part.write;
     const std::string stated = axesOf(part.test);
     const std::string axes = stated.empty() ? "–" : stated;
-    const auto *circle = std::get_if<CircularMeasurement>(&part.test.measurement);
-    return circle ? write.say(REPORT_TEXT("report", "%1 circle, R %2"),
-                              {axes, Number{circle->nominalRadius, Quantity::position, -1}})
-                  : write.say(REPORT_TEXT("report", "%1 axis"), {axes});
+    const double radius = partOr(0.0, part.test.measurement,
+                                 [](auto &m) -> decltype(m.nominalRadius) { return m.nominalRadius; });
+    return write.say(kindWords(part.test).brief, {axes, Number{radius, Quantity::position, -1}});
 }
 
 CellNote accordanceNote(const TestPart &part) {

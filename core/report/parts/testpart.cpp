@@ -30,14 +30,14 @@ Quantity PositioningPart::deviation() const {
     return deviationQuantity(measurement);
 }
 
-bool CircularPart::asksFor(std::string_view quantity) const {
+bool CircularPart::asksFor(OfCircle quantity) const {
     return std::ranges::any_of(evaluation.parameters, [&](const Parameter &parameter) {
-        return parameter.required && std::string_view(parameter.term.id).starts_with(quantity);
+        return parameter.required && parameter.term.circle == quantity;
     });
 }
 
 bool CircularPart::needsLength() const {
-    return !feedback() && (asksFor("F") || asksFor("D"));
+    return !feedback() && (asksFor(OfCircle::radialDeviation) || asksFor(OfCircle::meanRadialDeviation));
 }
 
 bool CircularPart::holdsAt20() const {

@@ -55,7 +55,6 @@ struct TestPart {
     [[nodiscard]] const Document &document() const { return *evaluated.document; }
     [[nodiscard]] const ReportHead &head() const { return document().report; }
     [[nodiscard]] const Edition &edition() const { return *evaluation.edition; }
-    [[nodiscard]] bool isOf1988() const { return std::string_view(edition().family) == "ISO 230-2:1988"; }
     [[nodiscard]] bool leavesOut(ReportPart part) const;
     [[nodiscard]] QString findingsAnchor() const;
     [[nodiscard]] QString headAnchor() const;
@@ -78,8 +77,8 @@ struct CircularPart : TestPart {
     const CircularResults &results;
 
     [[nodiscard]] bool feedback() const { return measurement.source == SignalSource::feedback; }
-    /// The parties ask for it and the edition has it: "F", "D".
-    [[nodiscard]] bool asksFor(std::string_view quantity) const;
+    /// The parties ask for it and the edition has it.
+    [[nodiscard]] bool asksFor(OfCircle quantity) const;
     /// F or D is asked for and can be: the reference length and the temperatures count.
     [[nodiscard]] bool needsLength() const;
     /// F and D are corrected to 20 °C, or temperatures are known that need no correction.

@@ -195,9 +195,8 @@ const Test *driftTestOf(const TestPart &part) {
     if (!id)
         return nullptr;
     const auto &tests = part.document().tests;
-    const auto found = std::ranges::find_if(tests, [&](const TestPointer &other) {
-        return other->id == *id && std::holds_alternative<DriftMeasurement>(other->measurement);
-    });
+    const auto found = std::ranges::find_if(
+        tests, [&](const TestPointer &other) { return other->id == *id && !isJudged(*other); });
     return found == tests.end() ? nullptr : found->get();
 }
 

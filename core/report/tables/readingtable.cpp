@@ -19,9 +19,9 @@ constexpr int digitsOfSecond = 4;
 
 /// Whether the test has the quantity, and the table shows it: of both directions R, not R↑ and R↓ besides; x̄
 /// stands in the card of the target.
-bool has(std::string_view id, const PositioningResults &results) {
+bool has(const TargetTerm &term, const PositioningResults &results) {
     const bool both = results.upward && results.downward;
-    return isShown(id, results) && id != "mean" && !(both && (id == "R+" || id == "R-"));
+    return isShown(term, results) && !(both && term.weight == Weight::detail);
 }
 
 } // namespace
@@ -55,7 +55,7 @@ std::vector<StatisticColumn> statisticColumns(const TestEvaluation &evaluation, 
     if (!results || !evaluation.edition)
         return columns;
     for (const TargetTerm &term : evaluation.edition->targetTerms) {
-        if (has(term.id, *results))
+        if (has(term, *results))
             columns.push_back({term.id, symbolFormula({term.symbol.base, "", term.symbol.arrow}),
                                language.text(term.name)});
     }

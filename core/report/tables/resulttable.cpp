@@ -10,7 +10,6 @@
 
 #include <QStringList>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <string_view>
 
@@ -18,77 +17,33 @@ namespace palmer {
 
 namespace {
 
-/// What the window calls the parameters of each term: the standards' own names are too long for a column.
-struct ShortName {
-    Text term;
-    Text name;
-    Text alone = {};  ///< where its bidirectional companion does not stand above it; empty: the name
-    Text narrow = {}; ///< the same where there is little room; empty: the same
-};
-
-// clang-format off
-constexpr std::array shortNames{
-    ShortName{REPORT_TEXT_FOR("report", "accuracy of an axis", "A"), REPORT_TEXT_FOR("report", "accuracy", "1988")},
-    ShortName{REPORT_TEXT("report", "bi-directional accuracy of positioning of an axis"), REPORT_TEXT("report", "accuracy")},
-    ShortName{REPORT_TEXT("report", "bi-directional positioning accuracy of an axis"), REPORT_TEXT("report", "accuracy")},
-    ShortName{REPORT_TEXT("report", "bi-directional systematic positional deviation of an axis"), REPORT_TEXT("report", "systematic deviation")},
-    ShortName{REPORT_TEXT("report", "bi-directional systematic positioning error of an axis"), REPORT_TEXT("report", "systematic error")},
-    ShortName{REPORT_TEXT("report", "range of the mean bi-directional positional deviation of an axis"), REPORT_TEXT("report", "range of x̄")},
-    ShortName{REPORT_TEXT("report", "mean bi-directional positioning error of an axis"), REPORT_TEXT("report", "range of x̄")},
-    ShortName{REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), REPORT_TEXT("report", "repeatability")},
-    ShortName{REPORT_TEXT("report", "bi-directional positioning repeatability of an axis"), REPORT_TEXT("report", "repeatability")},
-    ShortName{REPORT_TEXT("report", "reversal value of an axis"), REPORT_TEXT("report", "reversal value")},
-    ShortName{REPORT_TEXT("report", "reversal error of an axis"), REPORT_TEXT("report", "reversal error")},
-    ShortName{REPORT_TEXT_FOR("report", "mean reversal value of an axis", "1988"), REPORT_TEXT_FOR("report", "mean reversal value", "1988")},
-    ShortName{REPORT_TEXT("report", "mean reversal value of an axis"), REPORT_TEXT("report", "signed mean"), REPORT_TEXT("report", "mean reversal value")},
-    ShortName{REPORT_TEXT("report", "mean reversal error of an axis"), REPORT_TEXT("report", "signed mean"), REPORT_TEXT("report", "mean reversal error")},
-    ShortName{REPORT_TEXT("report", "accuracy of an axis, unidirectional"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT_FOR("report", "unidirectional accuracy", "1988"), REPORT_TEXT_FOR("report", "unidir. accuracy", "1988")},
-    ShortName{REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional accuracy"), REPORT_TEXT("report", "unidir. accuracy")},
-    ShortName{REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional accuracy"), REPORT_TEXT("report", "unidir. accuracy")},
-    ShortName{REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine"), REPORT_TEXT("report", "unidirectional systematic deviation"), REPORT_TEXT("report", "unidir. systematic dev.")},
-    ShortName{REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), REPORT_TEXT_FOR("report", "unidirectional", "masculine"), REPORT_TEXT("report", "unidirectional systematic error"), REPORT_TEXT("report", "unidir. systematic error")},
-    ShortName{REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional repeatability"), REPORT_TEXT("report", "unidir. repeatability")},
-    ShortName{REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional repeatability"), REPORT_TEXT("report", "unidir. repeatability")},
-    ShortName{REPORT_TEXT("report", "unidirectional positioning repeatability (UPR)"), REPORT_TEXT("report", "smaller of R↑, R↓")},
-    ShortName{REPORT_TEXT("report", "positional uncertainty (VDI: Positionsunsicherheit)"), REPORT_TEXT("report", "positional uncertainty")},
-    ShortName{REPORT_TEXT("report", "positional deviation (VDI: Positionsabweichung)"), REPORT_TEXT_FOR("report", "positional deviation", "VDI")},
-    ShortName{REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), largest"), REPORT_TEXT("report", "scatter, largest")},
-    ShortName{REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), mean"), REPORT_TEXT("report", "scatter, mean")},
-    ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), largest"), REPORT_TEXT("report", "reversal range, largest")},
-    ShortName{REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), mean"), REPORT_TEXT("report", "reversal range, mean")},
-    ShortName{REPORT_TEXT("report", "bi-directional circular deviation"), REPORT_TEXT_FOR("report", "bi-directional", "circular deviation"), REPORT_TEXT("report", "bi-directional circular deviation")},
-    ShortName{REPORT_TEXT("report", "mean bi-directional radial deviation"), REPORT_TEXT_FOR("report", "mean radial", "deviation"), REPORT_TEXT("report", "mean bi-directional radial deviation")},
-    ShortName{REPORT_TEXT("report", "bi-directional circular deviation using feed back signal"), REPORT_TEXT("report", "bi-directional, feed back")},
-    ShortName{REPORT_TEXT("report", "bi-directional circular error"), REPORT_TEXT_FOR("report", "bi-directional", "circular error"), REPORT_TEXT("report", "bi-directional circular error")},
-    ShortName{REPORT_TEXT("report", "mean bi-directional radial error"), REPORT_TEXT_FOR("report", "mean radial", "error"), REPORT_TEXT("report", "mean bi-directional radial error")},
-    ShortName{REPORT_TEXT("report", "bi-directional circular error using feed back signal"), REPORT_TEXT("report", "bi-directional, feed back")},
-};
-// clang-format on
-
 enum class Room { little, usual };
 
-Text shortName(const Text &term, bool alone, Room room = Room::usual) {
-    const auto found = std::ranges::find(shortNames, term, &ShortName::term);
-    if (found == shortNames.end())
-        return term;
-    if (alone && room == Room::little && !found->narrow.empty())
-        return found->narrow;
-    return alone && !found->alone.empty() ? found->alone : found->name;
+Text shortName(const Term &term, bool alone, Room room) {
+    const auto &[below, standing, narrow] = term.shortName;
+    if (alone && room == Room::little && !narrow.empty())
+        return narrow;
+    return alone && !standing.empty() ? standing : below.empty() ? term.name : below;
 }
 
 /// Of a path its sense: the symbol tells the rest.
 Text shortNameOf(const Parameter &parameter, const TestEvaluation &evaluation, bool alone,
                  Room room = Room::usual) {
-    const std::string_view id = parameter.term.id;
-    const auto *results = std::get_if<CircularResults>(&evaluation.results);
-    const bool ofPath = id == "G" || id == "Gf" || id.starts_with('F');
-    for (std::size_t k = 0; results && ofPath && k < results->paths.size(); ++k) {
-        if (results->paths[k].index == parameter.index)
-            return senseText(results->paths[k].sense);
+    const auto *paths = partOr<const std::vector<EvaluatedPath> *>(
+        nullptr, evaluation.results,
+        [](auto &results) -> decltype(&results.paths) { return &results.paths; });
+    for (std::size_t k = 0; paths && parameter.term.of == Of::path && k < paths->size(); ++k) {
+        if ((*paths)[k].index == parameter.index)
+            return senseText((*paths)[k].sense);
     }
-    const auto *positioning = std::get_if<PositioningResults>(&evaluation.results);
-    const bool oneDirection = positioning && positioning->upward != positioning->downward;
-    return shortName(parameter.term.name, alone || oneDirection, room);
+    const bool oneDirection =
+        partOr(false, evaluation.results,
+               [](auto &results) -> decltype(results.upward) { return results.upward != results.downward; });
+    return shortName(parameter.term, alone || oneDirection, room);
+}
+
+QString circleName(ReferenceCircle circle) {
+    return circle == ReferenceCircle::minimumZone ? QStringLiteral("MZC") : QStringLiteral("LSC");
 }
 
 Text ruleName(Rule rule) {
@@ -101,15 +56,6 @@ Text ruleName(Rule rule) {
         return REPORT_TEXT("report", "rejection proven");
     }
     return {};
-}
-
-/// What A, A+ and A-, B and Bmean, Psmax and Psmean have in common.
-std::string_view familyOf(std::string_view id) {
-    for (const std::string_view end : {"+", "-", "mean", "max"}) {
-        if (id.ends_with(end))
-            return id.substr(0, id.size() - end.size());
-    }
-    return id;
 }
 
 /// What a spreadsheet reads as a number.
@@ -200,7 +146,7 @@ Text briefName(const Parameter &parameter, const TestEvaluation &evaluation) {
     return shortNameOf(parameter, evaluation, true);
 }
 
-Text listedName(const Text &term) {
+Text listedName(const Term &term) {
     return shortName(term, false);
 }
 
@@ -240,9 +186,10 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         table.verdictWord = language.text(verdictText(*table.verdict));
     table.rule = language.text(ruleName(source.decisionRule.rule));
 
-    if (const auto *circular = std::get_if<CircularMeasurement>(&source.measurement))
-        table.circle = circular->referenceCircle == ReferenceCircle::minimumZone ? QStringLiteral("MZC")
-                                                                                 : QStringLiteral("LSC");
+    table.circle =
+        partOr(QString(), source.measurement, [](auto &m) -> decltype(circleName(m.referenceCircle)) {
+            return circleName(m.referenceCircle);
+        });
 
     table.coverage = coverageNote(coverageOf(evaluation, document.report), language);
     const std::optional<double> resolution = finestResolution(document, source);
@@ -254,15 +201,13 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
             table.unit = language.unit(parameter.term.quantity);
         ResultLine line =
             lineOf(parameter, printedNumbers(parameter, source.decisionRule, resolution, language), language);
-        const bool circular = !table.circle.isEmpty();
-        const std::string_view id = parameter.term.id;
-        const std::string_view own = circular ? id.substr(0, 1) : familyOf(id);
-        line.isFirst = own != family;
-        line.main = circular ? own != "F" : line.isFirst;
-        const bool alone = line.isFirst && !circular;
-        line.name = language.text(shortNameOf(parameter, evaluation, alone));
-        line.narrowName = language.text(shortNameOf(parameter, evaluation, alone, Room::little));
-        family = own;
+        line.isFirst = family != parameter.term.family;
+        // Of an axis measured from one side no main one is there.
+        const bool standsForAll = line.isFirst && parameter.term.of == Of::axis;
+        line.main = standsForAll || parameter.term.weight == Weight::main;
+        line.name = language.text(shortNameOf(parameter, evaluation, standsForAll));
+        line.narrowName = language.text(shortNameOf(parameter, evaluation, standsForAll, Room::little));
+        family = parameter.term.family;
         table.lines.push_back(std::move(line));
     }
     addOtherRole(table, evaluated, test, language);

@@ -96,9 +96,9 @@ struct RolesBeside {
 /// sense.
 [[nodiscard]] Text briefName(const Parameter &parameter, const TestEvaluation &evaluation);
 
-/// What a list calls the parameter of this term below its bidirectional companion: short; the term where
-/// there is no shorter one.
-[[nodiscard]] Text listedName(const Text &term);
+/// What a list calls the parameter below its bidirectional companion: short; the term where there is no
+/// shorter one.
+[[nodiscard]] Text listedName(const Term &term);
 
 /// The results of a test as it is evaluated, in the order of its edition; those for print on request are left
 /// out unless the report asks for them. Empty for tests without edition.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/words/accordancetext.h"
 
+#include "kernel/measurement/testfacts.h"
 #include "kernel/words/blank.h"
 #include "report/words/wording.h"
 
@@ -21,9 +22,11 @@ public:
         , m_language(language)
         , m_standard(standardName(language, evaluation.edition))
         , m_counts(countRequirements(evaluation.findings)) {
-        const auto *results = std::get_if<PositioningResults>(&evaluation.results);
-        m_countByPractice = results && results->countByPractice;
-        m_stepCycle = results && results->stepCycleAgreed;
+        const auto &results = evaluation.results;
+        m_countByPractice =
+            partOr(false, results, [](auto &r) -> decltype(r.countByPractice) { return r.countByPractice; });
+        m_stepCycle =
+            partOr(false, results, [](auto &r) -> decltype(r.stepCycleAgreed) { return r.stepCycleAgreed; });
     }
 
     [[nodiscard]] QString text(bool page) const {

@@ -11,6 +11,7 @@ namespace palmer {
 struct KindWords {
     Text name;   ///< as a heading
     Text listed; ///< above the results on the command line
+    Text brief;  ///< in a summary; %2 is the radius
     Text model;  ///< what the budget of its uncertainty is made after; empty without one
     Text budget; ///< that budget beside other methods
 };

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/words/wording.h"
 
+#include "kernel/measurement/testfacts.h"
 #include "report/words/formula.h"
 
 #include "language/rounding.h"
@@ -157,14 +158,14 @@ Text senseText(Sense sense) {
 }
 
 bool notCorrected(const TestEvaluation &evaluation) {
-    return std::visit(
-        [](const auto &results) {
-            if constexpr (requires { results.notCorrected; })
-                return results.notCorrected;
-            else
-                return false;
-        },
-        evaluation.results);
+    return partOr(false, evaluation.results,
+                  [](auto &results) -> decltype(results.notCorrected) { return results.notCorrected; });
+}
+
+DeviationMethod deviationMethod(const TestEvaluation &evaluation) {
+    return partOr(
+        DeviationMethod::calculation, evaluation.results,
+        [](auto &results) -> decltype(results.standardDeviation) { return results.standardDeviation; });
 }
 
 QString arrow(Direction direction) {
@@ -309,17 +310,19 @@ bool isPrinted(const Parameter &parameter, const ReportHead &head) {
            std::ranges::find(head.include, ReportExtra::meanRepeatability) != head.include.end();
 }
 
-bool isShown(std::string_view targetTerm, const PositioningResults &results) {
-    const bool scatter = std::max(results.positiveRuns, results.negativeRuns) > 1;
-    if (targetTerm.starts_with("range") && results.standardDeviation != DeviationMethod::range)
-        return false;
-    if (!scatter && (targetTerm.starts_with("s") || targetTerm.starts_with("R") || targetTerm == "Ps"))
-        return false;
-    if (targetTerm.ends_with('+'))
-        return results.upward;
-    if (targetTerm.ends_with('-'))
-        return results.downward;
-    return results.upward && results.downward;
+bool hasScatter(const TestEvaluation &evaluation) {
+    const int runs = partOr(0, evaluation.results, [](auto &results) -> decltype(results.positiveRuns) {
+        return std::max(results.positiveRuns, results.negativeRuns);
+    });
+    return runs > 1;
+}
+
+bool isShown(const TargetTerm &term, const PositioningResults &results) {
+    const bool several = std::max(results.positiveRuns, results.negativeRuns) > 1;
+    const bool range = results.standardDeviation == DeviationMethod::range;
+    const unsigned has = (results.upward ? upward : 0U) | (results.downward ? downward : 0U) |
+                         (several ? scatter : 0U) | (range ? byRange : 0U);
+    return (term.needs & ~has) == 0;
 }
 
 const Row *rowOf(const Edition &edition, const Parameter &parameter) {

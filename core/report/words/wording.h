@@ -43,6 +43,12 @@ namespace palmer {
 /// Results that depend on the temperature do not hold at 20 °C.
 [[nodiscard]] bool notCorrected(const TestEvaluation &evaluation);
 
+/// How s was computed; by calculation where there is none.
+[[nodiscard]] DeviationMethod deviationMethod(const TestEvaluation &evaluation);
+
+/// Several runs of a direction: s and what is made of it have a value.
+[[nodiscard]] bool hasScatter(const TestEvaluation &evaluation);
+
 /// The symbol with its index set lower.
 [[nodiscard]] Phrase symbolPhrase(const Symbol &symbol, const std::string &index = {});
 
@@ -88,8 +94,8 @@ struct CoverageOfResults {
 /// Some result has a simulated U, whose guard band carries 2 s_U.
 [[nodiscard]] bool guardsSimulated(const TestEvaluation &evaluation);
 
-/// Whether a quantity per target (id of a TargetTerm) says anything about this test.
-[[nodiscard]] bool isShown(std::string_view targetTerm, const PositioningResults &results);
+/// Whether a quantity per target says anything about this test.
+[[nodiscard]] bool isShown(const TargetTerm &term, const PositioningResults &results);
 
 /// The row of the edition that a parameter comes from; null for none.
 [[nodiscard]] const Row *rowOf(const Edition &edition, const Parameter &parameter);

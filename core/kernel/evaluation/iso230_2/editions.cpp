@@ -27,10 +27,14 @@ Edition iso1988(const char *word) {
     return {.word = word,
             .family = "ISO 230-2:1988",
             .title = title1988,
+            .environment = REPORT_TEXT_FOR("report", "Environment", "1988"),
+            .unloaded = REPORT_TEXT_FOR("report", "machine unloaded", "1988"),
+            .agreedBetween = REPORT_TEXT_FOR("report", "between supplier/manufacturer and user", "1988"),
             .c = 3,
             .rangeMethod = true,
             .standardCycle = standardCycle1988,
             .stepCycle = stepCycle1988,
+            .targetRule = TargetRule::pitches1988,
             .rows = rows1988(),
             .targetTerms = targetTerms1988(),
             .textRead = TextRead::all,
@@ -41,10 +45,9 @@ Edition iso1988(const char *word) {
 }
 
 /// 1997 and its aliases: the arithmetic and names of 2006; clauses are not known.
-Edition iso1997(const char *word, Text title) {
+Edition iso1997(const char *word) {
     return {.word = word,
             .family = "ISO 230-2:1997",
-            .title = title,
             .c = 2,
             .standardCycle = standardCycle2006,
             .stepCycle = stepCycle2006,
@@ -72,7 +75,6 @@ Edition iso2006() {
 Edition aliasOf2006(const char *word) {
     return {.word = word,
             .family = "ISO 230-2:2006",
-            .title = {},
             .c = 2,
             .standardCycle = standardCycle2006,
             .stepCycle = stepCycle2006,
@@ -82,11 +84,14 @@ Edition aliasOf2006(const char *word) {
             .points = points1997()};
 }
 
-Edition iso2014(const char *word, Text title, std::span<const Row> rows,
+Edition iso2014(const char *word, bool isDefault, std::span<const Row> rows,
                 std::span<const TargetTerm> targetTerms) {
     return {.word = word,
             .family = "ISO 230-2:2014",
-            .title = title,
+            .deviation = REPORT_TEXT("report", "Positioning deviation"),
+            .deviations = REPORT_TEXT("report", "positioning deviations"),
+            .deviationsOfAxis = REPORT_TEXT("report", "Positioning deviations of the %1 axis"),
+            .isDefault = isDefault,
             .c = 2,
             .standardCycle = standardCycle2006,
             .stepCycle = stepCycle2006,
@@ -97,14 +102,13 @@ Edition iso2014(const char *word, Text title, std::span<const Row> rows,
 }
 
 Edition aliasOf2014(const char *word) {
-    return iso2014(word, {}, rows2014WithoutClauses(), targetTerms2014WithoutClauses());
+    return iso2014(word, false, rows2014WithoutClauses(), targetTerms2014WithoutClauses());
 }
 
 /// Bands and s as in its own texts: six sigma, so c = 3.
 Edition vdi3441() {
     return {.word = "VDI/DGQ 3441:1977",
             .family = "VDI/DGQ 3441:1977",
-            .title = {},
             .c = 3,
             .standardCycle = standardCycle2006,
             .stepCycle = stepCycle2006,
@@ -118,11 +122,11 @@ Edition vdi3441() {
 std::span<const Edition> editions() {
     static const std::vector<Edition> table{
         iso1988("ISO 230-2:1988"),
-        iso1997("ISO 230-2:1997", {}),
+        iso1997("ISO 230-2:1997"),
         iso2006(),
-        iso2014("ISO 230-2:2014", {}, rows2014(), targetTerms2014()),
+        iso2014("ISO 230-2:2014", true, rows2014(), targetTerms2014()),
         vdi3441(),
-        iso1997("GB/T 17421.2-2000", {}),
+        iso1997("GB/T 17421.2-2000"),
         aliasOf2006("GB/T 17421.2-2016"),
         aliasOf2014("GB/T 17421.2-2023"),
         aliasOf2006("JIS B 6190-2:2008"),

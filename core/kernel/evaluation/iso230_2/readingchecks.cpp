@@ -193,19 +193,12 @@ Sentence rangeMethodRuns(const PositioningCase &test) {
 Sentence drift(const PositioningCase &test) {
     if (!test.drift || !test.drift->significant())
         return std::nullopt;
-    struct Beside {
-        const char *symbol = nullptr;
-        Outcome outcome;
-    };
-    const std::array ofVdi{Beside{"Psmax", vdiScatter(test.statistics, test.edition.c)}}; // it knows no R
-    const std::array ofIso{Beside{"R", repeatabilityOfAxis(test.statistics, test.edition.c)},
-                           Beside{"R↑", repeatabilityUp(test.statistics, test.edition.c)},
-                           Beside{"R↓", repeatabilityDown(test.statistics, test.edition.c)}};
-    const bool vdi = std::ranges::any_of(
-        test.edition.rows, [](const Row &row) { return std::string_view(row.term.id) == "Psmax"; });
-    const std::span<const Beside> candidates = vdi ? std::span<const Beside>(ofVdi) : ofIso;
-    const auto beside =
-        std::ranges::find_if(candidates, [](const Beside &b) { return !std::isnan(b.outcome.value); });
+    // VDI/DGQ 3441 knows no R.
+    constexpr std::array scatters{repeatabilityOfAxis, repeatabilityUp, repeatabilityDown, vdiScatter};
+    const auto valueOf = [&](const Row &row) { return row.value(test.statistics, test.edition.c).value; };
+    const auto beside = std::ranges::find_if(test.edition.rows, [&](const Row &row) {
+        return std::ranges::find(scatters, row.value) != scatters.end() && !std::isnan(valueOf(row));
+    });
     const Number change = deviation(test, test.drift->change, 2);
     // Runs that differ by nothing but the progress leave no scatter but that of floating point.
     constexpr double largest = 1e6;
@@ -213,7 +206,7 @@ Sentence drift(const PositioningCase &test) {
     const Argument t =
         ratio < largest ? Argument(Number{ratio, Quantity::number, 1}) : Argument(std::string("∞"));
     const Number critical{test.drift->critical, Quantity::number, 2};
-    if (beside == candidates.end())
+    if (beside == test.edition.rows.end())
         return Message{
             REPORT_TEXT("report",
                         "The deviations at the same target progress steadily from approach to approach: "
@@ -225,7 +218,8 @@ Sentence drift(const PositioningCase &test) {
                     "The deviations at the same target progress steadily from approach to approach: "
                     "D = %1 from the first to the last, beside %4 = %5 (t = %2, above %3). The "
                     "thermal conditions may be unstable."),
-        {change, t, critical, beside->symbol, deviation(test, beside->outcome.value, 2)}};
+        {change, t, critical, std::string(beside->term.symbol.base) + beside->term.symbol.subscript,
+         deviation(test, valueOf(*beside), 2)}};
 }
 
 bool stepCycleInWriting(const PositioningCase &test) {

@@ -13,112 +13,118 @@ namespace {
 constexpr unsigned upOnly = upward | scatter;
 constexpr unsigned downOnly = downward | scatter;
 constexpr unsigned both = bothWays | scatter;
-constexpr auto deviation = Quantity::deviation;
-constexpr auto alwaysPrinted = Printed::always;
+constexpr auto mainRow = Weight::main;
+constexpr auto detail = Weight::detail;
 constexpr auto onRequest = Printed::onRequest;
 constexpr bool at20 = true;
 
 // clang-format off
+constexpr ShortName unidirectionalAccuracy1988{REPORT_TEXT("report", "unidirectional"), REPORT_TEXT_FOR("report", "unidirectional accuracy", "1988"), REPORT_TEXT_FOR("report", "unidir. accuracy", "1988")};
+constexpr ShortName unidirectionalAccuracy{REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional accuracy"), REPORT_TEXT("report", "unidir. accuracy")};
+constexpr ShortName unidirectionalDeviation{REPORT_TEXT_FOR("report", "unidirectional", "masculine"), REPORT_TEXT("report", "unidirectional systematic deviation"), REPORT_TEXT("report", "unidir. systematic dev.")};
+constexpr ShortName unidirectionalError{REPORT_TEXT_FOR("report", "unidirectional", "masculine"), REPORT_TEXT("report", "unidirectional systematic error"), REPORT_TEXT("report", "unidir. systematic error")};
+constexpr ShortName unidirectionalRepeatability{REPORT_TEXT("report", "unidirectional"), REPORT_TEXT("report", "unidirectional repeatability"), REPORT_TEXT("report", "unidir. repeatability")};
+
 constexpr std::array table1988{
-    Row{{"A", {"A"}, REPORT_TEXT_FOR("report", "accuracy of an axis", "A"), "2.13", deviation, alwaysPrinted}, both, accuracy, at20},
-    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "accuracy of an axis, unidirectional"), "2.13", deviation, alwaysPrinted}, upOnly, accuracyUp, at20},
-    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "accuracy of an axis, unidirectional"), "2.13", deviation, alwaysPrinted}, downOnly, accuracyDown, at20},
-    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), "2.12", deviation, alwaysPrinted}, both, repeatabilityOfAxis},
-    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.12", deviation, alwaysPrinted}, upOnly, repeatabilityUp},
-    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.12", deviation, alwaysPrinted}, downOnly, repeatabilityDown},
-    Row{{"Bmean", {"B̄"}, REPORT_TEXT_FOR("report", "mean reversal value of an axis", "1988"), "6.3", deviation, alwaysPrinted}, bothWays, meanReversal},
-    Row{{"r", {"r̄"}, REPORT_TEXT("report", "mean repeatability"), "7", deviation, onRequest}, both, meanRepeatability},
-    Row{{"r+", {"r̄↑"}, REPORT_TEXT("report", "mean repeatability"), "7", deviation, onRequest}, upOnly, meanRepeatabilityUp},
-    Row{{"r-", {"r̄↓"}, REPORT_TEXT("report", "mean repeatability"), "7", deviation, onRequest}, downOnly, meanRepeatabilityDown},
+    Row{{"A", {"A"}, REPORT_TEXT_FOR("report", "accuracy of an axis", "A"), "2.13", "A", {REPORT_TEXT_FOR("report", "accuracy", "1988")}}, both, accuracy, at20},
+    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "accuracy of an axis, unidirectional"), "2.13", "A", unidirectionalAccuracy1988, detail}, upOnly, accuracyUp, at20},
+    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "accuracy of an axis, unidirectional"), "2.13", "A", unidirectionalAccuracy1988, detail}, downOnly, accuracyDown, at20},
+    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), "2.12", "R", {REPORT_TEXT("report", "repeatability")}}, both, repeatabilityOfAxis},
+    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.12", "R", unidirectionalRepeatability, detail}, upOnly, repeatabilityUp},
+    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.12", "R", unidirectionalRepeatability, detail}, downOnly, repeatabilityDown},
+    Row{{"Bmean", {"B̄"}, REPORT_TEXT_FOR("report", "mean reversal value of an axis", "1988"), "6.3", "B", {REPORT_TEXT_FOR("report", "mean reversal value", "1988")}}, bothWays, meanReversal},
+    Row{{"r", {"r̄"}, REPORT_TEXT("report", "mean repeatability"), "7", "r", {}, mainRow, onRequest}, both, meanRepeatability},
+    Row{{"r+", {"r̄↑"}, REPORT_TEXT("report", "mean repeatability"), "7", "r", {}, detail, onRequest}, upOnly, meanRepeatabilityUp},
+    Row{{"r-", {"r̄↓"}, REPORT_TEXT("report", "mean repeatability"), "7", "r", {}, detail, onRequest}, downOnly, meanRepeatabilityDown},
 };
 
 constexpr std::array table2006{
-    Row{{"A", {"A"}, REPORT_TEXT("report", "bi-directional accuracy of positioning of an axis"), "2.24", deviation, alwaysPrinted}, both, accuracy, at20},
-    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), "2.23", deviation, alwaysPrinted}, upOnly, accuracyUp, at20},
-    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), "2.23", deviation, alwaysPrinted}, downOnly, accuracyDown, at20},
-    Row{{"E", {"E"}, REPORT_TEXT("report", "bi-directional systematic positional deviation of an axis"), "2.21", deviation, alwaysPrinted}, bothWays, systematic, at20},
-    Row{{"E+", {"E↑"}, REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), "2.20", deviation, alwaysPrinted}, upward, systematicUp, at20},
-    Row{{"E-", {"E↓"}, REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), "2.20", deviation, alwaysPrinted}, downward, systematicDown, at20},
-    Row{{"M", {"M"}, REPORT_TEXT("report", "range of the mean bi-directional positional deviation of an axis"), "2.22", deviation, alwaysPrinted}, bothWays, meanRange, at20},
-    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), "2.19", deviation, alwaysPrinted}, both, repeatabilityOfAxis},
-    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.18", deviation, alwaysPrinted}, upOnly, repeatabilityUp},
-    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.18", deviation, alwaysPrinted}, downOnly, repeatabilityDown},
-    Row{{"B", {"B"}, REPORT_TEXT("report", "reversal value of an axis"), "2.13", deviation, alwaysPrinted}, bothWays, reversal},
-    Row{{"Bmean", {"B̄"}, REPORT_TEXT("report", "mean reversal value of an axis"), "2.14", deviation, alwaysPrinted}, bothWays, meanReversal},
+    Row{{"A", {"A"}, REPORT_TEXT("report", "bi-directional accuracy of positioning of an axis"), "2.24", "A", {REPORT_TEXT("report", "accuracy")}}, both, accuracy, at20},
+    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), "2.23", "A", unidirectionalAccuracy, detail}, upOnly, accuracyUp, at20},
+    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "unidirectional accuracy of positioning of an axis"), "2.23", "A", unidirectionalAccuracy, detail}, downOnly, accuracyDown, at20},
+    Row{{"E", {"E"}, REPORT_TEXT("report", "bi-directional systematic positional deviation of an axis"), "2.21", "E", {REPORT_TEXT("report", "systematic deviation")}}, bothWays, systematic, at20},
+    Row{{"E+", {"E↑"}, REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), "2.20", "E", unidirectionalDeviation, detail}, upward, systematicUp, at20},
+    Row{{"E-", {"E↓"}, REPORT_TEXT("report", "unidirectional systematic positional deviation of an axis"), "2.20", "E", unidirectionalDeviation, detail}, downward, systematicDown, at20},
+    Row{{"M", {"M"}, REPORT_TEXT("report", "range of the mean bi-directional positional deviation of an axis"), "2.22", "M", {REPORT_TEXT("report", "range of x̄")}}, bothWays, meanRange, at20},
+    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional repeatability of positioning of an axis"), "2.19", "R", {REPORT_TEXT("report", "repeatability")}}, both, repeatabilityOfAxis},
+    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.18", "R", unidirectionalRepeatability, detail}, upOnly, repeatabilityUp},
+    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning of an axis"), "2.18", "R", unidirectionalRepeatability, detail}, downOnly, repeatabilityDown},
+    Row{{"B", {"B"}, REPORT_TEXT("report", "reversal value of an axis"), "2.13", "B", {REPORT_TEXT("report", "reversal value")}}, bothWays, reversal},
+    Row{{"Bmean", {"B̄"}, REPORT_TEXT("report", "mean reversal value of an axis"), "2.14", "B", {REPORT_TEXT("report", "signed mean"), REPORT_TEXT("report", "mean reversal value")}, detail}, bothWays, meanReversal},
 };
 
 /// Of the clauses of 2014 only 3.18 to 3.22, 3.26 and 3.27 were seen: the others are not printed.
 constexpr std::array table2014{
-    Row{{"A", {"A"}, REPORT_TEXT("report", "bi-directional positioning accuracy of an axis"), "3.27", deviation, alwaysPrinted}, both, accuracy, at20},
-    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), "3.26", deviation, alwaysPrinted}, upOnly, accuracyUp, at20},
-    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), "3.26", deviation, alwaysPrinted}, downOnly, accuracyDown, at20},
-    Row{{"E", {"E"}, REPORT_TEXT("report", "bi-directional systematic positioning error of an axis"), "", deviation, alwaysPrinted}, bothWays, systematic, at20},
-    Row{{"E+", {"E↑"}, REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), "", deviation, alwaysPrinted}, upward, systematicUp, at20},
-    Row{{"E-", {"E↓"}, REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), "", deviation, alwaysPrinted}, downward, systematicDown, at20},
-    Row{{"M", {"M"}, REPORT_TEXT("report", "mean bi-directional positioning error of an axis"), "", deviation, alwaysPrinted}, bothWays, meanRange, at20},
-    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional positioning repeatability of an axis"), "3.22", deviation, alwaysPrinted}, both, repeatabilityOfAxis},
-    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), "3.21", deviation, alwaysPrinted}, upOnly, repeatabilityUp},
-    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), "3.21", deviation, alwaysPrinted}, downOnly, repeatabilityDown},
-    Row{{"UPR", {"UPR"}, REPORT_TEXT("report", "unidirectional positioning repeatability (UPR)"), "", deviation, alwaysPrinted}, both, smallerRepeatability},
-    Row{{"B", {"B"}, REPORT_TEXT("report", "reversal error of an axis"), "", deviation, alwaysPrinted}, bothWays, reversal},
-    Row{{"Bmean", {"B̄"}, REPORT_TEXT("report", "mean reversal error of an axis"), "", deviation, alwaysPrinted}, bothWays, meanReversal},
+    Row{{"A", {"A"}, REPORT_TEXT("report", "bi-directional positioning accuracy of an axis"), "3.27", "A", {REPORT_TEXT("report", "accuracy")}}, both, accuracy, at20},
+    Row{{"A+", {"A↑"}, REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), "3.26", "A", unidirectionalAccuracy, detail}, upOnly, accuracyUp, at20},
+    Row{{"A-", {"A↓"}, REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), "3.26", "A", unidirectionalAccuracy, detail}, downOnly, accuracyDown, at20},
+    Row{{"E", {"E"}, REPORT_TEXT("report", "bi-directional systematic positioning error of an axis"), "", "E", {REPORT_TEXT("report", "systematic error")}}, bothWays, systematic, at20},
+    Row{{"E+", {"E↑"}, REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), "", "E", unidirectionalError, detail}, upward, systematicUp, at20},
+    Row{{"E-", {"E↓"}, REPORT_TEXT("report", "unidirectional systematic positioning error of an axis"), "", "E", unidirectionalError, detail}, downward, systematicDown, at20},
+    Row{{"M", {"M"}, REPORT_TEXT("report", "mean bi-directional positioning error of an axis"), "", "M", {REPORT_TEXT("report", "range of x̄")}}, bothWays, meanRange, at20},
+    Row{{"R", {"R"}, REPORT_TEXT("report", "bi-directional positioning repeatability of an axis"), "3.22", "R", {REPORT_TEXT("report", "repeatability")}}, both, repeatabilityOfAxis},
+    Row{{"R+", {"R↑"}, REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), "3.21", "R", unidirectionalRepeatability, detail}, upOnly, repeatabilityUp},
+    Row{{"R-", {"R↓"}, REPORT_TEXT("report", "unidirectional positioning repeatability of an axis"), "3.21", "R", unidirectionalRepeatability, detail}, downOnly, repeatabilityDown},
+    Row{{"UPR", {"UPR"}, REPORT_TEXT("report", "unidirectional positioning repeatability (UPR)"), "", "UPR", {REPORT_TEXT("report", "smaller of R↑, R↓")}}, both, smallerRepeatability},
+    Row{{"B", {"B"}, REPORT_TEXT("report", "reversal error of an axis"), "", "B", {REPORT_TEXT("report", "reversal error")}}, bothWays, reversal},
+    Row{{"Bmean", {"B̄"}, REPORT_TEXT("report", "mean reversal error of an axis"), "", "B", {REPORT_TEXT("report", "signed mean"), REPORT_TEXT("report", "mean reversal error")}, detail}, bothWays, meanReversal},
 };
 
 constexpr std::array tableVdi3441{
-    Row{{"P", {"P"}, REPORT_TEXT("report", "positional uncertainty (VDI: Positionsunsicherheit)"), "", deviation, alwaysPrinted}, both, vdiUncertainty, at20},
-    Row{{"Pa", {"Pa"}, REPORT_TEXT("report", "positional deviation (VDI: Positionsabweichung)"), "", deviation, alwaysPrinted}, bothWays, meanRange, at20},
-    Row{{"Psmax", {"Ps", "max"}, REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), largest"), "", deviation, alwaysPrinted}, both, vdiScatter},
-    Row{{"Psmean", {"P̄s"}, REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), mean"), "", deviation, alwaysPrinted}, both, vdiMeanScatter},
-    Row{{"Umax", {"U", "max"}, REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), largest"), "", deviation, alwaysPrinted}, bothWays, reversal},
-    Row{{"Umean", {"Ū"}, REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), mean"), "", deviation, alwaysPrinted}, bothWays, vdiMeanReversal},
+    Row{{"P", {"P"}, REPORT_TEXT("report", "positional uncertainty (VDI: Positionsunsicherheit)"), "", "P", {REPORT_TEXT("report", "positional uncertainty")}}, both, vdiUncertainty, at20},
+    Row{{"Pa", {"Pa"}, REPORT_TEXT("report", "positional deviation (VDI: Positionsabweichung)"), "", "P", {REPORT_TEXT_FOR("report", "positional deviation", "VDI")}}, bothWays, meanRange, at20},
+    Row{{"Psmax", {"Ps", "max"}, REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), largest"), "", "P", {REPORT_TEXT("report", "scatter, largest")}}, both, vdiScatter},
+    Row{{"Psmean", {"P̄s"}, REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite), mean"), "", "P", {REPORT_TEXT("report", "scatter, mean")}, detail}, both, vdiMeanScatter},
+    Row{{"Umax", {"U", "max"}, REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), largest"), "", "U", {REPORT_TEXT("report", "reversal range, largest")}}, bothWays, reversal},
+    Row{{"Umean", {"Ū"}, REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne), mean"), "", "U", {REPORT_TEXT("report", "reversal range, mean")}, detail}, bothWays, vdiMeanReversal},
 };
 
 constexpr std::array targets1988{
-    TargetTerm{"mean+", {"x̄", "i", "↑"}, REPORT_TEXT_FOR("report", "mean unidirectional positional deviation at a position", "1988"), "2.6"},
-    TargetTerm{"mean-", {"x̄", "i", "↓"}, REPORT_TEXT_FOR("report", "mean unidirectional positional deviation at a position", "1988"), "2.6"},
-    TargetTerm{"mean", {"x̄", "i"}, REPORT_TEXT("report", "mean bi-directional positional deviation at a position"), ""},
-    TargetTerm{"reversal", {"B", "i"}, REPORT_TEXT_FOR("report", "reversal value at a position", "1988"), "2.7"},
-    TargetTerm{"range+", {"W", "i", "↑"}, REPORT_TEXT("report", "range of the positional deviation"), "2.8"},
-    TargetTerm{"range-", {"W", "i", "↓"}, REPORT_TEXT("report", "range of the positional deviation"), "2.8"},
-    TargetTerm{"s+", {"s", "i", "↑"}, REPORT_TEXT("report", "estimator of the standard deviation"), "2.9"},
-    TargetTerm{"s-", {"s", "i", "↓"}, REPORT_TEXT("report", "estimator of the standard deviation"), "2.9"},
-    TargetTerm{"R+", {"R", "i", "↑"}, REPORT_TEXT_FOR("report", "unidirectional repeatability of positioning at a position", "1988"), "2.10"},
-    TargetTerm{"R-", {"R", "i", "↓"}, REPORT_TEXT_FOR("report", "unidirectional repeatability of positioning at a position", "1988"), "2.10"},
-    TargetTerm{"R", {"R", "i"}, REPORT_TEXT_FOR("report", "bi-directional repeatability of positioning at a position", "1988"), "2.11"},
+    TargetTerm{"mean+", {"x̄", "i", "↑"}, REPORT_TEXT_FOR("report", "mean unidirectional positional deviation at a position", "1988"), "2.6", upward},
+    TargetTerm{"mean-", {"x̄", "i", "↓"}, REPORT_TEXT_FOR("report", "mean unidirectional positional deviation at a position", "1988"), "2.6", downward},
+    TargetTerm{"mean", {"x̄", "i"}, REPORT_TEXT("report", "mean bi-directional positional deviation at a position"), "", bothWays, detail},
+    TargetTerm{"reversal", {"B", "i"}, REPORT_TEXT_FOR("report", "reversal value at a position", "1988"), "2.7", bothWays, mainRow, "B"},
+    TargetTerm{"range+", {"W", "i", "↑"}, REPORT_TEXT("report", "range of the positional deviation"), "2.8", upward | byRange},
+    TargetTerm{"range-", {"W", "i", "↓"}, REPORT_TEXT("report", "range of the positional deviation"), "2.8", downward | byRange},
+    TargetTerm{"s+", {"s", "i", "↑"}, REPORT_TEXT("report", "estimator of the standard deviation"), "2.9", upOnly},
+    TargetTerm{"s-", {"s", "i", "↓"}, REPORT_TEXT("report", "estimator of the standard deviation"), "2.9", downOnly},
+    TargetTerm{"R+", {"R", "i", "↑"}, REPORT_TEXT_FOR("report", "unidirectional repeatability of positioning at a position", "1988"), "2.10", upOnly, detail, "R+"},
+    TargetTerm{"R-", {"R", "i", "↓"}, REPORT_TEXT_FOR("report", "unidirectional repeatability of positioning at a position", "1988"), "2.10", downOnly, detail, "R-"},
+    TargetTerm{"R", {"R", "i"}, REPORT_TEXT_FOR("report", "bi-directional repeatability of positioning at a position", "1988"), "2.11", both, mainRow, "R"},
 };
 
 constexpr std::array targets2006{
-    TargetTerm{"mean+", {"x̄", "i", "↑"}, REPORT_TEXT("report", "mean unidirectional positional deviation at a position"), "2.10"},
-    TargetTerm{"mean-", {"x̄", "i", "↓"}, REPORT_TEXT("report", "mean unidirectional positional deviation at a position"), "2.10"},
-    TargetTerm{"mean", {"x̄", "i"}, REPORT_TEXT("report", "mean bi-directional positional deviation at a position"), "2.11"},
-    TargetTerm{"reversal", {"B", "i"}, REPORT_TEXT("report", "reversal value at a position"), "2.12"},
-    TargetTerm{"s+", {"s", "i", "↑"}, REPORT_TEXT("report", "estimator of the unidirectional axis repeatability of positioning at a position"), "2.15"},
-    TargetTerm{"s-", {"s", "i", "↓"}, REPORT_TEXT("report", "estimator of the unidirectional axis repeatability of positioning at a position"), "2.15"},
-    TargetTerm{"R+", {"R", "i", "↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning at a position"), "2.16"},
-    TargetTerm{"R-", {"R", "i", "↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning at a position"), "2.16"},
-    TargetTerm{"R", {"R", "i"}, REPORT_TEXT("report", "bi-directional repeatability of positioning at a position"), "2.17"},
+    TargetTerm{"mean+", {"x̄", "i", "↑"}, REPORT_TEXT("report", "mean unidirectional positional deviation at a position"), "2.10", upward},
+    TargetTerm{"mean-", {"x̄", "i", "↓"}, REPORT_TEXT("report", "mean unidirectional positional deviation at a position"), "2.10", downward},
+    TargetTerm{"mean", {"x̄", "i"}, REPORT_TEXT("report", "mean bi-directional positional deviation at a position"), "2.11", bothWays, detail},
+    TargetTerm{"reversal", {"B", "i"}, REPORT_TEXT("report", "reversal value at a position"), "2.12", bothWays, mainRow, "B"},
+    TargetTerm{"s+", {"s", "i", "↑"}, REPORT_TEXT("report", "estimator of the unidirectional axis repeatability of positioning at a position"), "2.15", upOnly},
+    TargetTerm{"s-", {"s", "i", "↓"}, REPORT_TEXT("report", "estimator of the unidirectional axis repeatability of positioning at a position"), "2.15", downOnly},
+    TargetTerm{"R+", {"R", "i", "↑"}, REPORT_TEXT("report", "unidirectional repeatability of positioning at a position"), "2.16", upOnly, detail, "R+"},
+    TargetTerm{"R-", {"R", "i", "↓"}, REPORT_TEXT("report", "unidirectional repeatability of positioning at a position"), "2.16", downOnly, detail, "R-"},
+    TargetTerm{"R", {"R", "i"}, REPORT_TEXT("report", "bi-directional repeatability of positioning at a position"), "2.17", both, mainRow, "R"},
 };
 
 constexpr std::array targets2014{
-    TargetTerm{"mean+", {"x̄", "i", "↑"}, REPORT_TEXT("report", "mean unidirectional positioning deviation at a position"), ""},
-    TargetTerm{"mean-", {"x̄", "i", "↓"}, REPORT_TEXT("report", "mean unidirectional positioning deviation at a position"), ""},
-    TargetTerm{"mean", {"x̄", "i"}, REPORT_TEXT("report", "mean bi-directional positioning deviation at a position"), ""},
-    TargetTerm{"reversal", {"B", "i"}, REPORT_TEXT("report", "reversal error at a position"), ""},
-    TargetTerm{"s+", {"s", "i", "↑"}, REPORT_TEXT("report", "estimator for unidirectional axis positioning repeatability at a position"), "3.18"},
-    TargetTerm{"s-", {"s", "i", "↓"}, REPORT_TEXT("report", "estimator for unidirectional axis positioning repeatability at a position"), "3.18"},
-    TargetTerm{"R+", {"R", "i", "↑"}, REPORT_TEXT("report", "unidirectional positioning repeatability at a position"), "3.19"},
-    TargetTerm{"R-", {"R", "i", "↓"}, REPORT_TEXT("report", "unidirectional positioning repeatability at a position"), "3.19"},
-    TargetTerm{"R", {"R", "i"}, REPORT_TEXT("report", "bi-directional positioning repeatability at a position"), "3.20"},
+    TargetTerm{"mean+", {"x̄", "i", "↑"}, REPORT_TEXT("report", "mean unidirectional positioning deviation at a position"), "", upward},
+    TargetTerm{"mean-", {"x̄", "i", "↓"}, REPORT_TEXT("report", "mean unidirectional positioning deviation at a position"), "", downward},
+    TargetTerm{"mean", {"x̄", "i"}, REPORT_TEXT("report", "mean bi-directional positioning deviation at a position"), "", bothWays, detail},
+    TargetTerm{"reversal", {"B", "i"}, REPORT_TEXT("report", "reversal error at a position"), "", bothWays, mainRow, "B"},
+    TargetTerm{"s+", {"s", "i", "↑"}, REPORT_TEXT("report", "estimator for unidirectional axis positioning repeatability at a position"), "3.18", upOnly},
+    TargetTerm{"s-", {"s", "i", "↓"}, REPORT_TEXT("report", "estimator for unidirectional axis positioning repeatability at a position"), "3.18", downOnly},
+    TargetTerm{"R+", {"R", "i", "↑"}, REPORT_TEXT("report", "unidirectional positioning repeatability at a position"), "3.19", upOnly, detail, "R+"},
+    TargetTerm{"R-", {"R", "i", "↓"}, REPORT_TEXT("report", "unidirectional positioning repeatability at a position"), "3.19", downOnly, detail, "R-"},
+    TargetTerm{"R", {"R", "i"}, REPORT_TEXT("report", "bi-directional positioning repeatability at a position"), "3.20", both, mainRow, "R"},
 };
 
 constexpr std::array targetsVdi3441{
-    TargetTerm{"mean+", {"x̄", "i", "↑"}, REPORT_TEXT("report", "mean unidirectional positional deviation at a position"), ""},
-    TargetTerm{"mean-", {"x̄", "i", "↓"}, REPORT_TEXT("report", "mean unidirectional positional deviation at a position"), ""},
-    TargetTerm{"mean", {"x̄", "i"}, REPORT_TEXT("report", "mean bi-directional positional deviation at a position"), ""},
-    TargetTerm{"U", {"U", "i"}, REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne) at a position"), ""},
-    TargetTerm{"s+", {"s", "i", "↑"}, REPORT_TEXT("report", "estimator of the unidirectional axis repeatability of positioning at a position"), ""},
-    TargetTerm{"s-", {"s", "i", "↓"}, REPORT_TEXT("report", "estimator of the unidirectional axis repeatability of positioning at a position"), ""},
-    TargetTerm{"Ps", {"Ps", "i"}, REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite) at a position"), ""},
+    TargetTerm{"mean+", {"x̄", "i", "↑"}, REPORT_TEXT("report", "mean unidirectional positional deviation at a position"), "", upward},
+    TargetTerm{"mean-", {"x̄", "i", "↓"}, REPORT_TEXT("report", "mean unidirectional positional deviation at a position"), "", downward},
+    TargetTerm{"mean", {"x̄", "i"}, REPORT_TEXT("report", "mean bi-directional positional deviation at a position"), "", bothWays, detail},
+    TargetTerm{"U", {"U", "i"}, REPORT_TEXT("report", "reversal range (VDI: Umkehrspanne) at a position"), "", bothWays, mainRow, "Umax"},
+    TargetTerm{"s+", {"s", "i", "↑"}, REPORT_TEXT("report", "estimator of the unidirectional axis repeatability of positioning at a position"), "", upOnly},
+    TargetTerm{"s-", {"s", "i", "↓"}, REPORT_TEXT("report", "estimator of the unidirectional axis repeatability of positioning at a position"), "", downOnly},
+    TargetTerm{"Ps", {"Ps", "i"}, REPORT_TEXT("report", "positional scatter (VDI: Positionsstreubreite) at a position"), "", both, mainRow, "Psmax"},
 };
 // clang-format on
 

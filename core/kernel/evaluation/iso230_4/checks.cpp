@@ -21,14 +21,12 @@ namespace {
 
 constexpr double leastExtent = 90; ///< degrees
 
-bool anyRow(const CircularCase &test, std::string_view quantity) {
-    return std::ranges::any_of(test.edition.circles->rows,
-                               [&](const CircularRow &row) { return row.quantity == quantity; });
+bool asksForF(const CircularCase &test) {
+    return !test.feedback() && test.asksFor(OfCircle::radialDeviation);
 }
 
-/// The edition has this result and the parties ask for it.
-bool asked(const CircularCase &test, std::string_view quantity) {
-    return anyRow(test, quantity) && test.isRequired(quantity);
+bool asksForD(const CircularCase &test) {
+    return !test.feedback() && test.asksFor(OfCircle::meanRadialDeviation);
 }
 
 bool partialArc(const CircularCase &test) {
@@ -95,7 +93,7 @@ Sentence anglesAgainstSense(const CircularCase &test) {
 Sentence oneSense(const CircularCase &test) {
     if (test.results.paths.size() != 1)
         return std::nullopt;
-    if (!asked(test, "G(b)") && !asked(test, "D") && !asked(test, "H"))
+    if (!test.asksForPair())
         return std::nullopt;
     return Message{
         REPORT_TEXT("report", "Only the path %1 was measured: bi-directional results need both senses."),
@@ -103,14 +101,13 @@ Sentence oneSense(const CircularCase &test) {
 }
 
 Sentence partialArcsForD(const CircularCase &test) {
-    if (test.feedback() || !asked(test, "D") || !test.bothSenses() || !partialArc(test))
+    if (!asksForD(test) || !test.bothSenses() || !partialArc(test))
         return std::nullopt;
     return plain(REPORT_TEXT("report", "No value for D: it needs full circles in both senses."));
 }
 
 Sentence leastSquaresOfPartialArc(const CircularCase &test) {
-    if (test.feedback() || !asked(test, "F") || test.measurement.centring != Centring::leastSquares ||
-        !partialArc(test))
+    if (!asksForF(test) || test.measurement.centring != Centring::leastSquares || !partialArc(test))
         return std::nullopt;
     return plain(REPORT_TEXT("report",
                              "No value for F of a partial arc: the least squares centre is for full circles "
@@ -118,8 +115,8 @@ Sentence leastSquaresOfPartialArc(const CircularCase &test) {
 }
 
 Sentence setUpCentring(const CircularCase &test) {
-    if (test.feedback() || !asked(test, "F") || test.measurement.centring != Centring::instrument ||
-        test.results.paths.empty() || partialArc(test))
+    if (!asksForF(test) || test.measurement.centring != Centring::instrument || test.results.paths.empty() ||
+        partialArc(test))
         return std::nullopt;
     return plain(REPORT_TEXT(
         "report", "F is taken about the set-up centre: it contains the set-up error, which table A.1 "
@@ -141,9 +138,8 @@ Sentence noCircle(const CircularCase &test) {
 Sentence noLeastSquaresCircle(const CircularCase &test) {
     const bool ofG = test.measurement.referenceCircle == ReferenceCircle::leastSquares;
     const bool full = !partialArc(test);
-    const bool ofF =
-        !test.feedback() && asked(test, "F") && test.measurement.centring == Centring::leastSquares && full;
-    const bool ofPair = !test.feedback() && (asked(test, "D") || asked(test, "H")) && full;
+    const bool ofF = asksForF(test) && test.measurement.centring == Centring::leastSquares && full;
+    const bool ofPair = (asksForD(test) || (!test.feedback() && test.asksFor(OfCircle::hysteresis))) && full;
     bool lacks = test.bothSenses() && lacksLeastSquares(test, CircleOf::both, ofG || ofPair);
     for (const EvaluatedPath &path : test.results.paths)
         lacks |= lacksLeastSquares(test, circleOf(path.sense), ofG || ofF);
@@ -227,11 +223,12 @@ Sentence feedbackSignal(const CircularCase &test) {
 }
 
 Sentence lengthOfFeedback(const CircularCase &test) {
-    const auto &asked = test.measurement.requiredResults;
-    const auto isLength = [](const std::string &id) {
-        return id == "F" || id == "Fmax" || id == "Fmin" || id == "D";
+    const auto isLength = [&](const std::string &word) {
+        return std::ranges::any_of(test.edition.circles->rows, [&](const CircularRow &row) {
+            return row.dependsOnTemperature && row.term.isMeantBy(word);
+        });
     };
-    if (!test.feedback() || std::ranges::none_of(asked, isLength))
+    if (!test.feedback() || std::ranges::none_of(test.measurement.requiredResults, isLength))
         return std::nullopt;
     return plain(REPORT_TEXT("report", "F and D cannot be had from a feedback signal."));
 }
@@ -250,7 +247,7 @@ Sentence rotaryAxis(const CircularCase &test) {
 }
 
 Sentence notConsecutive(const CircularCase &test) {
-    if (!test.bothSenses() || (!asked(test, "G(b)") && !asked(test, "D") && !asked(test, "H")))
+    if (!test.bothSenses() || !test.asksForPair())
         return std::nullopt;
     if (test.results.paths[0].arc + 1 == test.results.paths[1].arc)
         return std::nullopt;
@@ -295,10 +292,10 @@ bool needsLength(const CircularCase &test) {
     return test.needsLength();
 }
 bool needsF(const CircularCase &test) {
-    return !test.feedback() && asked(test, "F");
+    return asksForF(test);
 }
 bool needsOnlyD(const CircularCase &test) {
-    return !test.feedback() && asked(test, "D") && !asked(test, "F");
+    return asksForD(test) && !asksForF(test);
 }
 bool partialF(const CircularCase &test) {
     return needsF(test) && partialArc(test);

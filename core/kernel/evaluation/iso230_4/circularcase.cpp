@@ -19,18 +19,32 @@ bool CircularCase::twoFullCircles() const {
     return bothSenses() && std::ranges::all_of(results.paths, &EvaluatedPath::fullCircle);
 }
 
-bool CircularCase::isRequired(std::string_view quantity) const {
+bool CircularCase::isRequired(const Term &term) const {
     const auto &asked = measurement.requiredResults;
-    if (asked.empty())
-        return true;
-    // Fmax or Fmin alone is a part of F
-    return std::ranges::any_of(asked, [&](const std::string &id) {
-        return id == quantity || (quantity == "F" && (id == "Fmax" || id == "Fmin"));
+    const auto isAsked = [&](const Term &one) {
+        return std::ranges::any_of(asked, [&](const std::string &word) { return one.isMeantBy(word); });
+    };
+    // Fmax or Fmin alone is a part of F.
+    return asked.empty() || isAsked(term) ||
+           (*term.also && std::ranges::any_of(edition.circles->rows, [&](const CircularRow &row) {
+               return std::string_view(row.term.also) == term.also && isAsked(row.term);
+           }));
+}
+
+bool CircularCase::asksFor(OfCircle what) const {
+    return std::ranges::any_of(edition.circles->rows, [&](const CircularRow &row) {
+        return row.term.circle == what && isRequired(row.term);
+    });
+}
+
+bool CircularCase::asksForPair() const {
+    return std::ranges::any_of(edition.circles->rows, [&](const CircularRow &row) {
+        return row.term.of == Of::pair && isRequired(row.term);
     });
 }
 
 bool CircularCase::needsLength() const {
-    return !feedback() && (isRequired("F") || isRequired("D"));
+    return !feedback() && (asksFor(OfCircle::radialDeviation) || asksFor(OfCircle::meanRadialDeviation));
 }
 
 bool CircularCase::notCalibrated() const {

@@ -28,8 +28,11 @@ struct CircularCase {
     [[nodiscard]] bool bothSenses() const;
     /// Both senses, both full circles.
     [[nodiscard]] bool twoFullCircles() const;
-    /// A result the parties asked for, as `limits` write it; all where they asked for none.
-    [[nodiscard]] bool isRequired(std::string_view quantity) const;
+    /// A result the parties asked for; all where they asked for none.
+    [[nodiscard]] bool isRequired(const Term &term) const;
+    /// The edition has such a result, or one of both paths, and the parties ask for it.
+    [[nodiscard]] bool asksFor(OfCircle what) const;
+    [[nodiscard]] bool asksForPair() const;
     /// F or D is asked for and can be: the reference length counts, the temperature too.
     [[nodiscard]] bool needsLength() const;
     /// The reference length is stated to be uncalibrated: F and D are refused.
@@ -38,11 +41,7 @@ struct CircularCase {
 
 /// One parameter of an edition of ISO 230-4.
 struct CircularRow {
-    enum class Of { eachArc, pair };
-
     Term term;
-    const char *quantity = nullptr; ///< what the parties ask for: Fmax and Fmin are both F
-    Of of = Of::eachArc;
     bool external = false;             ///< of an external instrument; else of the feedback signal
     bool dependsOnTemperature = false; ///< a length: corrected to 20 °C
     /// Value in mm; null where it cannot be had. `path` is null for a pair.

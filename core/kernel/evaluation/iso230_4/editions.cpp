@@ -3,8 +3,8 @@
 #include "kernel/evaluation/iso230_4/editions.h"
 
 #include "kernel/evaluation/iso230_4/rules.h"
+#include "kernel/measurement/testfacts.h"
 
-#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -16,12 +16,9 @@ constexpr Text title =
     REPORT_TEXT("report", "Test code for machine tools — Part 4: Circular tests for numerically controlled "
                           "machine tools");
 
-constexpr std::array<std::string_view, 9> quantities{"G", "G(b)", "F",  "Fmax", "Fmin",
-                                                     "D", "H",    "Gf", "G(b)f"};
-
 PointRole warmUpPoint(const Test &test) {
-    const auto *m = std::get_if<CircularMeasurement>(&test.measurement);
-    return m && m->conditions.common.warmUp.specifiedBy == SpecifiedBy::maker ? PointRole::notApplicable
+    const Conditions *conditions = conditionsOf(test);
+    return conditions && conditions->warmUp.specifiedBy == SpecifiedBy::maker ? PointRole::notApplicable
                                                                               : PointRole::listed;
 }
 
@@ -49,6 +46,7 @@ Edition iso2005() {
             .family = "ISO 230-4:2005",
             .kind = Kind::circular,
             .title = title,
+            .isDefault = true,
             .textRead = TextRead::all,
             .points = points2005,
             .pointsClause = "7",
@@ -65,10 +63,6 @@ std::span<const Edition> editions() {
         unread("ISO 230-4:2022", rules2022()),
     };
     return table;
-}
-
-bool isQuantity(std::string_view id) {
-    return std::ranges::find(quantities, id) != quantities.end();
 }
 
 } // namespace palmer::iso230_4

@@ -4,14 +4,9 @@
 
 #include "kernel/evaluation/edition.h"
 
-#include <string_view>
-
 namespace palmer::iso230_4 {
 
 /// ISO 230-4 of 1996, 2005 and 2022.
 [[nodiscard]] std::span<const Edition> editions();
-
-/// A quantity of a circle as `limits` write it: G, G(b), F, …
-[[nodiscard]] bool isQuantity(std::string_view id);
 
 } // namespace palmer::iso230_4

@@ -28,8 +28,9 @@ std::vector<std::size_t> arcsOf(const CircularMeasurement &measurement, Sense se
 
 /// The first rows that are of one quantity: Fmax and Fmin of a path stand together.
 std::span<const CircularRow> rowsOfAQuantity(std::span<const CircularRow> rows) {
+    const Term &first = rows.front().term;
     std::size_t count = 1;
-    while (count < rows.size() && std::string_view(rows[count].quantity) == rows.front().quantity)
+    while (count < rows.size() && rows[count].term.circle == first.circle && rows[count].term.of == first.of)
         ++count;
     return rows.first(count);
 }
@@ -91,7 +92,7 @@ std::vector<ListedParameter> listedParameters(const CircularCase &test) {
         rows = rows.subspan(quantity.size());
         if (quantity.front().external == test.feedback())
             continue;
-        if (quantity.front().of == CircularRow::Of::eachArc) {
+        if (quantity.front().term.of == Of::path) {
             for (const EvaluatedPath &path : test.results.paths) {
                 for (const CircularRow &row : quantity)
                     result.push_back({&row, &path, path.index});

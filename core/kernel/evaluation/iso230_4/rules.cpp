@@ -16,9 +16,15 @@ namespace palmer::iso230_4 {
 
 namespace {
 
-constexpr auto arc = CircularRow::Of::eachArc;
-constexpr auto pair = CircularRow::Of::pair;
-constexpr auto deviation = Quantity::deviation;
+constexpr auto mainRow = Weight::main;
+constexpr auto detail = Weight::detail;
+constexpr auto always = Printed::always;
+constexpr auto arc = Of::path;
+constexpr auto pair = Of::pair;
+constexpr auto circularDeviation = OfCircle::deviation;
+constexpr auto radial = OfCircle::radialDeviation;
+constexpr auto meanRadial = OfCircle::meanRadialDeviation;
+constexpr auto hysteresisOfPair = OfCircle::hysteresis;
 constexpr bool measured = true; ///< by an external instrument
 constexpr bool feedback = false;
 constexpr bool at20 = true;
@@ -38,30 +44,30 @@ using Row = CircularRequirement;
 // ---- Results, in the order of print ------------------------------------------------------------------------------
 
 constexpr std::array rows2005{
-    CircularRow{{"G(b)",  {"G(b)"},     REPORT_TEXT("report", "bi-directional circular deviation"), "3.3", deviation}, "G(b)", pair, measured, false, deviationOfPair},
-    CircularRow{{"G",     {"G"},        REPORT_TEXT("report", "circular deviation"), "3.4", deviation}, "G", arc, measured, false, deviationOfPath},
-    CircularRow{{"D",     {"D"},        REPORT_TEXT("report", "mean bi-directional radial deviation"), "3.6", deviation}, "D", pair, measured, at20, meanRadialDeviation},
-    CircularRow{{"Fmax",  {"F", "max"}, REPORT_TEXT("report", "radial deviation, maximum"), "3.5", deviation}, "F", arc, measured, at20, largestRadialDeviation},
-    CircularRow{{"Fmin",  {"F", "min"}, REPORT_TEXT("report", "radial deviation, minimum"), "3.5", deviation}, "F", arc, measured, at20, smallestRadialDeviation},
-    CircularRow{{"G(b)f", {"G(b)", "f"}, REPORT_TEXT("report", "bi-directional circular deviation using feed back signal"), "", deviation}, "G(b)f", pair, feedback, false, deviationOfPair},
-    CircularRow{{"Gf",    {"G", "f"},   REPORT_TEXT("report", "circular deviation using feed back signal"), "", deviation}, "Gf", arc, feedback, false, deviationOfPath},
+    CircularRow{{"G(b)",  {"G(b)"},     REPORT_TEXT("report", "bi-directional circular deviation"), "3.3", "G", {REPORT_TEXT_FOR("report", "bi-directional", "circular deviation"), REPORT_TEXT("report", "bi-directional circular deviation")}, mainRow, always, pair, circularDeviation}, measured, false, deviationOfPair},
+    CircularRow{{"G",     {"G"},        REPORT_TEXT("report", "circular deviation"), "3.4", "G", {}, mainRow, always, arc, circularDeviation}, measured, false, deviationOfPath},
+    CircularRow{{"D",     {"D"},        REPORT_TEXT("report", "mean bi-directional radial deviation"), "3.6", "D", {REPORT_TEXT_FOR("report", "mean radial", "deviation"), REPORT_TEXT("report", "mean bi-directional radial deviation")}, mainRow, always, pair, meanRadial}, measured, at20, meanRadialDeviation},
+    CircularRow{{"Fmax",  {"F", "max"}, REPORT_TEXT("report", "radial deviation, maximum"), "3.5", "F", {}, detail, always, arc, radial, Bound::upper, "F"}, measured, at20, largestRadialDeviation},
+    CircularRow{{"Fmin",  {"F", "min"}, REPORT_TEXT("report", "radial deviation, minimum"), "3.5", "F", {}, detail, always, arc, radial, Bound::lower, "F"}, measured, at20, smallestRadialDeviation},
+    CircularRow{{"G(b)f", {"G(b)", "f"}, REPORT_TEXT("report", "bi-directional circular deviation using feed back signal"), "", "G", {REPORT_TEXT("report", "bi-directional, feed back")}, mainRow, always, pair, circularDeviation}, feedback, false, deviationOfPair},
+    CircularRow{{"Gf",    {"G", "f"},   REPORT_TEXT("report", "circular deviation using feed back signal"), "", "G", {}, mainRow, always, arc, circularDeviation}, feedback, false, deviationOfPath},
 };
 
 constexpr std::array rows2022{
-    CircularRow{{"G(b)",  {"G(b)"},     REPORT_TEXT("report", "bi-directional circular error"), "", deviation}, "G(b)", pair, measured, false, deviationOfPair},
-    CircularRow{{"G",     {"G"},        REPORT_TEXT("report", "circular error"), "", deviation}, "G", arc, measured, false, deviationOfPath},
-    CircularRow{{"D",     {"D"},        REPORT_TEXT("report", "mean bi-directional radial error"), "", deviation}, "D", pair, measured, at20, meanRadialDeviation},
-    CircularRow{{"Fmax",  {"F", "max"}, REPORT_TEXT("report", "radial error, maximum"), "", deviation}, "F", arc, measured, at20, largestRadialDeviation},
-    CircularRow{{"Fmin",  {"F", "min"}, REPORT_TEXT("report", "radial error, minimum"), "", deviation}, "F", arc, measured, at20, smallestRadialDeviation},
-    CircularRow{{"G(b)f", {"G(b)", "f"}, REPORT_TEXT("report", "bi-directional circular error using feed back signal"), "", deviation}, "G(b)f", pair, feedback, false, deviationOfPair},
-    CircularRow{{"Gf",    {"G", "f"},   REPORT_TEXT("report", "circular error using feed back signal"), "", deviation}, "Gf", arc, feedback, false, deviationOfPath},
+    CircularRow{{"G(b)",  {"G(b)"},     REPORT_TEXT("report", "bi-directional circular error"), "", "G", {REPORT_TEXT_FOR("report", "bi-directional", "circular error"), REPORT_TEXT("report", "bi-directional circular error")}, mainRow, always, pair, circularDeviation}, measured, false, deviationOfPair},
+    CircularRow{{"G",     {"G"},        REPORT_TEXT("report", "circular error"), "", "G", {}, mainRow, always, arc, circularDeviation}, measured, false, deviationOfPath},
+    CircularRow{{"D",     {"D"},        REPORT_TEXT("report", "mean bi-directional radial error"), "", "D", {REPORT_TEXT_FOR("report", "mean radial", "error"), REPORT_TEXT("report", "mean bi-directional radial error")}, mainRow, always, pair, meanRadial}, measured, at20, meanRadialDeviation},
+    CircularRow{{"Fmax",  {"F", "max"}, REPORT_TEXT("report", "radial error, maximum"), "", "F", {}, detail, always, arc, radial, Bound::upper, "F"}, measured, at20, largestRadialDeviation},
+    CircularRow{{"Fmin",  {"F", "min"}, REPORT_TEXT("report", "radial error, minimum"), "", "F", {}, detail, always, arc, radial, Bound::lower, "F"}, measured, at20, smallestRadialDeviation},
+    CircularRow{{"G(b)f", {"G(b)", "f"}, REPORT_TEXT("report", "bi-directional circular error using feed back signal"), "", "G", {REPORT_TEXT("report", "bi-directional, feed back")}, mainRow, always, pair, circularDeviation}, feedback, false, deviationOfPair},
+    CircularRow{{"Gf",    {"G", "f"},   REPORT_TEXT("report", "circular error using feed back signal"), "", "G", {}, mainRow, always, arc, circularDeviation}, feedback, false, deviationOfPath},
 };
 
 constexpr std::array rows1996{
-    CircularRow{{"H",     {"H"},        REPORT_TEXT("report", "circular hysteresis"), "", deviation}, "H", pair, measured, false, hysteresis},
-    CircularRow{{"G",     {"G"},        REPORT_TEXT("report", "circular deviation"), "", deviation}, "G", arc, measured, false, deviationOfPath},
-    CircularRow{{"Fmax",  {"F", "max"}, REPORT_TEXT("report", "radial deviation, maximum"), "", deviation}, "F", arc, measured, at20, largestRadialDeviation},
-    CircularRow{{"Fmin",  {"F", "min"}, REPORT_TEXT("report", "radial deviation, minimum"), "", deviation}, "F", arc, measured, at20, smallestRadialDeviation},
+    CircularRow{{"H",     {"H"},        REPORT_TEXT("report", "circular hysteresis"), "", "H", {}, mainRow, always, pair, hysteresisOfPair}, measured, false, hysteresis},
+    CircularRow{{"G",     {"G"},        REPORT_TEXT("report", "circular deviation"), "", "G", {}, mainRow, always, arc, circularDeviation}, measured, false, deviationOfPath},
+    CircularRow{{"Fmax",  {"F", "max"}, REPORT_TEXT("report", "radial deviation, maximum"), "", "F", {}, detail, always, arc, radial, Bound::upper, "F"}, measured, at20, largestRadialDeviation},
+    CircularRow{{"Fmin",  {"F", "min"}, REPORT_TEXT("report", "radial deviation, minimum"), "", "F", {}, detail, always, arc, radial, Bound::lower, "F"}, measured, at20, smallestRadialDeviation},
 };
 
 // ---- Requirements, in the order of the printed standard ------------------------------------------------------------

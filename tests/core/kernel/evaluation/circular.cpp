@@ -417,6 +417,11 @@ void Circular::oneSenseOnly() {
     Test test = circularTest({path(clockwise, 360, [](double theta) { return std::cos(2 * theta); })});
     measurement(test).requiredResults = {"G"};
     QVERIFY(!finding(evaluated(test), "bothSenses")); // nobody asked for G(b) or D
+    measurement(test).source = SignalSource::feedback;
+    measurement(test).requiredResults = {"Gf"};
+    QVERIFY(!finding(evaluated(test), "bothSenses"));
+    measurement(test).requiredResults = {"G(b)f"};
+    QVERIFY(finding(evaluated(test), "bothSenses"));
 }
 
 void Circular::calibration() {

@@ -5,6 +5,7 @@
 #include <QRegularExpression>
 #include <QSet>
 #include <QTest>
+#include <algorithm>
 
 using namespace palmer;
 
@@ -18,6 +19,8 @@ private slots:
     void clausesAreThoseOfTheTable();
     void aliasesBelongToTheirFamily();
     void parametersAreKnownById();
+    void rowsSayAllOfAParameter();
+    void oneOfEachKindIsTheDefault();
 };
 
 void Editions::wordsAreThoseOfTheFile() {
@@ -113,6 +116,40 @@ void Editions::parametersAreKnownById() {
     QVERIFY(isAgreementPoint(Kind::positioning, "stepCycle"));
     QVERIFY(isAgreementPoint(Kind::circular, "testParameters"));
     QVERIFY(!isAgreementPoint(Kind::circular, "dwell"));
+}
+
+void Editions::rowsSayAllOfAParameter() {
+    for (const Edition *edition : editions()) {
+        const std::vector<const Term *> terms = termsOf(*edition);
+        QCOMPARE(terms.empty(), false);
+        QSet<QString> families;
+        for (const Term *term : terms) {
+            const QString family = QString::fromUtf8(term->family);
+            QVERIFY2(!family.isEmpty(), term->id);
+            // The first of a family is read first, but for the two ends of F.
+            const bool isSigned = term->bound != Bound::magnitude;
+            QVERIFY2(families.contains(family) || isSigned || term->weight == Weight::main, term->id);
+            families << family;
+            QCOMPARE(*term->also != 0, isSigned);
+            QCOMPARE(term->of == Of::axis, term->circle == OfCircle::nothing);
+            QCOMPARE(term->of == Of::axis, edition->kind == Kind::positioning);
+            QVERIFY(term->isMeantBy(term->id) && !term->isMeantBy(""));
+            QCOMPARE(term->isMeantBy("F"), isSigned);
+        }
+        for (const TargetTerm &term : edition->targetTerms) {
+            QVERIFY2((term.needs & bothWays) != 0, term.id);
+            QVERIFY2(*term.largest == 0 || isParameter(Kind::positioning, term.largest), term.id);
+        }
+    }
+}
+
+void Editions::oneOfEachKindIsTheDefault() {
+    QCOMPARE(std::string(defaultEdition(Kind::positioning).word), std::string("ISO 230-2:2014"));
+    QCOMPARE(std::string(defaultEdition(Kind::circular).word), std::string("ISO 230-4:2005"));
+    for (const Kind kind : {Kind::positioning, Kind::circular})
+        QCOMPARE(std::ranges::count_if(editions(),
+                                       [kind](const Edition *e) { return e->kind == kind && e->isDefault; }),
+                 1);
 }
 
 QTEST_GUILESS_MAIN(Editions)

@@ -108,6 +108,32 @@ private slots:
     void range() {
         QCOMPARE(rangeOf(std::get<DriftMeasurement>(drift().measurement)), std::optional(0.75));
         QVERIFY(!rangeOf(DriftMeasurement()));
+        QCOMPARE(rangeAtRest(drift()), std::optional(0.75));
+        QVERIFY(!rangeAtRest(positioning()));
+        QVERIFY(!rangeAtRest(testOf(Kind::drift)));
+    }
+
+    void kinds() {
+        for (const Kind kind : allKinds)
+            QCOMPARE(kindOf(testOf(kind)), kind);
+        const auto traits = [](const Test &test) {
+            const KindOfTest &row = traitsOf(test);
+            return std::array{row.isJudged, row.isOfAxis, row.hasTargets};
+        };
+        QCOMPARE(traits(positioning()), (std::array{true, true, true}));
+        QCOMPARE(traits(circles()), (std::array{true, false, false}));
+        QCOMPARE(traits(drift()), (std::array{false, true, false}));
+    }
+
+    void partOfAMeasurement() {
+        const auto targets = [](const Test &test) {
+            return partOr(-1, test.measurement, [](auto &m) -> decltype(static_cast<int>(m.targets.size())) {
+                return static_cast<int>(m.targets.size());
+            });
+        };
+        QCOMPARE(targets(positioning()), 3);
+        QCOMPARE(targets(circles()), -1);
+        QCOMPARE(targets(drift()), -1);
     }
 
     /// With those that are missing.
