@@ -147,7 +147,7 @@ Text briefName(const Parameter &parameter, const TestEvaluation &evaluation) {
 }
 
 Text listedName(const Term &term) {
-    return shortName(term, false);
+    return shortName(term, false, Room::usual);
 }
 
 std::optional<DecisionScale> decisionScale(const Parameter &parameter) {
