@@ -364,9 +364,7 @@ std::vector<ComparisonCurve> curvesOf(const CurveSource &source, const CircularM
     return curves;
 }
 
-std::vector<ComparisonCurve> curvesOf(const CurveSource & /*source*/,
-                                      const DriftMeasurement & /*measurement*/,
-                                      const DriftResults & /*results*/) {
+std::vector<ComparisonCurve> curvesOf(const CurveSource & /*source*/, const auto & /*drift*/, const auto &) {
     return {};
 }
 

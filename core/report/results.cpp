@@ -3,41 +3,31 @@
 #include "report/results.h"
 
 #include "kernel/evaluation/resultsof.h"
-#include "kernel/evaluation/targetvalue.h"
 #include "kernel/measurement/testfacts.h"
+#include "report/parts/dataparts.h"
 #include "report/parts/diagnosisparts.h"
 #include "report/parts/resultparts.h"
 #include "report/tables/findinglines.h"
+#include "report/tables/resulttable.h"
 #include "report/words/accordancetext.h"
 #include "report/words/kindwords.h"
-#include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 
 #include <QStringList>
 #include <algorithm>
+#include <iterator>
 
 namespace palmer {
 
 namespace {
 
-Text ruleText(Rule rule) {
-    switch (rule) {
-    case Rule::simpleAcceptance:
-        return REPORT_TEXT("report", "simple acceptance");
-    case Rule::iso14253_1:
-        return REPORT_TEXT("report", "ISO 14253-1: conformity to be proven");
-    case Rule::rejectionProven:
-        return REPORT_TEXT("report", "non-conformity to be proven");
-    }
-    return {};
-}
-
 /// Composes one test after the other; everything in the one language.
 class Composer {
 public:
-    Composer(const Document &document, const Language &language)
-        : m_document(document)
-        , m_language(language) {}
+    Composer(const EvaluatedDocument &evaluated, const Language &language)
+        : m_evaluated(evaluated)
+        , m_language(language)
+        , m_write(language) {}
 
     void addResults(const Test &test, const TestEvaluation &evaluation) {
         addTitle(test, evaluation);
@@ -59,9 +49,9 @@ public:
     [[nodiscard]] Report take() { return std::move(m_report); }
 
 private:
-    [[nodiscard]] QString text(const Text &words) const { return m_language.text(words); }
-    [[nodiscard]] QString say(const Text &words, std::vector<Argument> arguments = {}) const {
-        return m_language.sentence({words, std::move(arguments), {}});
+    [[nodiscard]] QString text(const Text &words) const { return m_write.text(words); }
+    [[nodiscard]] QString say(const Text &words, std::vector<Argument> arguments) const {
+        return m_write.say(words, std::move(arguments));
     }
 
     // ---- Head ------------------------------------------------------------------------------------------
@@ -121,7 +111,7 @@ private:
     }
 
     [[nodiscard]] QString ruleOf(const Test &test) const {
-        QString rule = text(ruleText(test.decisionRule.rule));
+        QString rule = text(ruleWords(test.decisionRule.rule).condition);
         if (test.decisionRule.rule == Rule::simpleAcceptance)
             return rule;
         return rule + QStringLiteral(", ") +
@@ -167,10 +157,10 @@ private:
     void addOwn(const Test &test, const TestEvaluation &evaluation, const PositioningMeasurement &m,
                 const PositioningResults &results) {
         m_report.blocks.emplace_back(positioningHead(test, m, evaluation, results));
-        addParameters(test, evaluation, results.notCorrected);
+        addParameters(test, evaluation);
         if (!m.targets.empty() && (results.upward || results.downward)) {
             m_report.blocks.emplace_back(Heading{2, text(REPORT_TEXT("report", "Results per target"))});
-            m_report.blocks.emplace_back(targetTable(m, *evaluation.edition, results));
+            m_report.blocks.emplace_back(targetTable({{m_write, m_evaluated, test, evaluation}, m, results}));
         }
     }
 
@@ -204,14 +194,10 @@ private:
             add(REPORT_TEXT("report", "Correction of F and D to 20 °C"),
                 m_language.quantity(*results.correction, Quantity::deviation, 2));
         m_report.blocks.emplace_back(std::move(head));
-        addParameters(test, evaluation, results.notCorrected);
+        addParameters(test, evaluation);
         if (!results.paths.empty())
-            addDiagnosis(diagnosisParts(diagnose(diagnosedCircle(m, results)), m_language));
-    }
-
-    void addDiagnosis(std::vector<Block> blocks) {
-        for (Block &block : blocks)
-            m_report.blocks.push_back(std::move(block));
+            std::ranges::move(diagnosisParts(diagnose(diagnosedCircle(m, results)), m_language),
+                              std::back_inserter(m_report.blocks));
     }
 
     void addOwn(const Test & /*test*/, const TestEvaluation & /*evaluation*/, const DriftMeasurement &drift,
@@ -222,44 +208,37 @@ private:
                         results.range ? m_language.quantity(*results.range, quantity, 2) : QString()}}});
     }
 
-    [[nodiscard]] QString nameOf(const Parameter &parameter, bool notCorrected) const {
+    [[nodiscard]] QString nameOf(const Parameter &parameter, bool isNotCorrected) const {
         QString name = text(parameter.term.name);
         if (const QString of = limitNote(parameter, m_language); !of.isEmpty())
             name += QStringLiteral(" (") + of + u')';
-        if (notCorrected && parameter.dependsOnTemperature)
+        if (isNotCorrected && parameter.dependsOnTemperature)
             name += QStringLiteral(" (") + text(REPORT_TEXT("report", "not corrected to 20 °C")) + u')';
         return name;
     }
 
-    void addParameters(const Test &test, const TestEvaluation &evaluation, bool notCorrected) {
-        Table table;
-        const std::optional<double> finest = finestResolution(m_document, test);
-        const CoverageOfResults coverage = coverageOf(evaluation, m_document.report);
-        std::string_view family;
-        QString unit;
-        for (const Parameter &parameter : evaluation.parameters) {
-            if (!isPrinted(parameter, m_document.report))
-                continue;
-            const Quantity quantity = parameter.term.quantity;
-            const PrintedNumbers numbers = printedNumbers(parameter, test.decisionRule, finest, m_language);
-            unit = m_language.unit(quantity);
-            if (!table.rows.empty() && family != parameter.term.family)
-                table.rulesAfter.push_back(table.rows.size() - 1);
-            family = parameter.term.family;
+    void addParameters(const Test &test, const TestEvaluation &evaluation) {
+        const auto results = printedResults(*m_evaluated.document, test, evaluation, m_language);
+        if (results.empty())
+            return;
+        const CoverageOfResults coverage = coverageOf(evaluation, m_evaluated.document->report);
+        const QString unit = m_language.unit(results.front().parameter->term.quantity);
+        Table table{{{{}, {}, Alignment::left, false},
+                     {text(REPORT_TEXT("report", "Result")), {}, Alignment::left, true},
+                     {text(REPORT_TEXT("report", "Targets i")), {}, Alignment::left, false},
+                     {text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false},
+                     {uncertaintyHead(coverage, m_language), unit, Alignment::decimal, false},
+                     {text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false},
+                     {text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false}}};
+        for (const PrintedResult &result : results) {
+            const Parameter &parameter = *result.parameter;
             table.rows.push_back(
-                {symbolPhrase(parameter.term.symbol, parameter.index), nameOf(parameter, notCorrected),
-                 rulingText(parameter), numbers.value, numbers.uncertainty, numbers.limit,
+                {symbolPhrase(parameter.term.symbol, parameter.index),
+                 nameOf(parameter, notCorrected(evaluation)), rulingText(parameter), result.value,
+                 result.uncertainty, result.limit,
                  parameter.verdict ? Phrase(text(limitText(*parameter.verdict))) : Phrase()});
         }
-        if (table.rows.empty())
-            return;
-        table.columns = {{{}, {}, Alignment::left, false},
-                         {text(REPORT_TEXT("report", "Result")), {}, Alignment::left, true},
-                         {text(REPORT_TEXT("report", "Targets i")), {}, Alignment::left, false},
-                         {text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false},
-                         {uncertaintyHead(coverage, m_language), unit, Alignment::decimal, false},
-                         {text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false},
-                         {text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false}};
+        table.rulesAfter = rulesBetween(results);
         if (!axisOf(test)) {
             constexpr std::ptrdiff_t rulingTargets = 2; // a circle has none
             table.columns.erase(table.columns.begin() + rulingTargets);
@@ -271,35 +250,6 @@ private:
         if (coverage.mixed())
             m_report.blocks.emplace_back(
                 Paragraph{QStringLiteral("U: ") + coverageNote(coverage, m_language), TextSize::small});
-    }
-
-    [[nodiscard]] Table targetTable(const PositioningMeasurement &m, const Edition &edition,
-                                    const PositioningResults &results) const {
-        const Quantity along = positionQuantity(m.axis);
-        const Quantity deviation = deviationQuantity(m.axis);
-        const int places = positionDecimals(m.targets, along);
-        const int digits = statisticDecimals(m);
-        Table table;
-        table.columns = {{QStringLiteral("i"), {}, Alignment::right, false},
-                         {Phrase({{QStringLiteral("P"), false}, {QStringLiteral("i"), true}}),
-                          m_language.unit(along), Alignment::decimal, false}};
-        std::vector<const char *> ids;
-        for (const TargetTerm &term : edition.targetTerms) {
-            if (!isShown(term, results))
-                continue;
-            ids.push_back(term.id);
-            table.columns.push_back(
-                {symbolPhrase(term.symbol), m_language.unit(deviation), Alignment::decimal, false});
-        }
-        for (std::size_t i = 0; i < results.targets.size(); ++i) {
-            std::vector<Cell> row{QString::number(i + 1), m_language.number(m.targets[i], along, places)};
-            for (const char *id : ids) {
-                const auto value = targetValue(id, results.targets[i], edition.c);
-                row.emplace_back(value ? Phrase(m_language.number(*value, deviation, digits)) : Phrase());
-            }
-            table.rows.push_back(std::move(row));
-        }
-        return table;
     }
 
     // ---- Verdict and findings --------------------------------------------------------------------------
@@ -325,22 +275,23 @@ private:
         m_report.blocks.emplace_back(std::move(block));
     }
 
-    const Document &m_document;
+    const EvaluatedDocument &m_evaluated;
     const Language &m_language;
+    Writer m_write;
     Report m_report;
 };
 
 } // namespace
 
 Report composeResults(const EvaluatedDocument &evaluated, const Language &language) {
-    Composer composer(*evaluated.document, language);
+    Composer composer(evaluated, language);
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i)
         composer.addResults(*evaluated.document->tests[i], *evaluated.tests[i]);
     return composer.take();
 }
 
 Report composeFindings(const EvaluatedDocument &evaluated, const Language &language) {
-    Composer composer(*evaluated.document, language);
+    Composer composer(evaluated, language);
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i)
         composer.addFindingsOf(*evaluated.document->tests[i], *evaluated.tests[i]);
     return composer.take();

@@ -26,6 +26,7 @@ constexpr double spannerGap = 0.95 * mm; ///< between a spanner, its rule and wh
 constexpr double markWidth = 3.7 * mm;   ///< with the gap to the word
 constexpr double tallestRow = 120 * mm;  ///< that is not split
 constexpr double noteSize = 7.5;         ///< of the lines below a cell
+constexpr double mostFitted = 0.3;       ///< of the table: what is wider breaks into lines
 constexpr std::size_t wholeRows = 15;    ///< a table of no more rows stays whole
 constexpr std::size_t leastRows = 5;     ///< on either side of a break
 constexpr QRgb paleGrey = 0xff666666;
@@ -58,16 +59,42 @@ struct Place {
     [[nodiscard]] double right() const { return left + width; }
 };
 
+double paddingBefore(const Table &table, std::size_t column) {
+    return std::max(table.columns[column].paddingLeft * mm, column == 0 ? firstPadding : 0);
+}
+
+/// What the widest text of a column needs to stand on one line, with the padding.
+double neededWidth(const Table &table, std::size_t column) {
+    const bool spread = table.columns[column].titleSpan > 1;
+    double widest = spread ? 0 : TextBlock(richText(table.columns[column].title, true), cellStyle).width();
+    for (const auto &row : table.rows) {
+        const Cell &cell = row[column];
+        const double before = cell.mark == Mark::none ? 0 : markWidth;
+        widest = std::max(widest, before + TextBlock(richText(cell.text, cell.bold), cellStyle).width());
+    }
+    return paddingBefore(table, column) + widest + cellPadding;
+}
+
 std::vector<double> columnWidths(const Table &table, double width) {
     std::vector<double> result;
-    double fixed = 0;
+    double more = 0;
     std::size_t sharing = 0;
     std::size_t flexible = 0;
-    for (const Column &column : table.columns) {
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const Column &column = table.columns[i];
         result.push_back(column.width * mm);
-        fixed += (column.width + column.gapBefore) * mm;
+        if (column.fitting)
+            result[i] = std::max(result[i], std::min(neededWidth(table, i), width * mostFitted));
+        more += result[i] - column.width * mm;
         sharing += column.width <= 0 ? 1 : 0;
         flexible += column.flexible ? 1 : 0;
+    }
+    double fixed = 0;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const double given = std::min(more, table.columns[i].spare * mm);
+        result[i] -= given;
+        more -= given;
+        fixed += result[i] + table.columns[i].gapBefore * mm;
     }
     const double rest = width - fixed;
     for (std::size_t i = 0; i < result.size(); ++i) {
@@ -90,10 +117,9 @@ std::vector<Place> places(const Table &table, double width) {
     double x = 0;
     for (std::size_t i = 0; i < table.columns.size(); ++i) {
         const Column &column = table.columns[i];
-        const bool first = i == 0;
         Place place;
         x += column.gapBefore * mm;
-        const double padding = std::max(column.paddingLeft * mm, first ? firstPadding : 0);
+        const double padding = paddingBefore(table, i);
         place.left = x + padding;
         place.width = std::max(widths[i] - padding - cellPadding, 1.0);
         x += widths[i];

@@ -9,8 +9,8 @@
 #include "proof/deviation.h"
 #include "report/blocks/pagetext.h"
 #include "report/composereport.h"
+#include "report/tables/resulttable.h"
 #include "report/words/formula.h"
-#include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 #include "ui/pdf/pages.h"
 #include "ui/pdf/textblock.h"
@@ -138,13 +138,13 @@ std::vector<PrintedRow> rowsOf(const EvaluatedDocument &evaluated, const Report 
     std::vector<PrintedRow> rows;
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
         const Test &test = *evaluated.document->tests[i];
-        const std::optional<double> resolution = finestResolution(*evaluated.document, test);
-        for (const Parameter &parameter : evaluated.tests[i]->parameters) {
-            const PrintedNumbers numbers = printedNumbers(parameter, test.decisionRule, resolution, language);
-            if (!isPrinted(parameter, evaluated.document->report) || numbers.value.isEmpty())
+        for (const PrintedResult &result :
+             printedResults(*evaluated.document, test, *evaluated.tests[i], language)) {
+            const Parameter &parameter = *result.parameter;
+            if (result.value.isEmpty())
                 continue;
             PrintedRow row{symbolFormula(parameter.term.symbol, parameter.index).plain(),
-                           {numbers.value, numbers.uncertainty, numbers.limit}};
+                           {result.value, result.uncertainty, result.limit}};
             if (parameter.verdict)
                 row.values << language.text(limitText(*parameter.verdict));
             row.values.removeAll(QString());

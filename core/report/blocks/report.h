@@ -153,7 +153,9 @@ struct Column {
     int titleSpan = 1;     ///< columns the title spreads over; the titles of those are empty
     double gapBefore = 0;  ///< mm before the column
     double paddingLeft = 1;
-    bool pages = false; ///< each of its cells prints the page that its row leads to (`Table::links`)
+    bool pages = false;   ///< each of its cells prints the page that its row leads to (`Table::links`)
+    bool fitting = false; ///< wider where a text of it needs that
+    double spare = 0;     ///< mm of the width that fitting columns take before the flexible ones give
 
     bool operator==(const Column &) const = default;
 };

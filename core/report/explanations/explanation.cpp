@@ -444,8 +444,7 @@ std::optional<Explanation> explanation(const EvaluatedDocument &evaluated, std::
         std::ranges::find(evaluation.parameters, id, [](const Parameter &p) { return parameterId(p); });
     if (parameter == evaluation.parameters.end())
         return std::nullopt;
-    const PrintedNumbers printed = printedNumbers(*parameter, source.decisionRule,
-                                                  finestResolution(*evaluated.document, source), language);
+    const PrintedNumbers printed = printedNumbers(*parameter, source, *evaluated.document, language);
     std::optional<Explanation> result = std::visit(
         [&](const auto &measurement) {
             return explained(measurement, source, evaluation, *parameter, printed, language);

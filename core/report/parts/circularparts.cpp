@@ -295,7 +295,6 @@ bool isOf(const CircleFigureOptions &options, const EvaluatedPath &path) {
 Table resultsOf(const CircularPart &part, const CircleFigureOptions &options) {
     const Writer &write = part.write;
     const bool lengths = options.subject == CircleSubject::radialDeviation;
-    const auto resolution = finestResolution(part.document(), part.test);
     Table table;
     table.headless = true;
     table.columns = {{QString(), {}, Alignment::left, false, 20}, {QString(), {}, Alignment::left, true, 38}};
@@ -310,9 +309,8 @@ Table resultsOf(const CircularPart &part, const CircleFigureOptions &options) {
         if (parameter.value && shown && ofPath)
             table.rows.push_back(
                 {bold(symbolPhrase(term.symbol, parameter.index)),
-                 withUnit(
-                     printedNumbers(parameter, part.test.decisionRule, resolution, write.language()).value,
-                     term.quantity, write.language())});
+                 withUnit(printedNumbers(parameter, part.test, part.document(), write.language()).value,
+                          term.quantity, write.language())});
     }
     return table;
 }

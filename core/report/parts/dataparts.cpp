@@ -293,9 +293,6 @@ QString targetNote(const PositioningPart &part) {
 
 } // namespace
 
-namespace {
-
-/// Statistics of the targets, a row a target.
 Table targetTable(const PositioningPart &part) {
     const auto &targets = part.results.targets;
     const Writer &write = part.write;
@@ -324,6 +321,13 @@ Table targetTable(const PositioningPart &part) {
         }
         table.rows.push_back(std::move(row));
     }
+    return table;
+}
+
+namespace {
+
+Table groupedTargets(const PositioningPart &part) {
+    Table table = targetTable(part);
     addGroupRules(table);
     return table;
 }
@@ -385,7 +389,7 @@ void addTargetTable(std::vector<Block> &blocks, const PositioningPart &part) {
     if (count > mostRows && !printsAllRows(part))
         addLeftOut(blocks, part.write, count);
     else
-        blocks.emplace_back(inHalves(targetTable(part)));
+        blocks.emplace_back(inHalves(groupedTargets(part)));
 }
 
 void addReadingTables(std::vector<Block> &blocks, const PositioningPart &part) {
@@ -409,7 +413,7 @@ void addReadingTables(std::vector<Block> &blocks, const PositioningPart &part) {
 bool addTargetsWithReadings(std::vector<Block> &blocks, const PositioningPart &part) {
     if (!printsTargets(part) || !printsReadings(part) || part.results.targets.size() > mostRows)
         return false;
-    Table table = targetTable(part);
+    Table table = groupedTargets(part);
     if (!ReadingTables(part).appendedTo(table))
         return false;
     Phrase note(targetNote(part) + part.write.semicolon());
@@ -591,8 +595,7 @@ Table instrumentResultsTable(const TestPart &part) {
             QString::fromStdString(stated.unit)};
         if (const Parameter *ours = result.ours) {
             row.emplace_back(QString::fromStdString(plainSymbol(*ours)));
-            const PrintedNumbers printed = printedNumbers(
-                *ours, part.test.decisionRule, finestResolution(part.document(), part.test), language);
+            const PrintedNumbers printed = printedNumbers(*ours, part.test, part.document(), language);
             row.emplace_back(withUnit(printed.value, ours->term.quantity, language));
             row.emplace_back(language.quantity(*ours->value - result.value, ours->term.quantity, decimals));
         } else {

@@ -6,6 +6,9 @@
 
 namespace palmer {
 
+/// Statistics per target, a row each; what rules a parameter of the axis is bold.
+[[nodiscard]] Table targetTable(const PositioningPart &part);
+
 /// Statistics per target, what rules a parameter of the axis bold; and all readings as entered: in the same
 /// table where they find room, else below it, both directions side by side, or ↑ above ↓ where these would be
 /// too narrow (more than seven runs a direction); many runs in several tables.

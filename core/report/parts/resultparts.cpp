@@ -8,7 +8,7 @@
 #include "figures/deviationfigure.h"
 #include "kernel/evaluation/conformity.h"
 #include "language/decimals.h"
-#include "report/words/printednumbers.h"
+#include "report/tables/resulttable.h"
 #include "report/words/wording.h"
 
 #include <algorithm>
@@ -24,13 +24,6 @@ namespace {
 constexpr double earlierGuardFactor = 1.0;   ///< guard band U: earlier editions of ISO 14253-1
 constexpr double oneSidedGuardFactor = 0.83; ///< 1.65 u: its later 95 % rule for one limit
 constexpr QChar noBreakSpace(u'\u00A0');
-constexpr double symbolWidth = 7.8; ///< mm, as the widths below
-constexpr double spareBesidePicture = 2;
-constexpr double letterWidth = 1.67;
-constexpr double capitalWidth = 2.3;
-constexpr double spaceWidth = 0.9;
-constexpr double cellPadding = 2.2;
-constexpr double gapAfterName = 1.2;    ///< besides the padding, where a name fills its column
 constexpr qsizetype mostOfReason = 230; ///< characters that fit on three lines of the verdict line
 
 bool hasGuardBand(const Test &test) {
@@ -79,86 +72,28 @@ QString nameInTable(const Writer &write, const Text &name) {
     return result;
 }
 
-/// One parameter with its numbers as the table prints them.
-struct PrintedResult : PrintedNumbers {
-    const Parameter *parameter = nullptr;
-};
-
-std::vector<PrintedResult> printedResults(const TestPart &part) {
-    const auto resolution = finestResolution(part.document(), part.test);
-    std::vector<PrintedResult> results;
-    for (const Parameter &parameter : part.evaluation.parameters) {
-        if (isPrinted(parameter, part.head()))
-            results.push_back(
-                {printedNumbers(parameter, part.test.decisionRule, resolution, part.write.language()),
-                 &parameter});
-    }
-    return results;
-}
-
 Phrase targetsTitle(const Writer &write) {
     return Phrase({{write.text(REPORT_TEXT_FOR("report", "Targets", "followed by i")) + u' '},
                    {QStringLiteral("i"), false, true}});
 }
 
-/// Estimated width of a text of 8.5 pt, mm; combining marks take none.
-double estimatedWidth(const QString &text) {
-    const bool isWord = text.size() > 2 && text == text.toUpper() && text.at(1).isLetter(); // UPR
-    double width = 0;
-    for (const QChar c : text) {
-        if (c.category() != QChar::Mark_NonSpacing)
-            width += c.isSpace() ? spaceWidth : isWord && c.isLetter() ? capitalWidth : letterWidth;
-    }
-    return width;
-}
-
-/// How the table of results is laid out: widths in mm, none for the ruling targets where there are none; and
-/// what it calls a parameter.
+/// What the table of results says of one kind of test.
 struct ResultForm {
     QString heading;
-    double symbol = 0;
-    double name = 0;
-    std::optional<double> targets;
-    double value = 0;
-    double uncertainty = 0;
-    double limit = 0;
-    double picture = 0;
-    double verdict = 0;
-    bool notCorrected = false; ///< results that depend on the temperature say so
-    bool setUpInF = false;     ///< F holds the error of the set-up: it says so
+    bool setUpInF = false; ///< F holds the error of the set-up: it says so
     std::function<QString(const Parameter &)> nameOf;
 };
 
 ResultForm positioningForm(const PositioningPart &part) {
     const std::string &axis = part.measurement.axis.name;
-    ResultForm form{part.write.say(REPORT_TEXT("report", "Results for the %1 axis"),
-                                   {axis.empty() ? std::string("–") : axis}),
-                    7.8,
-                    70.0,
-                    13.6,
-                    10.8,
-                    14.0,
-                    11.0,
-                    21.1,
-                    26.7,
-                    part.results.notCorrected,
-                    false,
-                    [&part](const Parameter &parameter) {
-                        QString name = nameInTable(part.write, parameter.term.name);
-                        const QString symbol =
-                            QStringLiteral(" (%1)").arg(shownSymbol(parameter)); // stands beside it
-                        return name.endsWith(symbol) ? name.chopped(symbol.size()) : name;
-                    }};
-    if (part.write.language().id() == Language::Id::english) {
-        form.name = 64.0;
-        form.targets = 13.6;
-        form.value = 11.0;
-        form.uncertainty = 14.2;
-        form.limit = 11.2;
-        form.picture = 21.6;
-        form.verdict = 31.6;
-    }
-    return form;
+    return {part.write.say(REPORT_TEXT("report", "Results for the %1 axis"),
+                           {axis.empty() ? std::string("–") : axis}),
+            false, [&part](const Parameter &parameter) {
+                QString name = nameInTable(part.write, parameter.term.name);
+                const QString symbol =
+                    QStringLiteral(" (%1)").arg(shownSymbol(parameter)); // stands beside it
+                return name.endsWith(symbol) ? name.chopped(symbol.size()) : name;
+            }};
 }
 
 /// "Circular deviation, anticlockwise, minimum zone": the term, of which path, by which circle.
@@ -179,69 +114,49 @@ QString circularName(const CircularPart &part, const Parameter &parameter) {
 }
 
 ResultForm circularForm(const CircularPart &part) {
-    ResultForm form{part.write.say(REPORT_TEXT("report", "Results in the %1 plane"), part.plane()),
-                    16.0,
-                    77.0,
-                    std::nullopt,
-                    12.0,
-                    15.0,
-                    12.5,
-                    22.5,
-                    20.0,
-                    part.results.notCorrected,
-                    part.measurement.centring == Centring::instrument,
-                    [&part](const Parameter &parameter) { return circularName(part, parameter); }};
-    // A verdict that is not "conforms" needs more room than the picture has.
-    const double verdict = part.write.language().id() == Language::Id::english ? 31.6 : 26.7;
-    const bool wide = std::ranges::any_of(part.evaluation.parameters, [](const Parameter &parameter) {
-        return parameter.verdict && parameter.verdict != Verdict::conforms;
-    });
-    if (wide) {
-        form.name -= verdict - form.verdict;
-        form.verdict = verdict;
-    }
-    return form;
+    return {part.write.say(REPORT_TEXT("report", "Results in the %1 plane"), part.plane()),
+            part.measurement.centring == Centring::instrument,
+            [&part](const Parameter &parameter) { return circularName(part, parameter); }};
 }
 
-/// The columns for these rows: the widths of the form, unless a symbol or the ruling targets need more. What
-/// they need is taken from the space beside the guard picture, then from the name.
-std::vector<Column> resultColumns(const TestPart &part, const ResultForm &form, const Table &table,
-                                  const QString &unit) {
+/// The name has what the others leave; what a text needs more is taken from beside the picture first. In mm.
+std::vector<Column> resultColumns(const TestPart &part, const QString &unit) {
     const Writer &write = part.write;
-    QString band;
-    if (hasGuardBand(part.test))
-        band = write.text(factorIsOne(part.test) ? REPORT_TEXT("report", "Limit ± U")
-                                                 : REPORT_TEXT("report", "Limit ± g"));
-    double symbols = form.symbol;
-    double targets = form.targets.value_or(0);
-    for (const auto &row : table.rows) {
-        symbols = std::max(symbols, estimatedWidth(row[0].text.plain()) + cellPadding);
-        if (form.targets)
-            targets = std::max(targets, estimatedWidth(row[2].text.plain()) + cellPadding + gapAfterName);
-    }
-    const double more = symbols - form.symbol + targets - form.targets.value_or(0);
-    const double fromPicture = std::min(more, spareBesidePicture);
-
-    Column quantity{write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, symbols};
-    quantity.titleSpan = 2;
-    quantity.paddingLeft = 1.2;
-    Column guard{band, {}, Alignment::left, false, form.picture - fromPicture};
-    guard.paddingLeft = 3.2;
-    std::vector<Column> columns{quantity,
-                                {QString(), {}, Alignment::left, true, form.name - (more - fromPicture)}};
-    if (form.targets) {
+    constexpr double symbol = 7.8;
+    constexpr double number = 11;
+    constexpr double uncertainty = 14.2;
+    constexpr double targets = 13.6;
+    constexpr double gap = 1.2;
+    constexpr double picture = 21.6;
+    constexpr double besidePicture = 2;
+    constexpr double verdict = 20;
+    const auto decimal = [&](const QString &title, double width) {
+        return Column{title, unit, Alignment::decimal, false, width};
+    };
+    std::vector<Column> columns{
+        {write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, symbol},
+        {QString(), {}, Alignment::left, true}};
+    columns.front().titleSpan = 2;
+    columns.front().paddingLeft = gap;
+    if (axisOf(part.test)) {
         columns.push_back({targetsTitle(write), {}, Alignment::left, false, targets});
-        columns.back().paddingLeft = gapAfterName;
+        columns.back().paddingLeft = gap;
     }
+    columns.push_back(decimal(write.text(REPORT_TEXT("report", "Value")), number));
     columns.push_back(
-        {write.text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false, form.value});
-    columns.push_back({uncertaintyHead(coverageOf(part.evaluation, part.head()), write.language()), unit,
-                       Alignment::decimal, false, form.uncertainty});
-    columns.push_back(
-        {write.text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false, form.limit});
-    columns.push_back(guard);
-    columns.push_back(
-        {write.text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, form.verdict});
+        decimal(uncertaintyHead(coverageOf(part.evaluation, part.head()), write.language()), uncertainty));
+    columns.push_back(decimal(write.text(REPORT_TEXT("report", "Limit")), number));
+    for (Column &column : columns)
+        column.fitting = !column.flexible;
+    const QString band = !hasGuardBand(part.test)
+                             ? QString()
+                             : write.text(factorIsOne(part.test) ? REPORT_TEXT("report", "Limit ± U")
+                                                                 : REPORT_TEXT("report", "Limit ± g"));
+    columns.push_back({band, {}, Alignment::left, false, picture});
+    columns.back().paddingLeft = 3.2;
+    columns.back().spare = besidePicture;
+    columns.push_back({write.text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, verdict});
+    columns.back().fitting = true;
     return columns;
 }
 
@@ -252,14 +167,10 @@ bool isRadialDeviation(const Parameter &parameter) {
 Table resultTable(const TestPart &part, const ResultForm &form, const std::vector<PrintedResult> &results) {
     Table table;
     table.unbroken = true;
-    std::string_view family;
-    QString unit;
+    table.columns = resultColumns(part, part.write.language().unit(results.front().parameter->term.quantity));
+    table.rulesAfter = rulesBetween(results);
     for (const PrintedResult &result : results) {
         const Parameter &parameter = *result.parameter;
-        unit = part.write.language().unit(parameter.term.quantity);
-        if (!table.rows.empty() && family != parameter.term.family)
-            table.rulesAfter.push_back(table.rows.size() - 1);
-        family = parameter.term.family;
         Cell symbol(symbolPhrase(parameter.term.symbol, parameter.index));
         symbol.bold = true;
         QString name = form.nameOf(parameter);
@@ -267,22 +178,21 @@ Table resultTable(const TestPart &part, const ResultForm &form, const std::vecto
         const bool severalLimits = own != part.test.limits.end() && own->second.value;
         if (const QString of = limitNote(parameter, part.write.language()); severalLimits && !of.isEmpty())
             name += QStringLiteral(", ") + of;
-        if (form.notCorrected && parameter.dependsOnTemperature)
+        if (notCorrected(part.evaluation) && parameter.dependsOnTemperature)
             name += QStringLiteral("\u00A0*");
         if (form.setUpInF && isRadialDeviation(parameter))
             name += QStringLiteral("\u00A0†");
         Cell value(result.value);
         value.bold = !result.limit.isEmpty();
         std::vector<Cell> row{symbol, name};
-        if (form.targets)
+        if (axisOf(part.test))
             row.emplace_back(rulingText(parameter).replace(u' ', noBreakSpace));
         for (Cell cell : {value, Cell(result.uncertainty), Cell(result.limit), guardCell(parameter),
                           verdictCell(part.write, parameter)})
             row.push_back(std::move(cell));
         table.rows.push_back(std::move(row));
     }
-    table.columns = resultColumns(part, form, table, unit);
-    const std::size_t uncertainty = form.targets ? 4 : 3; // U, limit, picture, verdict
+    const std::size_t uncertainty = axisOf(part.test) ? 4 : 3; // U, limit, picture, verdict
     leaveOutEmptyColumns(table, uncertainty, table.columns.size() - 1);
     return table;
 }
@@ -307,7 +217,7 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, const ResultFor
     const auto isMarked = [&](const Parameter &p) {
         return p.dependsOnTemperature && isPrinted(p, part.head());
     };
-    if (form.notCorrected && std::ranges::any_of(parameters, isMarked))
+    if (notCorrected(part.evaluation) && std::ranges::any_of(parameters, isMarked))
         blocks.emplace_back(ResultsLegend{
             {{LegendSign::none,
               QStringLiteral("*\u00A0") + write.text(REPORT_TEXT("report", "not corrected to 20 °C"))}}});
@@ -511,7 +421,7 @@ VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &
 }
 
 void addResultsAs(std::vector<Block> &blocks, const TestPart &part, const ResultForm &form) {
-    const auto results = printedResults(part);
+    const auto results = printedResults(part.document(), part.test, part.evaluation, part.write.language());
     if (!results.empty()) {
         addHeading(blocks, form.heading, resultsNote(part));
         blocks.emplace_back(resultTable(part, form, results));
@@ -568,18 +478,7 @@ Cell verdictCell(const Writer &write, const Parameter &parameter) {
 }
 
 QString ruleInShort(const TestPart &part) {
-    QString rule;
-    switch (part.test.decisionRule.rule) {
-    case Rule::simpleAcceptance:
-        rule = part.write.text(REPORT_TEXT("report", "simple acceptance"));
-        break;
-    case Rule::iso14253_1:
-        rule = part.write.text(REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven"));
-        break;
-    case Rule::rejectionProven:
-        rule = part.write.text(REPORT_TEXT("report", "non-conformity has to be proven"));
-        break;
-    }
+    QString rule = part.write.text(ruleWords(part.test.decisionRule.rule).inReport);
     if (hasGuardBand(part.test) && !factorIsOne(part.test))
         rule += QStringLiteral(", g = ") + bandName(part, guardsSimulated(part.evaluation));
     return rule;

@@ -531,8 +531,7 @@ private:
 
     void addSide(std::vector<Cell> &row, const TestPart &part, const Parameter &parameter) const {
         const PrintedNumbers numbers =
-            printedNumbers(parameter, part.test.decisionRule, finestResolution(part.document(), part.test),
-                           m_write.language());
+            printedNumbers(parameter, part.test, part.document(), m_write.language());
         row.emplace_back(numbers.value);
         row.emplace_back(numbers.uncertainty);
         row.push_back(verdictCell(m_write, parameter));

@@ -203,8 +203,7 @@ private:
 
     void addResult(const TestPart &part, const Parameter &parameter, bool pale) {
         const PrintedNumbers numbers =
-            printedNumbers(parameter, part.test.decisionRule, finestResolution(part.document(), part.test),
-                           m_write.language());
+            printedNumbers(parameter, part.test, part.document(), m_write.language());
         Cell symbol(symbolPhrase(parameter.term.symbol, parameter.index));
         symbol.bold = true;
         const QString name = m_write.text(briefName(parameter, part.evaluation));

@@ -167,12 +167,8 @@ Table resultTable(const TestPart &part) {
     table.rows = {budget};
     if (axisOf(part.test)) // which has targets
         table.rows.push_back(actual);
-    if (simulated) {
-        table.rows.push_back(monteCarlo);
-        table.rows.push_back(error);
-        table.rows.push_back(tolerance);
-        table.rows.push_back(shift);
-    }
+    if (simulated)
+        table.rows.insert(table.rows.end(), {monteCarlo, error, tolerance, shift});
     return table;
 }
 

@@ -46,25 +46,14 @@ QString circleName(ReferenceCircle circle) {
     return circle == ReferenceCircle::minimumZone ? QStringLiteral("MZC") : QStringLiteral("LSC");
 }
 
-Text ruleName(Rule rule) {
-    switch (rule) {
-    case Rule::simpleAcceptance:
-        return REPORT_TEXT("report", "simple acceptance");
-    case Rule::iso14253_1:
-        return REPORT_TEXT("report", "ISO 14253-1");
-    case Rule::rejectionProven:
-        return REPORT_TEXT("report", "rejection proven");
-    }
-    return {};
-}
-
 /// What a spreadsheet reads as a number.
 QString plainNumber(QString text) {
     return text.remove(QChar(u'\u202F')).remove(QChar(u'\u00A0')).replace(QChar(u'\u2212'), u'-');
 }
 
-/// But for what depends on the lines before it: its short name, and whether it is the first of its family.
-ResultLine lineOf(const Parameter &parameter, const PrintedNumbers &numbers, const Language &language) {
+/// But for its short name and weight, which depend on the lines before it.
+ResultLine lineOf(const PrintedResult &result, const Language &language) {
+    const Parameter &parameter = *result.parameter;
     const auto orDash = [](const QString &text) { return text.isEmpty() ? QStringLiteral("–") : text; };
     ResultLine line;
     line.id = QString::fromStdString(parameterId(parameter));
@@ -73,13 +62,14 @@ ResultLine lineOf(const Parameter &parameter, const PrintedNumbers &numbers, con
     if (const QString of = limitNote(parameter, language); !of.isEmpty())
         line.fullName += QStringLiteral(" (") + of + u')';
     line.ruling = rulingText(parameter);
-    line.value = orDash(numbers.value);
-    line.uncertainty = orDash(numbers.uncertainty);
-    line.limit = orDash(numbers.alignedLimit);
+    line.value = orDash(result.value);
+    line.uncertainty = orDash(result.uncertainty);
+    line.limit = orDash(result.alignedLimit);
     line.verdict = parameter.verdict;
     if (parameter.verdict)
         line.verdictWord = language.text(limitText(*parameter.verdict));
     line.scale = decisionScale(parameter);
+    line.isFirst = result.isFirst;
     return line;
 }
 
@@ -93,14 +83,13 @@ void addOtherRole(ResultTable &table, const EvaluatedDocument &evaluated, std::s
     const std::size_t place = table.otherIsFound ? both->found : both->left;
     table.otherTest = place;
     const Test &other = *evaluated.document->tests[place];
-    const std::optional<double> resolution = finestResolution(*evaluated.document, other);
     for (const QuantityOfRoles &quantity : both->quantities) {
         const Parameter &parameter = table.otherIsFound ? *quantity.found : *quantity.left;
         const auto line =
             std::ranges::find(table.lines, QString::fromStdString(parameterId(parameter)), &ResultLine::id);
         if (line == table.lines.end())
             continue;
-        const PrintedNumbers numbers = printedNumbers(parameter, other.decisionRule, resolution, language);
+        const PrintedNumbers numbers = printedNumbers(parameter, other, *evaluated.document, language);
         line->other = numbers.value;
         line->otherUncertainty = numbers.uncertainty;
         line->otherVerdict = parameter.verdict;
@@ -110,37 +99,55 @@ void addOtherRole(ResultTable &table, const EvaluatedDocument &evaluated, std::s
     }
 }
 
-struct Head {
-    QString symbol, name, value, uncertainty, limit, verdict;
-    QStringList others; ///< of the other role: value, U, change; none where there is no other
-};
-
-QStringList othersOf(const ResultTable &table, const Language &language) {
-    if (!table.otherTest)
-        return {};
+QStringList titles(const ResultTable &table, const Language &language) {
     const QString unit = QStringLiteral(" (") + table.unit + u')';
-    const QString role = language.text(roleText(table.otherIsFound ? TestRole::asFound : TestRole::asLeft));
-    return {role + unit, QStringLiteral("U, ") + role + unit,
-            language.text(REPORT_TEXT("report", "Change")) + unit};
-}
-
-Head head(const ResultTable &table, const Language &language) {
-    const auto withUnit = [&](const Text &text) {
-        return language.text(text) + QStringLiteral(" (") + table.unit + u')';
-    };
     QString uncertainty = QStringLiteral("U (") + table.unit;
     if (!table.coverage.isEmpty())
         uncertainty += QStringLiteral(", ") + table.coverage;
-    return {language.text(REPORT_TEXT("report", "Symbol")),
-            language.text(REPORT_TEXT("report", "Result")),
-            withUnit(REPORT_TEXT("report", "Value")),
-            uncertainty + u')',
-            withUnit(REPORT_TEXT("report", "Limit")),
-            language.text(REPORT_TEXT("report", "Verdict")),
-            othersOf(table, language)};
+    QStringList titles{language.text(REPORT_TEXT("report", "Symbol")),
+                       language.text(REPORT_TEXT("report", "Result")),
+                       language.text(REPORT_TEXT("report", "Value")) + unit,
+                       uncertainty + u')',
+                       language.text(REPORT_TEXT("report", "Limit")) + unit,
+                       language.text(REPORT_TEXT("report", "Verdict"))};
+    if (table.otherTest) {
+        const QString role =
+            language.text(roleText(table.otherIsFound ? TestRole::asFound : TestRole::asLeft));
+        titles << role + unit << QStringLiteral("U, ") + role + unit
+               << language.text(REPORT_TEXT("report", "Change")) + unit;
+    }
+    return titles;
+}
+
+/// Of the test of the other role; none where there is no other.
+QStringList otherNumbers(const ResultTable &table, const ResultLine &line) {
+    return table.otherTest ? QStringList{line.other, line.otherUncertainty, line.change} : QStringList();
 }
 
 } // namespace
+
+std::vector<PrintedResult> printedResults(const Document &document, const Test &test,
+                                          const TestEvaluation &evaluation, const Language &language) {
+    std::vector<PrintedResult> results;
+    std::string_view family;
+    for (const Parameter &parameter : evaluation.parameters) {
+        if (!isPrinted(parameter, document.report))
+            continue;
+        results.push_back({printedNumbers(parameter, test, document, language), &parameter,
+                           family != parameter.term.family});
+        family = parameter.term.family;
+    }
+    return results;
+}
+
+std::vector<std::size_t> rulesBetween(const std::vector<PrintedResult> &results) {
+    std::vector<std::size_t> rows;
+    for (std::size_t i = 1; i < results.size(); ++i) {
+        if (results[i].isFirst)
+            rows.push_back(i - 1);
+    }
+    return rows;
+}
 
 Text briefName(const Parameter &parameter, const TestEvaluation &evaluation) {
     return shortNameOf(parameter, evaluation, true);
@@ -184,7 +191,7 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         table.verdict = evaluation.verdict;
     if (table.verdict)
         table.verdictWord = language.text(verdictText(*table.verdict));
-    table.rule = language.text(ruleName(source.decisionRule.rule));
+    table.rule = language.text(ruleWords(source.decisionRule.rule).name);
 
     table.circle =
         partOr(QString(), source.measurement, [](auto &m) -> decltype(circleName(m.referenceCircle)) {
@@ -192,22 +199,16 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         });
 
     table.coverage = coverageNote(coverageOf(evaluation, document.report), language);
-    const std::optional<double> resolution = finestResolution(document, source);
-    std::string_view family;
-    for (const Parameter &parameter : evaluation.parameters) {
-        if (!isPrinted(parameter, document.report))
-            continue;
-        if (table.unit.isEmpty())
-            table.unit = language.unit(parameter.term.quantity);
-        ResultLine line =
-            lineOf(parameter, printedNumbers(parameter, source.decisionRule, resolution, language), language);
-        line.isFirst = family != parameter.term.family;
+    for (const PrintedResult &result : printedResults(document, source, evaluation, language)) {
+        const Term &term = result.parameter->term;
+        table.unit = language.unit(term.quantity);
+        ResultLine line = lineOf(result, language);
         // Of an axis measured from one side no main one is there.
-        const bool standsForAll = line.isFirst && parameter.term.of == Of::axis;
-        line.main = standsForAll || parameter.term.weight == Weight::main;
-        line.name = language.text(shortNameOf(parameter, evaluation, standsForAll));
-        line.narrowName = language.text(shortNameOf(parameter, evaluation, standsForAll, Room::little));
-        family = parameter.term.family;
+        const bool standsForAll = line.isFirst && term.of == Of::axis;
+        line.main = standsForAll || term.weight == Weight::main;
+        line.name = language.text(shortNameOf(*result.parameter, evaluation, standsForAll));
+        line.narrowName =
+            language.text(shortNameOf(*result.parameter, evaluation, standsForAll, Room::little));
         table.lines.push_back(std::move(line));
     }
     addOtherRole(table, evaluated, test, language);
@@ -248,35 +249,29 @@ std::optional<RolesBeside> rolesBeside(const EvaluatedDocument &evaluated, std::
 }
 
 QString asTabSeparated(const ResultTable &table, const Language &language) {
-    const Head titles = head(table, language);
-    QStringList rows{QStringList{titles.symbol, titles.name, titles.value, titles.uncertainty, titles.limit,
-                                 titles.verdict}
-                         .join(u'\t')};
-    if (!titles.others.isEmpty())
-        rows.front() += u'\t' + titles.others.join(u'\t');
-    const auto cell = [](const QString &text) {
-        return text == QStringLiteral("–") ? QString() : plainNumber(text);
+    QString text = titles(table, language).join(u'\t') + u'\n';
+    const auto cell = [](const QString &number) {
+        return number == QStringLiteral("–") ? QString() : plainNumber(number);
     };
     for (const ResultLine &line : table.lines) {
-        rows << QStringList{line.symbol.plain(),    line.fullName,    cell(line.value),
-                            cell(line.uncertainty), cell(line.limit), line.verdictWord}
-                    .join(u'\t');
-        if (!titles.others.isEmpty())
-            rows.back() +=
-                u'\t' +
-                QStringList{cell(line.other), cell(line.otherUncertainty), cell(line.change)}.join(u'\t');
+        QStringList cells{line.symbol.plain(),    line.fullName,    cell(line.value),
+                          cell(line.uncertainty), cell(line.limit), line.verdictWord};
+        for (const QString &number : otherNumbers(table, line))
+            cells << cell(number);
+        text += cells.join(u'\t') + u'\n';
     }
-    return rows.join(u'\n') + u'\n';
+    return text;
 }
 
 QString asHtml(const ResultTable &table, const Language &language) {
-    const Head titles = head(table, language);
     QString html = QStringLiteral("<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n<tr>");
-    for (const QString &title : QStringList{titles.symbol, titles.name, titles.value, titles.uncertainty,
-                                            titles.limit, titles.verdict} +
-                                    titles.others)
+    for (const QString &title : titles(table, language))
         html += QStringLiteral("<th>") + title.toHtmlEscaped() + QStringLiteral("</th>");
     html += QStringLiteral("</tr>\n");
+    const auto addNumbers = [&](const QStringList &numbers) {
+        for (const QString &number : numbers)
+            html += QStringLiteral("<td align=\"right\">") + number.toHtmlEscaped() + QStringLiteral("</td>");
+    };
     for (const ResultLine &line : table.lines) {
         html += QStringLiteral("<tr><td>");
         for (const FormulaSpan &span : line.symbol.spans)
@@ -284,13 +279,9 @@ QString asHtml(const ResultTable &table, const Language &language) {
                         ? QStringLiteral("<sub>") + span.text.toHtmlEscaped() + QStringLiteral("</sub>")
                         : span.text.toHtmlEscaped();
         html += QStringLiteral("</td><td>") + line.fullName.toHtmlEscaped() + QStringLiteral("</td>");
-        for (const QString &number : {line.value, line.uncertainty, line.limit})
-            html += QStringLiteral("<td align=\"right\">") + number.toHtmlEscaped() + QStringLiteral("</td>");
+        addNumbers({line.value, line.uncertainty, line.limit});
         html += QStringLiteral("<td>") + line.verdictWord.toHtmlEscaped() + QStringLiteral("</td>");
-        for (const QString &number : titles.others.isEmpty()
-                                         ? QStringList()
-                                         : QStringList{line.other, line.otherUncertainty, line.change})
-            html += QStringLiteral("<td align=\"right\">") + number.toHtmlEscaped() + QStringLiteral("</td>");
+        addNumbers(otherNumbers(table, line));
         html += QStringLiteral("</tr>\n");
     }
     return html + QStringLiteral("</table>\n");

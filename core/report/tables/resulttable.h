@@ -5,6 +5,7 @@
 #include "document/evaluateddocument.h"
 #include "language/language.h"
 #include "report/words/formula.h"
+#include "report/words/printednumbers.h"
 
 #include <QString>
 #include <cstddef>
@@ -12,6 +13,21 @@
 #include <vector>
 
 namespace palmer {
+
+/// A result as window, report and command line list it. Points into the evaluation.
+struct PrintedResult : PrintedNumbers {
+    const Parameter *parameter = nullptr;
+    bool isFirst = true; ///< of its family: a rule stands above
+};
+
+/// The results of a test in the order of its edition; those for print on request are left out unless the
+/// report asks for them.
+[[nodiscard]] std::vector<PrintedResult> printedResults(const Document &document, const Test &test,
+                                                        const TestEvaluation &evaluation,
+                                                        const Language &language);
+
+/// The rows of a table of them that a rule stands below.
+[[nodiscard]] std::vector<std::size_t> rulesBetween(const std::vector<PrintedResult> &results);
 
 /// Where a value stands beside its limit on a scale whose middle is the limit and whose guard band is always
 /// equally wide. −1 … 1 is what the scale shows; beyond, an arrow stands for the value.

@@ -131,6 +131,11 @@ PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &ru
     return result;
 }
 
+PrintedNumbers printedNumbers(const Parameter &parameter, const Test &test, const Document &document,
+                              const Language &language) {
+    return printedNumbers(parameter, test.decisionRule, finestResolution(document, test), language);
+}
+
 QString withUnit(const QString &number, Quantity quantity, const Language &language) {
     const qsizetype digits = language.number(0, quantity, 0).size();
     return number + language.quantity(0, quantity, 0).mid(digits);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "document/document.h"
 #include "kernel/evaluation/parameter.h"
 #include "language/language.h"
 
@@ -25,6 +26,10 @@ struct PrintedNumbers {
 
 [[nodiscard]] PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &rule,
                                             std::optional<double> resolution, const Language &language);
+
+/// By the rule of its test and the finest of its instruments.
+[[nodiscard]] PrintedNumbers printedNumbers(const Parameter &parameter, const Test &test,
+                                            const Document &document, const Language &language);
 
 /// A number that is printed (of the above) and its unit, joined as the language does.
 [[nodiscard]] QString withUnit(const QString &number, Quantity quantity, const Language &language);

@@ -9,6 +9,7 @@
 
 #include <QStringList>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palmer {
@@ -166,6 +167,20 @@ DeviationMethod deviationMethod(const TestEvaluation &evaluation) {
     return partOr(
         DeviationMethod::calculation, evaluation.results,
         [](auto &results) -> decltype(results.standardDeviation) { return results.standardDeviation; });
+}
+
+const RuleWords &ruleWords(Rule rule) {
+    constexpr Text simple = REPORT_TEXT("report", "simple acceptance");
+    static constexpr std::array rules{
+        // in the order of the enumeration
+        RuleWords{simple, simple, simple},
+        RuleWords{REPORT_TEXT("report", "ISO 14253-1"),
+                  REPORT_TEXT("report", "ISO 14253-1: conformity to be proven"),
+                  REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven")},
+        RuleWords{REPORT_TEXT("report", "rejection proven"),
+                  REPORT_TEXT("report", "non-conformity to be proven"),
+                  REPORT_TEXT("report", "non-conformity has to be proven")}};
+    return rules.at(static_cast<std::size_t>(rule));
 }
 
 QString arrow(Direction direction) {

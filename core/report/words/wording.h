@@ -46,6 +46,14 @@ namespace palmer {
 /// How s was computed; by calculation where there is none.
 [[nodiscard]] DeviationMethod deviationMethod(const TestEvaluation &evaluation);
 
+/// What a decision rule is called.
+struct RuleWords {
+    Text name; ///< in a column
+    Text condition;
+    Text inReport;
+};
+[[nodiscard]] const RuleWords &ruleWords(Rule rule);
+
 /// Several runs of a direction: s and what is made of it have a value.
 [[nodiscard]] bool hasScatter(const TestEvaluation &evaluation);
 

@@ -270,7 +270,9 @@ void PrintedNumbersTest::noMoreDigitsThanNeeded() {
 void PrintedNumbersTest::limitsAsEntered() {
     const Language language(Language::Id::english);
     const auto printed = [&](double limit, Quantity quantity) {
-        return printedNumbers(result(limit, limit, {}, Bound::magnitude, quantity), {}, {}, language).limit;
+        return printedNumbers(result(limit, limit, {}, Bound::magnitude, quantity), DecisionRule(), {},
+                              language)
+            .limit;
     };
     QCOMPARE(printed(0.0010000000000000002, Quantity::deviation), u"1"_s);
     QCOMPARE(printed(std::nextafter(0.0125, 1), Quantity::deviation), u"12.5"_s);
@@ -281,7 +283,7 @@ void PrintedNumbersTest::limitsAsEntered() {
     for (const double limit : {0.001, 0.01, 0.0125, 0.3e-3, 1.0 / 3600}) {
         for (const double value : {std::nextafter(limit, 0), limit, std::nextafter(limit, 1)}) {
             const Parameter p = result(value, limit, {}, Bound::magnitude);
-            const PrintedNumbers numbers = printedNumbers(p, {}, {}, language);
+            const PrintedNumbers numbers = printedNumbers(p, DecisionRule(), {}, language);
             QVERIFY2(numbers.value.size() <= 5 || limit == 1.0 / 3600, qPrintable(numbers.value));
         }
     }

@@ -73,6 +73,22 @@ class ResultTableTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A, E, M, R and B of ISO 230-2:2006, each with those of its family, in every table.
+    void rulesStandBetweenFamilies() {
+        const EvaluatedDocument evaluated = evaluatedDocument(decided());
+        const Language english(Language::Id::english);
+        const auto results =
+            printedResults(*evaluated.document, *evaluated.document->tests[0], *evaluated.tests[0], english);
+        const std::vector<std::size_t> rules{2, 5, 6, 9};
+        QCOMPARE(rulesBetween(results), rules);
+        const ResultTable listed = resultTable(evaluated, 0, english);
+        QCOMPARE(listed.lines.size(), results.size());
+        for (std::size_t i = 0; i < results.size(); ++i) {
+            QCOMPARE(listed.lines[i].isFirst, results[i].isFirst);
+            QCOMPARE(listed.lines[i].value, results[i].value);
+        }
+    }
+
     void beforeAndAfterStandBesideEachOther() {
         const std::vector<Test> tests = adjusted();
         const Language english(Language::Id::english);

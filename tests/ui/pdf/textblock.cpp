@@ -6,6 +6,7 @@
 
 #include "report/blocks/report.h"
 #include "ui/pdf/pages.h"
+#include "ui/pdf/tablestrips.h"
 
 #include <QGuiApplication>
 #include <QTest>
@@ -167,6 +168,29 @@ private slots:
         }
         QCOMPARE(elided("x", style, 1).text(), QString("…"));
         QVERIFY(elided({}, style, 10).text().isEmpty());
+    }
+
+    /// A column that fits has its texts on one line, and takes the room from what is spare, then from the
+    /// flexible one; a monstrous text breaks all the same.
+    void columnsFitTheirTexts() {
+        const auto heightOf = [](const QString &text, bool fitting) {
+            Table table;
+            table.headless = true;
+            table.columns = {Column{QString(), {}, Alignment::left, false, 7},
+                             Column{QString(), {}, Alignment::left, true},
+                             Column{QString(), {}, Alignment::left, false, 20}};
+            table.columns[0].fitting = fitting;
+            table.columns[2].spare = 2;
+            table.rows = {{Cell(text), Cell(QString("x")), Cell(QString("y"))}};
+            double height = 0;
+            for (const Strip &strip : tableStrips(table, 175 * mm))
+                height += strip.height;
+            return height;
+        };
+        const double oneLine = heightOf("x", false);
+        QVERIFY(heightOf("12↓ – 10↑ of XY", false) > 1.5 * oneLine);
+        QCOMPARE(heightOf("12↓ – 10↑ of XY", true), oneLine);
+        QVERIFY(heightOf(repeated("a b ", 4096), true) > 1.5 * oneLine);
     }
 
     /// What is too long for the head of a page goes on over the next ones.
