@@ -15,7 +15,7 @@ constexpr double largestAngle = 0.1; // °
 constexpr double largestRatio = 100; // of the spread of a run to that of the others
 
 void doubt(std::vector<Remark> &remarks, Message message, const char *choice) {
-    remarks.push_back({RemarkGrade::problem, std::move(message), 0, 0, choice});
+    addRemark(remarks, RemarkGrade::problem, std::move(message), 0, choice);
 }
 
 Number counted(std::size_t n) {

@@ -76,14 +76,11 @@ void settleCorrection(Imported &imported, Choices &choices) {
         return;
     const auto choice = choices.settle("correctionTo20", "not stated", Origin::guessed);
     if (choice.value == "not stated")
-        imported.remarks.push_back(
-            {RemarkGrade::assumption,
-             {REPORT_TEXT(
-                 "report",
-                 "Correction to 20 °C: whether the instrument has applied one is not stated; say it.")},
-             0,
-             0,
-             "correctionTo20"});
+        addRemark(imported.remarks, RemarkGrade::assumption,
+                  {REPORT_TEXT(
+                      "report",
+                      "Correction to 20 °C: whether the instrument has applied one is not stated; say it.")},
+                  0, "correctionTo20");
     conditions->correctionTo20 = correctionOf(choice.value);
 }
 
@@ -230,6 +227,19 @@ bool showsAnything(const Imported &imported) {
     return !imported.table.rows().empty() || !imported.text.empty() || !imported.sheets.empty();
 }
 
+/// The id of an instrument; one that the document does not know is added to it.
+std::string idAmong(std::vector<Instrument> &known, Instrument instrument) {
+    instrument.id.clear();
+    const auto same = std::ranges::find_if(known, [&](Instrument one) {
+        one.id.clear();
+        return one == instrument;
+    });
+    if (same != known.end())
+        return same->id;
+    instrument.id = freeId(std::string("instrument"), known);
+    return known.emplace_back(std::move(instrument)).id;
+}
+
 } // namespace
 
 Imported showMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options) {
@@ -304,21 +314,8 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
         test.imports.clear(); // the format keeps none for drift tests
         fill(test.remarks, file.fileName + ", SHA-256 " + file.sha256);
     }
-    if (imported.instrument) {
-        Instrument instrument = *imported.instrument;
-        instrument.id.clear();
-        const auto same = std::ranges::find_if(document.instruments, [&](Instrument known) {
-            known.id.clear();
-            return known == instrument;
-        });
-        if (same != document.instruments.end()) {
-            test.instruments = {same->id};
-        } else {
-            instrument.id = freeId(std::string("instrument"), document.instruments);
-            test.instruments = {instrument.id};
-            document.instruments.push_back(std::move(instrument));
-        }
-    }
+    if (imported.instrument)
+        test.instruments = {idAmong(document.instruments, *imported.instrument)};
     if (Conditions *conditions = conditionsOf(test))
         conditions->sensors.insert(conditions->sensors.end(), imported.sensors.begin(),
                                    imported.sensors.end());

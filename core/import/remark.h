@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace palmer {
@@ -29,5 +30,11 @@ struct Remark {
 
     bool operator==(const Remark &) const = default;
 };
+
+/// `line` and `choice` as above.
+inline void addRemark(std::vector<Remark> &remarks, RemarkGrade grade, Message message, std::size_t line = 0,
+                      std::string choice = {}) {
+    remarks.push_back({grade, std::move(message), line, 0, std::move(choice)});
+}
 
 } // namespace palmer

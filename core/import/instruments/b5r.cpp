@@ -84,7 +84,7 @@ private:
     }
 
     void remark(RemarkGrade grade, Message message, const char *choice = "") {
-        m.remarks.push_back({grade, std::move(message), 0, 0, choice});
+        addRemark(m.remarks, grade, std::move(message), 0, choice);
     }
 
     /// Elements are known by their names, wherever they stand.
@@ -470,9 +470,9 @@ void remarkEncoding(QByteArrayView bytes, Imported &imported) {
     xml.readNext();
     const QStringView encoding = xml.documentEncoding();
     if (!encoding.isEmpty() && encoding.compare(u"UTF-8", Qt::CaseInsensitive) != 0)
-        imported.remarks.push_back({RemarkGrade::note,
-                                    {REPORT_TEXT("report", "Encoding: %1, as the file says."),
-                                     {excerpt(encoding.toString().toStdString())}}});
+        addRemark(imported.remarks, RemarkGrade::note,
+                  {REPORT_TEXT("report", "Encoding: %1, as the file says."),
+                   {excerpt(encoding.toString().toStdString())}});
 }
 
 } // namespace

@@ -52,11 +52,9 @@ std::vector<MeanTable> tablesOf(std::string_view text, std::vector<Remark> &rema
     bool inTable = false;
     std::size_t number = 0;
     const auto leave = [&](std::size_t place) {
-        remarks.push_back({RemarkGrade::problem,
-                           {REPORT_TEXT("report", "This line is not like the others and was not read.")},
-                           place,
-                           0,
-                           "unread"});
+        addRemark(remarks, RemarkGrade::problem,
+                  {REPORT_TEXT("report", "This line is not like the others and was not read.")}, place,
+                  "unread");
     };
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
@@ -108,13 +106,11 @@ std::vector<Pass> passesOf(const std::vector<MeanTable> &tables, Choices &choice
         for (Pass &pass : passes)
             pass.direction = Direction::negative;
     if (choice.origin == Origin::guessed)
-        remarks.push_back(
-            {RemarkGrade::assumption,
-             {REPORT_TEXT("report",
-                          "Directions: the file has means of both directions only; they are read as ↑.")},
-             0,
-             0,
-             "directions"});
+        addRemark(
+            remarks, RemarkGrade::assumption,
+            {REPORT_TEXT("report",
+                         "Directions: the file has means of both directions only; they are read as ↑.")},
+            0, "directions");
     return passes;
 }
 
@@ -134,20 +130,17 @@ void readPosText(const ImportSource &source, Choices &choices, Imported &importe
             Error::Kind::content,
             {REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations")});
     std::vector<Pass> passes = passesOf(tables, choices, imported.remarks);
-    imported.remarks.push_back(
-        {RemarkGrade::note,
-         {REPORT_TEXT("report", "The file holds means of runs, not the runs: R and A say little.")}});
+    addRemark(imported.remarks, RemarkGrade::note,
+              {REPORT_TEXT("report", "The file holds means of runs, not the runs: R and A say little.")});
     choices.settle("content", "deviations", Origin::recognised);
     PassForm form;
     form.sign = choices.settle("sign", "actualMinusTarget", Origin::guessed).value;
     if (!choices.isChosen("sign"))
-        imported.remarks.push_back(
-            {RemarkGrade::assumption,
-             {REPORT_TEXT("report",
-                          "Sign: it changed between the versions of the program; read as actual − target.")},
-             0,
-             0,
-             "sign"});
+        addRemark(
+            imported.remarks, RemarkGrade::assumption,
+            {REPORT_TEXT("report",
+                         "Sign: it changed between the versions of the program; read as actual − target.")},
+            0, "sign");
     form.unit = unitOf(choices.settle("unit", "mm", Origin::recognised).value);
     form.positionUnit = unitOf(choices.settle("positionUnit", "mm", Origin::recognised).value);
     demandOneMotion(form);

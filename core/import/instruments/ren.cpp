@@ -84,18 +84,9 @@ bool agrees(const Header &header, double low, double high) {
     return startAgrees && (!header.end || *header.end == high || *header.end == low);
 }
 
-} // namespace
-
-bool isRenText(QByteArrayView bytes) {
-    const std::string_view text(bytes.data(),
-                                static_cast<std::size_t>(std::min<qsizetype>(bytes.size(), 8192)));
-    return contains(text, "Compensation spacing") || contains(text, "Compensation start");
-}
-
-void readRenText(const ImportSource &source, Choices &choices, Imported &imported) {
-    imported.text = decodedText(source.bytes, choices, imported);
+/// The table; what stands above it into `header`. Remarks: damaged and missing lines, texts that say nothing.
+Pass readTable(Imported &imported, Header &header) {
     const std::string_view text = imported.text;
-    Header header;
     Pass pass;
     std::optional<double> lastNo;
     std::size_t number = 0;
@@ -114,72 +105,75 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
             continue;
         }
         if (!numbers || numbers->size() != 3) {
-            imported.remarks.push_back(
-                {RemarkGrade::problem,
-                 {REPORT_TEXT("report", "This line is not like the others and was not read.")},
-                 number,
-                 0,
-                 "unread"});
+            addRemark(imported.remarks, RemarkGrade::problem,
+                      {REPORT_TEXT("report", "This line is not like the others and was not read.")}, number,
+                      "unread");
             lastNo.reset(); // it is said
             continue;
         }
         if (const double no = (*numbers)[0]; lastNo && no != *lastNo + 1)
-            imported.remarks.push_back(
-                {RemarkGrade::problem,
-                 {REPORT_TEXT("report", "The lines are numbered %1 and then %2: some are missing, or one is "
-                                        "there twice."),
-                  {Number{*lastNo, Quantity::count}, Number{no, Quantity::count}}},
-                 number,
-                 0,
-                 "unread"});
+            addRemark(
+                imported.remarks, RemarkGrade::problem,
+                {REPORT_TEXT("report", "The lines are numbered %1 and then %2: some are missing, or one is "
+                                       "there twice."),
+                 {Number{*lastNo, Quantity::count}, Number{no, Quantity::count}}},
+                number, "unread");
         lastNo = (*numbers)[0];
         pass.readings.push_back({(*numbers)[1], (*numbers)[2], static_cast<std::uint32_t>(number)});
     }
-    if (pass.readings.empty())
-        throw Error(
-            Error::Kind::content,
-            {REPORT_TEXT("report", "there is no table of axis positions and compensation values in it")});
-    const auto [low, high] = std::ranges::minmax(pass.readings, {}, &PassReading::position);
-    if (!agrees(header, low.position, high.position))
-        imported.remarks.push_back(
-            {RemarkGrade::problem,
-             {REPORT_TEXT("report",
-                          "Start and end of the head are not those of the table; the table counts.")},
-             0,
-             0,
-             {}});
-    imported.remarks.push_back(
-        {RemarkGrade::assumption,
-         {REPORT_TEXT("report", "This is a compensation table, not a measurement: its values are read with "
-                                "the opposite sign as deviations, to compare.")},
-         0,
-         0,
-         "sign"});
     if (ignored > 0)
-        imported.remarks.push_back({RemarkGrade::note,
-                                    {REPORT_TEXT("report", "Lines of text that were not used: %1."),
-                                     {Number{static_cast<double>(ignored), Quantity::count}}},
-                                    0,
-                                    0,
-                                    {}});
+        addRemark(imported.remarks, RemarkGrade::note,
+                  {REPORT_TEXT("report", "Lines of text that were not used: %1."),
+                   {Number{static_cast<double>(ignored), Quantity::count}}});
+    return pass;
+}
+
+PassForm settleForm(const Header &header, Choices &choices, std::vector<Remark> &remarks) {
     PassForm form;
     form.sign = choices.settle("sign", "targetMinusActual", Origin::guessed).value;
     const auto unit = choices.settle("unit", header.unit ? header.unit->word : "um",
                                      header.unit ? Origin::recognised : Origin::guessed);
     form.unit = unitOf(unit.value);
     if (unit.origin == Origin::guessed)
-        imported.remarks.push_back(
-            {RemarkGrade::assumption,
-             {REPORT_TEXT("report",
-                          "Unit of the compensation values: nothing in the file says it; read as %1."),
-              {std::string(form.unit->sign)}},
-             0,
-             0,
-             "unit"});
+        addRemark(remarks, RemarkGrade::assumption,
+                  {REPORT_TEXT("report",
+                               "Unit of the compensation values: nothing in the file says it; read as %1."),
+                   {std::string(form.unit->sign)}},
+                  0, "unit");
     form.positionUnit = unitOf(
         choices.settle("positionUnit", form.unit->kind == UnitKind::angle ? "deg" : "mm", Origin::recognised)
             .value);
     demandOneMotion(form);
+    return form;
+}
+
+} // namespace
+
+bool isRenText(QByteArrayView bytes) {
+    const std::string_view text(bytes.data(),
+                                static_cast<std::size_t>(std::min<qsizetype>(bytes.size(), 8192)));
+    return contains(text, "Compensation spacing") || contains(text, "Compensation start");
+}
+
+void readRenText(const ImportSource &source, Choices &choices, Imported &imported) {
+    imported.text = decodedText(source.bytes, choices, imported);
+    Header header;
+    const Pass pass = readTable(imported, header);
+    if (pass.readings.empty())
+        throw Error(
+            Error::Kind::content,
+            {REPORT_TEXT("report", "there is no table of axis positions and compensation values in it")});
+    const auto [low, high] = std::ranges::minmax(pass.readings, {}, &PassReading::position);
+    if (!agrees(header, low.position, high.position))
+        addRemark(imported.remarks, RemarkGrade::problem,
+                  {REPORT_TEXT("report",
+                               "Start and end of the head are not those of the table; the table counts.")});
+    addRemark(
+        imported.remarks, RemarkGrade::assumption,
+        {REPORT_TEXT("report", "This is a compensation table, not a measurement: its values are read with "
+                               "the opposite sign as deviations, to compare.")},
+        0, "sign");
+    const PassForm form = settleForm(header, choices, imported.remarks);
     imported.test = testFrom(measurementOf({pass}, form, imported.remarks), "", choices);
     choices.settle("kind", "positioning", Origin::recognised);
 }

@@ -63,7 +63,7 @@ public:
 
 private:
     void remark(RemarkGrade grade, Message message, std::size_t line = 0, const char *choice = "") {
-        m.remarks.push_back({grade, std::move(message), line, 0, choice});
+        addRemark(m.remarks, grade, std::move(message), line, choice);
     }
 
     void demandEnd() const {

@@ -92,18 +92,15 @@ void readSamples(std::string_view samples, const Sampling &sampling, const Unit 
 void remarkEnd(std::string_view rest, const Sampling &sampling, std::vector<Remark> &remarks) {
     const std::size_t mark = rest.find("EOF::");
     if (mark == std::string_view::npos)
-        remarks.push_back(
-            {RemarkGrade::problem, {REPORT_TEXT("report", "The file has no end mark behind its samples.")}});
+        addRemark(remarks, RemarkGrade::problem,
+                  {REPORT_TEXT("report", "The file has no end mark behind its samples.")});
     else if (mark >= sizeof(double))
-        remarks.push_back(
-            {RemarkGrade::problem,
-             {REPORT_TEXT("report", "The head announces %1 samples, %2 are there; those beyond "
-                                    "were not read."),
-              {Number{static_cast<double>(sampling.count), Quantity::count},
-               Number{static_cast<double>(sampling.count + mark / sizeof(double)), Quantity::count}}},
-             0,
-             0,
-             "unread"});
+        addRemark(remarks, RemarkGrade::problem,
+                  {REPORT_TEXT("report", "The head announces %1 samples, %2 are there; those beyond "
+                                         "were not read."),
+                   {Number{static_cast<double>(sampling.count), Quantity::count},
+                    Number{static_cast<double>(sampling.count + mark / sizeof(double)), Quantity::count}}},
+                  0, "unread");
 }
 
 } // namespace
@@ -140,7 +137,7 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     drift.axis.motion = unit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
     readSamples(samples, sampling, *unit, drift);
     const auto remark = [&](RemarkGrade grade, Message message) {
-        imported.remarks.push_back({grade, std::move(message)});
+        addRemark(imported.remarks, grade, std::move(message));
     };
     remarkEnd(samples.substr(sampling.count * sizeof(double)), sampling, imported.remarks);
     remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),

@@ -21,11 +21,8 @@ void settleCircle(CircularMeasurement &measurement, std::string &edition, std::s
                      {settled.value}});
     measurement.plane = {settled.value.substr(0, 1), settled.value.substr(1, 1)};
     if (settled.origin == Origin::guessed)
-        remarks.push_back({RemarkGrade::assumption,
-                           {REPORT_TEXT("report", "Plane: nothing in the file says it; taken as XY.")},
-                           0,
-                           0,
-                           "plane"});
+        addRemark(remarks, RemarkGrade::assumption,
+                  {REPORT_TEXT("report", "Plane: nothing in the file says it; taken as XY.")}, 0, "plane");
     if (feed || choices.isChosen("feed")) {
         const double value = choices.settleNumber("feed", feed.value_or(0), Origin::recognised).value;
         if (value > 0)
@@ -35,12 +32,9 @@ void settleCircle(CircularMeasurement &measurement, std::string &edition, std::s
     if (calibrated.value != "not stated")
         measurement.referenceLength.calibrated = calibrated.value == "yes";
     else
-        remarks.push_back(
-            {RemarkGrade::assumption,
-             {REPORT_TEXT("report", "Whether the length is calibrated is not stated: F and D need it.")},
-             0,
-             0,
-             "calibrated"});
+        addRemark(remarks, RemarkGrade::assumption,
+                  {REPORT_TEXT("report", "Whether the length is calibrated is not stated: F and D need it.")},
+                  0, "calibrated");
     edition = choices.settleEdition(Kind::circular);
 }
 

@@ -50,22 +50,19 @@ void remarkGaps(const PositioningMeasurement &measurement, std::vector<Remark> &
         missing += static_cast<std::size_t>(
             std::ranges::count_if(run.deviations, [](const auto &value) { return !value; }));
     if (missing > 0)
-        remarks.push_back(
-            {RemarkGrade::note, {REPORT_TEXT("report", "Readings missing: %1."), {count(missing)}}});
+        addRemark(remarks, RemarkGrade::note,
+                  {REPORT_TEXT("report", "Readings missing: %1."), {count(missing)}});
     const auto upward =
         static_cast<std::size_t>(std::ranges::count(measurement.runs, Direction::positive, &Run::approach));
     const std::size_t downward = measurement.runs.size() - upward;
     if (upward != downward && upward > 0 && downward > 0)
-        remarks.push_back(
-            {RemarkGrade::problem,
-             {REPORT_TEXT("report", "The directions have unequal numbers of runs: %1 ↑ and %2 ↓."),
-              {count(upward), count(downward)}},
-             0,
-             0,
-             "unequalRuns"});
-    remarks.push_back({RemarkGrade::note,
-                       {REPORT_TEXT("report", "Understood: targets: %1; runs ↑: %2; runs ↓: %3."),
-                        {count(measurement.targets.size()), count(upward), count(downward)}}});
+        addRemark(remarks, RemarkGrade::problem,
+                  {REPORT_TEXT("report", "The directions have unequal numbers of runs: %1 ↑ and %2 ↓."),
+                   {count(upward), count(downward)}},
+                  0, "unequalRuns");
+    addRemark(remarks, RemarkGrade::note,
+              {REPORT_TEXT("report", "Understood: targets: %1; runs ↑: %2; runs ↓: %3."),
+               {count(measurement.targets.size()), count(upward), count(downward)}});
 }
 
 } // namespace
@@ -163,12 +160,11 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
     result.targets = std::move(positions);
     result.axis.motion = form.positionUnit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
     if (repeated > 0)
-        remarks.push_back(
-            {RemarkGrade::problem,
-             {REPORT_TEXT("report",
-                          "Readings that stand at a target twice in one run: %1; the first is kept."),
-              {count(repeated)}},
-             firstRepeated});
+        addRemark(remarks, RemarkGrade::problem,
+                  {REPORT_TEXT("report",
+                               "Readings that stand at a target twice in one run: %1; the first is kept."),
+                   {count(repeated)}},
+                  firstRepeated);
     remarkGaps(result, remarks);
     return result;
 }
@@ -280,7 +276,7 @@ public:
 
 private:
     void ask(Message message, std::string_view choice) {
-        m_remarks.push_back({RemarkGrade::assumption, std::move(message), 0, 0, std::string(choice)});
+        addRemark(m_remarks, RemarkGrade::assumption, std::move(message), 0, std::string(choice));
     }
 
     void settleContent() {

@@ -318,12 +318,9 @@ private:
     }
 
     void remarkUnread(const TableRow &row) {
-        m_body.remarks.push_back(
-            {RemarkGrade::problem,
-             {REPORT_TEXT("report", "This line is not like the others and was not read.")},
-             row.line,
-             0,
-             "unread"});
+        addRemark(m_body.remarks, RemarkGrade::problem,
+                  {REPORT_TEXT("report", "This line is not like the others and was not read.")}, row.line,
+                  "unread");
     }
 
     /// Empty lines part blocks, unless they stand everywhere.
@@ -392,12 +389,9 @@ void keepLargestTable(const CellTable &table, TableBody &body) {
     std::erase_if(body.blocks, [&](const TableBlock &block) {
         const bool other = kindOf[block.section] != best;
         if (other)
-            body.remarks.push_back(
-                {RemarkGrade::problem,
-                 {REPORT_TEXT("report", "Here a table with other columns begins, which was not read.")},
-                 table.rows()[block.rows.front()].line,
-                 0,
-                 "unread"});
+            addRemark(body.remarks, RemarkGrade::problem,
+                      {REPORT_TEXT("report", "Here a table with other columns begins, which was not read.")},
+                      table.rows()[block.rows.front()].line, "unread");
         return other;
     });
     body.columns = body.sections[kinds[best].section];

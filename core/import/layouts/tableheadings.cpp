@@ -190,22 +190,17 @@ void takeUnitOfCells(const CellTable &table, std::size_t c, TableColumn &column,
     const bool isTarget = column.meaning == Meaning::target || column.meaning == Meaning::place;
     const char *choice = isTarget ? "positionUnit" : "unit";
     if (column.unit && column.unit != cells.unit)
-        remarks.push_back(
-            {RemarkGrade::assumption,
-             {REPORT_TEXT("report", "Unit: the heading “%1” names another unit than the cells of "
-                                    "its column; read in %2, as the cells say."),
-              {excerpt(column.heading), std::string(cells.unit->sign)}},
-             0,
-             0,
-             choice});
+        addRemark(remarks, RemarkGrade::assumption,
+                  {REPORT_TEXT("report", "Unit: the heading “%1” names another unit than the cells of "
+                                         "its column; read in %2, as the cells say."),
+                   {excerpt(column.heading), std::string(cells.unit->sign)}},
+                  0, choice);
     if (cells.bareLine > 0)
-        remarks.push_back({RemarkGrade::assumption,
-                           {REPORT_TEXT("report", "Unit: a number has none, where the others of its column "
-                                                  "have one; read in %1."),
-                            {std::string(cells.unit->sign)}},
-                           cells.bareLine,
-                           0,
-                           choice});
+        addRemark(remarks, RemarkGrade::assumption,
+                  {REPORT_TEXT("report", "Unit: a number has none, where the others of its column "
+                                         "have one; read in %1."),
+                   {std::string(cells.unit->sign)}},
+                  cells.bareLine, choice);
     column.unit = cells.unit;
 }
 

@@ -63,7 +63,7 @@ std::optional<double> TableReading::noNumber(std::uint32_t index, std::size_t co
 }
 
 void TableReading::remark(RemarkGrade grade, Message message, std::size_t line, std::string choice) {
-    result.remarks.push_back({grade, std::move(message), line, 0, std::move(choice)});
+    addRemark(result.remarks, grade, std::move(message), line, std::move(choice));
 }
 
 std::string TableReading::titleOf(const TableBlock &block) const {

@@ -154,14 +154,11 @@ std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &import
     choices.settle("encoding", encodings[static_cast<std::size_t>(decoded.encoding.value)],
                    decoded.encoding.origin);
     if (decoded.encoding.origin == Origin::guessed)
-        imported.remarks.push_back(
-            {RemarkGrade::assumption,
-             {decoded.encoding.value == Encoding::gb18030
-                  ? REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Chinese (GB18030).")
-                  : REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Windows-1252.")},
-             0,
-             0,
-             "encoding"});
+        addRemark(imported.remarks, RemarkGrade::assumption,
+                  {decoded.encoding.value == Encoding::gb18030
+                       ? REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Chinese (GB18030).")
+                       : REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Windows-1252.")},
+                  0, "encoding");
     return std::move(decoded.text);
 }
 
@@ -224,16 +221,14 @@ void readTextTable(const ImportSource &source, Choices &choices, Imported &impor
     choices.settle("decimalMark", marks[static_cast<std::size_t>(table.decimalMark.value)],
                    table.decimalMark.origin);
     if (table.decimalMark.origin == Origin::guessed || table.delimiter.origin == Origin::guessed)
-        imported.remarks.push_back(
-            {RemarkGrade::assumption,
-             {table.decimalMark.value == DecimalMark::comma
-                  ? REPORT_TEXT("report", "Decimal mark: the numbers can be read in several ways; the comma "
-                                          "is taken as decimal mark.")
-                  : REPORT_TEXT("report", "Decimal mark: the numbers can be read in several ways; the point "
-                                          "is taken as decimal mark.")},
-             0,
-             0,
-             "decimalMark"});
+        addRemark(
+            imported.remarks, RemarkGrade::assumption,
+            {table.decimalMark.value == DecimalMark::comma
+                 ? REPORT_TEXT("report", "Decimal mark: the numbers can be read in several ways; the comma "
+                                         "is taken as decimal mark.")
+                 : REPORT_TEXT("report", "Decimal mark: the numbers can be read in several ways; the point "
+                                         "is taken as decimal mark.")},
+            0, "decimalMark");
     readMeasurementTable(choices, imported);
 }
 

@@ -703,28 +703,23 @@ private:
     void remarkOnCells() {
         if (m_hiddenNumbers > 0) {
             const auto choice = m_choices.settle("hidden", "read", Origin::guessed);
-            m.remarks.push_back(
-                {choice.origin == Origin::guessed ? RemarkGrade::assumption : RemarkGrade::note,
-                 {choice.value == "leave"
-                      ? REPORT_TEXT("report", "Rows or columns of the sheet are hidden; what stands there is "
-                                              "left out (%1 numbers).")
-                      : REPORT_TEXT("report", "Rows or columns of the sheet are hidden; what stands there is "
-                                              "read like the rest (%1 numbers)."),
-                  {Number{static_cast<double>(m_hiddenNumbers), Quantity::count}}},
-                 0,
-                 0,
-                 "hidden"});
+            addRemark(
+                m.remarks, choice.origin == Origin::guessed ? RemarkGrade::assumption : RemarkGrade::note,
+                {choice.value == "leave"
+                     ? REPORT_TEXT("report", "Rows or columns of the sheet are hidden; what stands there is "
+                                             "left out (%1 numbers).")
+                     : REPORT_TEXT("report", "Rows or columns of the sheet are hidden; what stands there is "
+                                             "read like the rest (%1 numbers)."),
+                 {Number{static_cast<double>(m_hiddenNumbers), Quantity::count}}},
+                0, "hidden");
         }
         if (m_emptyFormulas > 0)
-            m.remarks.push_back(
-                {RemarkGrade::problem,
-                 {REPORT_TEXT("report",
-                              "The values of %1 formulas are not in the file and were not read; open "
-                              "the workbook in a spreadsheet program and save it."),
-                  {Number{static_cast<double>(m_emptyFormulas), Quantity::count}}},
-                 m_emptyFormulaLine,
-                 0,
-                 "unread"});
+            addRemark(m.remarks, RemarkGrade::problem,
+                      {REPORT_TEXT("report",
+                                   "The values of %1 formulas are not in the file and were not read; open "
+                                   "the workbook in a spreadsheet program and save it."),
+                       {Number{static_cast<double>(m_emptyFormulas), Quantity::count}}},
+                      m_emptyFormulaLine, "unread");
     }
 
     void settle() {
@@ -759,8 +754,8 @@ private:
                 hidden += (hidden.empty() ? "" : ", ") + each.name;
         }
         if (!hidden.empty())
-            m.remarks.push_back(
-                {RemarkGrade::note, {REPORT_TEXT("report", "Hidden sheets: %1."), {excerpt(hidden)}}});
+            addRemark(m.remarks, RemarkGrade::note,
+                      {REPORT_TEXT("report", "Hidden sheets: %1."), {excerpt(hidden)}});
     }
 
     const std::vector<SheetName> &m_sheets;
@@ -825,13 +820,11 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
                        imported.table.decimalMark.value == DecimalMark::comma ? "comma" : "point",
                        imported.table.decimalMark.origin);
         if (imported.table.decimalMark.origin == Origin::guessed)
-            imported.remarks.push_back(
-                {RemarkGrade::assumption,
-                 {REPORT_TEXT("report",
-                              "Decimal mark: numbers that stand there as text can be read in several ways.")},
-                 0,
-                 0,
-                 "decimalMark"});
+            addRemark(
+                imported.remarks, RemarkGrade::assumption,
+                {REPORT_TEXT("report",
+                             "Decimal mark: numbers that stand there as text can be read in several ways.")},
+                0, "decimalMark");
     }
     readMeasurementTable(choices, imported);
 }
