@@ -16,6 +16,7 @@
 #include <QSettings>
 #include <QStyle>
 #include <QSvgRenderer>
+#include <QToolButton>
 #include <QWidget>
 #include <algorithm>
 #include <array>
@@ -389,6 +390,15 @@ QFont themeFont(TextSize size) {
     if (size == TextSize::head || size == TextSize::title)
         font.setWeight(QFont::DemiBold);
     return font;
+}
+
+QToolButton *iconButton(QWidget *parent, const QString &objectName, const QString &icon) {
+    auto *button = new QToolButton(parent);
+    button->setObjectName(objectName);
+    button->setIcon(lineIcon(icon));
+    button->setProperty("iconOnly", true);
+    button->setFocusPolicy(Qt::StrongFocus);
+    return button;
 }
 
 QIcon lineIcon(const QString &name, QPalette::ColorRole role) {

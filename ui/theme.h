@@ -9,6 +9,7 @@
 #include <QString>
 
 class QPainter;
+class QToolButton;
 class QWidget;
 
 namespace palmer::ui {
@@ -49,6 +50,9 @@ enum class TextSize { base, small, tiny, head, title };
 /// The line icon `:/icons/<name>.svg` in the colour the palette has for `role` at the time it is painted;
 /// enabled and disabled, sharp at any device pixel ratio.
 [[nodiscard]] QIcon lineIcon(const QString &name, QPalette::ColorRole role = QPalette::WindowText);
+
+/// A button of that icon alone, which the keyboard reaches.
+[[nodiscard]] QToolButton *iconButton(QWidget *parent, const QString &objectName, const QString &icon);
 
 /// Draws a line icon centred in `area`, in 16 × 16.
 void drawLineIcon(QPainter &painter, const QRect &area, const QString &name, const QColor &colour);

@@ -72,15 +72,6 @@ void put(std::vector<Word> &list, Word word, bool in) {
         std::erase(list, word);
 }
 
-QToolButton *iconButton(QWidget *parent, const char *name, const QString &icon) {
-    auto *button = new QToolButton(parent);
-    button->setObjectName(QLatin1StringView(name));
-    button->setIcon(lineIcon(icon));
-    button->setProperty("iconOnly", true);
-    button->setFocusPolicy(Qt::StrongFocus);
-    return button;
-}
-
 } // namespace
 
 ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *parent)
@@ -155,10 +146,10 @@ QWidget *ReportDialog::makeHead() {
     });
     m_summary->setFont(themeFont(TextSize::small));
     m_summary->setProperty("secondary", true);
-    m_previous = iconButton(head, "previousPage", QStringLiteral("left"));
-    m_next = iconButton(head, "nextPage", QStringLiteral("right"));
-    m_smaller = iconButton(head, "smaller", QStringLiteral("zoomout"));
-    m_larger = iconButton(head, "larger", QStringLiteral("zoomin"));
+    m_previous = iconButton(head, QStringLiteral("previousPage"), QStringLiteral("left"));
+    m_next = iconButton(head, QStringLiteral("nextPage"), QStringLiteral("right"));
+    m_smaller = iconButton(head, QStringLiteral("smaller"), QStringLiteral("zoomout"));
+    m_larger = iconButton(head, QStringLiteral("larger"), QStringLiteral("zoomin"));
     m_previous->setShortcut(QKeySequence(Qt::Key_PageUp));
     m_next->setShortcut(QKeySequence(Qt::Key_PageDown));
     m_smaller->setShortcut(QKeySequence::ZoomOut);

@@ -102,12 +102,12 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     , m_note(new ElidedLabel(this))
     , m_canvas(new FigureCanvas(selection, this))
     , m_circles(new CircleFigureView(selection, this))
-    , m_marks(addButton(QStringLiteral("readingMarks"), QStringLiteral("dots")))
+    , m_marks(iconButton(this, QStringLiteral("readingMarks"), QStringLiteral("dots")))
     , m_zoom(new ZoomButtons(this))
-    , m_copy(addButton(QStringLiteral("copyFigure"), QStringLiteral("copy")))
-    , m_save(addButton(QStringLiteral("saveFigure"), QStringLiteral("save")))
-    , m_detach(addButton(QStringLiteral("detachFigure"), QStringLiteral("detach")))
-    , m_maximise(addButton(QStringLiteral("maximiseFigure"), QStringLiteral("maxi"))) {
+    , m_copy(iconButton(this, QStringLiteral("copyFigure"), QStringLiteral("copy")))
+    , m_save(iconButton(this, QStringLiteral("saveFigure"), QStringLiteral("save")))
+    , m_detach(iconButton(this, QStringLiteral("detachFigure"), QStringLiteral("detach")))
+    , m_maximise(iconButton(this, QStringLiteral("maximiseFigure"), QStringLiteral("maxi"))) {
     setObjectName(QStringLiteral("figureView"));
     m_note->setProperty("secondary", true);
     m_note->setSeparator(QStringLiteral(" · "));
@@ -159,15 +159,6 @@ void FigureView::resizeEvent(QResizeEvent *event) {
         if (button->property("iconOnly").toBool())
             setStyled(*button, "tight", tight);
     }
-}
-
-QToolButton *FigureView::addButton(const QString &name, const QString &icon) {
-    auto *button = new QToolButton(this);
-    button->setObjectName(name);
-    button->setIcon(lineIcon(icon));
-    button->setProperty("iconOnly", true);
-    button->setFocusPolicy(Qt::StrongFocus);
-    return button;
 }
 
 void FigureView::show(const EvaluatedDocument &evaluated, std::size_t test) {

@@ -99,7 +99,6 @@ private:
     void showHoverLabel();
     void askWhereToSave();
     void retranslate();
-    QToolButton *addButton(const QString &name, const QString &icon);
 
     Selection &m_selection;
     EvaluatedDocument m_evaluated;

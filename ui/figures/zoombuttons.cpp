@@ -12,9 +12,9 @@ namespace palmer::ui {
 
 ZoomButtons::ZoomButtons(QWidget *parent)
     : QWidget(parent)
-    , m_out(add(QStringLiteral("zoomOut"), QStringLiteral("zoomout")))
-    , m_in(add(QStringLiteral("zoomIn"), QStringLiteral("zoomin")))
-    , m_fit(add(QStringLiteral("fitFigure"), QStringLiteral("fit"))) {
+    , m_out(iconButton(this, QStringLiteral("zoomOut"), QStringLiteral("zoomout")))
+    , m_in(iconButton(this, QStringLiteral("zoomIn"), QStringLiteral("zoomin")))
+    , m_fit(iconButton(this, QStringLiteral("fitFigure"), QStringLiteral("fit"))) {
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(2);
@@ -24,15 +24,6 @@ ZoomButtons::ZoomButtons(QWidget *parent)
     connect(m_in, &QToolButton::clicked, this, [this] { emit zoomWanted(1); });
     connect(m_fit, &QToolButton::clicked, this, &ZoomButtons::fitWanted);
     retranslate();
-}
-
-QToolButton *ZoomButtons::add(const QString &name, const QString &icon) {
-    auto *button = new QToolButton(this);
-    button->setObjectName(name);
-    button->setIcon(lineIcon(icon));
-    button->setProperty("iconOnly", true);
-    button->setFocusPolicy(Qt::StrongFocus);
-    return button;
 }
 
 void ZoomButtons::retranslate() {

@@ -24,7 +24,6 @@ protected:
     void changeEvent(QEvent *event) override;
 
 private:
-    QToolButton *add(const QString &name, const QString &icon);
     void retranslate();
 
     QToolButton *m_out;

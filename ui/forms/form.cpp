@@ -208,8 +208,9 @@ Field *Form::add(Field::Kind kind, const char *key, const char *label, const QSt
     return field;
 }
 
-Field *Form::addText(const char *key, const char *label, Member<std::string> member, int weight) {
-    Field *field = add(Field::Kind::text, key, label, {}, weight);
+Field *Form::addText(const char *key, const char *label, Member<std::string> member, int weight,
+                     Field::Kind kind) {
+    Field *field = add(kind, key, label, {}, weight);
     last().value = [read = member.read](const FormSource &source) { return stated(read(source)); };
     last().change = [this, field, write = std::move(member.write)]() -> Change {
         return [write, test = m_test, text = field->valueText().toStdString()](Document &document) {
@@ -220,14 +221,7 @@ Field *Form::addText(const char *key, const char *label, Member<std::string> mem
 }
 
 Field *Form::addLongText(const char *key, const char *label, Member<std::string> member, int weight) {
-    Field *field = add(Field::Kind::longText, key, label, {}, weight);
-    last().value = [read = member.read](const FormSource &source) { return stated(read(source)); };
-    last().change = [this, field, write = std::move(member.write)]() -> Change {
-        return [write, test = m_test, text = field->valueText().toStdString()](Document &document) {
-            write(document, test, text);
-        };
-    };
-    return field;
+    return addText(key, label, std::move(member), weight, Field::Kind::longText);
 }
 
 Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Member<Amount> member,

@@ -94,7 +94,8 @@ protected:
     void beginColumns();
     /// `key`: id of the findings that say it is missing, which is the key in the file; empty: never asked
     /// for.
-    Field *addText(const char *key, const char *label, Member<std::string> member, int weight = 1);
+    Field *addText(const char *key, const char *label, Member<std::string> member, int weight = 1,
+                   Field::Kind kind = Field::Kind::text);
     Field *addLongText(const char *key, const char *label, Member<std::string> member, int weight = 1);
     /// `unit`: empty takes that of the quantity.
     Field *addNumber(const char *key, const char *label, Quantity quantity, Member<Amount> member,
