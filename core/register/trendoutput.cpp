@@ -220,12 +220,10 @@ Members lineMembers(const MachineTrend &trend, const std::string &date, const st
     return one;
 }
 
-QByteArray trendJson(const ListedMachine &machine, const std::string &axis, const MachineTrend &trend) {
-    std::vector<std::string> files; // what the members borrow
-    for (const TrendSeries &series : trend.series) {
-        for (const TrendEntry &entry : series.entries)
-            files.push_back(entry.file.toStdString());
-    }
+namespace {
+
+/// `files`: of the entries of all series.
+std::vector<Members> seriesMembers(const MachineTrend &trend, const std::vector<std::string> &files) {
     std::size_t next = 0;
     std::vector<Members> seriesList;
     for (const TrendSeries &series : trend.series) {
@@ -251,6 +249,17 @@ QByteArray trendJson(const ListedMachine &machine, const std::string &axis, cons
             .list("points", std::move(points));
         seriesList.push_back(std::move(one));
     }
+    return seriesList;
+}
+
+} // namespace
+
+QByteArray trendJson(const ListedMachine &machine, const std::string &axis, const MachineTrend &trend) {
+    std::vector<std::string> files; // what the members borrow
+    for (const TrendSeries &series : trend.series) {
+        for (const TrendEntry &entry : series.entries)
+            files.push_back(entry.file.toStdString());
+    }
     std::vector<Members> interventions;
     for (const Intervention &intervention : trend.interventions) {
         Members one;
@@ -269,7 +278,7 @@ QByteArray trendJson(const ListedMachine &machine, const std::string &axis, cons
         .text("axis", axis)
         .text("parameter", trend.parameter)
         .quoted("unit", trend.angular ? "deg" : "mm")
-        .list("series", std::move(seriesList))
+        .list("series", seriesMembers(trend, files))
         .list("interventions", std::move(interventions));
     std::string horizon;
     std::string date;

@@ -28,13 +28,8 @@ void addCrossing(std::vector<double> &places, double from, double to, double dif
     }
 }
 
-} // namespace
-
-std::vector<std::vector<BandPoint>> bandOverlap(const std::vector<BandPoint> &a,
-                                                const std::vector<BandPoint> &b) {
-    std::vector<std::vector<BandPoint>> overlaps;
-    if (a.size() < 2 || b.size() < 2)
-        return overlaps;
+/// Where both bands are, ascending: between two of these places neither has a corner, nor do they cross.
+std::vector<double> cornersAndCrossings(const std::vector<BandPoint> &a, const std::vector<BandPoint> &b) {
     const double first = std::max(a.front().x, b.front().x);
     const double last = std::min(a.back().x, b.back().x);
     std::vector<double> corners;
@@ -70,10 +65,20 @@ std::vector<std::vector<BandPoint>> bandOverlap(const std::vector<BandPoint> &a,
         previousB = there;
     }
     std::sort(places.begin(), places.end());
+    return places;
+}
 
-    segmentA = segmentB = 0;
+} // namespace
+
+std::vector<std::vector<BandPoint>> bandOverlap(const std::vector<BandPoint> &a,
+                                                const std::vector<BandPoint> &b) {
+    std::vector<std::vector<BandPoint>> overlaps;
+    if (a.size() < 2 || b.size() < 2)
+        return overlaps;
+    std::size_t segmentA = 0;
+    std::size_t segmentB = 0;
     bool open = false;
-    for (const double x : places) {
+    for (const double x : cornersAndCrossings(a, b)) {
         const BandPoint here = at(a, x, segmentA);
         const BandPoint there = at(b, x, segmentB);
         const double lower = std::max(here.lower, there.lower);

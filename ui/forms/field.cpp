@@ -105,18 +105,7 @@ Field::Field(Kind kind, QWidget *parent)
     m_unit->setProperty("secondary", true);
     m_unit->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_bar->setAttribute(Qt::WA_TransparentForMouseEvents);
-    m_reasonRow = new QWidget(this);
-    m_reason = new ElidedLabel(m_reasonRow);
-    m_reason->setObjectName(QStringLiteral("refusal"));
-    m_reason->setProperty("tone", QStringLiteral("bad"));
-    auto *reasonLayout = new QHBoxLayout(m_reasonRow);
-    reasonLayout->setContentsMargins(0, 0, 0, 0);
-    reasonLayout->setSpacing(4);
-    reasonLayout->addWidget(new RefusedMark(m_reasonRow));
-    reasonLayout->addWidget(m_reason, 1);
-    m_reasonRow->setAttribute(Qt::WA_TransparentForMouseEvents);
-    m_reasonRow->setAutoFillBackground(true);
-    m_reasonRow->hide();
+    makeReason();
     auto *head = new QHBoxLayout;
     head->setContentsMargins(0, 0, 0, 0);
     head->addWidget(m_label, 1);
@@ -129,6 +118,21 @@ Field::Field(Kind kind, QWidget *parent)
     layout->addStretch();
     setFocusProxy(edit);
     retranslate();
+}
+
+void Field::makeReason() {
+    m_reasonRow = new QWidget(this);
+    m_reason = new ElidedLabel(m_reasonRow);
+    m_reason->setObjectName(QStringLiteral("refusal"));
+    m_reason->setProperty("tone", QStringLiteral("bad"));
+    auto *layout = new QHBoxLayout(m_reasonRow);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(new RefusedMark(m_reasonRow));
+    layout->addWidget(m_reason, 1);
+    m_reasonRow->setAttribute(Qt::WA_TransparentForMouseEvents);
+    m_reasonRow->setAutoFillBackground(true);
+    m_reasonRow->hide();
 }
 
 Field::~Field() {

@@ -109,6 +109,7 @@ private:
     [[nodiscard]] QString description() const;
     void placeParts();
     void placeReason();
+    void makeReason();
 
     Kind m_kind;
     Reader m_reader;

@@ -463,11 +463,15 @@ void CurveComparison::rebuildDifference() {
     end();
     delete line;
     addAxes(chart, palette(), QStringLiteral("Δx̄"), unit());
+    sayDifference(pen.color());
+}
+
+void CurveComparison::sayDifference(const QColor &ink) {
     const bool angular = m_tests.front().test.angular;
     const Quantity position = angular ? Quantity::angle : Quantity::position;
-    QString text = tr("common travel %1 to %2")
-                       .arg(windowLanguage().number(m_difference->from, position, 0),
-                            windowLanguage().quantity(m_difference->to, position, 0));
+    m_travel->setText(tr("common travel %1 to %2")
+                          .arg(windowLanguage().number(m_difference->from, position, 0),
+                               windowLanguage().quantity(m_difference->to, position, 0)));
     if (m_difference->largest) {
         const PlacedValue &largest = *m_difference->largest;
         const QString where =
@@ -475,9 +479,8 @@ void CurveComparison::rebuildDifference() {
                                       angular ? Quantity::angularDeviation : Quantity::deviation, 1) +
             QStringLiteral(" · ") + windowLanguage().quantity(largest.position, position, 0);
         m_differences->setBox({largest.position, *largest.value * scale()},
-                              *largest.value > 0 ? u'+' + where : where, pen.color());
+                              *largest.value > 0 ? u'+' + where : where, ink);
     }
-    m_travel->setText(text);
 }
 
 } // namespace palmer::ui

@@ -65,6 +65,7 @@ protected:
 private:
     void rebuild();
     void rebuildDifference();
+    void sayDifference(const QColor &ink);
     void retranslate();
     void showList();
     [[nodiscard]] QPen penOf(std::size_t curve) const;

@@ -118,15 +118,8 @@ void explainMissingValues(TestEvaluation &evaluation, std::span<const TargetStat
     evaluation.findings.push_back(std::move(finding));
 }
 
-} // namespace
-
-TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroundings,
-                                   const Edition &edition) {
-    const auto &measurement = std::get<PositioningMeasurement>(test.measurement);
-    TestEvaluation evaluation;
-    evaluation.edition = &edition;
-    evaluation.view = test.edition != edition.word;
-
+/// What the readings give, before any parameter.
+PositioningResults statisticsOf(const PositioningMeasurement &measurement, const Edition &edition) {
     PositioningResults results;
     results.positiveRuns = runsOf(measurement, Direction::positive);
     results.negativeRuns = runsOf(measurement, Direction::negative);
@@ -142,7 +135,19 @@ TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroun
     results.targets.resize(measurement.targets.size());
     statistics(table.view(), results.standardDeviation, results.targets);
     results.drift = driftStatistic(table.view(), results.targets);
+    return results;
+}
 
+} // namespace
+
+TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroundings,
+                                   const Edition &edition) {
+    const auto &measurement = std::get<PositioningMeasurement>(test.measurement);
+    TestEvaluation evaluation;
+    evaluation.edition = &edition;
+    evaluation.view = test.edition != edition.word;
+
+    PositioningResults results = statisticsOf(measurement, edition);
     const unsigned offers = offered(results);
     for (const Row &row : edition.rows) {
         if ((row.needs & ~offers) == 0)

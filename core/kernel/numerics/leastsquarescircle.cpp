@@ -462,6 +462,21 @@ bool needsOthers(const Fit &fit, double extent) {
            deviation > large * extent;
 }
 
+LeastSquaresCircle circleOf(const Fit &fit, PointsView points, Point mean) {
+    const RadiusExtremes extremes = radiusExtremes(points, fit.c, mean);
+    LeastSquaresCircle circle;
+    circle.status = fit.status;
+    circle.iterations = fit.iterations;
+    circle.centre = {mean.x + fit.c.x, mean.y + fit.c.y};
+    circle.radius = fit.at.radius();
+    circle.innerRadius = extremes.inner;
+    circle.outerRadius = extremes.outer;
+    circle.nearest = extremes.nearest;
+    circle.farthest = extremes.farthest;
+    circle.rms = std::sqrt(fit.at.variance());
+    return circle;
+}
+
 } // namespace
 
 LeastSquaresCircle leastSquaresCircle(PointsView points, const LeastSquaresCircleOptions &options) {
@@ -470,9 +485,8 @@ LeastSquaresCircle leastSquaresCircle(PointsView points, const LeastSquaresCircl
     const std::span<const std::size_t> groups = options.groups.empty() ? std::span(all) : options.groups;
     assert(std::accumulate(groups.begin(), groups.end(), std::size_t{0}) == points.size());
 
-    LeastSquaresCircle circle;
-    const auto refused = [&](Status status) {
-        circle = {};
+    const auto refused = [](Status status) {
+        LeastSquaresCircle circle;
         circle.status = status;
         return circle;
     };
@@ -519,17 +533,7 @@ LeastSquaresCircle leastSquaresCircle(PointsView points, const LeastSquaresCircl
     if (fit.status != Status::converged)
         return refused(fit.status);
 
-    const RadiusExtremes extremes = radiusExtremes(points, fit.c, mean);
-    circle.status = fit.status;
-    circle.iterations = fit.iterations;
-    circle.centre = {mean.x + fit.c.x, mean.y + fit.c.y};
-    circle.radius = fit.at.radius();
-    circle.innerRadius = extremes.inner;
-    circle.outerRadius = extremes.outer;
-    circle.nearest = extremes.nearest;
-    circle.farthest = extremes.farthest;
-    circle.rms = std::sqrt(fit.at.variance());
-    return circle;
+    return circleOf(fit, points, mean);
 }
 
 } // namespace palmer
