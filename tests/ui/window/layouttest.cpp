@@ -82,6 +82,7 @@ private slots:
     void labelsOfFormsAreWhole();
     void toolsAreEvenlySpaced();
     void wideWindowsSayFullNames();
+    void wideWindowsShowMoreFindings();
     void startsSayTheirStandard();
     void aDriftTestHasNoEmptyTable();
     void pageAndFigureTakeTurnsInALowWindow_data();
@@ -559,8 +560,23 @@ void LayoutTest::wideWindowsSayFullNames() {
         return table->model()->index(0, ResultsModel::name).data().toString();
     };
     QCOMPARE(name(1280), u"précision"_s);
+    const ShownWindow resized(examplePath("iso230-2-1988-example"), {1280, 800});
+    QTest::qWait(20);
+    resized.window->resize(1920, 1050);
+    const auto *table = resized.find<QTableView>("results");
+    QTRY_VERIFY(table->model()->index(0, ResultsModel::name).data().toString().size() > 12);
     const QString full = name(1920);
     QVERIFY2(full.size() > 12 && full.startsWith(u"précision"_s), qPrintable(full));
+}
+
+void LayoutTest::wideWindowsShowMoreFindings() {
+    const auto inSight = [](QSize size) {
+        const ShownWindow shown(examplePath("iso230-2-1988-example"), size);
+        QTest::qWait(20);
+        return shown.find("findings")->height();
+    };
+    QVERIFY(inSight({1920, 1050}) >= 5 * inSight({1280, 800}) / 3);
+    QVERIFY(inSight({1600, 900}) > inSight({1280, 800}));
 }
 
 void LayoutTest::startsSayTheirStandard() {
