@@ -213,6 +213,7 @@ UncertaintyPage::UncertaintyPage(DocumentModel &model, Evaluator &evaluator, Sel
     : Form(context, Page::uncertainty, model, parent)
     , m_simulator(evaluator) {
     setObjectName(QStringLiteral("uncertaintyPage"));
+    makeTypical();
     follow(selection);
     refresh();
 }
@@ -237,7 +238,6 @@ void UncertaintyPage::forgetParts() {
     m_fields.clear();
     m_methods = {};
     m_methodNote = nullptr;
-    m_typical = nullptr;
     m_perMetre = m_length = m_environment = m_repeatability = m_trials = nullptr;
     m_advice = nullptr;
     m_contributions = nullptr;
@@ -257,6 +257,7 @@ void UncertaintyPage::prepare() {
     if (!edition || !method) {
         if (!m_built.isEmpty())
             forgetParts();
+        m_typical->hide();
         return;
     }
     const auto *linear = std::get_if<PositioningMeasurement>(&shown->measurement);
@@ -305,7 +306,18 @@ void UncertaintyPage::prepare() {
     addStretch();
 }
 
-/// Which method decides, and values to take.
+void UncertaintyPage::makeTypical() {
+    m_typical = new QToolButton(this);
+    m_typical->setObjectName(QStringLiteral("typicalValues"));
+    m_typical->setProperty("segment", QStringLiteral("only"));
+    m_typical->setPopupMode(QToolButton::InstantPopup);
+    m_typical->setFocusPolicy(Qt::StrongFocus);
+    m_typical->setMenu(new QMenu(m_typical));
+    connect(m_typical->menu(), &QMenu::aboutToShow, this, &UncertaintyPage::fillTypical);
+    addToBar(m_typical);
+}
+
+/// Which method decides.
 void UncertaintyPage::addMethods() {
     beginRow();
     auto *bar = new QWidget(body());
@@ -327,15 +339,7 @@ void UncertaintyPage::addMethods() {
     }
     connect(group, &QButtonGroup::idClicked, this,
             [this](int id) { chooseMethod(methods.at(static_cast<std::size_t>(id))); });
-    m_typical = new QToolButton(bar);
-    m_typical->setObjectName(QStringLiteral("typicalValues"));
-    m_typical->setProperty("segment", QStringLiteral("only"));
-    m_typical->setPopupMode(QToolButton::InstantPopup);
-    m_typical->setFocusPolicy(Qt::StrongFocus);
-    m_typical->setMenu(new QMenu(m_typical));
-    connect(m_typical->menu(), &QMenu::aboutToShow, this, &UncertaintyPage::fillTypical);
     row->addStretch();
-    row->addWidget(m_typical);
     addWidget(bar);
     beginRow(); // beside the buttons there is no room for it
     m_methodNote = new QLabel(body());

@@ -38,6 +38,7 @@ protected:
 
 private:
     void forgetParts();
+    void makeTypical();
     void addMethods();
     void addPositioningInputs(bool rotary, bool perMetre);
     void addCircularInputs(bool centring);

@@ -80,6 +80,7 @@ private slots:
     void namesOfLimitsAreWhole();
     void namesOfResultsAreWhole();
     void labelsOfFormsAreWhole();
+    void formsHaveRoomInNarrowWindows();
     void toolsAreEvenlySpaced();
     void wideWindowsSayFullNames();
     void wideWindowsShowMoreFindings();
@@ -505,6 +506,29 @@ void LayoutTest::labelsOfFormsAreWhole() {
                     const auto *label = field->findChild<ElidedLabel *>();
                     if (label->isVisible() && label->shownText() != label->text())
                         cut += label->text();
+                }
+            }
+        }
+    }
+    QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+}
+
+void LayoutTest::formsHaveRoomInNarrowWindows() {
+    QStringList cut;
+    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+        setWindowLanguage(language);
+        for (const char *example : {"long-axis-with-zone", "rotary-axis", "iso230-4-full-circles-xy"}) {
+            for (const int width : {960, 1024}) {
+                const ShownWindow shown(examplePath(example), {width, 600});
+                for (const Page page : pages) {
+                    shown.window->workplace().showPage(page);
+                    QTest::qWait(10);
+                    for (const QScrollArea *area : shown.window->findChildren<QScrollArea *>()) {
+                        if (area->isVisible() && area->widget()->width() > area->viewport()->width())
+                            cut += u"%1, page %2, %3 pixels"_s.arg(QLatin1StringView(example))
+                                       .arg(static_cast<int>(page))
+                                       .arg(width);
+                    }
                 }
             }
         }
