@@ -779,10 +779,6 @@
         <translation>Les angles sont ceux des points mesurés ou ceux de la trajectoire programmée</translation>
     </message>
     <message>
-        <source>not stated</source>
-        <translation>non indiquée</translation>
-    </message>
-    <message>
         <source>Evaluated</source>
         <translation>Évalué</translation>
     </message>
@@ -919,6 +915,10 @@
     <message>
         <source>left out</source>
         <translation>partie exclue</translation>
+    </message>
+    <message>
+        <source>&amp;Import a ballbar file…</source>
+        <translation>&amp;Importer un fichier de ballbar…</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,8 @@
 #include <QLayout>
 #include <QScrollArea>
 #include <QSplitter>
+#include <QTabBar>
+#include <QTabWidget>
 
 namespace palmer::ui {
 
@@ -15,6 +17,7 @@ namespace {
 
 class Walk {
 public:
+    [[nodiscard]] QWidget *first() const { return m_first; }
     void through(const QLayout &layout) {
         for (int i = 0; i < layout.count(); ++i) {
             QLayoutItem *item = layout.itemAt(i);
@@ -38,18 +41,53 @@ private:
         if ((widget.focusPolicy() & Qt::TabFocus) && !widget.focusProxy()) {
             if (m_last)
                 QWidget::setTabOrder(m_last, &widget);
+            else
+                m_first = &widget;
             m_last = &widget;
         }
         if (const auto *splitter = qobject_cast<QSplitter *>(&widget)) {
             for (int i = 0; i < splitter->count(); ++i)
                 through(*splitter->widget(i));
+        } else if (const auto *tabs = qobject_cast<QTabWidget *>(&widget)) {
+            through(*tabs->tabBar());
+            for (int i = 0; i < tabs->count(); ++i)
+                through(*tabs->widget(i));
         } else if (const QLayout *layout = widget.layout()) {
             through(*layout);
         }
     }
 
+    QWidget *m_first = nullptr;
     QWidget *m_last = nullptr;
 };
+
+QWidget *next(QWidget *widget) {
+    return widget->nextInFocusChain();
+}
+
+QWidget *previous(QWidget *widget) {
+    return widget->previousInFocusChain();
+}
+
+/// What takes the focus next to the window, which is in the chain and takes none.
+QWidget *neighbour(QWidget &window, QWidget *(*step)(QWidget *)) {
+    QWidget *widget = step(&window);
+    while (widget != &window && widget->focusPolicy() == Qt::NoFocus)
+        widget = step(widget);
+    return widget;
+}
+
+/// The order may begin anywhere else in the chain: what stands before its first goes to the end.
+void beginWith(QWidget &window, QWidget *first) {
+    const QWidget *before = nullptr;
+    for (QWidget *head = neighbour(window, next); head != first && head != before;
+         head = neighbour(window, next)) {
+        QWidget *last = neighbour(window, previous);
+        QWidget::setTabOrder(first, head); // for Qt `head` stands behind `last` already, but for the window
+        QWidget::setTabOrder(last, head);
+        before = head;
+    }
+}
 
 class ShownDialogs : public QObject {
 public:
@@ -72,7 +110,10 @@ public:
 } // namespace
 
 void orderTabs(QWidget &window) {
-    Walk().through(*window.layout());
+    Walk walk;
+    walk.through(*window.layout());
+    if (walk.first())
+        beginWith(window, walk.first());
 }
 
 void orderTabsOfDialogs(QApplication &application) {

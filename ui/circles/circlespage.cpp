@@ -65,6 +65,7 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     , m_arcs(new QTableView(this))
     , m_newArc(new QToolButton(this))
     , m_empty(new QLabel(this))
+    , m_import(new QPushButton(this))
     , m_curves(new ArcCurvesView(selection, this))
     , m_points(new QTableView(this))
     , m_reason(new QLabel(this)) {
@@ -112,7 +113,17 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
     m_empty->setProperty("secondary", true);
-    m_empty->hide();
+    m_import->setObjectName(QStringLiteral("importArcs"));
+    connect(m_import, &QPushButton::clicked, this, &CirclesPage::importAsked);
+    m_emptyPlace = new QWidget(this);
+    auto *empty = new QVBoxLayout(m_emptyPlace);
+    empty->setContentsMargins(0, 0, 0, 0);
+    empty->setSpacing(12);
+    empty->addStretch();
+    empty->addWidget(m_empty);
+    empty->addWidget(m_import, 0, Qt::AlignHCenter);
+    empty->addStretch();
+    m_emptyPlace->hide();
 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(pageMargin, 0, pageMargin, 8);
@@ -127,7 +138,7 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     m_reason->raise();
     layout->addLayout(curves);
     layout->addWidget(m_points, 1);
-    layout->addWidget(m_empty, 1);
+    layout->addWidget(m_emptyPlace, 1);
     connect(m_curves, &ArcCurvesView::rangeWanted, this,
             [this](std::size_t arc, const Interval &range) { setRange(arc, range); });
     connect(&selection, &Selection::hoveredChanged, this, &CirclesPage::showHovered);
@@ -722,7 +733,7 @@ void CirclesPage::showParts() {
     const bool any = m_pointsModel.rowCount() > 0;
     m_points->setVisible(any && height() >= leastHeightForPoints);
     m_curves->setVisible(any);
-    m_empty->setVisible(!any);
+    m_emptyPlace->setVisible(!any);
 }
 
 /// The current cell follows the point chosen in figure or curve.
@@ -791,7 +802,7 @@ void CirclesPage::retranslate() {
     m_radius->setUnit(m_language.unit(Quantity::position));
     m_feed->setLabel(tr("Contouring feed"));
     m_feed->setUnit(m_language.unit(Quantity::feed));
-    m_feed->setPlaceholder(tr("not stated"));
+    m_feed->setPlaceholder(QStringLiteral("–")); // words have no room beside the unit
     m_reason->setFont(themeFont(TextSize::small));
     nameRange();
     m_newArcAction->setText(tr("Paste &or type an arc…"));
@@ -803,6 +814,7 @@ void CirclesPage::retranslate() {
     m_empty->setText(tr("No arc yet. Copy the points in a spreadsheet and press %1, or type them with "
                         "“New arc…”.")
                          .arg(m_pasteArcAction->shortcut().toString(QKeySequence::NativeText)));
+    m_import->setText(tr("&Import a ballbar file…"));
     for (const auto &[button, text] :
          {std::pair(m_earlier, tr("Move the arc up: it was measured earlier")),
           std::pair(m_later, tr("Move the arc down: it was measured later")),

@@ -57,6 +57,9 @@ public:
     /// Puts arcs behind the others, as one step.
     void addArcs(const std::vector<Arc> &arcs);
 
+signals:
+    void importAsked();
+
 protected:
     void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
@@ -142,7 +145,9 @@ private:
     QToolButton *m_later = nullptr;
     QToolButton *m_delete = nullptr;
     QToolButton *m_newArc = nullptr;
-    QLabel *m_empty = nullptr; ///< in the place of the points
+    QWidget *m_emptyPlace = nullptr; ///< in the place of the points
+    QLabel *m_empty = nullptr;
+    QPushButton *m_import = nullptr;
     QList<QAction *> m_testActions;
     QAction *m_newArcAction = nullptr;
     QAction *m_pasteArcAction = nullptr;

@@ -19,7 +19,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int visibleRows = 3;
+constexpr int usualRows = 3;
 
 } // namespace
 
@@ -47,7 +47,7 @@ FindingsPanel::FindingsPanel(Selection &, QWidget *parent)
     m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_list->setVerticalScrollMode(QAbstractItemView::ScrollPerItem);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_list->setFixedHeight(visibleRows * findingRowHeight);
+    setRows(usualRows);
     connect(m_list, &QAbstractItemView::clicked, this, &FindingsPanel::activate);
     connect(m_list, &QAbstractItemView::activated, this, [this](const QModelIndex &index) {
         // A click was told already.
@@ -91,6 +91,10 @@ void FindingsPanel::setFolded(bool folded) {
     m_folded = folded;
     retranslate();
     emit foldedChanged(folded);
+}
+
+void FindingsPanel::setRows(int rows) {
+    m_list->setFixedHeight(rows * findingRowHeight);
 }
 
 void FindingsPanel::activate(const QModelIndex &index) {

@@ -31,6 +31,7 @@ public:
     void setPage(Page page);
     /// Folds the list away, or opens it again; the head stays.
     void setFolded(bool folded);
+    void setRows(int rows); ///< that are in sight at once
     [[nodiscard]] bool isFolded() const { return m_folded; }
 
 signals:

@@ -40,7 +40,7 @@ constexpr int narrowSymbolWidth = 32;
 constexpr int symbolMargin = 14; ///< before a symbol and after it
 constexpr int scaleWidth = 62;
 constexpr int cellMargin = 10;
-constexpr int narrowCellMargin = 7;
+constexpr int narrowCellMargin = 5;
 constexpr int nameMargin = 8;
 
 /// A head without a look of its own: small words over their columns, a rule below.
@@ -148,10 +148,6 @@ void ResultsPanel::makeTable() {
     header->setFixedHeight(headHeight);
     header->setSectionResizeMode(QHeaderView::Fixed);
     header->setSectionResizeMode(ResultsModel::name, QHeaderView::Stretch);
-    connect(header, &QHeaderView::sectionResized, this, [this](int section) {
-        if (section == ResultsModel::name)
-            fitNames();
-    });
     header->setMinimumSectionSize(10);
     header->setSectionsClickable(false);
     header->setHighlightSections(false);
@@ -200,6 +196,11 @@ void ResultsPanel::show(const EvaluatedDocument &evaluated, std::size_t test) {
 void ResultsPanel::setLanguage(const Language &language) {
     m_language = language;
     refresh();
+}
+
+void ResultsPanel::resizeEvent(QResizeEvent *event) {
+    QWidget::resizeEvent(event);
+    fitNames();
 }
 
 void ResultsPanel::setNarrow(bool narrow) {

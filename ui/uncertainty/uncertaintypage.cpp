@@ -228,6 +228,7 @@ UncertaintyPage::UncertaintyPage(DocumentModel &model, Evaluator &evaluator, Sel
     : Form(context, Page::uncertainty, model, parent)
     , m_simulator(evaluator) {
     setObjectName(QStringLiteral("uncertaintyPage"));
+    makeTypical();
     follow(selection);
     refresh();
 }
@@ -252,7 +253,6 @@ void UncertaintyPage::forgetParts() {
     m_fields.clear();
     m_methods = {};
     m_methodNote = nullptr;
-    m_typical = nullptr;
     m_perMetre = m_length = m_environment = m_repeatability = m_trials = nullptr;
     m_advice = nullptr;
     m_contributions = nullptr;
@@ -272,6 +272,7 @@ void UncertaintyPage::prepare() {
     if (!edition || !method) {
         if (!m_built.isEmpty())
             forgetParts();
+        m_typical->hide();
         return;
     }
     const bool rotary = motionOf(*shown) == Motion::rotary;
@@ -314,7 +315,18 @@ void UncertaintyPage::prepare() {
     addStretch();
 }
 
-/// Which method decides, and values to take.
+void UncertaintyPage::makeTypical() {
+    m_typical = new QToolButton(this);
+    m_typical->setObjectName(QStringLiteral("typicalValues"));
+    m_typical->setProperty("segment", QStringLiteral("only"));
+    m_typical->setPopupMode(QToolButton::InstantPopup);
+    m_typical->setFocusPolicy(Qt::StrongFocus);
+    m_typical->setMenu(new QMenu(m_typical));
+    connect(m_typical->menu(), &QMenu::aboutToShow, this, &UncertaintyPage::fillTypical);
+    addToBar(m_typical);
+}
+
+/// Which method decides.
 void UncertaintyPage::addMethods() {
     beginRow();
     auto *bar = new QWidget(body());
@@ -336,15 +348,7 @@ void UncertaintyPage::addMethods() {
     }
     connect(group, &QButtonGroup::idClicked, this,
             [this](int id) { chooseMethod(methods.at(static_cast<std::size_t>(id))); });
-    m_typical = new QToolButton(bar);
-    m_typical->setObjectName(QStringLiteral("typicalValues"));
-    m_typical->setProperty("segment", QStringLiteral("only"));
-    m_typical->setPopupMode(QToolButton::InstantPopup);
-    m_typical->setFocusPolicy(Qt::StrongFocus);
-    m_typical->setMenu(new QMenu(m_typical));
-    connect(m_typical->menu(), &QMenu::aboutToShow, this, &UncertaintyPage::fillTypical);
     row->addStretch();
-    row->addWidget(m_typical);
     addWidget(bar);
     beginRow(); // beside the buttons there is no room for it
     m_methodNote = new QLabel(body());

@@ -38,6 +38,7 @@ protected:
 
 private:
     void forgetParts();
+    void makeTypical();
     void addMethods();
     void addInputs(const PositioningUncertaintyInputs &inputs);
     void addInputs(const CircularUncertaintyInputs &inputs);

@@ -275,6 +275,8 @@ Workplace &MainWindow::workplace() {
     connect(m_workplace, &Workplace::viewChosen, this, [this](std::size_t test, const QString &edition) {
         m_evaluator.setView(test, edition.toStdString());
     });
+    connect(&m_workplace->circles(), &CirclesPage::importAsked, action(WindowAction::import),
+            &QAction::trigger);
     connect(m_workplace, &Workplace::editionSet, this, &MainWindow::setEdition);
     connect(m_workplace, &Workplace::contentChanged, m_content, &QLabel::setText);
     connect(m_workplace, &Workplace::hintChanged, m_hint, &QLabel::setText);

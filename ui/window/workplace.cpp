@@ -62,7 +62,9 @@ constexpr int narrowRightWidth = 366;
 constexpr int besideFrom = narrowCentreWidth + narrowRightWidth + 50; ///< with the rail
 constexpr int stackedFrom = 1200 - 99;                                ///< of the height
 constexpr int wideFrom = 1580;
-constexpr int wideShare = 42; ///< per cent of the right side in a wide window
+constexpr int leastFindings = 3;
+constexpr int heightOfAFinding = 80; ///< of a wide window for one more
+constexpr int wideShare = 42;        ///< per cent of the right side in a wide window
 // Heights of the workplace; menu, toolbar and status bar take 99 of the window's.
 constexpr int foldBelow = 760 - 99;
 constexpr int noCardBelow = 640 - 99;
@@ -799,6 +801,9 @@ void Workplace::arrange() {
     m_right->setLow(turns && height() < lowTabsBelow);
     restoreSizes(); // where they are others now: stacked, wide
     m_findings->setFolded(!stacked && height() < foldBelow);
+    // By the size of the window alone: nothing moves when their number changes.
+    m_findings->setRows(width() < wideFrom ? leastFindings
+                                           : std::clamp(height() / heightOfAFinding - 6, leastFindings, 8));
     presentCard();
 }
 

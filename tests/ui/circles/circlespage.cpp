@@ -282,7 +282,7 @@ private slots:
         feed->selectAll();
         QTest::keyClick(feed, Qt::Key_Backspace);
         QVERIFY(!shown.circles().feed);
-        QCOMPARE(feed->placeholderText(), u"not stated"_s);
+        QCOMPARE(feed->placeholderText(), u"–"_s);
         shown.choose("signalSource", 1);
         QCOMPARE(shown.circles().source, SignalSource::feedback);
         shown.choose("referenceCircle", 1);

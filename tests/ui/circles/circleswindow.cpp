@@ -8,10 +8,12 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QTableView>
 #include <QTest>
+#include <QTimer>
 #include <QUndoStack>
 
 using namespace palmer;
@@ -59,6 +61,26 @@ private slots:
         const QString drawn = shown.window->findChild<CircleCanvas *>()->deviationText({0, 0});
         QVERIFY(!drawn.isEmpty() && label.contains(drawn));
         QVERIFY(texts.contains(u"anticlockwise, point 1: 0.1° · −2.211\u00a0µm · in the figure "_s + drawn));
+    }
+
+    void anEmptyTestOffersToImport() {
+        const ShownWindow shown(examplePath(example));
+        QVERIFY(!shown.find<QAbstractButton>("importArcs")->isVisible());
+        shown.window->model().edit("take the arcs away", [](Document &document) {
+            auto test = std::make_shared<palmer::Test>(*document.tests[0]);
+            std::get<CircularMeasurement>(test->measurement).arcs.clear();
+            document.tests[0] = std::move(test);
+        });
+        QTRY_VERIFY(shown.find<QAbstractButton>("importArcs")->isVisible());
+        bool asked = false;
+        QTimer::singleShot(0, shown.window, [&] {
+            auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+            QVERIFY(dialog);
+            asked = dialog->objectName() == u"importDialog"_s;
+            dialog->reject();
+        });
+        shown.find<QAbstractButton>("importArcs")->click();
+        QVERIFY(asked);
     }
 
     void aShorterRangeGivesOtherResultsUntilItIsUndone() {

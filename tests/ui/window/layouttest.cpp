@@ -80,8 +80,10 @@ private slots:
     void namesOfLimitsAreWhole();
     void namesOfResultsAreWhole();
     void labelsOfFormsAreWhole();
+    void formsHaveRoomInNarrowWindows();
     void toolsAreEvenlySpaced();
     void wideWindowsSayFullNames();
+    void wideWindowsShowMoreFindings();
     void startsSayTheirStandard();
     void aDriftTestHasNoEmptyTable();
     void pageAndFigureTakeTurnsInALowWindow_data();
@@ -511,6 +513,29 @@ void LayoutTest::labelsOfFormsAreWhole() {
     QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
 }
 
+void LayoutTest::formsHaveRoomInNarrowWindows() {
+    QStringList cut;
+    for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+        setWindowLanguage(language);
+        for (const char *example : {"long-axis-with-zone", "rotary-axis", "iso230-4-full-circles-xy"}) {
+            for (const int width : {960, 1024}) {
+                const ShownWindow shown(examplePath(example), {width, 600});
+                for (const Page page : pages) {
+                    shown.window->workplace().showPage(page);
+                    QTest::qWait(10);
+                    for (const QScrollArea *area : shown.window->findChildren<QScrollArea *>()) {
+                        if (area->isVisible() && area->widget()->width() > area->viewport()->width())
+                            cut += u"%1, page %2, %3 pixels"_s.arg(QLatin1StringView(example))
+                                       .arg(static_cast<int>(page))
+                                       .arg(width);
+                    }
+                }
+            }
+        }
+    }
+    QVERIFY2(cut.isEmpty(), qPrintable(cut.join(u'\n')));
+}
+
 /// The first and the last column of a tool in which something is drawn, in its toolbar.
 static std::pair<int, int> drawnOf(QToolButton &tool) {
     const QImage picture = tool.grab().toImage();
@@ -559,8 +584,23 @@ void LayoutTest::wideWindowsSayFullNames() {
         return table->model()->index(0, ResultsModel::name).data().toString();
     };
     QCOMPARE(name(1280), u"précision"_s);
+    const ShownWindow resized(examplePath("iso230-2-1988-example"), {1280, 800});
+    QTest::qWait(20);
+    resized.window->resize(1920, 1050);
+    const auto *table = resized.find<QTableView>("results");
+    QTRY_VERIFY(table->model()->index(0, ResultsModel::name).data().toString().size() > 12);
     const QString full = name(1920);
     QVERIFY2(full.size() > 12 && full.startsWith(u"précision"_s), qPrintable(full));
+}
+
+void LayoutTest::wideWindowsShowMoreFindings() {
+    const auto inSight = [](QSize size) {
+        const ShownWindow shown(examplePath("iso230-2-1988-example"), size);
+        QTest::qWait(20);
+        return shown.find("findings")->height();
+    };
+    QVERIFY(inSight({1920, 1050}) >= 5 * inSight({1280, 800}) / 3);
+    QVERIFY(inSight({1600, 900}) > inSight({1280, 800}));
 }
 
 void LayoutTest::startsSayTheirStandard() {

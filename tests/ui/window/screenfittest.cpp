@@ -15,7 +15,9 @@
 #include <QTemporaryDir>
 #include <QTemporaryFile>
 #include <QTest>
+#include <algorithm>
 #include <array>
+#include <vector>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -88,6 +90,7 @@ private slots:
     void everythingFitsItsScreen();
     void aDialogThatFitsIsLeftAlone();
     void allIsReachedInASmallDialog();
+    void tabBeginsAtTheHeadOfADialog();
     void sixTargetsAreInSightAtTwiceTheScale();
 };
 
@@ -196,6 +199,37 @@ void ScreenFitTest::allIsReachedInASmallDialog() {
             break;
     }
     QVERIFY(walked > 5 && QApplication::focusWidget() == first); // all of them, round and round
+}
+
+/// Scrolled for want of room, too.
+void ScreenFitTest::tabBeginsAtTheHeadOfADialog() {
+    const QTemporaryDir folder;
+    RegisterService service(folder.filePath(u"register.sqlite"_s), {});
+    const ShownWindow shown(examplePath("rotary-axis"));
+    QStringList wrong;
+    for (const QSize screen : {QSize(1280, 800), QSize(640, 400), QSize(512, 300)}) {
+        for (const auto &dialog : allDialogs(*shown.window, service)) {
+            if (!qobject_cast<QDialog *>(dialog.get()))
+                continue;
+            dialog->setScreen(screenOf(screen));
+            dialog->move(screenOf(screen)->availableGeometry().topLeft());
+            dialog->show();
+            QCoreApplication::processEvents();
+            std::vector<int> tops;
+            for (QWidget *widget = dialog->nextInFocusChain(); widget != dialog.get();
+                 widget = widget->nextInFocusChain()) {
+                if (widget->isVisible() && widget->isEnabled() && (widget->focusPolicy() & Qt::TabFocus) &&
+                    !widget->focusProxy() && widget->window() == dialog.get())
+                    tops.push_back(widget->mapTo(dialog.get(), QPoint()).y());
+            }
+            constexpr int row = 40;
+            if (!tops.empty() && tops.front() > std::ranges::min(tops) + row)
+                wrong += u"%1 at %2 x %3"_s.arg(QLatin1StringView(dialog->metaObject()->className()))
+                             .arg(screen.width())
+                             .arg(screen.height());
+        }
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(u'\n')));
 }
 
 void ScreenFitTest::sixTargetsAreInSightAtTwiceTheScale() {
