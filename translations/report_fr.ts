@@ -8546,5 +8546,9 @@
         <source>unidir. repeatability</source>
         <translation>répétabilité unidir.</translation>
     </message>
+    <message>
+        <source>The results have no verdict.</source>
+        <translation>Les résultats sont sans verdict.</translation>
+    </message>
 </context>
 </TS>

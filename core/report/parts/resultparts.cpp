@@ -378,7 +378,7 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
         return part.write.text(
             hasLimits(part.test)
                 ? REPORT_TEXT("report", "The limits agreed do not hold for this test: no verdict.")
-                : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
+                : REPORT_TEXT("report", "The results have no verdict."));
     }
     const auto failing = resultsWith(results, Verdict::doesNotConform);
     const auto open = resultsWith(results, Verdict::notProven);

@@ -323,7 +323,7 @@ Phrase limitsText(const std::vector<TestPart> &parts, const Whole &whole, const 
         return write.text(
             whole.anyLimit
                 ? REPORT_TEXT("report", "The limits agreed do not hold for these tests: no verdict.")
-                : REPORT_TEXT("report", "No limit was agreed: the results have no verdict."));
+                : REPORT_TEXT("report", "The results have no verdict."));
     const bool one = whole.limits == 1;
     const Number limits{static_cast<double>(whole.limits), Quantity::count, 0};
     if (whole.verdict == Verdict::conforms) {
