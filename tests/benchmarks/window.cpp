@@ -185,7 +185,7 @@ void editExample(benchmark::State &state) {
 BENCHMARK(editExample)->Iterations(200)->Unit(benchmark::kMillisecond);
 
 /// Until the window has nothing to do any more.
-void settle(const MainWindow &window) {
+void settle(MainWindow &window) {
     const auto isMaking = [](const auto &views) {
         return std::ranges::any_of(views, [](const auto *view) { return view->isMaking(); });
     };
