@@ -35,7 +35,7 @@ HelpWindow::HelpWindow(QWidget *parent)
     , m_close(new QPushButton(this)) {
     setObjectName(QStringLiteral("helpWindow"));
     setModal(false);
-    resize(1080, 680);
+    resize(1000, 680);
     m_list->setObjectName(QStringLiteral("helpPages"));
     m_list->setFixedWidth(listWidth);
     m_list->setProperty("roomy", true);
