@@ -4383,7 +4383,7 @@
     </message>
     <message>
         <source>Figure, results and findings follow every key. A click on a result explains it with the numbers put in and the clause.</source>
-        <translation>La figure, les résultats et les constats suivent chaque touche. Un clic sur un résultat l’explique avec les nombres et l’article.</translation>
+        <translation>La figure, les résultats et les constats suivent chaque touche. Un clic sur un résultat l’explique avec les nombres et le paragraphe.</translation>
     </message>
     <message>
         <source>Describe</source>

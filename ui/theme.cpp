@@ -146,7 +146,7 @@ QCheckBox::indicator, QListView::indicator { width: 14px; height: 14px; border: 
 QCheckBox::indicator:hover, QCheckBox::indicator:focus, QListView::indicator:hover { border-color: @accent; }
 QCheckBox::indicator:checked, QListView::indicator:checked { image: url(:/icons/check-@kind.svg); background: @selected; border-color: @accent; }
 QCheckBox::indicator:disabled { border-color: @line; }
-QListView[roomy="true"]::item { min-height: 22px; }
+QListView[roomy="true"]::item, QTreeView[roomy="true"]::item { min-height: 22px; }
 QScrollBar { background: transparent; border: none; }
 QScrollBar:vertical { width: 9px; }
 QScrollBar:horizontal { height: 9px; }

@@ -185,7 +185,7 @@ void editExample(benchmark::State &state) {
 BENCHMARK(editExample)->Iterations(200)->Unit(benchmark::kMillisecond);
 
 /// Until the window has nothing to do any more.
-void settle(const MainWindow &window) {
+void settle(MainWindow &window) {
     const auto isMaking = [](const auto &views) {
         return std::ranges::any_of(views, [](const auto *view) { return view->isMaking(); });
     };
@@ -230,12 +230,12 @@ void editCircle(benchmark::State &state) {
 }
 BENCHMARK(editCircle)->Arg(100'000)->Arg(1'000'000)->Iterations(20)->Unit(benchmark::kMillisecond);
 
-Test threeMillionReadings() {
+Test largeTest(int readings) {
     constexpr int targets = 1000;
-    constexpr int runs = 1500; ///< each way
+    const int runs = readings / targets / 2; // each way
     std::vector<double> positions;
-    std::vector<std::vector<double>> up(runs);
-    std::vector<std::vector<double>> down(runs);
+    std::vector<std::vector<double>> up(static_cast<std::size_t>(runs));
+    std::vector<std::vector<double>> down(static_cast<std::size_t>(runs));
     for (int i = 0; i < targets; ++i) {
         positions.push_back(6.006006 * i);
         for (int j = 0; j < runs; ++j) {
@@ -296,9 +296,9 @@ void openLarge(benchmark::State &state, const QByteArray &bytes, const QString &
 }
 
 void openLargeTest(benchmark::State &state) {
-    openLarge(state, testFileOf(threeMillionReadings()), QStringLiteral("palmer"));
+    openLarge(state, testFileOf(largeTest(static_cast<int>(state.range(0)))), QStringLiteral("palmer"));
 }
-BENCHMARK(openLargeTest)->Iterations(5)->Unit(benchmark::kMillisecond);
+BENCHMARK(openLargeTest)->Arg(1'000'000)->Arg(3'000'000)->Iterations(5)->Unit(benchmark::kMillisecond);
 
 void openLargeCircle(benchmark::State &state) {
     openLarge(state, testFileOf(testdata::longPair(500'000)), QStringLiteral("palmer"));

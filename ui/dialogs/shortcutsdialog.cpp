@@ -59,6 +59,7 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar &menus, QWidget *parent, bool ha
     m_list->setRootIsDecorated(false);
     m_list->setItemsExpandable(false);
     m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setProperty("roomy", true);
     addMenus(menus);
     if (hasReadings)
         addTable();

@@ -22,6 +22,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int listWidth = 210;
+constexpr int textMargin = 12;
 constexpr int pageRole = Qt::UserRole + 1; ///< index of the page of a row; none: the title of a group
 
 } // namespace
@@ -34,12 +35,13 @@ HelpWindow::HelpWindow(QWidget *parent)
     , m_close(new QPushButton(this)) {
     setObjectName(QStringLiteral("helpWindow"));
     setModal(false);
-    resize(900, 640);
+    resize(1000, 680);
     m_list->setObjectName(QStringLiteral("helpPages"));
     m_list->setFixedWidth(listWidth);
     m_list->setProperty("roomy", true);
     m_browser->setObjectName(QStringLiteral("helpText"));
     m_browser->setOpenLinks(false);
+    m_browser->document()->setDocumentMargin(textMargin);
     m_close->setObjectName(QStringLiteral("closeHelp"));
     m_close->setAutoDefault(false);
     auto *row = new QHBoxLayout;

@@ -27,7 +27,7 @@ constexpr std::size_t manyColumns =
 QString html(const Table &table) {
     const bool isWide = table.columns.size() >= manyColumns;
     QString text =
-        QStringLiteral("<table width=\"100%\" cellspacing=\"0\" cellpadding=\"%1\" border=\"0\"><tr>")
+        QStringLiteral("<table width=\"99%\" cellspacing=\"0\" cellpadding=\"%1\" border=\"0\"><tr>")
             .arg(isWide ? 3 : 4);
     const QString style =
         isWide ? QStringLiteral(" style=\"white-space:nowrap; font-size:small\"") : QString();

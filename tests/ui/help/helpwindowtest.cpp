@@ -10,6 +10,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QTest>
 #include <QTextBrowser>
 
@@ -102,6 +103,18 @@ private slots:
             QVERIFY(match.capturedStart() < 200);
         }
         setWindowLanguage(Language::Id::english);
+    }
+
+    void itsTablesFit() {
+        for (const Language::Id id : {Language::Id::french, Language::Id::english}) {
+            setWindowLanguage(id);
+            HelpWindow help;
+            help.showPage("validation");
+            help.grab(); // laid out as large as it wishes to be: the screen of tests is smaller
+            const auto *text = help.findChild<QTextBrowser *>("helpText");
+            QCOMPARE(text->horizontalScrollBar()->maximum(), 0);
+            QVERIFY(text->document()->documentMargin() >= 12);
+        }
     }
 
     void searchesPageAfterPage() {
