@@ -91,9 +91,9 @@ Kind kindIn(const json &file) {
 Test bearer(Kind kind) {
     Test test = testOf(kind);
     test.edition = defaultEdition(kind).word;
-    if (double *radius =
-            partOr<double *>(nullptr, test.measurement,
-                             [](auto &m) -> decltype(&m.nominalRadius) { return &m.nominalRadius; }))
+    if (auto *radius = partOr<double *>(nullptr, test.measurement, [](auto &m) -> decltype(&m.nominalRadius) {
+            return &m.nominalRadius;
+        }))
         *radius = 1;
     return test;
 }

@@ -152,49 +152,60 @@ private:
     }
 
     bool take(const Assignment &assignment, std::size_t line) {
-        const auto number = [&]() -> std::optional<double> {
-            const CellValue value = readCell(assignment.value, decimalMarkIn(assignment.value));
-            if (value.kind == CellKind::number)
-                return value.value;
-            if (value.kind != CellKind::missing && value.kind != CellKind::empty)
-                remark(RemarkGrade::problem,
-                       {REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
-                        {excerpt(assignment.value)}},
-                       line, "unread");
-            return {};
-        };
         const std::string &name = assignment.name;
-        if (name == "TGT_DATA" && assignment.indexes.size() == 1) {
-            const auto value = number();
-            if (!value)
-                throw Error(
-                    Error::Kind::content,
-                    {REPORT_TEXT("report", "“%1” is no target position"), {excerpt(assignment.value)}},
-                    place(line));
-            if (!m_targets.emplace(assignment.indexes[0], *value).second)
-                remarkRepetition(name, line);
-        } else if ((name == "REF_DATA_FWD" || name == "REF_DATA_BWD") && assignment.indexes.size() == 2) {
-            auto &readings = name == "REF_DATA_FWD" ? m_forward : m_backward;
-            const auto value = number();
-            const std::pair index{assignment.indexes[0], assignment.indexes[1]};
-            if (value && !readings.try_emplace(index, *value, line).second)
-                remarkRepetition(name, line);
-        } else if (name == "UNIT") {
-            m_unit = unitWord(assignment.value);
-            if (!m_unit)
-                remark(RemarkGrade::problem,
-                       {REPORT_TEXT("report", "The unit “%1” is not known."), {excerpt(assignment.value)}},
-                       line);
-        } else if (name == "POSITIONS") {
-            m_positions = number();
-        } else if (name == "CYCLES") {
-            m_cycles = number();
-        } else if (name == "AXIS") {
+        const std::size_t indexes = assignment.indexes.size();
+        if (name == "TGT_DATA" && indexes == 1)
+            takeTarget(assignment, line);
+        else if ((name == "REF_DATA_FWD" || name == "REF_DATA_BWD") && indexes == 2)
+            takeReading(assignment, line);
+        else if (name == "UNIT")
+            takeUnit(assignment, line);
+        else if (name == "POSITIONS")
+            m_positions = numberOf(assignment, line);
+        else if (name == "CYCLES")
+            m_cycles = numberOf(assignment, line);
+        else if (name == "AXIS")
             m_axis = assignment.value;
-        } else {
+        else
             return false;
-        }
         return true;
+    }
+
+    std::optional<double> numberOf(const Assignment &assignment, std::size_t line) {
+        const CellValue value = readCell(assignment.value, decimalMarkIn(assignment.value));
+        if (value.kind == CellKind::number)
+            return value.value;
+        if (value.kind != CellKind::missing && value.kind != CellKind::empty)
+            remark(RemarkGrade::problem,
+                   {REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
+                    {excerpt(assignment.value)}},
+                   line, "unread");
+        return {};
+    }
+
+    void takeTarget(const Assignment &assignment, std::size_t line) {
+        const auto value = numberOf(assignment, line);
+        if (!value)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "“%1” is no target position"), {excerpt(assignment.value)}},
+                        place(line));
+        if (!m_targets.emplace(assignment.indexes[0], *value).second)
+            remarkRepetition(assignment.name, line);
+    }
+
+    void takeReading(const Assignment &assignment, std::size_t line) {
+        auto &readings = assignment.name == "REF_DATA_FWD" ? m_forward : m_backward;
+        const auto value = numberOf(assignment, line);
+        const std::pair index{assignment.indexes[0], assignment.indexes[1]};
+        if (value && !readings.try_emplace(index, *value, line).second)
+            remarkRepetition(assignment.name, line);
+    }
+
+    void takeUnit(const Assignment &assignment, std::size_t line) {
+        m_unit = unitWord(assignment.value);
+        if (!m_unit)
+            remark(RemarkGrade::problem,
+                   {REPORT_TEXT("report", "The unit “%1” is not known."), {excerpt(assignment.value)}}, line);
     }
 
     void remarkRepetition(const std::string &name, std::size_t line) {

@@ -94,12 +94,12 @@ void remarkEnd(std::string_view rest, const Sampling &sampling, std::vector<Rema
     if (mark == std::string_view::npos)
         addRemark(remarks, RemarkGrade::problem,
                   {REPORT_TEXT("report", "The file has no end mark behind its samples.")});
-    else if (mark >= sizeof(double))
+    else if (const std::size_t further = mark / sizeof(double); further > 0)
         addRemark(remarks, RemarkGrade::problem,
                   {REPORT_TEXT("report", "The head announces %1 samples, %2 are there; those beyond "
                                          "were not read."),
                    {Number{static_cast<double>(sampling.count), Quantity::count},
-                    Number{static_cast<double>(sampling.count + mark / sizeof(double)), Quantity::count}}},
+                    Number{static_cast<double>(sampling.count + further), Quantity::count}}},
                   0, "unread");
 }
 
