@@ -4,6 +4,7 @@
 
 #include "kernel/evaluation/conformity.h"
 #include "language/rounding.h"
+#include "report/words/wording.h"
 
 #include <algorithm>
 #include <charconv>
