@@ -135,7 +135,7 @@ private:
     QLabel *m_unit;
     QWidget *m_bar;
     QPointer<QWidget> m_reasonRow; ///< over what surrounds the field, as a child of it
-    QLabel *m_reason;
+    QLabel *m_reason = nullptr;
 };
 
 } // namespace palmer::ui
