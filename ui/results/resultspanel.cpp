@@ -92,6 +92,18 @@ private:
     int m_rows = 0;
 };
 
+/// Of the head and the texts of a column, without margin.
+int widthOfResults(const ResultsModel &model, int column, const QFontMetrics &metrics) {
+    int width = QFontMetrics(themeFont(TextSize::small))
+                    .horizontalAdvance(model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
+    for (int row = 0; row < model.rowCount(); ++row) {
+        const QString text = model.index(row, column).data().toString();
+        const int mark = column == ResultsModel::verdict && !text.isEmpty() ? 16 : 0;
+        width = std::max(width, metrics.horizontalAdvance(text) + mark);
+    }
+    return width;
+}
+
 } // namespace
 
 ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
@@ -280,15 +292,8 @@ void ResultsPanel::fitColumns() {
     for (int column = ResultsModel::other; column < ResultsModel::columns; ++column) {
         if (column == ResultsModel::scale)
             continue;
-        int width =
-            QFontMetrics(themeFont(TextSize::small))
-                .horizontalAdvance(m_model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
-        for (int row = 0; row < m_model.rowCount(); ++row) {
-            const QString text = m_model.index(row, column).data().toString();
-            const int mark = column == ResultsModel::verdict && !text.isEmpty() ? 16 : 0;
-            width = std::max(width, metrics.horizontalAdvance(text) + mark);
-        }
-        m_table->setColumnWidth(column, width + (m_narrow ? narrowCellMargin : cellMargin));
+        m_table->setColumnWidth(column, widthOfResults(m_model, column, metrics) +
+                                            (m_narrow ? narrowCellMargin : cellMargin));
     }
     const auto &other = m_model.table().otherTest;
     m_table->setColumnHidden(ResultsModel::scale, m_narrow || other);
