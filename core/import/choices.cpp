@@ -11,10 +11,20 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <iterator>
+#include <span>
+#include <vector>
 
 namespace palmer {
 
 namespace {
+
+std::string editionWords(std::span<const Edition *const> editions) {
+    std::string list;
+    for (const Edition *edition : editions)
+        list += (list.empty() ? "" : ", ") + std::string(edition->word);
+    return list;
+}
 
 constexpr std::array formatWords{
     ImportWord{"table", REPORT_TEXT("report", "table")},
@@ -205,13 +215,9 @@ void demandKnownValue(const std::string &key, const std::string &value) {
     if (std::string unknownRole; key == "columns" && !columnsOf(value, unknownRole))
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "%1 cannot be %2; known: %3"), {key, unknownRole, roleWords()}});
-    if (key == "edition" && !findEdition(value)) {
-        std::string list;
-        for (const Edition *edition : editions())
-            list += (list.empty() ? "" : ", ") + std::string(edition->word);
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "unknown edition %1; known: %2"), {value, list}});
-    }
+    if (key == "edition" && !findEdition(value))
+        throw Error(Error::Kind::content, {REPORT_TEXT("report", "unknown edition %1; known: %2"),
+                                           {value, editionWords(editions())}});
 }
 
 } // namespace
@@ -251,7 +257,14 @@ Choice<double> Choices::settleNumber(std::string_view key, double found, Origin 
 std::string Choices::settleEdition(Kind kind) {
     const std::string chosen = settle("edition", defaultEdition(kind).word, Origin::recognised).value;
     const Edition *edition = findEdition(chosen);
-    return edition && edition->kind == kind ? chosen : defaultEdition(kind).word;
+    if (!edition || edition->kind != kind) {
+        std::vector<const Edition *> ofKind;
+        std::ranges::copy_if(editions(), std::back_inserter(ofKind),
+                             [kind](const Edition *each) { return each->kind == kind; });
+        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
+                                           {"edition", chosen, editionWords(ofKind)}});
+    }
+    return chosen;
 }
 
 void Choices::remember(std::string_view key, std::string value, Origin origin) {

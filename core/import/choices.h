@@ -66,7 +66,8 @@ public:
     /// Settles a choice: the user's, or what was found; remembers it.
     Choice<std::string> settle(std::string_view key, std::string_view found, Origin origin);
     Choice<double> settleNumber(std::string_view key, double found, Origin origin);
-    /// Under which a test of the kind is proposed to be read: the default unless one of its kind is chosen.
+    /// Under which a test of the kind is read: the default unless one is chosen. Throws Error(content) when
+    /// that is one of another kind.
     std::string settleEdition(Kind kind);
 
     [[nodiscard]] std::vector<ImportChoice> take() { return std::move(m_settled); }

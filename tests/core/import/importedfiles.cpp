@@ -218,8 +218,12 @@ void ImportedFilesTest::refusesUnknownChoices() {
     for (const ImportOptions &options :
          {ImportOptions{{"unitt", "mm"}}, ImportOptions{{"unit", "furlong"}},
           ImportOptions{{"nominalRadius", "wide"}}, ImportOptions{{"edition", "ISO 1"}},
-          ImportOptions{{"unit", "deg"}, {"motion", "linear"}}})
+          ImportOptions{{"unit", "deg"}, {"motion", "linear"}}, ImportOptions{{"edition", "ISO 230-4:2005"}},
+          ImportOptions{{"kind", "circular"}, {"edition", "ISO 230-2:2014"}}})
         QVERIFY_EXCEPTION_THROWN((void)importMeasurement("0\t1\n100\t2\n", "x.csv", options), Error);
+    QVERIFY_EXCEPTION_THROWN(
+        (void)importMeasurement(contents(DATA "rtl/typical.rtl"), "x.rtl", {{"edition", "ISO 230-4:2005"}}),
+        Error);
 }
 
 void ImportedFilesTest::refusesHugeFilesAtOnce() {
