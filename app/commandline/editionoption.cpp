@@ -5,6 +5,7 @@
 #include "document/filewords.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 namespace palmer {
@@ -34,7 +35,7 @@ bool isPartOf(const QString &part, const QString &designation) {
     return false;
 }
 
-std::string listed(const std::vector<const Edition *> &list) {
+std::string listed(std::span<const Edition *const> list) {
     std::string result;
     for (const Edition *edition : list)
         result += (result.empty() ? "" : ", ") + std::string(edition->word);
@@ -50,9 +51,7 @@ const Edition *editionAsked(const Invocation &invocation, std::optional<Kind> ki
 
 const Edition *editionCalled(const QString &word, std::optional<Kind> kind) {
     const QString asked = bare(word);
-    std::vector<const Edition *> known;
-    std::ranges::copy_if(editions(), std::back_inserter(known),
-                         [kind](const Edition *edition) { return !kind || edition->kind == *kind; });
+    const auto known = kind ? editionsOf(*kind) : editions();
     std::vector<const Edition *> found;
     for (const Edition *edition : known) {
         const QString designation = bare(QString::fromUtf8(edition->word));

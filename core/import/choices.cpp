@@ -11,9 +11,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <iterator>
 #include <span>
-#include <vector>
 
 namespace palmer {
 
@@ -258,11 +256,8 @@ std::string Choices::settleEdition(Kind kind) {
     const std::string chosen = settle("edition", defaultEdition(kind).word, Origin::recognised).value;
     const Edition *edition = findEdition(chosen);
     if (!edition || edition->kind != kind) {
-        std::vector<const Edition *> ofKind;
-        std::ranges::copy_if(editions(), std::back_inserter(ofKind),
-                             [kind](const Edition *each) { return each->kind == kind; });
         throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                                           {"edition", chosen, editionWords(ofKind)}});
+                                           {"edition", chosen, editionWords(editionsOf(kind))}});
     }
     return chosen;
 }

@@ -189,9 +189,9 @@ std::vector<std::string> editionsToCompare(const Test &test) {
     if (!own)
         return {};
     std::vector<std::string> words{test.edition};
-    for (const Edition *other : editions()) {
+    for (const Edition *other : editionsOf(own->kind)) {
         const std::string_view word = other->word;
-        if (other->kind == own->kind && word == other->family && word != own->family) // no alias
+        if (word == other->family && word != own->family) // no alias
             words.emplace_back(word);
     }
     return words;

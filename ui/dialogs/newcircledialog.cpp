@@ -49,10 +49,8 @@ NewCircleDialog::NewCircleDialog(Language language, const Test *like, QWidget *p
         m_plane->addItem(QString::fromLatin1(plane).insert(1, QStringLiteral(" → ")),
                          QString::fromLatin1(plane));
     m_source->addItems({tr("external"), tr("feedback signal")});
-    for (const Edition *edition : editions()) {
-        if (edition->kind == Kind::circular)
-            m_edition->addItem(QString::fromUtf8(edition->word), QString::fromUtf8(edition->word));
-    }
+    for (const Edition *edition : editionsOf(Kind::circular))
+        m_edition->addItem(QString::fromUtf8(edition->word), QString::fromUtf8(edition->word));
     m_edition->setCurrentIndex(m_edition->findData(QString::fromUtf8(defaultEdition(Kind::circular).word)));
     m_radius->setText(m_language.number(proposedRadius, Quantity::position));
     m_feed->setPlaceholderText(tr("not stated"));

@@ -98,10 +98,8 @@ NewTestDialog::NewTestDialog(Language language, const Test *like, QWidget *paren
 void NewTestDialog::fillFields(const Test *like) {
     m_motion->addItem(tr("linear"), static_cast<int>(Motion::linear));
     m_motion->addItem(tr("rotary"), static_cast<int>(Motion::rotary));
-    for (const Edition *edition : editions()) {
-        if (edition->kind == Kind::positioning)
-            m_edition->addItem(QString::fromUtf8(edition->word), QString::fromUtf8(edition->word));
-    }
+    for (const Edition *edition : editionsOf(Kind::positioning))
+        m_edition->addItem(QString::fromUtf8(edition->word), QString::fromUtf8(edition->word));
     m_cycle->addItem(tr("standard cycle"), static_cast<int>(Cycle::standard));
     m_cycle->addItem(tr("step cycle"), static_cast<int>(Cycle::step));
     m_runs->setText(QStringLiteral("5"));

@@ -198,9 +198,7 @@ void LimitsPage::addLimit(const Formula &symbol, const Term *term, const std::st
     m_edits.push_back(limit->edit());
     std::vector<const char *> words{QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "of the test")};
     std::vector<std::optional<std::string>> values{std::nullopt};
-    for (const Edition *edition : editions()) {
-        if (edition->kind != kind)
-            continue;
+    for (const Edition *edition : editionsOf(kind)) {
         words.push_back(edition->word);
         values.emplace_back(edition->word);
     }

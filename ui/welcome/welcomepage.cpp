@@ -33,9 +33,9 @@ QString kindIcon(bool circular) {
 QString standardOf(Kind kind) {
     QString standard;
     QStringList years;
-    for (const Edition *edition : editions()) {
+    for (const Edition *edition : editionsOf(kind)) {
         const QString word = QString::fromUtf8(edition->word);
-        if (edition->kind != kind || !word.startsWith(QStringLiteral("ISO ")))
+        if (!word.startsWith(QStringLiteral("ISO ")))
             continue;
         standard = word.section(u':', 0, 0);
         years << word.section(u':', 1);

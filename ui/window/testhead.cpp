@@ -137,10 +137,8 @@ void TestHead::show(const EvaluatedDocument &evaluated, std::size_t test) {
     if (hasEdition) {
         const QSignalBlocker blocker(m_edition);
         m_edition->clear();
-        for (const Edition *edition : editions()) {
-            if (edition->kind == evaluation.edition->kind)
-                m_edition->addItem(QString::fromUtf8(edition->word), QString::fromUtf8(edition->word));
-        }
+        for (const Edition *edition : editionsOf(evaluation.edition->kind))
+            m_edition->addItem(QString::fromUtf8(edition->word), QString::fromUtf8(edition->word));
         m_edition->setCurrentIndex(m_edition->findData(QString::fromUtf8(evaluation.edition->word)));
     }
     elide();

@@ -23,6 +23,14 @@ std::span<const Edition *const> editions() {
     return all;
 }
 
+/// Editions of a kind stand together: each table is of one.
+std::span<const Edition *const> editionsOf(Kind kind) {
+    const auto all = editions();
+    const auto ofKind = [kind](const Edition *edition) { return edition->kind == kind; };
+    const auto first = std::ranges::find_if(all, ofKind);
+    return {first, std::find_if_not(first, all.end(), ofKind)};
+}
+
 const Edition *findEdition(std::string_view word) {
     const auto all = editions();
     const auto found =
@@ -31,8 +39,8 @@ const Edition *findEdition(std::string_view word) {
 }
 
 const Edition &defaultEdition(Kind kind) {
-    return **std::ranges::find_if(
-        editions(), [kind](const Edition *edition) { return edition->kind == kind && edition->isDefault; });
+    return **std::ranges::find_if(editionsOf(kind),
+                                  [](const Edition *edition) { return edition->isDefault; });
 }
 
 std::vector<const Term *> termsOf(const Edition &edition) {
@@ -45,17 +53,15 @@ std::vector<const Term *> termsOf(const Edition &edition) {
 }
 
 bool isParameter(Kind kind, std::string_view id) {
-    return std::ranges::any_of(editions(), [&](const Edition *edition) {
-        return edition->kind == kind &&
-               std::ranges::any_of(termsOf(*edition), [&](const Term *term) { return term->isMeantBy(id); });
+    return std::ranges::any_of(editionsOf(kind), [&](const Edition *edition) {
+        return std::ranges::any_of(termsOf(*edition), [&](const Term *term) { return term->isMeantBy(id); });
     });
 }
 
 bool isAgreementPoint(Kind kind, std::string_view point) {
-    return std::ranges::any_of(editions(), [&](const Edition *edition) {
-        return edition->kind == kind && std::ranges::any_of(edition->points, [&](const AgreementPoint &p) {
-                   return p.point == point;
-               });
+    return std::ranges::any_of(editionsOf(kind), [&](const Edition *edition) {
+        return std::ranges::any_of(edition->points,
+                                   [&](const AgreementPoint &p) { return p.point == point; });
     });
 }
 

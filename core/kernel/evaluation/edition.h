@@ -106,6 +106,9 @@ struct Edition {
 /// All editions in the order they are offered in.
 [[nodiscard]] std::span<const Edition *const> editions();
 
+/// Those for a kind of test; empty where none judges it.
+[[nodiscard]] std::span<const Edition *const> editionsOf(Kind kind);
+
 /// The edition of that word, or null.
 [[nodiscard]] const Edition *findEdition(std::string_view word);
 

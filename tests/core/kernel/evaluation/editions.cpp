@@ -21,6 +21,7 @@ private slots:
     void parametersAreKnownById();
     void rowsSayAllOfAParameter();
     void oneOfEachKindIsTheDefault();
+    void everyEditionIsAmongThoseOfItsKind();
 };
 
 void Editions::wordsAreThoseOfTheFile() {
@@ -150,6 +151,17 @@ void Editions::oneOfEachKindIsTheDefault() {
         QCOMPARE(std::ranges::count_if(editions(),
                                        [kind](const Edition *e) { return e->kind == kind && e->isDefault; }),
                  1);
+}
+
+void Editions::everyEditionIsAmongThoseOfItsKind() {
+    std::vector<const Edition *> all;
+    for (const Kind kind : allKinds) {
+        for (const Edition *edition : editionsOf(kind)) {
+            QCOMPARE(edition->kind, kind);
+            all.push_back(edition);
+        }
+    }
+    QVERIFY(std::ranges::equal(all, editions()));
 }
 
 QTEST_GUILESS_MAIN(Editions)
