@@ -54,7 +54,7 @@ bool ReadingsModel::hasSameCells(const PositioningMeasurement *measurement,
 
 void ReadingsModel::show(const EvaluatedDocument &evaluated, std::size_t test) {
     const auto *measurement = measured<PositioningMeasurement>(evaluated, test);
-    const TestEvaluationPointer evaluation = measurement ? evaluated.tests[test] : nullptr;
+    TestEvaluationPointer evaluation = measurement ? evaluated.tests[test] : nullptr;
     const bool same = hasSameCells(measurement, evaluation.get());
     const std::shared_ptr<const Document> former = m_document; // owns the measurement shown until now
     const PositioningMeasurement *before = m_measurement;
