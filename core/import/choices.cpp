@@ -253,7 +253,7 @@ Choice<double> Choices::settleNumber(std::string_view key, double found, Origin 
 }
 
 std::string Choices::settleEdition(Kind kind) {
-    const std::string chosen = settle("edition", defaultEdition(kind).word, Origin::recognised).value;
+    std::string chosen = settle("edition", defaultEdition(kind).word, Origin::recognised).value;
     const Edition *edition = findEdition(chosen);
     if (!edition || edition->kind != kind) {
         throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
