@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/words/unit.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -41,9 +42,9 @@ double shifted(double value, double powerOfTen) {
         if (size >= largestWhole)
             break;
         // A tie is no such decimal, whichever way it goes; round() is a call that took a third of the time.
-        const double whole = size < largestWhole / 4
-                                 ? static_cast<double>(static_cast<std::int64_t>(size + 0.5))
-                                 : std::round(size);
+        // NOLINTNEXTLINE(bugprone-incorrect-roundings)
+        const auto rounded = static_cast<std::int64_t>(std::min(size, largestWhole / 4) + 0.5);
+        const double whole = size < largestWhole / 4 ? static_cast<double>(rounded) : std::round(size);
         if (whole / scale == std::abs(value))
             return std::copysign(whole / (scale * powerOfTen), value); // both exact
     }
