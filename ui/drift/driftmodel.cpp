@@ -27,22 +27,35 @@ int commonDecimals(const std::vector<double> &values, Quantity quantity) {
 void DriftModel::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
     const auto *measurement = measured<DriftMeasurement>(evaluated, test);
     const std::string id = measurement ? evaluated.document->tests[test]->id : std::string();
-    const bool same = measurement && m_measurement && id == m_id &&
-                      measurement->times.size() == m_measurement->times.size();
+    const bool same = measurement && m_measurement && id == m_id;
     if (id == m_id)
         dropRefused(measurement);
     const std::shared_ptr<const Document> former = m_document; // owns what was shown until now
-    if (!same)
+    const int rows = m_rows;
+    const int wanted = measurement ? static_cast<int>(measurement->times.size()) + 1 : 0;
+    if (!same) {
         beginResetModel();
+    } else if (wanted < rows) {
+        beginRemoveRows({}, wanted, rows - 1);
+        m_rows = wanted;
+        endRemoveRows();
+    }
     m_document = evaluated.document;
     m_measurement = measurement;
     m_id = id;
     m_language = language;
     if (!same) {
+        m_rows = wanted;
         endResetModel();
-    } else { // whoever types there goes on
-        emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+        return;
+    }
+    // Whoever types there goes on: an editor does not outlive a reset.
+    emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
+    emit dataChanged(index(0, 0), index(m_rows - 1, columns - 1));
+    if (wanted > rows) {
+        beginInsertRows({}, rows, wanted - 1);
+        m_rows = wanted;
+        endInsertRows();
     }
 }
 
@@ -82,7 +95,7 @@ Quantity DriftModel::quantity(int column) const {
 }
 
 int DriftModel::rowCount(const QModelIndex &parent) const {
-    return parent.isValid() || !m_measurement ? 0 : static_cast<int>(readings()) + 1;
+    return parent.isValid() ? 0 : m_rows;
 }
 
 int DriftModel::columnCount(const QModelIndex &parent) const {

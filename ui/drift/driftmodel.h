@@ -56,6 +56,7 @@ private:
 
     std::shared_ptr<const Document> m_document; ///< owns the measurement
     const DriftMeasurement *m_measurement = nullptr;
+    int m_rows = 0; ///< one for each reading, and one for the next
     Language m_language{Language::Id::english};
     struct NewReading {
         std::array<std::optional<double>, columns> numbers; ///< s; mm or degrees

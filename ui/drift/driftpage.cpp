@@ -97,6 +97,11 @@ void DriftPage::connectParts() {
         write(row, readings, QT_TRANSLATE_NOOP("edits", "change a reading"));
     });
     connect(&m_readings, &DriftModel::refusedText, this, &DriftPage::showReason);
+    connect(m_table->itemDelegate(), &QAbstractItemDelegate::closeEditor, this,
+            [this](QWidget *, QAbstractItemDelegate::EndEditHint hint) {
+                if (hint == QAbstractItemDelegate::SubmitModelCache)
+                    goOn();
+            });
     connect(m_paste, &QToolButton::clicked, this, &DriftPage::paste);
     connect(m_remove, &QToolButton::clicked, this, &DriftPage::removeRows);
     connect(m_table->selectionModel(), &QItemSelectionModel::currentChanged, this,
@@ -244,6 +249,18 @@ void DriftPage::removeRows() {
                 removeDriftReadings(changed, static_cast<std::size_t>(row), 1);
         });
     });
+}
+
+/// Enter goes from the time to the deviation, and from there to the next reading.
+void DriftPage::goOn() {
+    const QModelIndex current = m_table->currentIndex();
+    if (current.data(QuietDelegate::refusedRole).toBool())
+        return;
+    const bool isLast = current.column() + 1 == m_readings.columnCount();
+    const QModelIndex next =
+        isLast ? m_readings.index(current.row() + 1, 0) : current.siblingAtColumn(current.column() + 1);
+    if (next.isValid())
+        m_table->setCurrentIndex(next);
 }
 
 void DriftPage::showReason(const QString &reason) {

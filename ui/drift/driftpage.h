@@ -42,6 +42,7 @@ private:
     void refresh();
     void paste();
     void removeRows();
+    void goOn();
     void showReason(const QString &reason);
     void write(std::size_t row, const std::vector<DriftReading> &readings, const char *name);
     [[nodiscard]] QString takenBy() const;

@@ -11,8 +11,10 @@
 
 #include <QAbstractItemModelTester>
 #include <QAction>
+#include <QApplication>
 #include <QClipboard>
 #include <QLabel>
+#include <QRegularExpression>
 #include <QTableView>
 #include <QTest>
 #include <QUndoStack>
@@ -117,6 +119,31 @@ private slots:
         QVERIFY(edited.enter(3, 1, "-2"));
         QCOMPARE(edited.drift().times.back(), 180.0);
         QCOMPARE(edited.drift().deviations.back(), -0.002);
+    }
+
+    /// Enter goes on, and the table keeps the keyboard while it grows.
+    void readingsAreTypedOneAfterTheOther() {
+        QTest::failOnWarning(QRegularExpression("editor"));
+        Edited edited;
+        edited.page.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&edited.page));
+        edited.table->setFocus();
+        edited.table->setCurrentIndex(edited.table->model()->index(3, 0));
+        const auto type = [&](const QString &text, int row, int column) {
+            QTest::keyClicks(edited.table, text.first(1));
+            QTRY_VERIFY(QApplication::focusWidget() != edited.table);
+            QTest::keyClicks(QApplication::focusWidget(), text.sliced(1));
+            QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+            QTRY_COMPARE(edited.table->currentIndex(), edited.table->model()->index(row, column));
+            QTRY_VERIFY(edited.table->hasFocus());
+        };
+        type("180", 3, 1);
+        type("4", 4, 0);
+        type("240", 4, 1);
+        type("much", 4, 1); // what is refused is to be typed again
+        type("6", 5, 0);
+        QCOMPARE(edited.drift().times, (std::vector<double>{0, 60, 120, 180, 240}));
+        QCOMPARE(edited.drift().deviations.back(), 0.006);
     }
 
     void whatIsNoNumberIsRefusedInWords_data() {
