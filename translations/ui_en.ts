@@ -238,6 +238,13 @@
             <numerusform>%n questions to answer</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n file(s) follow</source>
+        <translation>
+            <numerusform>%n file follows</numerusform>
+            <numerusform>%n files follow</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::MainWindow</name>
@@ -480,6 +487,13 @@
         <translation>
             <numerusform>%n reading</numerusform>
             <numerusform>%n readings</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
         </translation>
     </message>
 </context>

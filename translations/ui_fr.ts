@@ -2426,6 +2426,10 @@
         <source>Positioning of axes</source>
         <translation>Positionnement des axes</translation>
     </message>
+    <message>
+        <source>“%1” is not found</source>
+        <translation>«&#xa0;%1&#xa0;» est introuvable</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::IdentificationPage</name>
@@ -2789,6 +2793,13 @@
     <message>
         <source>Importing %1…</source>
         <translation>Importation de %1…</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) follow</source>
+        <translation>
+            <numerusform>%n fichier suit</numerusform>
+            <numerusform>%n fichiers suivent</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6253,10 +6264,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         </translation>
     </message>
     <message>
-        <source>%1 points</source>
-        <translation>%1 points</translation>
-    </message>
-    <message>
         <source>Test</source>
         <translation>Essai</translation>
     </message>
@@ -6282,6 +6289,13 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>%1 · in the figure %2</source>
         <translation>%1 · sur la figure %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n point(s)</source>
+        <translation>
+            <numerusform>%n point</numerusform>
+            <numerusform>%n points</numerusform>
+        </translation>
     </message>
 </context>
 <context>

@@ -3,6 +3,7 @@
 #include "ui/help/helpwindow.h"
 
 #include "kernel/evaluation/edition.h"
+#include "ui/elidedlabel.h"
 #include "ui/help/reporthtml.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -32,6 +33,7 @@ HelpWindow::HelpWindow(QWidget *parent)
     , m_search(new QLineEdit(this))
     , m_list(new QListWidget(this))
     , m_browser(new QTextBrowser(this))
+    , m_notFound(new ElidedLabel(this))
     , m_close(new QPushButton(this)) {
     setObjectName(QStringLiteral("helpWindow"));
     setModal(false);
@@ -54,13 +56,25 @@ HelpWindow::HelpWindow(QWidget *parent)
     row->addLayout(side);
     row->addWidget(m_browser, 1);
     auto *foot = new QHBoxLayout;
-    foot->addStretch();
+    m_notFound->setObjectName(QStringLiteral("helpNotFound"));
+    m_notFound->setTextFormat(Qt::PlainText);
+    m_notFound->setProperty("tone", QStringLiteral("bad"));
+    m_notFound->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+    foot->addWidget(m_notFound, 1);
     foot->addWidget(m_close);
     auto *layout = new QVBoxLayout(this);
     layout->addLayout(row, 1);
     layout->addLayout(foot);
     connect(m_list, &QListWidget::currentRowChanged, this, &HelpWindow::showRow);
-    connect(m_search, &QLineEdit::returnPressed, this, [this] { find(m_search->text()); });
+    // While a word is typed it is looked for from where it was found until then.
+    connect(m_search, &QLineEdit::textEdited, this, [this](const QString &words) {
+        QTextCursor from = m_browser->textCursor();
+        from.setPosition(from.selectionStart());
+        m_browser->setTextCursor(from);
+        sayWhether(words.isEmpty() || find(words), words);
+    });
+    connect(m_search, &QLineEdit::returnPressed, this,
+            [this] { sayWhether(m_search->text().isEmpty() || find(m_search->text()), m_search->text()); });
     connect(m_close, &QPushButton::clicked, this, &QWidget::close);
     retranslate();
 }
@@ -105,6 +119,10 @@ QString HelpWindow::currentPage() const {
 
 QString HelpWindow::text() const {
     return m_browser->toPlainText();
+}
+
+void HelpWindow::sayWhether(bool found, const QString &words) {
+    m_notFound->setText(found ? QString() : tr("“%1” is not found").arg(words));
 }
 
 bool HelpWindow::find(const QString &words) {

@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+class QLabel;
 class QLineEdit;
 class QListWidget;
 class QPushButton;
@@ -36,6 +37,7 @@ protected:
 private:
     [[nodiscard]] std::optional<std::size_t> pageAt(int row) const;
     void goTo(std::size_t page);
+    void sayWhether(bool found, const QString &words);
     void fillList();
     void showRow(int row);
     void retranslate();
@@ -45,6 +47,7 @@ private:
     QLineEdit *m_search;
     QListWidget *m_list;
     QTextBrowser *m_browser;
+    QLabel *m_notFound; ///< what was looked for and is nowhere
     QPushButton *m_close;
 };
 

@@ -11,7 +11,8 @@ QString html(const Phrase &phrase) {
     for (const Span &span : phrase.spans) {
         QString part = span.text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
         if (span.subscript)
-            part = QStringLiteral("<sub>%1</sub>").arg(part);
+            part = QStringLiteral("<sub style=\"font-size:medium\">%1</sub>")
+                       .arg(part); // legible in tables, too
         if (span.italic)
             part = QStringLiteral("<i>%1</i>").arg(part);
         if (span.bold)

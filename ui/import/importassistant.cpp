@@ -445,6 +445,11 @@ void ImportAssistant::takeOther(MeasurementFile file) {
     useLastProfile();
 }
 
+void ImportAssistant::setFollowing(qsizetype files) {
+    m_following = static_cast<int>(files);
+    retranslate();
+}
+
 void ImportAssistant::pasteText() {
     takeFile(QGuiApplication::clipboard()->text().toUtf8(), tr("clipboard"));
 }
@@ -913,9 +918,12 @@ void ImportAssistant::retranslate() {
     m_paste->setText(tr("&Paste text"));
     m_title->setText(tr("Import %1").arg(m_file.name));
     const QString hash = QString::fromStdString(m_file.hash);
-    m_origin->setText(
+    QString origin =
         QStringLiteral("%1 · SHA-256 %2…%3")
-            .arg(QLocale().formattedDataSize(m_file.bytes.size(), 1), hash.left(4), hash.right(4)));
+            .arg(QLocale().formattedDataSize(m_file.bytes.size(), 1), hash.left(4), hash.right(4));
+    if (m_following > 0)
+        origin += QStringLiteral(" · ") + tr("%n file(s) follow", nullptr, m_following);
+    m_origin->setText(origin);
     m_origin->setToolTip(hash);
     m_destinationName->setText(tr("Destination"));
     const int destination = m_destination->currentIndex();

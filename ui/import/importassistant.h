@@ -86,6 +86,9 @@ public:
     void takeFile(const QByteArray &bytes, const QString &fileName);
     void pasteText();
 
+    /// Says how many files are asked about after this one.
+    void setFollowing(qsizetype files);
+
     /// Keeps what was chosen under a name: neither what the file itself says nor a guess that nobody has
     /// confirmed. False, and a message, when that fails.
     bool saveProfile(const QString &name);
@@ -155,6 +158,7 @@ private:
     ImportOptions m_settled; ///< those that what is shown was read with
     QString m_settledProfile;
     std::optional<Document> m_taken; ///< the document with the measurement, when it was accepted
+    int m_following = 0;             ///< files that come after this one
     ImportProfiles m_profiles;
     std::optional<QString> m_refusal; ///< why the latest choices cannot be used
     Selection m_selection;

@@ -126,6 +126,17 @@ std::vector<RecentFile> recentFiles() {
     return files;
 }
 
+QString shortName(const RecentFile &file, const std::vector<RecentFile> &others) {
+    const auto end = [](const QString &path, qsizetype parts) { return path.section(u'/', -parts); };
+    const qsizetype most = file.path.count(u'/') + 1;
+    qsizetype parts = 1;
+    while (parts < most && std::ranges::any_of(others, [&](const RecentFile &other) {
+               return other.path != file.path && end(other.path, parts) == end(file.path, parts);
+           }))
+        ++parts;
+    return end(file.path, parts);
+}
+
 void forgetFiles() {
     QSettings().remove(QLatin1StringView(arrayKey));
 }

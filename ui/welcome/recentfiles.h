@@ -31,6 +31,9 @@ struct RecentFile {
 /// The files opened last, the latest first, without those that are gone; kept in the settings of the user.
 [[nodiscard]] std::vector<RecentFile> recentFiles();
 
+/// The name of a file, with as many of its folders as tell it from the others.
+[[nodiscard]] QString shortName(const RecentFile &file, const std::vector<RecentFile> &others);
+
 /// Empties the list.
 void forgetFiles();
 

@@ -197,12 +197,12 @@ WelcomePage::WelcomePage(QWidget *parent)
 
 void WelcomePage::refresh() {
     std::vector<StartEntry> recent;
-    for (const RecentFile &file : recentFiles()) {
+    const std::vector<RecentFile> files = recentFiles();
+    for (const RecentFile &file : files) {
         QStringList detail{file.machine, file.axes};
         detail.removeAll(QString());
         recent.push_back(
-            {file.path, kindIcon(file.circular), QFileInfo(file.path).fileName(),
-             detail.join(QStringLiteral(" · ")),
+            {file.path, kindIcon(file.circular), shortName(file, files), detail.join(QStringLiteral(" · ")),
              file.date.isValid() ? QLocale().toString(file.date, QLocale::ShortFormat) : QString(),
              file.verdict ? limitsMark(file.verdict, true) : VerdictMark(),
              file.accordance ? accordanceMark(*file.accordance) : VerdictMark()});

@@ -321,6 +321,8 @@ void MainWindow::chooseMeasurements() {
 
 void MainWindow::importFiles(const QStringList &paths) {
     m_toImport << paths;
+    if (m_assistant)
+        m_assistant->setFollowing(m_toImport.size());
     importNext();
 }
 
@@ -399,6 +401,7 @@ void MainWindow::importClipboard() {
 void MainWindow::showAssistant(MeasurementFile file) {
     m_assistant = new ImportAssistant(std::move(file), m_open ? m_model.document().get() : nullptr, this);
     m_assistant->setAttribute(Qt::WA_DeleteOnClose);
+    m_assistant->setFollowing(m_toImport.size());
     connect(m_assistant, &QDialog::finished, this, [this](int result) {
         const ImportAssistant *assistant = m_assistant;
         m_assistant.clear();
@@ -933,9 +936,10 @@ void MainWindow::fillRecentMenu() {
     QMenu *recent = menu(WindowMenu::recent);
     recent->clear();
     int number = 1;
-    for (const RecentFile &file : recentFiles()) {
+    const std::vector<RecentFile> files = recentFiles();
+    for (const RecentFile &file : files) {
         QAction *action = recent->addAction(QStringLiteral("&%1  %2").arg(number++).arg(
-            QFileInfo(file.path).fileName().replace(u'&', QStringLiteral("&&"))));
+            shortName(file, files).replace(u'&', QStringLiteral("&&"))));
         action->setToolTip(file.path);
         connect(action, &QAction::triggered, this, [this, path = file.path] { openFile(path); });
     }

@@ -443,11 +443,14 @@ void Workplace::focusNextPane(bool forward) {
 
 void Workplace::showChange(const Document &before, const Document &after, const QString &edit) {
     const auto place = editPlace(edit);
+    const auto [was, is] =
+        std::ranges::mismatch(before.tests, after.tests,
+                              [](const TestPointer &a, const TestPointer &b) { return a == b || *a == *b; });
+    if (before.tests.size() < after.tests.size()) { // the first that came
+        showTest(static_cast<std::size_t>(is - after.tests.begin()));
+        return showPage(Page::readings);
+    }
     if (before.tests.size() == after.tests.size()) {
-        const auto [was, is] =
-            std::ranges::mismatch(before.tests, after.tests, [](const TestPointer &a, const TestPointer &b) {
-                return a == b || *a == *b;
-            });
         if (is != after.tests.end()) {
             showTest(static_cast<std::size_t>(is - after.tests.begin()));
             if (!place && (*was)->measurement != (*is)->measurement)
@@ -641,12 +644,11 @@ void Workplace::presentStatusOf(const PositioningMeasurement &measurement) {
 }
 
 void Workplace::presentStatusOf(const CircularMeasurement &measurement) {
-    std::size_t points = 0;
+    int points = 0;
     for (const Arc &arc : measurement.arcs)
-        points += arc.angles.size();
-    emit contentChanged(
-        tr("%n arc(s)", nullptr, static_cast<int>(measurement.arcs.size())) + QStringLiteral(" · ") +
-        tr("%1 points").arg(windowLanguage().number(static_cast<double>(points), Quantity::count, 0)));
+        points += static_cast<int>(arc.angles.size());
+    emit contentChanged(tr("%n arc(s)", nullptr, static_cast<int>(measurement.arcs.size())) +
+                        QStringLiteral(" · ") + withGroups(tr("%n point(s)", nullptr, points), points));
     const auto place = m_selection.hovered() ? m_selection.hovered() : m_selection.reading();
     const bool exists = place && place->run < measurement.arcs.size() &&
                         place->target < measurement.arcs[place->run].angles.size();

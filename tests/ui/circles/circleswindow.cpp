@@ -83,6 +83,21 @@ private slots:
         QVERIFY(asked);
     }
 
+    void anEmptyTestCountsAsFrenchDoes() {
+        setWindowLanguage(Language::Id::french);
+        const ShownWindow shown(examplePath(example));
+        shown.window->model().edit("take the arcs away", [](Document &document) {
+            auto test = std::make_shared<palmer::Test>(*document.tests[0]);
+            std::get<CircularMeasurement>(test->measurement).arcs.clear();
+            document.tests[0] = std::move(test);
+        });
+        const auto says = [&](const QString &text) {
+            const auto labels = shown.window->findChildren<QLabel *>();
+            return std::ranges::any_of(labels, [&](const QLabel *label) { return label->text() == text; });
+        };
+        QTRY_VERIFY(says(u"0 arc · 0 point"_s));
+    }
+
     void aShorterRangeGivesOtherResultsUntilItIsUndone() {
         const ShownWindow shown(examplePath(example));
         QTRY_COMPARE(results(shown)->model()->rowCount(), 8);

@@ -7,6 +7,7 @@
 #include "ui/help/helpwindow.h"
 
 #include <QAction>
+#include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QRegularExpression>
@@ -133,6 +134,39 @@ private slots:
         QCOMPARE(help.currentPage(), QString("fields"));
         QVERIFY(!help.find("no such word anywhere"));
         QCOMPARE(help.currentPage(), QString("fields"));
+    }
+
+    void findsWhileTheWordIsTyped() {
+        setWindowLanguage(Language::Id::english);
+        HelpWindow help;
+        help.showPage("workflow");
+        auto *search = help.findChild<QLineEdit *>("helpSearch");
+        const auto *text = help.findChild<QTextBrowser *>("helpText");
+        const auto *notFound = help.findChild<QLabel *>("helpNotFound");
+        QTest::keyClicks(search, "wavel");
+        QCOMPARE(help.currentPage(), QString("fields"));
+        const int place = text->textCursor().selectionStart();
+        QTest::keyClicks(search, "ength"); // the same place, not the next one
+        QCOMPARE(text->textCursor().selectedText(), QString("wavelength"));
+        QCOMPARE(text->textCursor().selectionStart(), place);
+        QVERIFY(notFound->text().isEmpty());
+        QTest::keyClicks(search, "zzz");
+        QVERIFY2(notFound->text().contains("wavelengthzzz"), qPrintable(notFound->text()));
+        search->selectAll();
+        QTest::keyClick(search, Qt::Key_Delete);
+        QVERIFY(notFound->text().isEmpty());
+    }
+
+    void subscriptsAreLegible() {
+        setWindowLanguage(Language::Id::english);
+        HelpWindow help;
+        help.showPage("validation");
+        const auto *text = help.findChild<QTextBrowser *>("helpText");
+        // Qt draws a subscript with two thirds of its font: that of a table in small print would be half.
+        const QTextCursor found = text->document()->find("max,XY");
+        QVERIFY(!found.isNull());
+        QCOMPARE(found.charFormat().verticalAlignment(), QTextCharFormat::AlignSubScript);
+        QCOMPARE(found.charFormat().property(QTextFormat::FontSizeAdjustment).toInt(), 0);
     }
 
     void theMenuLeadsToTheValidation() {

@@ -467,6 +467,12 @@ private slots:
         shown.window->importFiles({QString(DATA) + "tables/typical.csv", QString(DATA) + "refused/test.xcal",
                                    QString(DATA) + "tables/circle-radius.csv",
                                    QString(DATA) + "tables/temperatures.csv"});
+        const auto says = [&shown](const QString &text) {
+            const auto labels = assistantOf(shown).findChildren<QLabel *>();
+            return std::ranges::any_of(labels,
+                                       [&](const QLabel *label) { return label->text().contains(text); });
+        };
+        QVERIFY(says("3 files follow"));
         importShown(shown);
         // The refused one is said and stops nothing; the next goes into what the first has opened.
         QVERIFY(shown.window->findChild<QMessageBox *>("errorBox"));

@@ -64,6 +64,7 @@ private slots:
     }
     void savingProposesAName_data();
     void savingProposesAName();
+    void filesOfOneNameAreToldApart();
     void theListOfRecentFilesIsCleared();
     void saysThatAFileIsReadOnly();
     void oneQuestionForSeveralWindows(); // what is quit here ends the dialogs of tests behind it
@@ -102,6 +103,21 @@ void FilesWindowTest::savingProposesAName() {
     });
     shown.find<QAction>("save")->trigger();
     QCOMPARE(name, proposed);
+}
+
+void FilesWindowTest::filesOfOneNameAreToldApart() {
+    const auto file = [](const QString &path) {
+        RecentFile made;
+        made.path = path;
+        return made;
+    };
+    const std::vector files{file(u"/a/x/f.palmer"_s), file(u"/b/x/f.palmer"_s), file(u"/b/y/f.palmer"_s),
+                            file(u"/b/y/g.palmer"_s), file(u"/f.palmer"_s)};
+    QStringList names;
+    for (const RecentFile &one : files)
+        names << shortName(one, files);
+    QCOMPARE(names, QStringList({u"a/x/f.palmer"_s, u"b/x/f.palmer"_s, u"y/f.palmer"_s, u"g.palmer"_s,
+                                 u"/f.palmer"_s}));
 }
 
 void FilesWindowTest::theListOfRecentFilesIsCleared() {
