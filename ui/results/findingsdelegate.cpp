@@ -5,6 +5,7 @@
 #include "ui/results/findingsmodel.h"
 #include "ui/theme.h"
 
+#include <QAbstractItemView>
 #include <QPainter>
 
 namespace palmer::ui {
@@ -42,7 +43,9 @@ void FindingsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &opti
     const FindingsModel::Line &line = static_cast<const FindingsModel *>(index.model())->line(index.row());
     const QPalette &palette = option.palette;
     const QRect row = option.rect;
-    const bool current = (option.state & QStyle::State_Selected) && option.widget->hasFocus();
+    // Who comes with the keyboard has a current row before it is selected.
+    const auto *list = qobject_cast<const QAbstractItemView *>(option.widget);
+    const bool current = list && list->hasFocus() && list->currentIndex() == index;
     if (current)
         painter->fillRect(row, selectedGround(palette));
     else if (option.state & QStyle::State_MouseOver)

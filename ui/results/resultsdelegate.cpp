@@ -8,6 +8,7 @@
 #include "ui/theme.h"
 #include "ui/verdictmark.h"
 
+#include <QAbstractItemView>
 #include <QPainter>
 
 namespace palmer::ui {
@@ -81,6 +82,12 @@ void paintVerdict(QPainter &painter, const QRect &cell, const ResultLine &line, 
                      QFontMetrics(font).elidedText(line.verdictWord, Qt::ElideRight, room.width()));
 }
 
+/// Who comes with the keyboard has a current row before it is selected.
+bool isCurrentRow(const QStyleOptionViewItem &option, const QModelIndex &index) {
+    const auto *table = qobject_cast<const QAbstractItemView *>(option.widget);
+    return table && table->hasFocus() && table->currentIndex().row() == index.row();
+}
+
 } // namespace
 
 void ResultsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
@@ -96,8 +103,7 @@ void ResultsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
     QColor ground = base;
     if (explained)
         ground = blend(explanation, base, 0.13);
-    else if ((option.state & QStyle::State_Selected) &&
-             (option.state & QStyle::State_HasFocus || option.widget->hasFocus()))
+    else if (isCurrentRow(option, index))
         ground = selectedGround(palette);
     painter->fillRect(cell, ground);
     if (line.isFirst && index.row() > 0) {

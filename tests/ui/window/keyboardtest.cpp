@@ -71,6 +71,8 @@ private slots:
         setWindowLanguage(Language::Id::english);
     }
     void f6WalksThePanes();
+    void whereTheKeyboardIsIsSeen_data();
+    void whereTheKeyboardIsIsSeen();
     void ctrlTabDoesTheSame();
     void aClickOnATabGivesThePageTheKeyboard();
     void escClosesTheExplanationFromAnywhere_data();
@@ -85,6 +87,7 @@ private slots:
     void undoBringsTheAgreementIntoView();
     void undoBringsThePointOfACircleIntoView();
     void undoBringsTheTargetIntoView();
+    void undoBringsTheTestIntoView();
     void everyShortcutIsListed();
     void buttonsOfAgreedPointsNameTheirPoint();
     void standardButtonsHaveAKey_data();
@@ -110,6 +113,29 @@ void KeyboardTest::f6WalksThePanes() {
     }
     std::ranges::reverse(walked);
     QCOMPARE(back, walked);
+}
+
+void KeyboardTest::whereTheKeyboardIsIsSeen_data() {
+    QTest::addColumn<QString>("list");
+    QTest::newRow("results") << u"results"_s;
+    QTest::newRow("findings") << u"findings"_s;
+}
+
+/// Nothing of them is selected when the keyboard comes there first.
+void KeyboardTest::whereTheKeyboardIsIsSeen() {
+    QFETCH(QString, list);
+    const ShownWindow shown(examplePath("iso230-2-1988-example"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    auto *view = shown.find<QAbstractItemView>(list.toLatin1());
+    QTRY_VERIFY(view->model()->rowCount() > 1);
+    const auto firstRow = [view] {
+        const QRect row = view->visualRect(view->model()->index(0, 0));
+        return view->viewport()->grab(QRect(0, row.top(), view->viewport()->width(), row.height())).toImage();
+    };
+    const QImage before = firstRow();
+    view->setFocus(Qt::TabFocusReason);
+    QTRY_VERIFY(view->hasFocus());
+    QVERIFY(firstRow() != before);
 }
 
 void KeyboardTest::ctrlTabDoesTheSame() {
@@ -367,6 +393,19 @@ void KeyboardTest::undoBringsTheTargetIntoView() {
         QCOMPARE(view->currentIndex(), cell);
         QVERIFY(view->hasFocus());
     }
+}
+
+void KeyboardTest::undoBringsTheTestIntoView() {
+    const ShownWindow shown(examplePath("rotary-axis"));
+    Workplace &workplace = shown.window->workplace();
+    shown.find<QAction>("duplicateTest")->trigger();
+    QCOMPARE(workplace.selection().test(), std::size_t(1));
+    shown.find<QAction>("undo")->trigger();
+    QCOMPARE(workplace.selection().test(), std::size_t(0));
+    workplace.showPage(Page::machine);
+    shown.find<QAction>("redo")->trigger();
+    QCOMPARE(workplace.selection().test(), std::size_t(1));
+    QCOMPARE(workplace.selection().page(), Page::readings);
 }
 
 void KeyboardTest::everyShortcutIsListed() {
