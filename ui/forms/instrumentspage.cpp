@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/forms/instrumentspage.h"
 
+#include "kernel/measurement/testfacts.h"
 #include "ui/forms/templatebutton.h"
 #include "ui/model/documentmodel.h"
 
 #include <QCoreApplication>
 #include <QPushButton>
+#include <algorithm>
 
 namespace palmer::ui {
 
@@ -46,6 +48,18 @@ Member<std::string> idOf(std::size_t index) {
     return member;
 }
 
+/// As the report states it: a test of a rotary axis that names the instrument makes it an angular one.
+Quantity resolutionQuantity(const Document &document, std::size_t index) {
+    if (index >= document.instruments.size())
+        return Quantity::deviation;
+    for (const TestPointer &test : document.tests) {
+        if (isJudged(*test) && axisOf(*test) &&
+            std::ranges::find(test->instruments, document.instruments[index].id) != test->instruments.end())
+            return deviationQuantity(*test);
+    }
+    return Quantity::deviation;
+}
+
 } // namespace
 
 InstrumentsPage::InstrumentsPage(DocumentModel &model, Selection &selection, QWidget *parent)
@@ -64,9 +78,14 @@ void InstrumentsPage::prepare() {
     const QString wanted = QString::number(std::max<std::size_t>(1, count)) + (count == 0 ? u'-' : u'+');
     // The empty set stays as it is while its first field is being typed.
     const bool sameFields = !m_built.isEmpty() && m_built.chopped(1) == wanted.chopped(1) && count <= 1;
-    if (m_built == wanted || (sameFields && isAncestorOf(focusWidget())))
+    std::vector<Quantity> resolutions;
+    for (std::size_t k = 0; k < std::max<std::size_t>(1, count); ++k)
+        resolutions.push_back(count == 0 ? Quantity::deviation
+                                         : resolutionQuantity(*evaluated().document, k));
+    if ((m_built == wanted && m_resolutions == resolutions) || (sameFields && isAncestorOf(focusWidget())))
         return;
     m_built = wanted;
+    m_resolutions = std::move(resolutions);
     clear();
     m_descriptions.clear();
     for (std::size_t k = 0; k < std::max<std::size_t>(1, count); ++k)
@@ -127,7 +146,7 @@ void InstrumentsPage::addFields(std::size_t k) {
             ofInstrument<&Instrument::calibrationDate>(k));
     addDate("calibrationDue", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibration due"),
             ofInstrument<&Instrument::calibrationDue>(k));
-    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Resolution"), Quantity::deviation,
+    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Resolution"), m_resolutions[k],
               ofInstrument<&Instrument::resolution>(k), 1, Allowed::notNegative);
 }
 

@@ -22,6 +22,7 @@ private:
     DocumentModel &m_documents;
     Selection &m_selection;
     QString m_built;                     ///< which instruments have fields
+    std::vector<Quantity> m_resolutions; ///< of each: a length or an angle
     std::vector<Field *> m_descriptions; ///< the first field of each
 };
 

@@ -18,6 +18,22 @@
 
 namespace palmer::ui {
 
+namespace {
+
+/// A long name would make the menu as wide as itself.
+QAction *addNamed(QMenu &menu, const Template &content) {
+    constexpr int mostCharacters = 48;
+    const QFontMetrics metrics = menu.fontMetrics();
+    const QString name = QString::fromStdString(content.name);
+    QAction *action =
+        menu.addAction(metrics.elidedText(name, Qt::ElideRight, metrics.averageCharWidth() * mostCharacters)
+                           .replace(u'&', QStringLiteral("&&")));
+    action->setToolTip(name);
+    return action;
+}
+
+} // namespace
+
 TemplateButton::TemplateButton(Kind kind, DocumentModel &model, Selection &selection, QWidget *parent)
     : QToolButton(parent)
     , m_kind(kind)
@@ -117,8 +133,8 @@ void TemplateButton::fill() {
         if (!fits(one.content))
             continue;
         any = true;
-        const QString name = QString::fromStdString(one.content.name).replace(u'&', QStringLiteral("&&"));
-        connect(menu()->addAction(name), &QAction::triggered, this, [this, one] { apply(one.content); });
+        connect(addNamed(*menu(), one.content), &QAction::triggered, this,
+                [this, one] { apply(one.content); });
     }
     if (!any)
         menu()->addAction(tr("No template yet"))->setEnabled(false);
@@ -139,8 +155,7 @@ void TemplateButton::fill() {
     for (const StoredTemplate &one : stored) {
         if (!fits(one.content))
             continue;
-        const QString name = QString::fromStdString(one.content.name).replace(u'&', QStringLiteral("&&"));
-        connect(removal->addAction(name), &QAction::triggered, this, [one] { removeTemplate(one); });
+        connect(addNamed(*removal, one.content), &QAction::triggered, this, [one] { removeTemplate(one); });
     }
 }
 

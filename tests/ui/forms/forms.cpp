@@ -53,6 +53,18 @@ QList<Field *> fields(const QWidget &page, const QString &key) {
     return found;
 }
 
+palmer::Test positioningTest(Motion motion, std::vector<std::string> instruments) {
+    palmer::Test test;
+    test.id = "t";
+    test.edition = "ISO 230-2:2014";
+    test.instruments = std::move(instruments);
+    PositioningMeasurement measurement;
+    measurement.axis.name = "C";
+    measurement.axis.motion = motion;
+    test.measurement = std::move(measurement);
+    return test;
+}
+
 /// A page that edits a document, as in a window: what is typed is evaluated and shown again.
 template <class PageClass>
 struct Edited {
@@ -358,6 +370,14 @@ private slots:
         for (Field *field : instruments.findChildren<Field *>())
             texts << field->text();
         QVERIFY(texts.contains(u"0.01"_s)); // µm
+        // As on the report: a rotary axis that names it makes it an angular instrument.
+        auto rotary = std::make_shared<Document>(*evaluated.document);
+        rotary->tests = {std::make_shared<const palmer::Test>(positioningTest(Motion::rotary, {"laser"}))};
+        instruments.show(evaluate(std::move(rotary)), 0);
+        texts.clear();
+        for (Field *field : instruments.findChildren<Field *>())
+            texts << field->text();
+        QVERIFY2(texts.contains(u"0.036"_s), qPrintable(texts.join(u' '))); // seconds of arc
         IdentificationPage identification(model, selection);
         identification.show(evaluated, 0);
         texts.clear();
@@ -827,6 +847,10 @@ private slots:
         QVERIFY(!templates->apply({"limits", LimitSet()})); // of another page
         removeTemplate(stored[0]);
         QVERIFY(storedTemplates().empty());
+        storeTemplate(templates->current(u"a name that goes on "_s.repeated(20)));
+        emit templates->menu()->aboutToShow();
+        QVERIFY(templates->menu()->sizeHint().width() < 600);
+        removeTemplate(storedTemplates()[0]);
     }
 
     /// One step says yes to what was not declared; what was declared stays.
