@@ -5,7 +5,9 @@
 #include <QApplication>
 #include <QDialogButtonBox>
 #include <QEvent>
+#include <QGridLayout>
 #include <QInputDialog>
+#include <QLineEdit>
 #include <QMessageBox>
 #include <QPushButton>
 
@@ -31,13 +33,25 @@ QString nameOf(QDialogButtonBox::StandardButton button) {
     }
 }
 
-class ButtonNames : public QObject {
+constexpr int leastWidth = 380; ///< of a box
+
+/// Qt makes a box as narrow as its shortest text: a sentence took six lines, a name was cut off.
+void widen(QWidget &box) {
+    if (auto *grid = qobject_cast<QGridLayout *>(box.layout())) // of a message
+        grid->addItem(new QSpacerItem(leastWidth, 0), grid->rowCount(), 0, 1, grid->columnCount());
+    else if (auto *typed = box.findChild<QLineEdit *>()) // the dialog has the width of its layout
+        typed->setMinimumWidth(leastWidth);
+}
+
+class BoxGuard : public QObject {
 public:
     using QObject::QObject;
 
     bool eventFilter(QObject *watched, QEvent *event) override {
         if (event->type() != QEvent::Polish)
             return false;
+        if (qobject_cast<QMessageBox *>(watched) || qobject_cast<QInputDialog *>(watched))
+            widen(*static_cast<QWidget *>(watched));
         auto *button = qobject_cast<QPushButton *>(watched);
         auto *box = button ? qobject_cast<QDialogButtonBox *>(button->parentWidget()) : nullptr;
         if (!box ||
@@ -53,7 +67,7 @@ public:
 } // namespace
 
 void nameStandardButtons(QApplication &application) {
-    application.installEventFilter(new ButtonNames(&application));
+    application.installEventFilter(new BoxGuard(&application));
 }
 
 } // namespace palmer::ui

@@ -26,7 +26,7 @@ namespace {
 
 constexpr double scaleRoom = 44;
 constexpr double rightRoom = 14;
-constexpr double plotTop = 12;
+constexpr double belowTitle = 4;
 constexpr double plotBottom = 22;
 constexpr double pointerReach = 12; ///< of the pointer, pixels
 constexpr double handleReach = 7;
@@ -147,7 +147,7 @@ void ArcCurvesView::setCurrentArc(std::size_t arc) {
 }
 
 QRectF ArcCurvesView::plot() const {
-    return QRectF(rect()).adjusted(scaleRoom, plotTop, -rightRoom, -plotBottom);
+    return QRectF(rect()).adjusted(scaleRoom, m_plotTop, -rightRoom, -plotBottom);
 }
 
 double ArcCurvesView::xOf(double angle) const {
@@ -174,6 +174,7 @@ std::optional<Interval> ArcCurvesView::range() const {
 // ---- Painting --------------------------------------------------------------------------------------------
 
 void ArcCurvesView::drawAnew() {
+    m_plotTop = QFontMetricsF(themeFont(TextSize::tiny)).height() + belowTitle;
     const double ratio = devicePixelRatioF();
     if (!m_drawn.isNull() && m_drawn.size() == (QSizeF(size()) * ratio).toSize())
         return;
@@ -223,10 +224,8 @@ void ArcCurvesView::drawAxes(QPainter &painter) const {
         painter.drawText(QPointF(begin, area.bottom() + metrics.ascent() + 5), text);
     }
     const QString title = tr("Δr µm, least squares centre");
-    const QRectF box(area.left() + 5, area.top() - 2, metrics.horizontalAdvance(title) + 6, metrics.height());
-    painter.fillRect(box, palette().color(QPalette::Base));
-    painter.setPen(secondary);
-    painter.drawText(box, Qt::AlignCenter, title);
+    painter.setPen(secondary); // above the plot: curves and what is left out run through all of it
+    painter.drawText(QPointF(area.left(), metrics.ascent()), title);
 }
 
 void ArcCurvesView::drawCurves(QPainter &painter) const {

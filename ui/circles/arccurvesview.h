@@ -83,7 +83,8 @@ private:
     std::size_t m_arc = 0;
     FigureAxis m_angles;
     FigureAxis m_deviations;
-    QPixmap m_drawn; ///< null: to be drawn
+    double m_plotTop = 0; ///< below the title, with the font of the last drawing
+    QPixmap m_drawn;      ///< null: to be drawn
     Handle m_dragged = Handle::none;
     std::optional<Interval> m_preview; ///< the range while a handle is dragged
     Background m_making;

@@ -9,6 +9,7 @@
 #include "ui/circles/arccurvesview.h"
 #include "ui/circles/arcdialog.h"
 #include "ui/circles/quiettable.h"
+#include "ui/elidedbox.h"
 #include "ui/elidedlabel.h"
 #include "ui/measures.h"
 #include "ui/model/editname.h"
@@ -44,7 +45,6 @@ constexpr int mostArcs = 4; ///< shown without scrolling
 constexpr int cellMargin = 16;
 constexpr int rowsLookedAt = 50; ///< for the width of a column
 constexpr int leastHeightForPoints = 480;
-constexpr int gridColumns = 12;
 constexpr int angleWidth = 72;
 constexpr int reverseWidth = 36; ///< a mark alone: there is no room for words beside the range
 
@@ -95,10 +95,9 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     barArea->setFixedHeight(pageBarHeight);
     barArea->setLayout(bar);
 
-    auto *grid = new QGridLayout;
-    grid->setHorizontalSpacing(fieldGap);
-    grid->setVerticalSpacing(8);
-    makeParameters(*grid);
+    auto *parameters = new QVBoxLayout;
+    parameters->setSpacing(8);
+    makeParameters(*parameters);
     auto *rangeRow = new QHBoxLayout;
     rangeRow->setSpacing(6);
     makeRangeRow(*rangeRow);
@@ -129,7 +128,7 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     layout->setContentsMargins(pageMargin, 0, pageMargin, 8);
     layout->setSpacing(8);
     layout->addWidget(barArea);
-    layout->addLayout(grid);
+    layout->addLayout(parameters);
     layout->addWidget(m_arcs);
     layout->addLayout(rangeRow);
     auto *curves = new QGridLayout; // a reason comes and goes over them: nothing below moves
@@ -162,8 +161,7 @@ QToolButton *CirclesPage::addUnit(QButtonGroup &group, const char *segment, cons
     return button;
 }
 
-QWidget *CirclesPage::labelled(QGridLayout &grid, int row, int column, int span, const char *label,
-                               QWidget *field) {
+QWidget *CirclesPage::labelled(QHBoxLayout &row, int share, const char *label, QWidget *field) {
     auto *text = new ElidedLabel(this);
     text->setFixedHeight(labelHeight);
     text->setProperty("secondary", true);
@@ -172,20 +170,19 @@ QWidget *CirclesPage::labelled(QGridLayout &grid, int row, int column, int span,
     box->setSpacing(4);
     box->addWidget(text);
     box->addWidget(field);
-    grid.addLayout(box, row, column, 1, span);
+    row.addLayout(box, share);
     m_labels.push_back({text, label, field});
     return field;
 }
 
-QComboBox *CirclesPage::addChoice(QGridLayout &grid, int row, int column, int span, const char *name,
-                                  const char *label) {
-    auto *box = new QComboBox(this);
+QComboBox *CirclesPage::addChoice(QHBoxLayout &row, int share, const char *name, const char *label) {
+    auto *box = new ElidedBox(this);
     box->setObjectName(QLatin1StringView(name));
     box->setFixedHeight(fieldHeight);
     box->setMinimumContentsLength(6);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setFocusPolicy(Qt::StrongFocus);
-    labelled(grid, row, column, span, label, box);
+    labelled(row, share, label, box);
     return box;
 }
 
@@ -216,24 +213,28 @@ void CirclesPage::readPositive(Field *field, Quantity quantity, bool needed) {
     });
 }
 
-void CirclesPage::makeParameters(QGridLayout &grid) {
-    for (int column = 0; column < gridColumns; ++column)
-        grid.setColumnStretch(column, 1);
-    m_plane = addChoice(grid, 0, 0, 3, "plane", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Plane"));
+void CirclesPage::makeParameters(QVBoxLayout &rows) {
+    auto *test = new QHBoxLayout;
+    auto *centres = new QHBoxLayout;
+    for (QHBoxLayout *row : {test, centres}) {
+        row->setSpacing(fieldGap);
+        rows.addLayout(row);
+    }
+    // Each has the share of the row that its words take.
+    m_plane = addChoice(*test, 4, "plane", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Plane"));
     m_radius = makeNumber("nominalRadius");
     m_feed = makeNumber("contouringFeed");
-    grid.addWidget(m_radius, 0, 3, 1, 3);
-    grid.addWidget(m_feed, 0, 6, 1, 3);
+    test->addWidget(m_radius, 5);
+    test->addWidget(m_feed, 6);
     readPositive(m_radius, Quantity::position, true);
     readPositive(m_feed, Quantity::feed, false);
-    m_source =
-        addChoice(grid, 0, 9, 3, "signalSource", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Source"));
-    m_circle = addChoice(grid, 1, 0, 4, "referenceCircle",
+    m_source = addChoice(*test, 6, "signalSource", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Source"));
+    m_circle = addChoice(*centres, 1, "referenceCircle",
                          QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Reference circle of G"));
     m_centring =
-        addChoice(grid, 1, 4, 4, "centring", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Centring for F"));
-    m_angle =
-        addChoice(grid, 1, 8, 4, "angleReference", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Angle"));
+        addChoice(*centres, 1, "centring", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Centring for F"));
+    m_angle = addChoice(*centres, 1, "angleReference", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Angle"));
+    m_angle->setPlaceholderText(QStringLiteral("–")); // angles come with the arcs
     for (const auto &[first, second] : planes)
         m_plane->addItem(planeText(first, second),
                          QStringList({QLatin1String(first), QLatin1String(second)}));

@@ -18,12 +18,12 @@
 class QAction;
 class QButtonGroup;
 class QComboBox;
-class QGridLayout;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
 class QTableView;
 class QToolButton;
+class QVBoxLayout;
 
 namespace palmer::ui {
 
@@ -72,7 +72,7 @@ private:
         QWidget *field = nullptr;
     };
 
-    void makeParameters(QGridLayout &grid);
+    void makeParameters(QVBoxLayout &rows);
     void makeRangeRow(QHBoxLayout &row);
     void makeArcButtons();
     void nameRange();
@@ -80,8 +80,7 @@ private:
     void makeActions();
     void deleteArc();
     void typePoint(const QModelIndex &index, const QString &text);
-    QComboBox *addChoice(QGridLayout &grid, int row, int column, int span, const char *name,
-                         const char *label);
+    QComboBox *addChoice(QHBoxLayout &row, int share, const char *name, const char *label);
     Field *makeNumber(const char *name);
     void readPositive(Field *field, Quantity quantity, bool needed);
     [[nodiscard]] Field::Reading readEnd(const Field *end, const QString &typed) const;
@@ -90,7 +89,7 @@ private:
     void leaveFields(const std::vector<Field *> &fields);
     [[nodiscard]] QString shownArc() const;
     [[nodiscard]] QString stepOf(const Field *field) const; ///< key of steps to undo that become one
-    QWidget *labelled(QGridLayout &grid, int row, int column, int span, const char *label, QWidget *field);
+    QWidget *labelled(QHBoxLayout &row, int share, const char *label, QWidget *field);
     QToolButton *addUnit(QButtonGroup &group, const char *segment, const char *name, PointUnit unit);
 
     void refresh();

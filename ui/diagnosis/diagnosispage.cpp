@@ -67,6 +67,7 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
     m_nature->setFont(themeFont(TextSize::head));
     auto *head = new QHBoxLayout;
     head->setContentsMargins(pageMargin, 6, pageMargin, 0);
+    head->setSpacing(12);
     head->addWidget(m_nature);
     head->addWidget(m_summary, 1);
     page->addLayout(head);

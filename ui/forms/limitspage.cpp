@@ -32,6 +32,24 @@ namespace {
 constexpr const char *limitsContext = "palmer::ui::LimitsPage";
 constexpr int symbolWidth = 40;
 
+/// The longest names take two lines beside their field, three in a narrow window.
+class NameLabel : public QLabel {
+public:
+    explicit NameLabel(QWidget *parent)
+        : QLabel(parent) {
+        setWordWrap(true);
+        setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+        setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
+        setFixedHeight(fieldHeight);
+    }
+
+protected:
+    void resizeEvent(QResizeEvent *event) override {
+        QLabel::resizeEvent(event);
+        setFixedHeight(std::max(fieldHeight, heightForWidth(width())));
+    }
+};
+
 /// A member of the limit of a parameter; one that says nothing more goes.
 template <auto member>
 auto ofLimit(const std::string &id) {
@@ -173,12 +191,8 @@ void LimitsPage::addLimit(const Formula &symbol, const Term *term, const std::st
     const bool first = m_names.empty();
     beginRow();
     auto *place = new QWidget(body());
-    auto *label = new QLabel(place); // the longest names take two lines
-    label->setWordWrap(true);
+    auto *label = new NameLabel(place);
     label->setFont(themeFont(TextSize::small));
-    label->setFixedHeight(fieldHeight);
-    label->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     auto *row = new QHBoxLayout;
     row->setSpacing(4);
     row->addWidget(new SymbolLabel(symbol, place));

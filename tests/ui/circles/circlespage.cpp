@@ -8,6 +8,7 @@
 #include "ui/circles/arccurvesview.h"
 #include "ui/circles/arcdialog.h"
 #include "ui/model/documentmodel.h"
+#include "ui/theme.h"
 
 #include <QAction>
 #include <QApplication>
@@ -252,6 +253,21 @@ private slots:
         QVERIFY(!shown.circles().arcs[0].evaluated);
     }
 
+    /// What is left out is dimmed, and the handles reach up: neither runs through the title.
+    void theTitleOfTheCurveIsAboveIt() {
+        Shown shown;
+        auto *curves = shown.find<ArcCurvesView>("arcCurves");
+        const auto title = [curves] {
+            return curves
+                ->grab(QRect(0, 0, curves->width(), QFontMetrics(themeFont(TextSize::tiny)).height() + 3))
+                .toImage();
+        };
+        const QImage before = title();
+        emit curves->rangeWanted(0, Interval{120, 350});
+        QVERIFY(shown.circles().arcs[0].evaluated.has_value());
+        QCOMPARE(title(), before);
+    }
+
     void senseAndOrderCanBeChanged() {
         Shown shown;
         shown.find<QPushButton>("reverseSense")->click();
@@ -446,6 +462,7 @@ private slots:
         QVERIFY(!shown.find<QPushButton>("reverseSense")->isEnabled());
         QVERIFY(!shown.find<QLineEdit>("evaluatedFrom")->isEnabled());
         QVERIFY(!shown.find<QComboBox>("angleReference")->isEnabled());
+        QVERIFY(!shown.find<QComboBox>("angleReference")->placeholderText().isEmpty());
         const Shown empty(circularTest({Arc()}));
         QCOMPARE(empty.cell("arcs", 0, ArcsModel::points), u"0"_s);
     }
