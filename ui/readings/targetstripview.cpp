@@ -17,6 +17,7 @@ namespace {
 constexpr double leftMargin = 24; ///< for ↑ ↓
 constexpr double stripRightMargin = 8;
 constexpr double bottomMargin = 20; ///< for the numbers
+constexpr double labelSpace = 6;    ///< between them
 constexpr double laneShare = 0.25;  ///< of the height
 constexpr double dotRadius = 3.2;
 constexpr double diamondHalf = 4.4;
@@ -138,13 +139,19 @@ void TargetStripView::paintEvent(QPaintEvent *) {
     QPainter painter(this);
     const QRectF area = plot();
     painter.setFont(themeFont(TextSize::tiny));
+    double lastRight = 0;
     for (const Tick &tick : m_strip.axis.ticks) {
         const double at = x(tick.value);
         painter.setPen(tick.value == 0 ? token(Token::secondaryText, palette())
                                        : token(Token::line, palette()));
         painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
+        // The numbers of a narrow range have many digits.
+        const double half = painter.fontMetrics().horizontalAdvance(tick.label) / 2.0;
+        if (at - half < lastRight)
+            continue;
+        lastRight = at + half + labelSpace;
         painter.setPen(token(Token::secondaryText, palette()));
-        painter.drawText(QRectF(at - 30, area.bottom() + 2, 60, bottomMargin - 2),
+        painter.drawText(QRectF(at - half - 1, area.bottom() + 2, 2 * half + 2, bottomMargin - 2),
                          Qt::AlignHCenter | Qt::AlignTop, tick.label);
     }
     for (std::size_t lane = 0; lane < m_strip.lanes.size(); ++lane)

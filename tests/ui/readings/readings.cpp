@@ -5,6 +5,8 @@
 #include "ui/examples.h"
 #include "ui/readings/readingsmodel.h"
 #include "ui/readings/targetcard.h"
+#include "ui/readings/targetstripview.h"
+#include "ui/theme.h"
 
 #include <QAbstractItemModelTester>
 #include <QLabel>
@@ -94,6 +96,37 @@ private slots:
         QVERIFY(picture() != before);
         selection.setHovered({});
         QCOMPARE(picture(), before);
+    }
+
+    void numbersOfTheStripStandApart() {
+        Selection selection;
+        TargetStripView view(selection);
+        TargetStrip strip;
+        strip.lanes.resize(1);
+        for (int i = 1; i < 10; ++i)
+            strip.axis.ticks.push_back({i / 10.0, u"−0.33698"_s});
+        view.setStrip(strip, 0);
+        view.resize(300, 140);
+        const QImage image = view.grab().toImage();
+        const int widest = QFontMetrics(themeFont(TextSize::tiny)).horizontalAdvance(u"−0.33698"_s);
+        const auto isEmpty = [&image](int x) {
+            for (int y = image.height() - 16; y < image.height(); ++y) {
+                if (image.pixel(x, y) != image.pixel(0, image.height() - 1))
+                    return false;
+            }
+            return true;
+        };
+        int first = 0; // column of a number
+        int last = -1;
+        for (int x = 0; x < image.width(); ++x) {
+            if (isEmpty(x))
+                continue;
+            if (last < 0 || x - last > 5)
+                first = x;
+            last = x;
+            QVERIFY2(last - first <= widest, qPrintable(QString::number(x)));
+        }
+        QVERIFY(last > 0);
     }
 
     void currentCellIsTheReadingOfTheWindow() {
