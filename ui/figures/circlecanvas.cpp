@@ -4,6 +4,7 @@
 
 #include "kernel/measurement/testfacts.h"
 #include "ui/figures/canvaslabel.h"
+#include "ui/figures/drawcirclefigure.h"
 #include "ui/figures/metrics.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
@@ -27,6 +28,7 @@ constexpr double millimetresPerPixel = 25.4 / 96;
 constexpr int angleDecimals = 2;
 constexpr int deviationDecimals = 2;
 constexpr int timeDecimals = 2;
+constexpr int centreFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
 constexpr std::size_t circleAtOnce = 200'000; ///< points
 
 /// The points of a path, of which there are some, whose angle is no further than `window` from the direction;
@@ -191,8 +193,10 @@ void CircleCanvas::drawAnew() {
     m_drawn = QPixmap((QSizeF(size()) * ratio).toSize());
     m_drawn.setDevicePixelRatio(ratio);
     QPainter painter(&m_drawn);
-    m_transform = drawFigure(painter, QRectF(rect()), m_shown,
-                             isDark(palette()) ? Medium::screenDark : Medium::screenLight);
+    const Medium medium = isDark(palette()) ? Medium::screenDark : Medium::screenLight;
+    m_transform = drawFigure(painter, QRectF(rect()), m_shown, medium);
+    const QRectF inPoints(QPointF(0, 0), QSizeF(size()) * pointsPerPixel);
+    m_leftOfSenses = leftOfSenses(painter, inPoints, m_shown, medium) / pointsPerPixel;
 }
 
 std::optional<CircleFigure> CircleCanvas::paperFigure() const {
@@ -346,17 +350,23 @@ void CircleCanvas::paintEvent(QPaintEvent *) {
     }
 }
 
+QRect CircleCanvas::centreBox() const {
+    constexpr int left = 6;
+    constexpr int least = 56; // the longest word has that room
+    const int room = std::min(std::max(width() * 3 / 10, 100), static_cast<int>(m_leftOfSenses) - 2 * left);
+    return QFontMetrics(themeFont(TextSize::tiny))
+        .boundingRect(QRect(left, 4, std::max(room, least), height()), centreFlags, m_shown.centre);
+}
+
 /// In the corner that circles leave free, whatever room the head has: numbers mean nothing without it.
 void CircleCanvas::paintCentre(QPainter &painter) const {
     painter.setFont(themeFont(TextSize::tiny));
-    const QRect room(6, 4, std::max(width() * 3 / 10, 100), height());
-    constexpr int flags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
-    const QRect text = painter.boundingRect(room, flags, m_shown.centre);
+    const QRect text = centreBox();
     QColor ground = palette().color(QPalette::Base);
     ground.setAlphaF(0.8F);
     painter.fillRect(text.adjusted(-2, -1, 2, 1), ground);
     painter.setPen(token(Token::secondaryText, palette()));
-    painter.drawText(text, flags, m_shown.centre);
+    painter.drawText(text, centreFlags, m_shown.centre);
 }
 
 void CircleCanvas::paintHover(QPainter &painter) const {

@@ -58,6 +58,8 @@ public:
     [[nodiscard]] std::optional<CircleFigure> paperFigure() const;
     [[nodiscard]] const CircleView &view() const { return m_view; }
     void setView(const CircleView &view);
+    /// The sentence about which centre it is drawn.
+    [[nodiscard]] QRect centreBox() const;
     void fit() { setView({}); }
     /// In by so many steps of the wheel about the middle, out where negative.
     void zoomBy(int steps);
@@ -134,6 +136,7 @@ private:
     std::vector<RulingPoint> m_ruling;
     QPixmap m_drawn; ///< null: to be drawn
     FigureTransform m_transform;
+    double m_leftOfSenses = 0;     ///< of m_drawn
     std::optional<QPointF> m_drag; ///< where the pointer was
     bool m_dragged = false;
     Background m_making;

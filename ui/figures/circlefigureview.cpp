@@ -65,6 +65,7 @@ private:
     const QWidget *m_owner;
 };
 
+constexpr int rowSpacing = 6;
 constexpr int combined = -1;
 constexpr int sideBySide = -2;
 
@@ -95,7 +96,7 @@ CircleFigureView::CircleFigureView(Selection &selection, QWidget *parent)
     m_repetitions = toggle("showRepetitions", Sense::counterclockwise, true);
     auto *row = new QHBoxLayout;
     row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(6);
+    row->setSpacing(rowSpacing);
     for (QToolButton *button : {m_counterclockwise, m_clockwise, m_repetitions})
         row->addWidget(button);
     row->addStretch();
@@ -257,10 +258,36 @@ void CircleFigureView::refresh() {
         content.synthetic = m_synthetic;
         m_canvases[i]->show(m_evaluated, m_test, content, m_language);
     }
+    fitNames();
     if (!m_current->isVisibleTo(this))
         m_current = m_canvases.front();
     if (!m_current->isMaking()) // else when it is made
         emit figureChanged();
+}
+
+/// Without room for the words the letters of the figure name the paths.
+void CircleFigureView::fitNames() {
+    const auto *measurement = measured<CircularMeasurement>(m_evaluated, m_test);
+    const auto letters = [&](Sense sense) {
+        return measurement ? QString::fromStdString(iso230_4::axisIndex(measurement->plane, sense))
+                           : QString();
+    };
+    m_counterclockwise->setText(tr("anticlockwise"));
+    m_clockwise->setText(tr("clockwise"));
+    m_repetitions->setText(tr("repetitions"));
+    int needed = m_choice->sizeHint().width();
+    for (const QToolButton *button : {m_counterclockwise, m_clockwise, m_repetitions})
+        needed += button->isHidden() ? 0 : button->sizeHint().width() + rowSpacing;
+    if (needed <= width())
+        return;
+    m_counterclockwise->setText(letters(Sense::counterclockwise));
+    m_clockwise->setText(letters(Sense::clockwise));
+    m_repetitions->setText({});
+}
+
+void CircleFigureView::resizeEvent(QResizeEvent *event) {
+    QWidget::resizeEvent(event);
+    fitNames();
 }
 
 void CircleFigureView::describe(const QString &content) {
@@ -274,15 +301,14 @@ void CircleFigureView::retranslate() {
     m_choice->setAccessibleName(tr("Which figure"));
     m_choice->setToolTip(
         tr("All paths in one figure, or the figures of the standard about their own centres"));
-    const auto name = [](QToolButton *button, const QString &text, const QString &tip) {
-        button->setText(text);
+    const auto name = [](QToolButton *button, const QString &tip) {
         button->setAccessibleName(tip);
         button->setToolTip(tip);
         button->setFont(themeFont(TextSize::small));
     };
-    name(m_counterclockwise, tr("anticlockwise"), tr("Show the path anticlockwise"));
-    name(m_clockwise, tr("clockwise"), tr("Show the path clockwise"));
-    name(m_repetitions, tr("repetitions"), tr("Show repeated paths"));
+    name(m_counterclockwise, tr("Show the path anticlockwise"));
+    name(m_clockwise, tr("Show the path clockwise"));
+    name(m_repetitions, tr("Show repeated paths"));
     m_choice->setFont(themeFont(TextSize::small));
     for (CircleCanvas *canvas : m_canvases)
         canvas->setAccessibleName(tr("Circle figure"));

@@ -53,9 +53,11 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void refresh();
+    void fitNames();
     void fillChoice();
     [[nodiscard]] std::vector<CircleFigureOptions> chosen() const;
     void retranslate();

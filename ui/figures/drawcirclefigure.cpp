@@ -28,10 +28,11 @@ constexpr double startRadius = 1.3;
 constexpr double halo = 0.35;
 constexpr double contactWidth = 1.7;
 constexpr double senseRadius = 14;
-constexpr double senseRoom = 3;    ///< between the arrows of the sense and what is drawn around them
-constexpr int spokes = 30;         ///< degrees
-constexpr double freeOfMarks = 9;  ///< degrees
-constexpr double roomForLabel = 9; ///< between the circles of a dimension
+constexpr double leftSenseLabel = 132; ///< degrees
+constexpr double senseRoom = 3;        ///< between the arrows of the sense and what is drawn around them
+constexpr int spokes = 30;             ///< degrees
+constexpr double freeOfMarks = 9;      ///< degrees
+constexpr double roomForLabel = 9;     ///< between the circles of a dimension
 constexpr double circleLimitTick = 1;
 constexpr double circleGuardWidth = 1.2; ///< mm
 constexpr double scaleLeft = 2.8;        ///< from the left edge
@@ -150,6 +151,18 @@ public:
             m_labelAngles = anglesIn(*figure.sector, {0.12, 0.16, 0.2, 0.24, 0.3, 0.45, 0.55, 0.8, 0.88});
         }
         m_guard = m_plot.adjusted(-20, -20, 20, 20);
+    }
+
+    /// The left end of the letters of a sense beside the circles.
+    [[nodiscard]] double leftOfSenses() const {
+        double left = m_plot.right();
+        if (!whole() || m_figure.sector || sensesAreInside())
+            return left;
+        for (const SenseArrow &arrow : m_figure.arrows) {
+            if (arrow.sense == Sense::clockwise)
+                left = polar(leftSenseLabel, outerSenseLabel()).x() - textWidth(arrow.index) / 2 - 1;
+        }
+        return left;
     }
 
     static std::vector<double> anglesIn(const Interval &sector, std::vector<double> parts) {
@@ -771,7 +784,7 @@ private:
         const double heading = end + (forwards ? 90 : -90) + (forwards ? -0.5 : 0.5) * headAngle;
         drawArrowHead(polar(end, radius), heading, circleArrowLength * m_unit,
                       circleArrowWidth * 1.15 * m_unit, trace.color());
-        const double middle = m_figure.sector ? (from + to) / 2 : forwards ? 48 : 132;
+        const double middle = m_figure.sector ? (from + to) / 2 : forwards ? 48 : leftSenseLabel;
         drawLetter(polar(middle, labelRadius), arrow.index);
     }
 
@@ -791,21 +804,25 @@ private:
         }
     }
 
+    /// Where arrows of the senses have room within what is drawn; too small: they stand outside.
+    [[nodiscard]] double innerSenseRadius() const { return std::min(senseRadius, hole() - senseRoom); }
+    [[nodiscard]] bool sensesAreInside() const { return innerSenseRadius() >= 8 * mm / m_unit; }
+    [[nodiscard]] double halfOfSenseLabel() const { return 3.4 * mm / m_unit; }
+    [[nodiscard]] double outerSenseLabel() const {
+        return m_figure.figureRadius + 3.5 + 1.4 * halfOfSenseLabel();
+    }
+
     void drawSenses() {
         if (!whole())
             return; // they say nothing about a part
         if (m_figure.sector)
             return drawSensesOfSector();
-        const double room = hole() - senseRoom;
-        const double labelWidth = 3.4 * mm / m_unit; // half a label
-        const double radius = std::min(senseRadius, room);
-        const bool inside = radius >= 8 * mm / m_unit;
+        const double radius = innerSenseRadius();
         for (const SenseArrow &arrow : m_figure.arrows) {
-            if (inside)
-                drawSense(arrow, radius, 28, 75, radius - labelWidth - 0.3);
+            if (sensesAreInside())
+                drawSense(arrow, radius, 28, 75, radius - halfOfSenseLabel() - 0.3);
             else
-                drawSense(arrow, m_figure.figureRadius + 2.5, 37, 53,
-                          m_figure.figureRadius + 3.5 + 1.4 * labelWidth);
+                drawSense(arrow, m_figure.figureRadius + 2.5, 37, 53, outerSenseLabel());
         }
     }
 
@@ -1001,6 +1018,10 @@ double leastHeight(const CircleFigure &figure) {
     if (figure.envelope && figure.envelope->limit) // and its limit stays within the figure
         less = std::max(less, *figure.envelope->limit * figure.magnification / 1000 / figure.figureRadius);
     return std::min(less, 1.0) * figure.size.height() + figure.keyHeight;
+}
+
+double leftOfSenses(QPainter &painter, const QRectF &area, const CircleFigure &figure, Medium medium) {
+    return CircleFigurePainter(painter, area, figure, medium).leftOfSenses();
 }
 
 FigureTransform drawCircleFigure(QPainter &painter, const QRectF &area, const CircleFigure &figure,

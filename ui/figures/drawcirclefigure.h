@@ -13,6 +13,11 @@ namespace palmer::ui {
 FigureTransform drawCircleFigure(QPainter &painter, const QRectF &area, const CircleFigure &figure,
                                  Medium medium);
 
+/// Where a text in the upper left corner has to end: the left end of the letters of a sense that stand beside
+/// the circles, else the right end of the area; in points, as the area.
+[[nodiscard]] double leftOfSenses(QPainter &painter, const QRectF &area, const CircleFigure &figure,
+                                  Medium medium);
+
 /// The least height, mm with the key, at which a circle figure can keep its magnification.
 [[nodiscard]] double leastHeight(const CircleFigure &figure);
 

@@ -5,7 +5,10 @@
 #include "report/explanations/explanation.h"
 #include "ui/circles.h"
 #include "ui/figures/circlefigureview.h"
+#include "ui/figures/drawcirclefigure.h"
+#include "ui/figures/drawfigure.h"
 #include "ui/figures/figureview.h"
+#include "ui/figures/metrics.h"
 
 #include <QClipboard>
 #include <QComboBox>
@@ -170,6 +173,62 @@ private slots:
         shown.view.findChild<QToolButton *>(u"fitFigure"_s)->click();
         for (const double zoom : zooms())
             QCOMPARE(zoom, 1.0);
+    }
+
+    /// In a low window the senses stand beside the circles, where the sentence of the centre is.
+    void theSentenceOfTheCentreLeavesTheSensesAlone() {
+        Shown shown;
+        const CircleFigure figure = *shown.canvas->paperFigure();
+        CircleFigure without = figure;
+        without.arrows.clear();
+        int beside = 0;
+        for (int height = 120; height < 420; height += 20) {
+            const QRect area(0, 0, 360, height);
+            const auto drawn = [&area](const CircleFigure &one) {
+                QImage image(area.size(), QImage::Format_RGB32);
+                image.fill(Qt::white);
+                QPainter painter(&image);
+                drawFigure(painter, area, one, Medium::screenLight);
+                return image;
+            };
+            QImage image(area.size(), QImage::Format_RGB32);
+            QPainter painter(&image);
+            const QRectF inPoints(QPointF(0, 0), QSizeF(area.size()) * pointsPerPixel);
+            const int left = static_cast<int>(leftOfSenses(painter, inPoints, figure, Medium::screenLight) /
+                                              pointsPerPixel);
+            if (left >= area.width())
+                continue;
+            ++beside;
+            const QRect corner(0, 0, left, height / 2);
+            QVERIFY2(drawn(figure).copy(corner) == drawn(without).copy(corner),
+                     qPrintable(QString::number(height)));
+        }
+        QVERIFY(beside > 0);
+        const auto widthOf = [&shown](int height) {
+            shown.canvas->resize(345, height); // narrower than the view would be
+            shown.canvas->grab();
+            return shown.canvas->centreBox().width();
+        };
+        const int low = widthOf(140);
+        QVERIFY2(low < widthOf(600), qPrintable(QString::number(low)));
+    }
+
+    void togglesAreNamedWhereThereIsLittleRoom() {
+        Selection selection;
+        QWidget place; // in which it may be narrower than its layout would have it
+        CircleFigureView view(selection, &place);
+        view.show(evaluatedCircles(decidedPair()), 0);
+        place.resize(700, 450);
+        place.show();
+        for (const auto &[width, name] : {std::pair(280, u"YX"_s), std::pair(620, u"clockwise"_s)}) {
+            view.resize(width, 420);
+            view.grab();
+            for (const char *toggle : {"showClockwise", "showCounterclockwise"}) {
+                const auto *button = view.findChild<QToolButton *>(QLatin1StringView(toggle));
+                QTRY_VERIFY2(button->width() >= button->sizeHint().width(), toggle); // else it ends in "…"
+            }
+            QCOMPARE(view.findChild<QToolButton *>(u"showClockwise"_s)->text(), name);
+        }
     }
 
     void keysZoomAndMove() {
