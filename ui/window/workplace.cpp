@@ -6,6 +6,7 @@
 #include "editing/measuringcycle.h"
 #include "kernel/measurement/readingsaside.h"
 #include "kernel/measurement/testfacts.h"
+#include "language/decimals.h"
 #include "ui/circles/arctexts.h"
 #include "ui/circles/circlespage.h"
 #include "ui/diagnosis/diagnosispage.h"
@@ -634,10 +635,12 @@ void Workplace::presentStatusOf(const PositioningMeasurement &measurement) {
     const QString arrow = run.approach == Direction::positive ? QStringLiteral("↑") : QStringLiteral("↓");
     const Quantity quantity = deviationQuantity(measurement.axis);
     const auto &value = run.deviations[place->target];
-    QString hint = tr("target %1, run %2 %3: %4")
-                       .arg(place->target + 1)
-                       .arg(count)
-                       .arg(arrow, value ? windowLanguage().quantity(*value, quantity) : tr("no reading"));
+    QString hint =
+        tr("target %1, run %2 %3: %4")
+            .arg(place->target + 1)
+            .arg(count)
+            .arg(arrow, value ? windowLanguage().quantity(*value, quantity, decimalsOf(*value, quantity))
+                              : tr("no reading"));
     if (const auto next = nextInCycle(measurement, *place); next && !m_selection.hovered())
         hint += QStringLiteral(" · ") + tr("next: target %1").arg(next->target + 1);
     emit hintChanged(hint);

@@ -89,6 +89,7 @@ private slots:
     void showsAnEditionAsAView();
     void setsTheEditionOfTheTest();
     void keepsLimitsWithTheEditionTheyWereAgreedFor();
+    void theStatusSaysWhatWasTyped();
     void switchesTheLanguage();
     void saves();
     void saysWhySavingFailed();
@@ -241,6 +242,23 @@ void MainWindowTest::keepsLimitsWithTheEditionTheyWereAgreedFor() {
     for (const auto &[id, limit] : test.limits)
         QCOMPARE(limit.edition, std::optional<std::string>("ISO 230-2:2014"));
     QVERIFY(!shown.window->evaluator().current().tests[0]->verdict);
+}
+
+/// 8.88 seconds are no such number of degrees: the last bits are nobody's.
+void MainWindowTest::theStatusSaysWhatWasTyped() {
+    setWindowLanguage(Language::Id::english);
+    const ShownWindow shown(examplePath("rotary-axis"));
+    for (const double typed : {8.88, 9.99, 0.07}) {
+        shown.window->model().edit("enter a reading", [typed](Document &document) {
+            auto test = std::make_shared<palmer::Test>(*document.tests[0]);
+            std::get<PositioningMeasurement>(test->measurement).runs[1].deviations[2] = typed / 3600;
+            document.tests[0] = std::move(test);
+        });
+        shown.window->workplace().selection().setReading({});
+        shown.window->workplace().selection().setReading(ReadingPlace{1, 2});
+        const QString hint = shown.find<QLabel>("statusHint")->text();
+        QVERIFY2(hint.contains(QStringLiteral(": %1″").arg(typed)), qPrintable(hint));
+    }
 }
 
 void MainWindowTest::switchesTheLanguage() {
