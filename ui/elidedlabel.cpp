@@ -27,7 +27,7 @@ QString ElidedLabel::shownText() const {
     if (!m_separator.isEmpty() && metrics.horizontalAdvance(text()) > width()) {
         for (qsizetype end = text().lastIndexOf(m_separator); end > 0;
              end = text().lastIndexOf(m_separator, end - 1)) {
-            const QString shown = text().first(end) + QStringLiteral(" …");
+            QString shown = text().first(end) + QStringLiteral(" …");
             if (metrics.horizontalAdvance(shown) <= width())
                 return shown;
         }
