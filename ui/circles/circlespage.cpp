@@ -11,6 +11,7 @@
 #include "ui/circles/quiettable.h"
 #include "ui/elidedbox.h"
 #include "ui/elidedlabel.h"
+#include "ui/errorbox.h"
 #include "ui/measures.h"
 #include "ui/model/editname.h"
 #include "ui/theme.h"
@@ -392,9 +393,7 @@ void CirclesPage::showReason() {
         if (end->isRefused())
             reason = end->refusal();
     }
-    if (!reason.isEmpty())
-        reason[0] = reason[0].toUpper();
-    m_reason->setText(reason.isEmpty() ? reason : QStringLiteral("⚠ ") + reason);
+    m_reason->setText(reason.isEmpty() ? reason : QStringLiteral("⚠ ") + capitalised(reason));
     m_reason->setVisible(!reason.isEmpty());
 }
 

@@ -9,6 +9,7 @@
 #include "kernel/measurement/testfacts.h"
 #include "ui/circles/quiettable.h"
 #include "ui/dialogs/comparisonview.h"
+#include "ui/errorbox.h"
 #include "ui/formulatext.h"
 #include "ui/measures.h"
 #include "ui/sizeonscreen.h"
@@ -25,7 +26,6 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
-#include <QMessageBox>
 #include <QPainter>
 #include <QPushButton>
 #include <QTabBar>
@@ -398,11 +398,7 @@ bool CompareDialog::addFile(const QString &path) {
             m_testNotes->setText(tr("%1 has no test of this kind.").arg(QFileInfo(path).fileName()));
         return true;
     } catch (const Error &error) {
-        QMessageBox box(QMessageBox::Critical, windowTitle(),
-                        tr("%1 cannot be opened").arg(QFileInfo(path).fileName()), QMessageBox::Ok, this);
-        box.setObjectName(QStringLiteral("errorBox"));
-        box.setInformativeText(windowLanguage().sentence(error.message));
-        box.exec();
+        showError(this, tr("%1 cannot be opened").arg(QFileInfo(path).fileName()), error);
         return false;
     }
 }

@@ -9,6 +9,7 @@
 #include "kernel/evaluation/evaluatetest.h"
 #include "language/decimals.h"
 #include "language/entry.h"
+#include "ui/errorbox.h"
 #include "ui/figures/lineview.h"
 #include "ui/forms/field.h"
 #include "ui/measures.h"
@@ -24,7 +25,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QScrollArea>
@@ -349,7 +349,7 @@ bool CompensationDialog::compareWith(const QString &path) {
         compute();
         return true;
     } catch (const Error &error) {
-        showError(tr("%1 cannot be compared").arg(QFileInfo(path).fileName()), error);
+        showError(this, tr("%1 cannot be compared").arg(QFileInfo(path).fileName()), error);
         return false;
     }
 }
@@ -380,18 +380,10 @@ bool CompensationDialog::saveTo(const QString &path) {
         demandNoTestFileName(path);
         saveBytes(m_written, path);
     } catch (const Error &error) {
-        showError(tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), error);
+        showError(this, tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), error);
         return false;
     }
     return true;
-}
-
-void CompensationDialog::showError(const QString &what, const Error &error) {
-    auto *box = new QMessageBox(QMessageBox::Critical, windowTitle(), what, QMessageBox::Ok, this);
-    box->setObjectName(QStringLiteral("errorBox"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setInformativeText(windowLanguage().sentence(error.message));
-    box->open();
 }
 
 void CompensationDialog::changeEvent(QEvent *event) {

@@ -61,7 +61,6 @@ private:
     void showPrediction();
     void chooseFile();
     void chooseTable();
-    void showError(const QString &what, const Error &error);
     void retranslate();
 
     EvaluatedDocument m_evaluated;

@@ -13,6 +13,7 @@
 #include "report/planreport.h"
 #include "ui/dialogs/cycleview.h"
 #include "ui/dialogs/limits.h"
+#include "ui/errorbox.h"
 #include "ui/model/documentmodel.h"
 #include "ui/pdf/pages.h"
 #include "ui/pdf/writepdf.h"
@@ -28,7 +29,6 @@
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QMessageBox>
 #include <QPainter>
 #include <QPrintDialog>
 #include <QPrinter>
@@ -513,11 +513,7 @@ bool PlanDialog::write(const QString &path, const std::function<QByteArray()> &b
         saveBytes(bytes(), path);
         return true;
     } catch (const Error &error) {
-        QMessageBox box(QMessageBox::Critical, windowTitle(),
-                        tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), QMessageBox::Ok, this);
-        box.setObjectName(QStringLiteral("errorBox"));
-        box.setInformativeText(windowLanguage().sentence(error.message));
-        box.exec();
+        showError(this, tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), error);
         return false;
     }
 }

@@ -8,6 +8,7 @@
 #include "report/parts/dataparts.h"
 #include "ui/dialogs/pagecolumn.h"
 #include "ui/elidedlabel.h"
+#include "ui/errorbox.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/model/page.h"
 #include "ui/pdf/writepdf.h"
@@ -551,13 +552,7 @@ bool ReportDialog::mayReplace(const QStringList &files) {
 }
 
 void ReportDialog::refuse(const QString &file, const QString &why) {
-    auto *box =
-        new QMessageBox(QMessageBox::Critical, windowTitle(),
-                        tr("%1 cannot be saved").arg(QFileInfo(file).fileName()), QMessageBox::Ok, this);
-    box->setObjectName(QStringLiteral("errorBox"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setInformativeText(why);
-    box->open();
+    showError(this, tr("%1 cannot be saved").arg(QFileInfo(file).fileName()), why);
 }
 
 QStringList ReportDialog::saveTo(const QString &path) {

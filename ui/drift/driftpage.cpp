@@ -8,6 +8,7 @@
 #include "language/decimals.h"
 #include "ui/circles/quiettable.h"
 #include "ui/elidedlabel.h"
+#include "ui/errorbox.h"
 #include "ui/measures.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
@@ -264,11 +265,8 @@ void DriftPage::goOn() {
 }
 
 void DriftPage::showReason(const QString &reason) {
-    QString text = reason;
-    if (!text.isEmpty())
-        text[0] = text[0].toUpper();
-    m_reason->setText(text);
-    m_reason->setVisible(!text.isEmpty());
+    m_reason->setText(capitalised(reason));
+    m_reason->setVisible(!reason.isEmpty());
 }
 
 bool DriftPage::eventFilter(QObject *watched, QEvent *event) {

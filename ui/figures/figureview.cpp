@@ -15,6 +15,7 @@
 #include "report/explanations/explanation.h"
 #include "report/tables/readingtable.h"
 #include "ui/elidedlabel.h"
+#include "ui/errorbox.h"
 #include "ui/figures/circlefigureview.h"
 #include "ui/figures/exportfigure.h"
 #include "ui/figures/zoombuttons.h"
@@ -444,13 +445,8 @@ bool FigureView::saveTo(const QString &path) {
                   path);
         return true;
     } catch (const Error &error) {
-        auto *box =
-            new QMessageBox(QMessageBox::Critical, tr("Save figure"),
-                            tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), QMessageBox::Ok, this);
-        box->setObjectName(QStringLiteral("errorBox"));
-        box->setAttribute(Qt::WA_DeleteOnClose);
-        box->setInformativeText(m_language.sentence(error.message));
-        box->open();
+        showError(this, tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), error,
+                  QMessageBox::Critical, tr("Save figure"));
         return false;
     }
 }

@@ -9,6 +9,7 @@
 #include "language/entry.h"
 #include "report/words/agreedtext.h"
 #include "ui/elidedlabel.h"
+#include "ui/errorbox.h"
 #include "ui/forms/agreedvalue.h"
 #include "ui/forms/form.h"
 #include "ui/measures.h"
@@ -354,8 +355,7 @@ void AgreedPointsPage::refreshRow(const Row &row, const Test &test, const Agreed
         settled ? Token::ok : Token::unsure, settled ? Token::okGround : Token::unsureGround);
     row.letter->setAccessibleName(settled ? tr("settled") : agreed ? tr("not agreed") : tr("not declared"));
     row.letter->setFixedWidth(letterWidth);
-    QString name = m_language.text(row.point->name);
-    name[0] = name[0].toUpper();
+    const QString name = capitalised(m_language.text(row.point->name));
     row.name->setText(name);
     row.agreed->setText(tr("Agreed"));
     row.notAgreed->setText(tr("Not agreed"));

@@ -5,6 +5,7 @@
 #include "document/bounds.h"
 #include "ui/elidedbox.h"
 #include "ui/elidedlabel.h"
+#include "ui/errorbox.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
 
@@ -362,8 +363,7 @@ void Field::placeReason() {
 
 /// Why the text in the field is no value, and what stays in its place.
 QString Field::refusalText() const {
-    QString reason = m_refusal;
-    reason[0] = reason[0].toUpper();
+    const QString reason = capitalised(m_refusal);
     if (m_shown.isEmpty())
         return tr("%1.").arg(reason);
     const QString kept = m_unit->text().isEmpty() ? m_shown : m_shown + QChar(u'\u00A0') + m_unit->text();

@@ -5,6 +5,7 @@
 #include "document/edits.h"
 #include "document/filewords.h"
 #include "document/savedocument.h"
+#include "ui/errorbox.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/selection.h"
 #include "ui/model/templatestore.h"
@@ -168,7 +169,7 @@ void TemplateButton::keep() {
     try {
         storeTemplate(current(name.trimmed()));
     } catch (const Error &error) {
-        showError(tr("The template cannot be kept"), error);
+        showError(this, tr("The template cannot be kept"), error);
     }
 }
 
@@ -191,7 +192,7 @@ void TemplateButton::take() {
         box.setObjectName(QStringLiteral("templateBox"));
         box.exec();
     } catch (const Error &error) {
-        showError(tr("The template cannot be read"), error);
+        showError(this, tr("The template cannot be read"), error);
     }
 }
 
@@ -207,18 +208,8 @@ void TemplateButton::save() {
     try {
         saveBytes(writeTemplate(current(suggestedName())), dialog.selectedFiles().constFirst());
     } catch (const Error &error) {
-        showError(tr("The template cannot be saved"), error);
+        showError(this, tr("The template cannot be saved"), error);
     }
-}
-
-void TemplateButton::showError(const QString &title, const Error &error) {
-    QMessageBox box(QMessageBox::Critical, title, title, QMessageBox::Ok, this);
-    box.setObjectName(QStringLiteral("errorBox"));
-    QString sentence = windowLanguage().sentence(error.message);
-    if (!error.place.empty())
-        sentence += QStringLiteral("\n\n") + tr("Place: %1").arg(QString::fromStdString(error.place));
-    box.setInformativeText(sentence);
-    box.exec();
 }
 
 void TemplateButton::changeEvent(QEvent *event) {

@@ -34,7 +34,6 @@ private:
     void keep();
     void take();
     void save();
-    void showError(const QString &title, const Error &error);
     [[nodiscard]] bool fits(const Template &content) const;
     [[nodiscard]] QString suggestedName() const;
     void retranslate();

@@ -10,6 +10,7 @@
 #include "figures/thinning.h"
 #include "kernel/measurement/testfacts.h"
 #include "ui/elidedbox.h"
+#include "ui/errorbox.h"
 #include "ui/figures/circlecanvas.h"
 #include "ui/figures/figurecanvas.h"
 #include "ui/figures/lineview.h"
@@ -36,7 +37,6 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
-#include <QMessageBox>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
@@ -571,12 +571,7 @@ bool ImportAssistant::saveProfile(const QString &name) {
         saveImportProfiles(profiles, importProfilesPath());
         m_profiles = std::move(profiles);
     } catch (const Error &error) {
-        auto *box = new QMessageBox(QMessageBox::Critical, windowTitle(), tr("The profile cannot be saved"),
-                                    QMessageBox::Ok, this);
-        box->setObjectName(QStringLiteral("errorBox"));
-        box->setAttribute(Qt::WA_DeleteOnClose);
-        box->setInformativeText(windowLanguage().sentence(error.message));
-        box->open();
+        showError(this, tr("The profile cannot be saved"), error);
         return false;
     }
     fillProfiles(name);

@@ -7,6 +7,7 @@
 #include "export/readingscsv.h"
 #include "figures/figuredata.h"
 #include "figures/figureoftest.h"
+#include "ui/errorbox.h"
 #include "ui/windowlanguage.h"
 
 #include <QCoreApplication>
@@ -31,14 +32,10 @@ char markOf(ExportForm form) {
 }
 
 void refuse(QWidget *window, const QString &path, const Error &error) {
-    auto *box = new QMessageBox(
-        QMessageBox::Critical, say(QT_TRANSLATE_NOOP("palmer::ui::Exports", "Export")),
+    showError(
+        window,
         say(QT_TRANSLATE_NOOP("palmer::ui::Exports", "%1 cannot be saved")).arg(QFileInfo(path).fileName()),
-        QMessageBox::Ok, window);
-    box->setObjectName(QStringLiteral("errorBox"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setInformativeText(windowLanguage().sentence(error.message));
-    box->open();
+        error, QMessageBox::Critical, say(QT_TRANSLATE_NOOP("palmer::ui::Exports", "Export")));
 }
 
 void ask(QWidget *window, const QString &title, const QStringList &forms,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/mainwindow.h"
 #include "kernel/measurement/testfacts.h"
+#include "ui/errorbox.h"
 #include "ui/sizeonscreen.h"
 
 #include "document/filename.h"
@@ -734,18 +735,7 @@ void MainWindow::reload() {
 }
 
 void MainWindow::showError(const QString &title, const QString &fileName, const Error &error) {
-    auto *box = new QMessageBox(QMessageBox::Critical, title, title, QMessageBox::Ok, this);
-    box->setObjectName(QStringLiteral("errorBox"));
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    QString sentence = windowLanguage().sentence(error.message);
-    if (!sentence.isEmpty()) // elsewhere it stands behind a colon
-        sentence[0] = sentence[0].toUpper();
-    if (!error.place.empty())
-        sentence += QStringLiteral("\n\n") + tr("Place: %1").arg(QString::fromStdString(error.place));
-    box->setInformativeText(sentence);
-    box->setTextFormat(Qt::PlainText);
-    box->setToolTip(fileName);
-    box->open();
+    ui::showError(this, title, error, QMessageBox::Critical, title)->setToolTip(fileName);
 }
 
 bool MainWindow::save() {
