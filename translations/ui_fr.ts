@@ -1987,6 +1987,13 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::ErrorBox</name>
+    <message>
+        <source>Place: %1</source>
+        <translation>Emplacement&#xa0;: %1</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::ExplanationCard</name>
     <message>
         <source>Explanation of %1</source>
@@ -2983,6 +2990,10 @@
         <source>Limit</source>
         <translation>Limite</translation>
     </message>
+    <message>
+        <source>the larger of %1 and %2 in size</source>
+        <translation>le plus grand de %1 et %2 en valeur absolue</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::MachineDelegate</name>
@@ -3070,10 +3081,6 @@
     <message>
         <source>Reading %1…</source>
         <translation>Lecture de %1…</translation>
-    </message>
-    <message>
-        <source>Place: %1</source>
-        <translation>Emplacement&#xa0;: %1</translation>
     </message>
     <message>
         <source>Save the test file</source>
@@ -5431,10 +5438,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>The template cannot be saved</source>
         <translation>Le modèle ne peut pas être enregistré</translation>
-    </message>
-    <message>
-        <source>Place: %1</source>
-        <translation>Emplacement&#xa0;: %1</translation>
     </message>
     <message>
         <source>Templates</source>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/forms/instrumentspage.h"
 
-#include "kernel/measurement/testfacts.h"
+#include "document/instruments.h"
 #include "ui/forms/templatebutton.h"
 #include "ui/model/documentmodel.h"
 
@@ -48,18 +48,6 @@ Member<std::string> idOf(std::size_t index) {
     return member;
 }
 
-/// As the report states it: a test of a rotary axis that names the instrument makes it an angular one.
-Quantity resolutionQuantity(const Document &document, std::size_t index) {
-    if (index >= document.instruments.size())
-        return Quantity::deviation;
-    for (const TestPointer &test : document.tests) {
-        if (isJudged(*test) && axisOf(*test) &&
-            std::ranges::find(test->instruments, document.instruments[index].id) != test->instruments.end())
-            return deviationQuantity(*test);
-    }
-    return Quantity::deviation;
-}
-
 } // namespace
 
 InstrumentsPage::InstrumentsPage(DocumentModel &model, Selection &selection, QWidget *parent)
@@ -74,14 +62,17 @@ InstrumentsPage::InstrumentsPage(DocumentModel &model, Selection &selection, QWi
 
 /// Fields for each instrument; one empty set where there is none.
 void InstrumentsPage::prepare() {
-    const std::size_t count = evaluated().document ? evaluated().document->instruments.size() : 0;
+    const auto instruments =
+        evaluated().document ? evaluated().document->instruments : std::vector<Instrument>();
+    const std::size_t count = instruments.size();
     const QString wanted = QString::number(std::max<std::size_t>(1, count)) + (count == 0 ? u'-' : u'+');
     // The empty set stays as it is while its first field is being typed.
     const bool sameFields = !m_built.isEmpty() && m_built.chopped(1) == wanted.chopped(1) && count <= 1;
     std::vector<Quantity> resolutions;
-    for (std::size_t k = 0; k < std::max<std::size_t>(1, count); ++k)
-        resolutions.push_back(count == 0 ? Quantity::deviation
-                                         : resolutionQuantity(*evaluated().document, k));
+    for (const Instrument &instrument : instruments)
+        resolutions.push_back(resolutionQuantity(*evaluated().document, instrument));
+    if (instruments.empty())
+        resolutions.push_back(Quantity::deviation);
     if ((m_built == wanted && m_resolutions == resolutions) || (sameFields && isAncestorOf(focusWidget())))
         return;
     m_built = wanted;

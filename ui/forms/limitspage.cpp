@@ -6,6 +6,7 @@
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "kernel/measurement/testfacts.h"
 #include "report/tables/resulttable.h"
+#include "ui/errorbox.h"
 #include "ui/forms/decisionrulemembers.h"
 #include "ui/forms/templatebutton.h"
 #include "ui/formulatext.h"
@@ -90,22 +91,27 @@ private:
 struct LimitRow {
     std::string id;
     Formula symbol;
-    const Term *term = nullptr; ///< null: of no parameter alone
+    std::vector<const Term *> terms; ///< it is meant for; none of this edition where empty
 };
 
 /// What limits can be agreed for: the parameters of the edition, and those the test has limits for already.
 std::vector<LimitRow> rowsOf(const Edition &edition, const Test &test) {
     std::vector<LimitRow> rows;
-    const auto add = [&](const std::string &id, const Formula &symbol, const Term *term = nullptr) {
-        if (!id.empty() && std::ranges::find(rows, id, &LimitRow::id) == rows.end())
-            rows.push_back({id, symbol, term});
+    const auto add = [&](const std::string &id, const Formula &symbol, const Term *term) {
+        if (id.empty())
+            return;
+        auto row = std::ranges::find(rows, id, &LimitRow::id);
+        if (row == rows.end())
+            row = rows.insert(row, {id, symbol, {}});
+        if (term)
+            row->terms.push_back(term);
     };
     for (const Term *term : termsOf(edition)) {
-        add(term->also, formulaFrom(QString::fromUtf8(term->also))); // F: the larger of both in size
+        add(term->also, formulaFrom(QString::fromUtf8(term->also)), term);
         add(term->id, symbolFormula(term->symbol), term);
     }
     for (const auto &[id, limit] : test.limits)
-        add(id, formulaFrom(QString::fromStdString(id)));
+        add(id, formulaFrom(QString::fromStdString(id)), nullptr);
     return rows;
 }
 
@@ -181,13 +187,14 @@ void LimitsPage::prepare() {
         pasteLimits(0);
     })->setObjectName(QStringLiteral("pasteLimits"));
     for (const LimitRow &row : rows)
-        addLimit(row.symbol, row.term, row.id, edition->kind);
+        addLimit(row.symbol, row.terms, row.id, edition->kind);
     beginRow();
     addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Origin of all limits"), originOfAll());
     addStretch();
 }
 
-void LimitsPage::addLimit(const Formula &symbol, const Term *term, const std::string &id, Kind kind) {
+void LimitsPage::addLimit(const Formula &symbol, const std::vector<const Term *> &terms,
+                          const std::string &id, Kind kind) {
     const bool first = m_names.empty();
     beginRow();
     auto *place = new QWidget(body());
@@ -203,7 +210,7 @@ void LimitsPage::addLimit(const Formula &symbol, const Term *term, const std::st
     column->addLayout(row);
     place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(place, 4);
-    m_names.push_back({label, term});
+    m_names.push_back({label, terms});
     Field *limit = addNumber("limits", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Limit of %1"), m_quantity,
                              ofLimit<&Limit::value>(id), 2);
     limit->setLabelArgument(symbol.plain());
@@ -253,14 +260,8 @@ void LimitsPage::pasteLimits(std::size_t row) {
             editTest(document, test(), [&](Test &test) { test.limits = std::move(pasted.limits); });
         });
     } catch (const Error &error) {
-        auto *box = new QMessageBox(
-            QMessageBox::Warning, word(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Nothing was pasted")),
-            word(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Nothing was pasted")), QMessageBox::Ok, this);
-        box->setObjectName(QStringLiteral("errorBox"));
-        box->setAttribute(Qt::WA_DeleteOnClose);
-        box->setTextFormat(Qt::PlainText);
-        box->setInformativeText(language().sentence(error.message));
-        box->open();
+        showError(this, word(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Nothing was pasted")), error,
+                  QMessageBox::Warning);
     }
 }
 
@@ -268,10 +269,15 @@ void LimitsPage::refreshOthers() {
     if (m_first)
         m_first->setHeading(tr("Limit"));
     for (const Name &of : m_names) {
-        if (!of.term)
+        if (of.terms.empty())
             continue;
-        of.label->setText(language().text(listedName(*of.term)));
-        of.label->setToolTip(language().text(of.term->name));
+        const Term &term = *of.terms.front();
+        const bool alone = of.terms.size() == 1;
+        const auto symbol = [&](std::size_t k) { return symbolFormula(of.terms[k]->symbol).plain(); };
+        const QString larger =
+            alone ? QString() : tr("the larger of %1 and %2 in size").arg(symbol(0), symbol(1));
+        of.label->setText(alone ? language().text(listedName(term)) : larger);
+        of.label->setToolTip(alone ? language().text(term.name) : larger);
     }
 }
 

@@ -28,11 +28,12 @@ private:
     void pasteLimits(std::size_t row);
 
     /// A limit as a row of the table: what it is of, its value, edition and origin.
-    void addLimit(const Formula &symbol, const Term *term, const std::string &id, Kind kind);
+    void addLimit(const Formula &symbol, const std::vector<const Term *> &terms, const std::string &id,
+                  Kind kind);
 
     struct Name {
         QLabel *label = nullptr;
-        const Term *term = nullptr; ///< null: a limit of no parameter
+        std::vector<const Term *> terms; ///< what it limits; empty: nothing of this edition
     };
 
     std::vector<Name> m_names;

@@ -48,9 +48,7 @@ QString ofEachPath(const CircularPart &part, TextOf textOf) {
 QString sensesText(const CircularPart &part) {
     QStringList senses;
     for (const EvaluatedPath &path : part.results.paths)
-        senses << part.write.text(path.sense == Sense::counterclockwise
-                                      ? REPORT_TEXT_FOR("report", "anticlockwise", "short")
-                                      : REPORT_TEXT_FOR("report", "clockwise", "short"));
+        senses << part.write.text(shortSenseText(path.sense));
     return senses.join(QStringLiteral(", "));
 }
 

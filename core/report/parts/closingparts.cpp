@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/parts/closingparts.h"
 
+#include "document/instruments.h"
 #include "language/decimals.h"
 
 #include <algorithm>
@@ -26,16 +27,6 @@ std::vector<const Instrument *> usedInstruments(const Document &document) {
             result.push_back(&instrument);
     }
     return result;
-}
-
-/// Millimetres or degrees: a test of a rotary axis that names the instrument makes it an angular one.
-Quantity resolutionQuantity(const Document &document, const Instrument &instrument) {
-    for (const TestPointer &test : document.tests) {
-        if (isJudged(*test) && axisOf(*test) &&
-            std::ranges::find(test->instruments, instrument.id) != test->instruments.end())
-            return deviationQuantity(*test);
-    }
-    return Quantity::deviation;
 }
 
 QString machineDetails(const Writer &write, const Machine &machine) {

@@ -21,7 +21,7 @@ enum class Room { little, usual };
 
 Text shortName(const Term &term, bool alone, Room room) {
     const auto &[below, standing, narrow] = term.shortName;
-    if (alone && room == Room::little && !narrow.empty())
+    if ((alone || standing.empty()) && room == Room::little && !narrow.empty())
         return narrow;
     return alone && !standing.empty() ? standing : below.empty() ? term.name : below;
 }
@@ -34,7 +34,7 @@ Text shortNameOf(const Parameter &parameter, const TestEvaluation &evaluation, b
         [](auto &results) -> decltype(&results.paths) { return &results.paths; });
     for (std::size_t k = 0; paths && parameter.term.of == Of::path && k < paths->size(); ++k) {
         if ((*paths)[k].index == parameter.index)
-            return senseText((*paths)[k].sense);
+            return room == Room::little ? shortSenseText((*paths)[k].sense) : senseText((*paths)[k].sense);
     }
     const bool oneDirection =
         partOr(false, evaluation.results,

@@ -158,6 +158,11 @@ Text senseText(Sense sense) {
                                             : REPORT_TEXT("report", "clockwise");
 }
 
+Text shortSenseText(Sense sense) {
+    return sense == Sense::counterclockwise ? REPORT_TEXT_FOR("report", "anticlockwise", "short")
+                                            : REPORT_TEXT_FOR("report", "clockwise", "short");
+}
+
 bool notCorrected(const TestEvaluation &evaluation) {
     return partOr(false, evaluation.results,
                   [](auto &results) -> decltype(results.notCorrected) { return results.notCorrected; });

@@ -40,6 +40,9 @@ namespace palmer {
 /// "anticlockwise", "clockwise".
 [[nodiscard]] Text senseText(Sense sense);
 
+/// The same where "sense" stands already, or room is scarce.
+[[nodiscard]] Text shortSenseText(Sense sense);
+
 /// Results that depend on the temperature do not hold at 20 °C.
 [[nodiscard]] bool notCorrected(const TestEvaluation &evaluation);
 

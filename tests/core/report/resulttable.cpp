@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/tables/resulttable.h"
 
+#include "core/kernel/evaluation/circulardata.h"
 #include "core/kernel/uncertainty/uncertaintydata.h"
 #include "report/blocks/plaintext.h"
 #include "report/blocks/report.h"
@@ -73,6 +74,22 @@ class ResultTableTest : public QObject {
     Q_OBJECT
 
 private slots:
+private slots:
+    /// Of a path only its sense is said; with little room without the word "sense".
+    void namesOfCirclesAreShortWhereRoomIsScarce() {
+        Test test = ballbarPair();
+        circular(test).source = SignalSource::feedback;
+        const ResultTable circles = table(test, Language::Id::french);
+        QCOMPARE(line(circles, u"G(b)f"_s).name, u"bidirectionnel, signal de retour"_s);
+        QCOMPARE(line(circles, u"G(b)f"_s).narrowName, u"bidir., signal de retour"_s);
+        for (const ResultLine &each : circles.lines) {
+            if (each.name.startsWith(u"sens "_s))
+                QCOMPARE(each.narrowName, each.name.sliced(5));
+        }
+        QVERIFY(std::ranges::any_of(circles.lines,
+                                    [](const ResultLine &each) { return each.narrowName == u"horaire"_s; }));
+    }
+
     /// A, E, M, R and B of ISO 230-2:2006, each with those of its family, in every table.
     void rulesStandBetweenFamilies() {
         const EvaluatedDocument evaluated = evaluatedDocument(decided());

@@ -784,7 +784,8 @@ private slots:
         paste(u"A\t15\nno limit\n"_s, 0);
         QVERIFY(edited.test().limits == before);
         auto *box = edited.page.findChild<QMessageBox *>();
-        QVERIFY(box && box->informativeText().contains(u"line 2"_s));
+        QVERIFY(box && box->informativeText().startsWith(u"Line 2"_s)); // a sentence of its own
+        QCOMPARE(box->textFormat(), Qt::PlainText);
         delete box;
         // A text of one line is what the field takes.
         paste(u"7"_s, 1);
@@ -801,6 +802,10 @@ private slots:
             names << field->edit()->accessibleName();
         QVERIFY(names.contains(u"Limit of F"_s));
         QVERIFY(names.contains(u"Limit of G(b)"_s));
+        QStringList meant; // beside its symbol
+        for (const QLabel *label : edited.page.findChildren<QLabel *>())
+            meant << label->text();
+        QVERIFY(meant.contains(u"the larger of Fmax and Fmin in size"_s));
         edited.type(u"limits"_s, u"30"_s, static_cast<int>(names.indexOf(u"Limit of G(b)"_s)));
         QCOMPARE(edited.test().limits.at("G(b)").value, std::optional(0.03));
     }
