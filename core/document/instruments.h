@@ -6,8 +6,8 @@
 
 namespace palmer {
 
-/// What the resolution of an instrument is a deviation of: mm, or degrees where the first test of an axis that
-/// names the instrument is of a rotary one.
+/// What the resolution of an instrument is a deviation of: mm, or degrees where the first test of an axis
+/// that names the instrument is of a rotary one.
 [[nodiscard]] Quantity resolutionQuantity(const Document &document, const Instrument &instrument);
 
 } // namespace palmer
