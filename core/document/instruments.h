@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "kernel/words/quantity.h"
 
 namespace palmer {
 
