@@ -68,11 +68,9 @@ void InstrumentsPage::prepare() {
     const QString wanted = QString::number(std::max<std::size_t>(1, count)) + (count == 0 ? u'-' : u'+');
     // The empty set stays as it is while its first field is being typed.
     const bool sameFields = !m_built.isEmpty() && m_built.chopped(1) == wanted.chopped(1) && count <= 1;
-    std::vector<Quantity> resolutions;
-    for (const Instrument &instrument : instruments)
-        resolutions.push_back(resolutionQuantity(*evaluated().document, instrument));
-    if (instruments.empty())
-        resolutions.push_back(Quantity::deviation);
+    std::vector<Quantity> resolutions(std::max<std::size_t>(1, count), Quantity::deviation);
+    for (std::size_t k = 0; k < count; ++k)
+        resolutions[k] = resolutionQuantity(*evaluated().document, instruments[k]);
     if ((m_built == wanted && m_resolutions == resolutions) || (sameFields && isAncestorOf(focusWidget())))
         return;
     m_built = wanted;
