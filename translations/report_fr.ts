@@ -8550,9 +8550,5 @@
         <source>The results have no verdict.</source>
         <translation>Les résultats sont sans verdict.</translation>
     </message>
-    <message>
-        <source>bi-dir., feed back</source>
-        <translation>bidir., signal de retour</translation>
-    </message>
 </context>
 </TS>

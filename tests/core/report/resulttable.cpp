@@ -81,7 +81,7 @@ private slots:
         circular(test).source = SignalSource::feedback;
         const ResultTable circles = table(test, Language::Id::french);
         QCOMPARE(line(circles, u"G(b)f"_s).name, u"bidirectionnel, signal de retour"_s);
-        QCOMPARE(line(circles, u"G(b)f"_s).narrowName, u"bidir., signal de retour"_s);
+        QCOMPARE(line(circles, u"G(b)f"_s).narrowName, u"bidirectionnel"_s);
         for (const ResultLine &each : circles.lines) {
             if (each.name.startsWith(u"sens "_s))
                 QCOMPARE(each.narrowName, each.name.sliced(5));

@@ -49,7 +49,7 @@ constexpr std::array rows2005{
     CircularRow{{"D",     {"D"},        REPORT_TEXT("report", "mean bi-directional radial deviation"), "3.6", "D", {REPORT_TEXT_FOR("report", "mean radial", "deviation"), REPORT_TEXT("report", "mean bi-directional radial deviation")}, mainRow, always, pair, meanRadial}, measured, at20, meanRadialDeviation},
     CircularRow{{"Fmax",  {"F", "max"}, REPORT_TEXT("report", "radial deviation, maximum"), "3.5", "F", {}, detail, always, arc, radial, Bound::upper, "F"}, measured, at20, largestRadialDeviation},
     CircularRow{{"Fmin",  {"F", "min"}, REPORT_TEXT("report", "radial deviation, minimum"), "3.5", "F", {}, detail, always, arc, radial, Bound::lower, "F"}, measured, at20, smallestRadialDeviation},
-    CircularRow{{"G(b)f", {"G(b)", "f"}, REPORT_TEXT("report", "bi-directional circular deviation using feed back signal"), "", "G", {REPORT_TEXT("report", "bi-directional, feed back"), {}, REPORT_TEXT("report", "bi-dir., feed back")}, mainRow, always, pair, circularDeviation}, feedback, false, deviationOfPair},
+    CircularRow{{"G(b)f", {"G(b)", "f"}, REPORT_TEXT("report", "bi-directional circular deviation using feed back signal"), "", "G", {REPORT_TEXT("report", "bi-directional, feed back"), {}, REPORT_TEXT_FOR("report", "bi-directional", "circular deviation")}, mainRow, always, pair, circularDeviation}, feedback, false, deviationOfPair},
     CircularRow{{"Gf",    {"G", "f"},   REPORT_TEXT("report", "circular deviation using feed back signal"), "", "G", {}, mainRow, always, arc, circularDeviation}, feedback, false, deviationOfPath},
 };
 
@@ -59,7 +59,7 @@ constexpr std::array rows2022{
     CircularRow{{"D",     {"D"},        REPORT_TEXT("report", "mean bi-directional radial error"), "", "D", {REPORT_TEXT_FOR("report", "mean radial", "error"), REPORT_TEXT("report", "mean bi-directional radial error")}, mainRow, always, pair, meanRadial}, measured, at20, meanRadialDeviation},
     CircularRow{{"Fmax",  {"F", "max"}, REPORT_TEXT("report", "radial error, maximum"), "", "F", {}, detail, always, arc, radial, Bound::upper, "F"}, measured, at20, largestRadialDeviation},
     CircularRow{{"Fmin",  {"F", "min"}, REPORT_TEXT("report", "radial error, minimum"), "", "F", {}, detail, always, arc, radial, Bound::lower, "F"}, measured, at20, smallestRadialDeviation},
-    CircularRow{{"G(b)f", {"G(b)", "f"}, REPORT_TEXT("report", "bi-directional circular error using feed back signal"), "", "G", {REPORT_TEXT("report", "bi-directional, feed back"), {}, REPORT_TEXT("report", "bi-dir., feed back")}, mainRow, always, pair, circularDeviation}, feedback, false, deviationOfPair},
+    CircularRow{{"G(b)f", {"G(b)", "f"}, REPORT_TEXT("report", "bi-directional circular error using feed back signal"), "", "G", {REPORT_TEXT("report", "bi-directional, feed back"), {}, REPORT_TEXT_FOR("report", "bi-directional", "circular error")}, mainRow, always, pair, circularDeviation}, feedback, false, deviationOfPair},
     CircularRow{{"Gf",    {"G", "f"},   REPORT_TEXT("report", "circular error using feed back signal"), "", "G", {}, mainRow, always, arc, circularDeviation}, feedback, false, deviationOfPath},
 };
 
