@@ -2994,6 +2994,10 @@
         <source>the larger of %1 and %2 in size</source>
         <translation>le plus grand de %1 et %2 en valeur absolue</translation>
     </message>
+    <message>
+        <source>%1 and %2 in size</source>
+        <translation>%1 et %2 en valeur absolue</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::MachineDelegate</name>

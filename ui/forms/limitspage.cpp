@@ -33,6 +33,10 @@ namespace {
 constexpr const char *limitsContext = "palmer::ui::LimitsPage";
 constexpr int symbolWidth = 40;
 
+void fitHeight(QLabel &name) {
+    name.setFixedHeight(std::max(fieldHeight, name.heightForWidth(name.width())));
+}
+
 /// The longest names take two lines beside their field, three in a narrow window.
 class NameLabel : public QLabel {
 public:
@@ -47,7 +51,7 @@ public:
 protected:
     void resizeEvent(QResizeEvent *event) override {
         QLabel::resizeEvent(event);
-        setFixedHeight(std::max(fieldHeight, heightForWidth(width())));
+        fitHeight(*this);
     }
 };
 
@@ -276,7 +280,9 @@ void LimitsPage::refreshOthers() {
         const auto symbol = [&](std::size_t k) { return symbolFormula(of.terms[k]->symbol).plain(); };
         const QString larger =
             alone ? QString() : tr("the larger of %1 and %2 in size").arg(symbol(0), symbol(1));
-        of.label->setText(alone ? language().text(listedName(term)) : larger);
+        of.label->setText(alone ? language().text(listedName(term))
+                                : tr("%1 and %2 in size").arg(symbol(0), symbol(1)));
+        fitHeight(*of.label);
         of.label->setToolTip(alone ? language().text(term.name) : larger);
     }
 }

@@ -805,7 +805,7 @@ private slots:
         QStringList meant; // beside its symbol
         for (const QLabel *label : edited.page.findChildren<QLabel *>())
             meant << label->text();
-        QVERIFY(meant.contains(u"the larger of Fmax and Fmin in size"_s));
+        QVERIFY(meant.contains(u"Fmax and Fmin in size"_s));
         edited.type(u"limits"_s, u"30"_s, static_cast<int>(names.indexOf(u"Limit of G(b)"_s)));
         QCOMPARE(edited.test().limits.at("G(b)").value, std::optional(0.03));
     }
