@@ -447,7 +447,18 @@ void ImportAssistant::takeOther(MeasurementFile file) {
 
 void ImportAssistant::setFollowing(qsizetype files) {
     m_following = static_cast<int>(files);
-    retranslate();
+    sayOrigin();
+}
+
+void ImportAssistant::sayOrigin() {
+    const QString hash = QString::fromStdString(m_file.hash);
+    QString origin =
+        QStringLiteral("%1 · SHA-256 %2…%3")
+            .arg(QLocale().formattedDataSize(m_file.bytes.size(), 1), hash.left(4), hash.right(4));
+    if (m_following > 0)
+        origin += QStringLiteral(" · ") + tr("%n file(s) follow", nullptr, m_following);
+    m_origin->setText(origin);
+    m_origin->setToolTip(hash);
 }
 
 void ImportAssistant::pasteText() {
@@ -912,14 +923,7 @@ void ImportAssistant::retranslate() {
     m_other->setText(tr("&Other file…"));
     m_paste->setText(tr("&Paste text"));
     m_title->setText(tr("Import %1").arg(m_file.name));
-    const QString hash = QString::fromStdString(m_file.hash);
-    QString origin =
-        QStringLiteral("%1 · SHA-256 %2…%3")
-            .arg(QLocale().formattedDataSize(m_file.bytes.size(), 1), hash.left(4), hash.right(4));
-    if (m_following > 0)
-        origin += QStringLiteral(" · ") + tr("%n file(s) follow", nullptr, m_following);
-    m_origin->setText(origin);
-    m_origin->setToolTip(hash);
+    sayOrigin();
     m_destinationName->setText(tr("Destination"));
     const int destination = m_destination->currentIndex();
     m_destination->clear();
