@@ -5,7 +5,6 @@
 #include "document/filewords.h"
 
 #include <algorithm>
-#include <span>
 #include <vector>
 
 namespace palmer {
@@ -35,13 +34,6 @@ bool isPartOf(const QString &part, const QString &designation) {
     return false;
 }
 
-std::string listed(std::span<const Edition *const> list) {
-    std::string result;
-    for (const Edition *edition : list)
-        result += (result.empty() ? "" : ", ") + std::string(edition->word);
-    return result;
-}
-
 } // namespace
 
 const Edition *editionAsked(const Invocation &invocation, std::optional<Kind> kind) {
@@ -64,9 +56,9 @@ const Edition *editionCalled(const QString &word, std::optional<Kind> kind) {
         return found.front();
     if (found.empty())
         throw UsageError(
-            {REPORT_TEXT("report", "unknown edition %1; known: %2"), {word.toStdString(), listed(known)}});
+            {REPORT_TEXT("report", "unknown edition %1; known: %2"), {word.toStdString(), wordsOf(known)}});
     throw UsageError({REPORT_TEXT("report", "the edition %1 may be one of these: %2"),
-                      {word.toStdString(), listed(found)}});
+                      {word.toStdString(), wordsOf(found)}});
 }
 
 void demandTestOf(const Edition &edition, const Document &document) {

@@ -17,13 +17,6 @@ namespace palmer {
 
 namespace {
 
-std::string editionWords(std::span<const Edition *const> editions) {
-    std::string list;
-    for (const Edition *edition : editions)
-        list += (list.empty() ? "" : ", ") + std::string(edition->word);
-    return list;
-}
-
 constexpr std::array formatWords{
     ImportWord{"table", REPORT_TEXT("report", "table")},
     ImportWord{"workbook", REPORT_TEXT("report", "workbook (.xlsx, .ods)")},
@@ -214,8 +207,8 @@ void demandKnownValue(const std::string &key, const std::string &value) {
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "%1 cannot be %2; known: %3"), {key, unknownRole, roleWords()}});
     if (key == "edition" && !findEdition(value))
-        throw Error(Error::Kind::content, {REPORT_TEXT("report", "unknown edition %1; known: %2"),
-                                           {value, editionWords(editions())}});
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "unknown edition %1; known: %2"), {value, wordsOf(editions())}});
 }
 
 } // namespace
@@ -257,7 +250,7 @@ std::string Choices::settleEdition(Kind kind) {
     const Edition *edition = findEdition(chosen);
     if (!edition || edition->kind != kind) {
         throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                                           {"edition", chosen, editionWords(editionsOf(kind))}});
+                                           {"edition", chosen, wordsOf(editionsOf(kind))}});
     }
     return chosen;
 }

@@ -31,6 +31,13 @@ std::span<const Edition *const> editionsOf(Kind kind) {
     return {first, std::find_if_not(first, all.end(), ofKind)};
 }
 
+std::string wordsOf(std::span<const Edition *const> list) {
+    std::string words;
+    for (const Edition *edition : list)
+        words += (words.empty() ? "" : ", ") + std::string(edition->word);
+    return words;
+}
+
 const Edition *findEdition(std::string_view word) {
     const auto all = editions();
     const auto found =

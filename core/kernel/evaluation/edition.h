@@ -109,6 +109,9 @@ struct Edition {
 /// Those for a kind of test; empty where none judges it.
 [[nodiscard]] std::span<const Edition *const> editionsOf(Kind kind);
 
+/// Their words in that order, for a sentence that says which there are: "ISO 230-2:1988, ISO 230-2:1997".
+[[nodiscard]] std::string wordsOf(std::span<const Edition *const> list);
+
 /// The edition of that word, or null.
 [[nodiscard]] const Edition *findEdition(std::string_view word);
 

@@ -31,7 +31,7 @@ enum class Printed { always, onRequest };
 struct ShortName {
     Text below;       ///< beside the first of its family; empty: the name
     Text alone = {};  ///< where that does not stand above it; empty: the same
-    Text narrow = {}; ///< alone, where there is little room; empty: as alone
+    Text narrow = {}; ///< where there is little room for that, or the name; empty: the same
 };
 
 /// What a parameter is of: an axis, one path of a circle, both paths together.

@@ -431,6 +431,26 @@ private slots:
         QCOMPARE(positioning(*dialog.imported().test).runs[0].deviations[0], std::optional(-0.003));
     }
 
+    /// An edition can stand in a profile that was written by hand: what does not fit the kind of the next
+    /// file is said, and without the profile the file can be imported.
+    void aProfileForAnAxisIsNoDeadEndForACircle() {
+        saveImportProfiles({{"axis of 2006", {{"edition", "ISO 230-2:2006"}}}}, importProfilesPath());
+        ImportAssistant dialog(bytesOf("tables/circle-radius.csv"), "circle.csv", nullptr);
+        auto *profiles = dialog.findChild<QComboBox *>("import.profile");
+        profiles->setCurrentIndex(profiles->findText("axis of 2006"));
+        emit profiles->activated(profiles->currentIndex());
+        const auto *refusal = dialog.findChild<QLabel *>("importRefusal");
+        QVERIFY(refusal);
+        QVERIFY2(refusal->text().contains("ISO 230-2:2006") && refusal->text().contains("ISO 230-4:2005"),
+                 qPrintable(refusal->text()));
+        QVERIFY(!importButton(dialog)->isEnabled());
+        profiles->setCurrentIndex(0);
+        emit profiles->activated(0);
+        answerAll(dialog);
+        QVERIFY(importButton(dialog)->isEnabled());
+        QCOMPARE(dialog.imported().test->edition, std::string("ISO 230-4:2005"));
+    }
+
     void temperaturesWithoutATestAreRefused() {
         ImportAssistant dialog(bytesOf("tables/temperatures.csv"), "t.csv", nullptr);
         answerAll(dialog);

@@ -162,6 +162,10 @@ void Editions::everyEditionIsAmongThoseOfItsKind() {
         }
     }
     QVERIFY(std::ranges::equal(all, editions()));
+    QCOMPARE(wordsOf(editionsOf(Kind::circular)),
+             std::string("ISO 230-4:1996, ISO 230-4:2005, ISO 230-4:2022"));
+    QCOMPARE(wordsOf(editionsOf(Kind::circular).first(1)), std::string("ISO 230-4:1996"));
+    QCOMPARE(wordsOf({}), std::string());
 }
 
 QTEST_GUILESS_MAIN(Editions)
