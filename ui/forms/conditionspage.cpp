@@ -549,10 +549,7 @@ void ConditionsPage::addPositions() {
 void ConditionsPage::addPlace(const CircularMeasurement & /*measurement*/) {
     constexpr auto position = Quantity::position;
     const auto centre = []<std::size_t axis>() {
-        return ofTest([](auto &test) {
-            auto *measurement = std::get_if<CircularMeasurement>(&test.measurement);
-            return measurement ? &measurement->conditions.centre[axis] : nullptr;
-        });
+        return circular<&CircularMeasurement::conditions, &CircularConditions::centre, axis>();
     };
     beginColumns();
     addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, X"), position,

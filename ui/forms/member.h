@@ -49,10 +49,14 @@ template <class Access>
                      }};
 }
 
-/// whole.*first.*second…
+/// whole.*first.*second…; a number is the place of an element.
 template <class T>
 [[nodiscard]] T &reach(T &whole) {
     return whole;
+}
+template <class T, class... Rest>
+[[nodiscard]] auto &reach(T &whole, std::size_t element, Rest... rest) {
+    return reach(whole[element], rest...);
 }
 template <class T, class Part, class... Rest>
 [[nodiscard]] auto &reach(T &whole, Part part, Rest... rest) {

@@ -8,13 +8,28 @@ namespace palmer {
 
 namespace {
 
-TestEvaluation evaluateDrift(const DriftMeasurement &measurement) {
-    TestEvaluation evaluation;
-    DriftResults results;
-    results.range = rangeOf(measurement);
-    evaluation.results = results;
-    return evaluation;
-}
+/// A kind without an evaluation does not compile. `edition` is null for kinds that no edition judges.
+struct EvaluationOfKind {
+    const Test &test;
+    const Surroundings &surroundings;
+    const Edition *edition;
+
+    TestEvaluation operator()(const PositioningMeasurement & /*measurement*/) const {
+        return evaluatePositioning(test, surroundings, *edition);
+    }
+
+    TestEvaluation operator()(const CircularMeasurement & /*measurement*/) const {
+        return evaluateCircular(test, surroundings, *edition);
+    }
+
+    TestEvaluation operator()(const DriftMeasurement &measurement) const {
+        TestEvaluation evaluation;
+        DriftResults results;
+        results.range = rangeOf(measurement);
+        evaluation.results = results;
+        return evaluation;
+    }
+};
 
 } // namespace
 
@@ -26,13 +41,10 @@ const Edition *editionFor(const Test &test, const Edition *asked) {
 }
 
 TestEvaluation evaluateTest(const Test &test, const Surroundings &surroundings, const Edition *asked) {
-    if (const auto *drift = std::get_if<DriftMeasurement>(&test.measurement))
-        return evaluateDrift(*drift);
     const Edition *edition = editionFor(test, asked);
-    if (!edition)
+    if (!edition && isJudged(test))
         return {}; // a word no reader lets in
-    return edition->kind == Kind::positioning ? evaluatePositioning(test, surroundings, *edition)
-                                              : evaluateCircular(test, surroundings, *edition);
+    return std::visit(EvaluationOfKind{test, surroundings, edition}, test.measurement);
 }
 
 } // namespace palmer

@@ -10,6 +10,42 @@
 
 namespace palmer {
 
+namespace {
+
+/// A kind of which nobody has said whether it is simulated does not compile.
+struct SimulationOfKind {
+    const Test &test;
+    const Surroundings &surroundings;
+    const TestEvaluation &evaluation;
+    const SimulationOptions &options;
+    const std::stop_token &stop;
+    const std::function<void(const SimulationProgress &)> &progress;
+
+    std::optional<Simulation> operator()(const PositioningMeasurement &measurement) const {
+        const PositioningBudget budget = positioningBudget(measurement, surroundings.environmentalVariation);
+        if (!budget.isComplete())
+            return std::nullopt;
+        return run(PositioningTrials(measurement, evaluation, budget, options.seed));
+    }
+
+    std::optional<Simulation> operator()(const CircularMeasurement &measurement) const {
+        return run(CircularTrials(test, measurement, surroundings, evaluation, options.seed));
+    }
+
+    std::optional<Simulation> operator()(const DriftMeasurement & /*measurement*/) const {
+        return std::nullopt;
+    }
+
+private:
+    std::optional<Simulation> run(const auto &trials) const {
+        if (trials.parameters().empty())
+            return std::nullopt;
+        return TrialRun(trials, options, stop, progress).run();
+    }
+};
+
+} // namespace
+
 SimulationOptions simulationOptions(const Test &test) {
     SimulationOptions options;
     withUncertainty(test, [&](const auto &inputs) {
@@ -25,19 +61,8 @@ std::optional<Simulation> simulate(const Test &test, const Surroundings &surroun
     const TestEvaluation evaluation = evaluateTest(test, surroundings, &edition);
     if (evaluation.edition != &edition)
         return std::nullopt;
-    std::optional<Simulation> result;
-    if (const auto *m = std::get_if<PositioningMeasurement>(&test.measurement)) {
-        const PositioningBudget budget = positioningBudget(*m, surroundings.environmentalVariation);
-        if (!budget.isComplete())
-            return std::nullopt;
-        const PositioningTrials trials(*m, evaluation, budget, options.seed);
-        if (!trials.parameters().empty())
-            result = TrialRun(trials, options, stop, progress).run();
-    } else if (const auto *c = std::get_if<CircularMeasurement>(&test.measurement)) {
-        const CircularTrials trials(test, *c, surroundings, evaluation, options.seed);
-        if (!trials.parameters().empty())
-            result = TrialRun(trials, options, stop, progress).run();
-    }
+    std::optional<Simulation> result = std::visit(
+        SimulationOfKind{test, surroundings, evaluation, options, stop, progress}, test.measurement);
     if (result)
         result->edition = edition.word;
     return result;
