@@ -191,6 +191,11 @@ TestSimulation simulationOf(const EvaluatedDocument &evaluated, std::size_t test
     return test < evaluated.simulations.size() ? evaluated.simulations[test] : TestSimulation{};
 }
 
+/// The edition asked for a test in place of its own; null for none.
+const Edition *askedOf(std::span<const std::string> editions, std::size_t test) {
+    return test < editions.size() && !editions[test].empty() ? findEdition(editions[test]) : nullptr;
+}
+
 /// The evaluation `previous` has of this very test, if nothing it depends on has changed.
 TestEvaluationPointer unchanged(const EvaluatedDocument &previous, const TestPointer &test,
                                 const Surroundings &now, const Edition *edition) {
@@ -199,6 +204,8 @@ TestEvaluationPointer unchanged(const EvaluatedDocument &previous, const TestPoi
     if (found == tests.end())
         return nullptr;
     const auto index = static_cast<std::size_t>(found - tests.begin());
+    if (previous.isPending(index))
+        return nullptr;
     const auto &evaluation = previous.tests[index];
     const bool same = evaluation->edition == edition &&
                       sameContent(surroundings(*previous.document, test, simulationOf(previous, index)), now);
@@ -231,8 +238,7 @@ EvaluatedDocument evaluateUnder(std::shared_ptr<const Document> document,
     EvaluatedDocument result;
     for (std::size_t i = 0; i < document->tests.size(); ++i) {
         const TestPointer &test = document->tests[i];
-        const Edition *other =
-            i < editions.size() && !editions[i].empty() ? findEdition(editions[i]) : nullptr;
+        const Edition *other = askedOf(editions, i);
         TestSimulation simulation;
         if (previous && previous->document) {
             if (const auto place = placeIn(*previous, *document, i))
@@ -256,8 +262,7 @@ EvaluatedDocument awaitingResults(std::shared_ptr<const Document> document,
     EvaluatedDocument result;
     for (std::size_t i = 0; i < document->tests.size(); ++i) {
         const TestPointer &test = document->tests[i];
-        const Edition *other =
-            i < editions.size() && !editions[i].empty() ? findEdition(editions[i]) : nullptr;
+        const Edition *other = askedOf(editions, i);
         const auto place = previous.document ? placeIn(previous, *document, i) : std::optional<std::size_t>();
         TestSimulation simulation = place ? simulationOf(previous, *place) : TestSimulation{};
         const Edition *used = editionFor(*test, other);

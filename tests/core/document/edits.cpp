@@ -62,9 +62,11 @@ private slots:
         QVERIFY(!renameInstrument(document, 0, ""));
         QVERIFY(!renameInstrument(document, 5, "x"));
         QVERIFY(renameInstrument(document, 0, "xl80"));
-        QCOMPARE(document.tests[1]->instruments, std::vector<std::string>{"xl80"});
+        for (const TestPointer &test : document.tests)
+            QCOMPARE(test->instruments, std::vector<std::string>{"xl80"});
         removeInstrument(document, 0);
-        QVERIFY(document.tests[1]->instruments.empty());
+        for (const TestPointer &test : document.tests)
+            QVERIFY(test->instruments.empty());
         QCOMPARE(document.instruments.size(), std::size_t(1));
     }
 
