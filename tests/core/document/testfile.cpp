@@ -63,6 +63,20 @@ private slots:
             QVERIFY(isTestFile(file.first(size)));
     }
 
+    /// Neither beginning nor end are left: one of its keys, as JSON writes it, tells.
+    void isKnownByAKeyInTheMiddle() {
+        for (const char *piece :
+             {"1, 2],\n\"deviations\": [0.1", "\"targets\":", "]\n\"targets\" \t\r\n: [0, 1",
+              "x\": 1, \"angles\": [0", "a:b \"times\": 0", "\"other\": 1 \"kind\": \"x"})
+            QVERIFY2(isTestFile(piece), piece);
+        for (const char *piece : {":", "\":", "\"\":", " : 1", "targets: 1", "\"targets\"", "\"target\": 1",
+                                  "targets\": 1", "\"targets\"; 1: 2", "\"Targets\": 1", "\"targets\" x: 1"})
+            QVERIFY2(!isTestFile(piece), piece);
+        const QByteArray file = completeFile();
+        const qsizetype key = file.indexOf("\"deviations\"");
+        QVERIFY(isTestFile(file.mid(key, 20)) && !isTestFile(file.mid(key + 1, 20)));
+    }
+
     void isKnownInEveryEncoding() {
         const QByteArray file = completeFile();
         for (const auto encoding : encodings) {

@@ -36,7 +36,6 @@ private slots:
 
 namespace {
 
-constexpr double radius = 150;
 constexpr int looks = 150; ///< of each shape
 
 /// One or two sets of rays about a shape, and looks at them.
@@ -49,7 +48,7 @@ struct Shape {
     double common;
 
     Shape(int n, double arc, int count, double form, double offset, double step, double noiseOfPoints,
-          double commonChange)
+          double commonChange, double radius)
         : noise(noiseOfPoints)
         , common(commonChange) {
         std::normal_distribution<double> normal;
@@ -106,14 +105,15 @@ struct Shape {
 
 struct Row {
     int n;
-    double arc;    ///< degrees
-    int count;     ///< sets
-    double form;   ///< mm
-    double offset; ///< mm
-    double step;   ///< mm
-    double noise;  ///< mm
-    double common; ///< mm
-    bool near;     ///< nearly no look has to go the plain way
+    double arc;          ///< degrees
+    int count;           ///< sets
+    double form;         ///< mm
+    double offset;       ///< mm
+    double step;         ///< mm
+    double noise;        ///< mm
+    double common;       ///< mm
+    bool near;           ///< nearly no look has to go the plain way
+    double radius = 150; ///< mm
 };
 
 } // namespace
@@ -123,7 +123,7 @@ Q_DECLARE_METATYPE(Row)
 namespace {
 
 Shape shapeOf(const Row &row) {
-    return {row.n, row.arc, row.count, row.form, row.offset, row.step, row.noise, row.common};
+    return {row.n, row.arc, row.count, row.form, row.offset, row.step, row.noise, row.common, row.radius};
 }
 
 } // namespace
@@ -143,6 +143,7 @@ void RaysTest::shapes_data() {
     add("ties that stay", {400, 360, 2, 2e-3, 0, 1e-3, 0, 1e-4, false});
     add("nothing at all", {400, 360, 2, 0, 0, 0, 0, 0, false});
     add("large deviations", {400, 360, 2, 3, 2, 0, 0.5, 0.5, false});
+    add("half a millimetre", {400, 360, 2, 1.5e-5, 3e-6, 0, 3e-7, 0, true, 0.5});
     add("few points", {5, 360, 1, 5e-3, 1e-3, 0, 1e-4, 0, true});
     add("one more than a sector", {17, 360, 2, 5e-3, 1e-3, 0, 1e-4, 0, true});
 }

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "kernel/diagnosis/pitchscan.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+#include <vector>
+
+using namespace palmer;
+
+namespace {
+
+/// The same by the sines of the library, in long double.
+double explained(const std::vector<double> &along, const std::vector<double> &curve,
+                 const std::vector<double> &squares, double periods) {
+    long double b1 = 0;
+    long double b2 = 0;
+    long double ss = 0;
+    long double sc = 0;
+    long double cc = 0;
+    for (std::size_t i = 0; i < along.size(); ++i) {
+        const long double angle = 2 * std::numbers::pi_v<long double> * along[i] * periods;
+        b1 += curve[i] * std::sin(angle);
+        b2 += curve[i] * std::cos(angle);
+        ss += squares[i] * std::sin(angle) * std::sin(angle);
+        sc += squares[i] * std::sin(angle) * std::cos(angle);
+        cc += squares[i] * std::cos(angle) * std::cos(angle);
+    }
+    return static_cast<double>((b1 * b1 * cc - 2 * b1 * b2 * sc + b2 * b2 * ss) / (ss * cc - sc * sc));
+}
+
+} // namespace
+
+class PitchScanTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    /// The sines of the scan are good to 1e-4: each term of their series is more than that at its end.
+    void anyCurveAgainstTheSinesOfTheLibrary() {
+        std::mt19937 random(7);
+        std::uniform_real_distribution<double> position(-1, 1);
+        std::normal_distribution<double> value;
+        for (int k = 0; k < 200; ++k) {
+            std::vector<double> along(400);
+            std::vector<double> curve;
+            std::vector<double> squares;
+            for (double &x : along) {
+                x = position(random);
+                curve.push_back(value(random) * x);
+                squares.push_back(x * x);
+            }
+            const double periods = 3 + 20 * std::abs(position(random));
+            const double expected = explained(along, curve, squares, periods);
+            // 400 readings of ±1: their sum with a sine that is 1e-4 off is 2e-3 off (1e-4 times the root of
+            // 400).
+            const double tolerance = 1e-3 + 4e-4 * std::sqrt(expected);
+            const double found = explainedByPitch(along, curve, squares, periods);
+            QVERIFY2(std::abs(found - expected) < tolerance,
+                     qPrintable(QString("%1 for %2").arg(found).arg(expected)));
+        }
+    }
+
+    void aCyclicErrorIsExplainedByItsPitchAlone() {
+        std::vector<double> along;
+        std::vector<double> curve;
+        std::vector<double> squares;
+        double all = 0;
+        for (int i = 0; i < 4000; ++i) {
+            const double x = std::cos(2 * std::numbers::pi * i / 4000);
+            const double v = x * std::sin(2 * std::numbers::pi * x * 15 + 0.7);
+            along.push_back(x);
+            curve.push_back(v * x);
+            squares.push_back(x * x);
+            all += v * v;
+        }
+        QVERIFY(std::abs(explainedByPitch(along, curve, squares, 15) - all) < 1e-3 * all);
+        QVERIFY(explainedByPitch(along, curve, squares, 12) < 0.2 * all);
+    }
+
+    void rowsThatDoNotCountSayNothing() {
+        const std::vector<double> none(8, 0.0);
+        QCOMPARE(explainedByPitch(none, none, none, 10), 0.0);
+    }
+};
+
+QTEST_GUILESS_MAIN(PitchScanTest)
+#include "pitchscan.moc"
