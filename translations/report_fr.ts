@@ -8550,5 +8550,9 @@
         <source>The results have no verdict.</source>
         <translation>Les résultats sont sans verdict.</translation>
     </message>
+    <message>
+        <source>The limit of %1 is negative; nothing can conform.</source>
+        <translation>La limite de %1 est négative&#x202f;; rien ne peut être conforme.</translation>
+    </message>
 </context>
 </TS>

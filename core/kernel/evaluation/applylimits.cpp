@@ -133,6 +133,7 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
         return;
     bool uncertaintyMissing = false;
     std::string uncorrected;
+    std::string negative;
     for (const auto &[id, limit] : test.limits) {
         if (!limit.value)
             continue;
@@ -151,6 +152,8 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
                   {id, *limit.edition, std::string(evaluation.edition->word)}});
             continue;
         }
+        if (*limit.value < 0 && found.front().bound == Bound::magnitude)
+            negative += (negative.empty() ? "" : ", ") + id;
         for (const Judged &one : found) {
             Parameter &p = *one.parameter;
             p.guardBand = guardBand(p.guardedUncertainty(), test.decisionRule);
@@ -169,6 +172,9 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
             evaluation.verdict = worst(evaluation.verdict, verdict);
         }
     }
+    if (!negative.empty())
+        note(evaluation, "limits", Source::laboratory,
+             {REPORT_TEXT("report", "The limit of %1 is negative; nothing can conform."), {negative}});
     findUncorrected(evaluation, uncorrected);
     if (uncertaintyMissing)
         note(evaluation, "decisionRule", Source::laboratory,

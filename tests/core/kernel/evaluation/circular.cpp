@@ -466,6 +466,7 @@ void Circular::limitsOfF() {
     e = evaluated(test);
     QVERIFY(parameter(e, "Fmax_XY")->verdict == Verdict::conforms);
     QVERIFY(parameter(e, "Fmin_XY")->verdict == Verdict::conforms);
+    QVERIFY(!finding(e, "limits")); // a limit from below may be negative
     test.limits = {{"Fmin", {-0.004, {}, ""}}};
     QVERIFY(evaluated(test).verdict == Verdict::doesNotConform);
     test.limits = {{"D", {0.01, {}, ""}}};

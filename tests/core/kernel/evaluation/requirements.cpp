@@ -645,6 +645,11 @@ void Requirements::rows_data() {
         check("U is half the limit", limit(Rule::simpleAcceptance, 1, 2), "largeUncertainty", false);
         check("U is more than half the limit", limit(Rule::simpleAcceptance, 1, 1.99), "largeUncertainty",
               true);
+        const auto limitOf = [=](double value) -> Change {
+            return [=](Setup &s) { s.test.limits[parameter].value = value; };
+        };
+        check("limit of zero", limitOf(0), "limits", false);
+        check("limit below zero", limitOf(-1e-6), "limits", true);
         check("guard band below the limit", limit(Rule::iso14253_1, 1, 1.01), "guardBand", false);
         check("guard band as large as the limit", limit(Rule::iso14253_1, 1, 1), "guardBand", true);
         check("twice U reaches the limit", limit(Rule::rejectionProven, 2, 2), "guardBand", true);

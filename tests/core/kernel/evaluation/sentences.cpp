@@ -287,6 +287,14 @@ void Sentences::numbers_data() {
         "limit of no parameter", of2006, shortAxis, "limits",
         [](Setup &s) { s.test.limits["r"].value = 0.05; }, "r; ISO 230-2:2006");
     row(
+        "negative limits", of2006, shortAxis, "limits",
+        [](Setup &s) {
+            s.test.limits["A"].value = -0.02;
+            s.test.limits["E"].value = -0.01;
+            s.test.limits["R"].value = 0.02;
+        },
+        "A, E");
+    row(
         "large uncertainty", of2006, shortAxis, "largeUncertainty",
         [](Setup &s) { // U is 1 µm
             s.test.limits["A"].value = 0.001;
