@@ -3,6 +3,7 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include "report/comparison.h"
+#include "core/kernel/evaluation/circulardata.h"
 #include "core/kernel/evaluation/positioningdata.h"
 
 #include <QTest>
@@ -116,6 +117,7 @@ private slots:
             QVERIFY(row.differences[0].isEmpty() && !row.differences[1].isEmpty());
         }
         QCOMPARE(comparison.notes, QStringList{"All tests as under ISO 230-2:2006."});
+        QVERIFY(compareTests({tests[1], tests[1]}, english()).notes.isEmpty());
     }
 
     void whatCannotBeComparedIsLeftOut() {
@@ -141,8 +143,27 @@ private slots:
         QCOMPARE(figure.curves[0].lines.size(), std::size_t(1));
         QCOMPARE(figure.curves[0].lines[0].size(), std::size_t(11));
         QVERIFY(!figure.x.ticks.empty() && figure.y.unit == "µm");
-        const FigurePoint &point = figure.curves[0].lines[0][0];
-        QVERIFY(point.x >= figure.x.from && point.y >= figure.y.from && point.y <= figure.y.to);
+        for (const FigurePoint &point : figure.curves[0].lines[0]) {
+            QVERIFY(point.x > figure.x.from && point.x < figure.x.to); // a margin on either side
+            QVERIFY(point.y > figure.y.from && point.y < figure.y.to);
+        }
+        QVERIFY(figure.x.to - figure.x.from < 1.2 * 1500.41); // and no more than that
+    }
+
+    /// Paths lie over one another, in whichever turn they were measured.
+    void pathsBeginInTheFirstTurn() {
+        const auto begin = [](Sense sense, double from) {
+            const Test test = circularTest({pathOf(
+                sense, 72, [](double angle) { return std::cos(2 * angle); }, from)});
+            const ComparisonFigure figure = comparisonFigure({{inDocument(test), 0, "a"}}, english());
+            return std::ranges::min(figure.curves.at(0).lines.at(0), {}, &FigurePoint::x).x;
+        };
+        for (const double turns : {-720.0, -360.0, 0.0, 360.0, 1080.0}) {
+            const double from = begin(Sense::counterclockwise, 10 + turns);
+            QVERIFY2(std::abs(from - 10) < 1e-9, qPrintable(QString::number(from)));
+            const double back = begin(Sense::clockwise, 365 + turns); // down to 10°
+            QVERIFY2(std::abs(back - 10) < 1e-9, qPrintable(QString::number(back)));
+        }
     }
 
     void copiedTablesAreForSpreadsheets() {

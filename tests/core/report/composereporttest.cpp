@@ -1117,6 +1117,23 @@ private slots:
         const Report composed = report(std::make_shared<const Document>(), Language(Language::Id::french));
         QVERIFY(pageText(composed).contains("Fin du rapport"));
     }
+
+    /// The methods of an uncertainty are explained once: later tests say for which.
+    void methodsAreExplainedOnce() {
+        Document many = *document("budget-2006");
+        Test direct = *many.tests[0];
+        std::get<PositioningMeasurement>(direct.measurement).uncertainty.method = UncertaintyMethod::direct;
+        direct.id.clear();
+        Test budget = *many.tests[0];
+        budget.id.clear();
+        many.tests.clear();
+        for (const Test &test : {direct, budget, budget, budget})
+            many.tests.push_back(std::make_shared<const Test>(test));
+        const QString all =
+            pageText(report(std::make_shared<const Document>(many), Language(Language::Id::english)));
+        QCOMPARE(all.count("otherwise as for test 2."), 2);
+        QVERIFY(!all.contains("otherwise as for test 1."));
+    }
 };
 
 QTEST_GUILESS_MAIN(ComposeReportTest)

@@ -209,6 +209,17 @@ private slots:
                 return std::holds_alternative<SideBySide>(block);
             }));
         QVERIFY(over && !over->left.empty() && !over->right.empty());
+        // The lag over the feed and what weighs most beside it.
+        const auto *curves =
+            std::get_if<SideBySide>(&*std::find_if(page.begin() + 2, page.end(), [](const Block &block) {
+                const auto *both = std::get_if<SideBySide>(&block);
+                const auto *heading =
+                    both && !both->left.empty() ? std::get_if<Heading>(&both->left.front()) : nullptr;
+                return heading && heading->note.plain() == "each circle by itself, ± 2 u";
+            }));
+        QVERIFY(curves && curves->left.size() == 2 && curves->right.size() == 2);
+        const QString title = std::get<Heading>(curves->left.front()).text;
+        QVERIFY2(title.contains("lag"), qPrintable(title));
         const QString french = pageText(composed(document, Language::Id::french));
         QVERIFY(french.contains("Diagnostic du plan XY à plusieurs avances (interprétation)"));
         // Of one feed there is none.
@@ -260,6 +271,32 @@ private slots:
         QVERIFY(pageText(composed(document, Language::Id::english)).contains("states no sign convention"));
         document.tests[0] = madeCircles({mixedCircle()})->tests[0];
         QVERIFY(!pageText(composed(document, Language::Id::english)).contains("states no sign convention"));
+    }
+
+    /// An uncertainty that rounds to nothing is said to be below the last digit; a width has one decimal.
+    void numbersAreThoseOfTheUncertainty() {
+        const EvaluatedDocument evaluated = evaluate(madeCircles({mixedCircle()}));
+        Diagnosis diagnosis = diagnosedTest(evaluated, 0)->diagnosis;
+        const auto rowOf = [&](std::size_t source) {
+            const auto rows = diagnosisRows(diagnosis, Language(Language::Id::english));
+            return *std::ranges::find_if(
+                rows, [&](const DiagnosisRow &row) { return row.sources == std::vector{source}; });
+        };
+        const auto known = std::ranges::find_if(diagnosis.sources, [](const SourceEstimate &source) {
+            return source.id == InfluenceId::backlash && source.value && source.u;
+        });
+        QVERIFY(known != diagnosis.sources.end());
+        const auto source = static_cast<std::size_t>(known - diagnosis.sources.begin());
+        QVERIFY2(!rowOf(source).u.contains('<') && rowOf(source).u.toDouble() > 0,
+                 qPrintable(rowOf(source).u));
+        known->u = 1e-15;
+        QVERIFY2(rowOf(source).u.startsWith("<\u00A0"), qPrintable(rowOf(source).u));
+        QVERIFY(rowOf(source).u.mid(2).toDouble() > 0);
+        known->width = 1.25;
+        known->pitch = 10;
+        QVERIFY2(rowOf(source).name.endsWith(", 10\u00A0mm, 1.3°") ||
+                     rowOf(source).name.endsWith(", 10\u00A0mm, 1.2°"),
+                 qPrintable(rowOf(source).name));
     }
 
     void rowsHoldEachSourceOnce() {
