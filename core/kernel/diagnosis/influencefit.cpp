@@ -140,8 +140,9 @@ private:
             squares[i] = along[i] * along[i];
         }
         for (const double pitch : plausiblePitches) {
-            // Slower ones look like the shape of the guideway, faster ones fall between the readings.
-            if (pitch > radius / 4 || radius * m_rows.step() > pitch / 3)
+            // Slower ones, with fewer than four periods over the circle, look like the shape of the guideway;
+            // faster ones fall between the readings.
+            if (pitch > radius / 2 || radius * m_rows.step() > pitch / 3)
                 continue;
             const double noise = noiseOf(fit, pitch / radius);
             keep({cyclicTerms(axis, pitch), explainedByPitch(along, curve, squares, radius / pitch) / noise});

@@ -68,6 +68,8 @@ private slots:
     void inseparableSourcesGiveTheirSum();
     void eachSourceIsRecognised_data();
     void eachSourceIsRecognised();
+    void everyUsualPitchIsFound();
+    void theShapeOfAGuidewayIsNoPitch();
     void statedPitchAndWidth();
     void severalFeeds();
     void noiseAloneIsNoSource();
@@ -304,6 +306,48 @@ void DiagnosisTest::eachSourceIsRecognised() {
         QCOMPARE(d.of, lookedFor ? 14 : 12);
         if (lookedFor)
             QVERIFY(*first.significance < 1e-3);
+    }
+}
+
+/// Screws and racks, those of inches among them, on circles of usual size.
+void DiagnosisTest::everyUsualPitchIsFound() {
+    for (const double pitch : {1.0,  2.0,  2.5,  3.0,  4.0,  5.0,  5.08, 6.0,  6.35, 8.0,  10.0,
+                               12.0, 12.7, 15.0, 16.0, 20.0, 25.0, 25.4, 30.0, 32.0, 40.0, 50.0}) {
+        for (const PlaneAxis axis : {x, y}) {
+            CircularSynthesis asked;
+            asked.radius = axis == x ? 100 : 150;
+            asked.points = 7200; // seven a period of the finest, where an axis moves fastest
+            asked.sources = {{InfluenceId::cyclic, axis, 2e-3, pitch}};
+            asked.noise.deviation = 1e-4;
+            const Diagnosis d = diagnosed(asked);
+            const SourceEstimate &first = d.sources.front();
+            QVERIFY2(first.id == InfluenceId::cyclic && first.axis == axis && first.pitch == pitch,
+                     qPrintable(QStringLiteral("%1 on %2").arg(pitch).arg(asked.radius)));
+            QVERIFY2(std::abs(*first.value - 2e-3) <= 5 * *first.u,
+                     qPrintable(QString::number(*first.value)));
+        }
+    }
+}
+
+/// A guideway that is bent like a cubic and a quartic is neither a pitch nor a spike.
+void DiagnosisTest::theShapeOfAGuidewayIsNoPitch() {
+    for (const double bent : {1e-3, 5e-3}) {
+        for (const double correlation : {0.0, 0.8}) {
+            CircularSynthesis asked;
+            asked.noise.deviation = 2e-4;
+            asked.noise.correlation = correlation;
+            CircularMeasurement measured = synthesizeCircular(asked);
+            for (Arc &arc : measured.arcs) {
+                for (std::size_t i = 0; i < arc.angles.size(); ++i) {
+                    const Point u = direction(arc.angles[i]);
+                    arc.radialDeviations[i] += bent * (std::pow(u.x, 3) + std::pow(u.x, 4) / 2) * u.y;
+                }
+            }
+            const MadeCircle made(measured);
+            const Diagnosis d = diagnose(made.circle(), {});
+            for (const SourceEstimate &source : d.sources)
+                QVERIFY2(!source.proposed, influence(source.id).word);
+        }
     }
 }
 
