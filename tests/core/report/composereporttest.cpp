@@ -1118,6 +1118,30 @@ private slots:
         QVERIFY(pageText(composed).contains("Fin du rapport"));
     }
 
+    /// One further edition already makes a table.
+    void editionsStandSideBySide() {
+        Document both = *document("iso230-2-1988-example");
+        const auto columns = [&] {
+            const Report composed =
+                report(std::make_shared<const Document>(both), Language(Language::Id::english));
+            for (std::size_t i = 0; i + 1 < composed.blocks.size(); ++i) {
+                const auto *heading = std::get_if<Heading>(&composed.blocks[i]);
+                if (heading && heading->text.contains("editions"))
+                    return int(std::get<Table>(composed.blocks[i + 1]).columns.size());
+            }
+            return 0;
+        };
+        both.report.editions = {};
+        QCOMPARE(columns(), 0);
+        both.report.editions = {"ISO 230-2:1988"}; // its own alone
+        QCOMPARE(columns(), 0);
+        both.report.editions = {"ISO 230-2:2006"};
+        const int two = columns();
+        QVERIFY(two > 2);
+        both.report.editions = {"ISO 230-2:2006", "ISO 230-2:2014"};
+        QCOMPARE(columns(), two + 1);
+    }
+
     /// The methods of an uncertainty are explained once: later tests say for which.
     void methodsAreExplainedOnce() {
         Document many = *document("budget-2006");

@@ -40,6 +40,7 @@ private slots:
     void fitsATerminal_data();
     void fitsATerminal();
     void saysWhatIsStandInIn1988();
+    void titlesATestByItsTitleElseItsKind();
     void titlesAStepCycleNotAgreed();
     void saysNotCorrected();
     void showsTheSideOfTheLimit();
@@ -70,6 +71,17 @@ void ResultsTest::saysWhatIsStandInIn1988() {
     QString text = resultsText(example("iso230-2-1988-example"));
     QVERIFY(text.contains(" 18.0 ") && text.contains("2↓ – 9↑"));
     QVERIFY(text.simplified().contains("ten readings are substitutes"));
+}
+
+void ResultsTest::titlesATestByItsTitleElseItsKind() {
+    const auto titled = [](const char *title) {
+        return resultsText(changed(example("iso230-2-1988-example"),
+                                   [&](Test &test, PositioningMeasurement &) { test.title = title; }));
+    };
+    QVERIFY(titled("Before the repair").contains("Before the repair · ISO 230-2:1988"));
+    QVERIFY(!titled("").contains("Before the repair") && !titled("").contains("\n · ISO 230-2:1988"));
+    QVERIFY2(titled("").contains("Positioning test of axis X · ISO 230-2:1988"),
+             qPrintable(titled("").left(400)));
 }
 
 void ResultsTest::titlesAStepCycleNotAgreed() {
