@@ -37,7 +37,7 @@ struct SimulationOfKind {
     }
 
 private:
-    std::optional<Simulation> run(const auto &trials) const {
+    [[nodiscard]] std::optional<Simulation> run(const auto &trials) const {
         if (trials.parameters().empty())
             return std::nullopt;
         return TrialRun(trials, options, stop, progress).run();
