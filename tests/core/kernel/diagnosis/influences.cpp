@@ -29,6 +29,7 @@ struct Machine {
     double asideX = 0, asideY = 0;           ///< mm, stands to + of the other axis while moving to +
     double bowX = 0, bowY = 0;               ///< mm, ends to + of the other axis
     double waveX = 0, waveY = 0, pitch = 10; ///< mm
+    double phase = 0;                        ///< of the waves in the centre, rad
     double growth = 0;                       ///< mm a turn
     double strokeX = 0, strokeY = 0;         ///< part of the stroke that is lost
 };
@@ -77,8 +78,10 @@ std::vector<Place> contour(const Machine &m, double sense) {
         const double movedY = m.playY < 0 ? 2 * slowY - y.follow(slowY) : y.follow(slowY);
         const double towardsX = commandX(t + step) > commandX(t) ? 1 : -1;
         const double towardsY = commandY(t + step) > commandY(t) ? 1 : -1;
-        double px = movedX * (1 + m.scaleX) * (1 - m.strokeX) + m.waveX * std::sin(2 * pi * movedX / m.pitch);
-        double py = movedY * (1 + m.scaleY) * (1 - m.strokeY) + m.waveY * std::sin(2 * pi * movedY / m.pitch);
+        double px = movedX * (1 + m.scaleX) * (1 - m.strokeX) +
+                    m.waveX * std::sin(2 * pi * movedX / m.pitch + m.phase);
+        double py = movedY * (1 + m.scaleY) * (1 - m.strokeY) +
+                    m.waveY * std::sin(2 * pi * movedY / m.pitch + m.phase);
         const double besideY = m.asideX / 2 * towardsX + m.bowX * (movedX / radius) * (movedX / radius);
         const double besideX = m.asideY / 2 * towardsY + m.bowY * (movedY / radius) * (movedY / radius);
         // The second axis leans away from the right angle.
@@ -151,6 +154,16 @@ void Influences::columnsAreWhatTheAxesDo_data() {
         "X with its pitch", InfluenceId::cyclic, x, 4e-4, [](Machine &m) { m.waveX = 4e-4; }, 10);
     row(
         "Y with its pitch", InfluenceId::cyclic, y, 4e-4, [](Machine &m) { m.waveY = 4e-4; }, 10);
+    for (const PlaneAxis axis : {x, y}) {
+        row(
+            axis == x ? "X with its pitch, of another phase" : "Y with its pitch, of another phase",
+            InfluenceId::cyclic, axis, 4e-4,
+            [axis](Machine &m) {
+                (axis == PlaneAxis::first ? m.waveX : m.waveY) = 4e-4;
+                m.phase = 0.5 * pi;
+            },
+            10);
+    }
     row("both axes slow", InfluenceId::commonLag, none, 0.02 * 0.02,
         [](Machine &m) { m.filterX = m.filterY = 0.02; });
     const double omega = feed / radius;
@@ -178,7 +191,9 @@ void Influences::columnsAreWhatTheAxesDo() {
             // A body with play of 4e-4 mm begins to move √(2·4e-4/150) = 0.0023 after the axis has turned.
             if (std::min(std::abs(p.sine), std::abs(p.cosine)) < 3e-3)
                 continue;
-            const double column = value * influence(id).column(p, axis, shape);
+            const bool second = machine.phase != 0; // a quarter of a period on
+            const double column =
+                value * (second ? influence(id).second : influence(id).column)(p, axis, shape);
             const double expected = column + shiftX * p.cosine + shiftY * p.sine;
             // Deviations of 4e-4 mm on 150 mm: the second order is below 1e-8 mm; a delay turns the point by
             // 1e-5 of an angle, a body with play is 1e-6 late.
