@@ -89,6 +89,28 @@ void enter(TestEvaluation &evaluation, const Judged &judged, const std::string &
         findSecondLimit(evaluation, p, other, why);
 }
 
+/// To a list: "A, B".
+void add(std::string &list, const std::string &symbol) {
+    list += (list.empty() ? "" : ", ") + symbol;
+}
+
+/// Why a limit has no verdict; null: it has one. `found`: the rows it is for.
+std::optional<Message> reasonForNone(const std::string &id, const Limit &limit,
+                                     const std::vector<Judged> &found, const TestEvaluation &evaluation) {
+    const std::string edition = evaluation.edition->word;
+    if (found.empty())
+        return Message{
+            REPORT_TEXT("report",
+                        "The limit of %1 has no verdict: this test has no such parameter under %2."),
+            {id, edition}};
+    if (!holds(limit, evaluation))
+        return Message{REPORT_TEXT("report",
+                                   "The limit of %1 has no verdict: it was agreed for %2, the test is "
+                                   "evaluated under %3."),
+                       {id, *limit.edition, edition}};
+    return std::nullopt;
+}
+
 /// Said even where the edition allows for the temperature: the decision rule does not.
 void findUncorrected(TestEvaluation &evaluation, const std::string &symbols) {
     if (symbols.empty())
@@ -103,18 +125,15 @@ void findUncorrected(TestEvaluation &evaluation, const std::string &symbols) {
 void findLargeUncertainty(TestEvaluation &evaluation, const DecisionRule &rule) {
     std::string guarded;
     std::string large;
-    const auto add = [](std::string &symbols, const Parameter &p) {
-        symbols += (symbols.empty() ? "" : ", ") + plainSymbol(p);
-    };
     for (const Parameter &p : evaluation.parameters) {
         if (!p.limit || !p.limit->value)
             continue;
         const double limit = std::abs(*p.limit->value);
         const bool byRule = rule.rule != Rule::simpleAcceptance;
         if (byRule && p.bound == Bound::magnitude && p.guardBand && *p.guardBand >= limit)
-            add(guarded, p);
+            add(guarded, plainSymbol(p));
         if (p.expandedUncertainty && *p.expandedUncertainty > limit / 2)
-            add(large, p);
+            add(large, plainSymbol(p));
     }
     if (!guarded.empty())
         note(
@@ -138,22 +157,12 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
         if (!limit.value)
             continue;
         const std::vector<Judged> found = judged(id);
-        if (found.empty()) {
-            note(evaluation, "limits", Source::program,
-                 {REPORT_TEXT("report",
-                              "The limit of %1 has no verdict: this test has no such parameter under %2."),
-                  {id, std::string(evaluation.edition->word)}});
-            continue;
-        }
-        if (!holds(limit, evaluation)) {
-            note(evaluation, "limits", Source::program,
-                 {REPORT_TEXT("report", "The limit of %1 has no verdict: it was agreed for %2, the test is "
-                                        "evaluated under %3."),
-                  {id, *limit.edition, std::string(evaluation.edition->word)}});
+        if (const auto reason = reasonForNone(id, limit, found, evaluation)) {
+            note(evaluation, "limits", Source::program, *reason);
             continue;
         }
         if (*limit.value < 0 && found.front().bound == Bound::magnitude)
-            negative += (negative.empty() ? "" : ", ") + id;
+            add(negative, id);
         for (const Judged &one : found) {
             Parameter &p = *one.parameter;
             p.guardBand = guardBand(p.guardedUncertainty(), test.decisionRule);
@@ -165,7 +174,7 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
                 uncertaintyMissing |= !p.expandedUncertainty;
                 if (notCorrected && p.dependsOnTemperature) {
                     verdict = Verdict::notProven;
-                    uncorrected += (uncorrected.empty() ? "" : ", ") + plainSymbol(p);
+                    add(uncorrected, plainSymbol(p));
                 }
             }
             enter(evaluation, one, id, limit, verdict);

@@ -8,18 +8,19 @@ namespace palmer {
 
 namespace {
 
-/// A kind without an evaluation does not compile. `edition` is null for kinds that no edition judges.
+/// A kind without an evaluation does not compile. `edition` is null for kinds that no edition judges, and for
+/// a word that no reader lets in.
 struct EvaluationOfKind {
     const Test &test;
     const Surroundings &surroundings;
     const Edition *edition;
 
     TestEvaluation operator()(const PositioningMeasurement & /*measurement*/) const {
-        return evaluatePositioning(test, surroundings, *edition);
+        return edition ? evaluatePositioning(test, surroundings, *edition) : TestEvaluation{};
     }
 
     TestEvaluation operator()(const CircularMeasurement & /*measurement*/) const {
-        return evaluateCircular(test, surroundings, *edition);
+        return edition ? evaluateCircular(test, surroundings, *edition) : TestEvaluation{};
     }
 
     TestEvaluation operator()(const DriftMeasurement &measurement) const {
@@ -41,10 +42,7 @@ const Edition *editionFor(const Test &test, const Edition *asked) {
 }
 
 TestEvaluation evaluateTest(const Test &test, const Surroundings &surroundings, const Edition *asked) {
-    const Edition *edition = editionFor(test, asked);
-    if (!edition && isJudged(test))
-        return {}; // a word no reader lets in
-    return std::visit(EvaluationOfKind{test, surroundings, edition}, test.measurement);
+    return std::visit(EvaluationOfKind{test, surroundings, editionFor(test, asked)}, test.measurement);
 }
 
 } // namespace palmer

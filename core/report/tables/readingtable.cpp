@@ -51,11 +51,10 @@ std::vector<ReadingColumn> readingColumns(const PositioningMeasurement &measurem
 
 std::vector<StatisticColumn> statisticColumns(const TestEvaluation &evaluation, const Language &language) {
     std::vector<StatisticColumn> columns;
-    const auto *results = std::get_if<PositioningResults>(&evaluation.results);
-    if (!results || !evaluation.edition)
+    if (!evaluation.edition)
         return columns;
-    for (const TargetTerm &term : evaluation.edition->targetTerms) {
-        if (has(term, *results))
+    for (const TargetTerm &term : evaluation.edition->targetTerms) { // of axes: circles have no targets
+        if (has(term, std::get<PositioningResults>(evaluation.results)))
             columns.push_back({term.id, symbolFormula({term.symbol.base, "", term.symbol.arrow}),
                                language.text(term.name)});
     }

@@ -399,6 +399,19 @@ void DiagnosisTest::severalFeeds() {
     const Diagnosis alone = diagnose(fast.circle(), withoutSearch);
     QVERIFY(!alone.find(InfluenceId::commonLag));
     QVERIFY(valueOf(alone, InfluenceId::radius) < -5e-3);
+    // Two rows a column are asked for: seven points a circle and sense are six that count.
+    const auto few = [](double feed, std::size_t points) {
+        CircularSynthesis asked;
+        asked.feed = feed;
+        asked.points = points;
+        return MadeCircle(synthesizeCircular(asked));
+    };
+    const MadeCircle first = few(500, 7);
+    const MadeCircle second = few(2000, 7);
+    const MadeCircle enough = few(6000, 7);
+    const MadeCircle fewer = few(6000, 5);
+    QVERIFY(diagnose(std::vector{first.circle(), second.circle(), enough.circle()}, withoutSearch).valid());
+    QVERIFY(!diagnose(std::vector{first.circle(), second.circle(), fewer.circle()}, withoutSearch).valid());
     // What does not belong together is not taken together.
     CircularSynthesis other = machine();
     other.radius = 100;
