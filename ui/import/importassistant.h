@@ -81,7 +81,6 @@ public:
     void choose(const std::string &key, const std::string &value);
     /// Takes what is proposed to every question but those about data that were not read.
     void confirmAll();
-    void sayOrigin();
     /// Reads other bytes in the place of those at hand; what cannot be read is said, and nothing changes.
     /// Large files are read beside the window, with a bar and Cancel, which leaves all as it was.
     void takeFile(const QByteArray &bytes, const QString &fileName);
@@ -115,6 +114,8 @@ private:
     QWidget *makeMiddle();
     QWidget *makeRemarks();
     void connectAll();
+    /// Size and hash of the file, and how many follow it.
+    void sayOrigin();
     void useLastProfile();
     void chooseOther();
     void takeTyped();
