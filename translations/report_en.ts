@@ -129,5 +129,145 @@
             <numerusform>%n not met</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n line(s) without a number: without angles every point is needed</source>
+        <translation>
+            <numerusform>%n line without a number: without angles every point is needed</numerusform>
+            <numerusform>%n lines without a number: without angles every point is needed</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>two targets are the same with %n decimal(s): %1</source>
+        <translation>
+            <numerusform>two targets are the same with %n decimal: %1</numerusform>
+            <numerusform>two targets are the same with %n decimals: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Distribution of %1 in %n trial(s)</source>
+        <translation>
+            <numerusform>Distribution of %1 in %n trial</numerusform>
+            <numerusform>Distribution of %1 in %n trials</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 names %n column(s), the table has %2</source>
+        <translation>
+            <numerusform>%1 names %n column, the table has %2</numerusform>
+            <numerusform>%1 names %n columns, the table has %2</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Rows or columns of the sheet are hidden; what stands there is left out (%n number(s)).</source>
+        <translation>
+            <numerusform>Rows or columns of the sheet are hidden; what stands there is left out (%n number).</numerusform>
+            <numerusform>Rows or columns of the sheet are hidden; what stands there is left out (%n numbers).</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Rows or columns of the sheet are hidden; what stands there is read like the rest (%n number(s)).</source>
+        <translation>
+            <numerusform>Rows or columns of the sheet are hidden; what stands there is read like the rest (%n number).</numerusform>
+            <numerusform>Rows or columns of the sheet are hidden; what stands there is read like the rest (%n numbers).</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The value(s) of %n formula(s) are not in the file and were not read; open the workbook in a spreadsheet program and save it.</source>
+        <translation>
+            <numerusform>The value of %n formula is not in the file and was not read; open the workbook in a spreadsheet program and save it.</numerusform>
+            <numerusform>The values of %n formulas are not in the file and were not read; open the workbook in a spreadsheet program and save it.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The Monte Carlo simulation has %n trial(s): fewer than %1 (JCGM 101, 7.2) never decide. The budget U is used for the verdict.</source>
+        <translation>
+            <numerusform>The Monte Carlo simulation has %n trial: fewer than %1 (JCGM 101, 7.2) never decide. The budget U is used for the verdict.</numerusform>
+            <numerusform>The Monte Carlo simulation has %n trials: fewer than %1 (JCGM 101, 7.2) never decide. The budget U is used for the verdict.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The Monte Carlo simulation has %n trial(s): fewer than %1 (JCGM 101, 7.2) are shown and never decide.</source>
+        <translation>
+            <numerusform>The Monte Carlo simulation has %n trial: fewer than %1 (JCGM 101, 7.2) are shown and never decide.</numerusform>
+            <numerusform>The Monte Carlo simulation has %n trials: fewer than %1 (JCGM 101, 7.2) are shown and never decide.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s) over %1: a long axis has a target in each element of its measuring system or every 250 mm.</source>
+        <translation>
+            <numerusform>%n target over %1: a long axis has a target in each element of its measuring system or every 250 mm.</numerusform>
+            <numerusform>%n targets over %1: a long axis has a target in each element of its measuring system or every 250 mm.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s) over %1: at least 5 per metre are required, %2 here.</source>
+        <translation>
+            <numerusform>%n target over %1: at least 5 per metre are required, %2 here.</numerusform>
+            <numerusform>%n targets over %1: at least 5 per metre are required, %2 here.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s) over %1: practice asks for at least %2.</source>
+        <translation>
+            <numerusform>%n target over %1: practice asks for at least %2.</numerusform>
+            <numerusform>%n targets over %1: practice asks for at least %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s) over %1: practice asks for at least 8 per turn, up to 1 800°.</source>
+        <translation>
+            <numerusform>%n target over %1: practice asks for at least 8 per turn, up to 1 800°.</numerusform>
+            <numerusform>%n targets over %1: practice asks for at least 8 per turn, up to 1 800°.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s), %1 faces.</source>
+        <translation>
+            <numerusform>%n target, %1 faces.</numerusform>
+            <numerusform>%n targets, %1 faces.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n month(s)</source>
+        <translation>
+            <numerusform>%n month</numerusform>
+            <numerusform>%n months</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Mean over %n target(s): none rules it alone.</source>
+        <translation>
+            <numerusform>Mean over %n target: none rules it alone.</numerusform>
+            <numerusform>Mean over %n targets: none rules it alone.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n row(s), for a report prints no more than %1 of them unasked. The test file holds all readings. To print the rows as well, choose “All readings” for the report, or write “allReadings” under “include” in the test file.</source>
+        <translation>
+            <numerusform>Left out: %n row, for a report prints no more than %1 of them unasked. The test file holds all readings. To print the row as well, choose “All readings” for the report, or write “allReadings” under “include” in the test file.</numerusform>
+            <numerusform>Left out: %n rows, for a report prints no more than %1 of them unasked. The test file holds all readings. To print the rows as well, choose “All readings” for the report, or write “allReadings” under “include” in the test file.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Monte Carlo: %n trial(s) of the whole evaluation, seed %1; U is half of the shortest interval that holds 95.45 % of the results, the shift their mean less the evaluated value.</source>
+        <translation>
+            <numerusform>Monte Carlo: %n trial of the whole evaluation, seed %1; U is half of the shortest interval that holds 95.45 % of the results, the shift their mean less the evaluated value.</numerusform>
+            <numerusform>Monte Carlo: %n trials of the whole evaluation, seed %1; U is half of the shortest interval that holds 95.45 % of the results, the shift their mean less the evaluated value.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Monte Carlo: %n trial(s), seed %1, otherwise as for test %2.</source>
+        <translation>
+            <numerusform>Monte Carlo: %n trial, seed %1, otherwise as for test %2.</numerusform>
+            <numerusform>Monte Carlo: %n trials, seed %1, otherwise as for test %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s) are open: nothing was imported; answer with --set, or take what is proposed with --accept</source>
+        <translation>
+            <numerusform>%n question is open: nothing was imported; answer with --set, or take what is proposed with --accept</numerusform>
+            <numerusform>%n questions are open: nothing was imported; answer with --set, or take what is proposed with --accept</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

@@ -460,16 +460,8 @@
         <translation>machine à vide</translation>
     </message>
     <message>
-        <source>%1 targets over %2: at least 5 per metre are required, %3 here.</source>
-        <translation>%1 points visés sur %2&#xa0;: au moins 5 par mètre sont exigés, soit %3 ici.</translation>
-    </message>
-    <message>
         <source>Number of targets: %1; at least 5 are required.</source>
         <translation>Nombre de points visés&#xa0;: %1&#x202f;; au moins 5 sont exigés.</translation>
-    </message>
-    <message>
-        <source>%1 targets over %2: a long axis has a target in each element of its measuring system or every 250 mm.</source>
-        <translation>%1 points visés sur %2&#xa0;: un axe long a un point visé dans chaque élément de son système de mesure ou tous les 250&#xa0;mm.</translation>
     </message>
     <message>
         <source>The targets leave out %1 of the axis travel of %2: neither the whole travel nor a test inside the agreed zone.</source>
@@ -618,14 +610,6 @@
     <message>
         <source>expected targets that ascend strictly</source>
         <translation>attendu&#xa0;: des points visés strictement croissants</translation>
-    </message>
-    <message>
-        <source>expected one of the %1 runs, counted from 1</source>
-        <translation>attendu&#xa0;: un numéro de parcours de 1 à %1</translation>
-    </message>
-    <message>
-        <source>expected one of the %1 targets, counted from 1</source>
-        <translation>attendu&#xa0;: un numéro de point visé de 1 à %1</translation>
     </message>
     <message>
         <source>expected null, for this reading stands in “excluded”</source>
@@ -1830,10 +1814,6 @@
         <translation>Imposé par le point visé %1.</translation>
     </message>
     <message>
-        <source>Mean over %1 targets: none rules it alone.</source>
-        <translation>Moyenne sur %1 points visés&#xa0;: aucun ne l’impose seul.</translation>
-    </message>
-    <message>
         <source>s by the range method: s = W / k(n).</source>
         <translation>s par la méthode de l’étendue&#xa0;: s = W / k(n).</translation>
     </message>
@@ -2509,10 +2489,6 @@
         <translation>grossissement %1, %2 par division</translation>
     </message>
     <message>
-        <source>the plane cannot be %1; expected two axes, for example XY</source>
-        <translation>le plan ne peut pas être %1&#x202f;; deux axes sont attendus, par exemple XY</translation>
-    </message>
-    <message>
         <source>Plane: nothing in the file says it; taken as XY.</source>
         <translation>Plan&#xa0;: rien ne le dit dans le fichier&#x202f;; pris comme XY.</translation>
     </message>
@@ -3045,10 +3021,6 @@
         <translation>le fichier ne contient aucun point visé</translation>
     </message>
     <message>
-        <source>The head names %1 targets, the list has %2; the list counts.</source>
-        <translation>L’en-tête annonce %1 points visés, la liste en contient %2&#x202f;; c’est la liste qui compte.</translation>
-    </message>
-    <message>
         <source>Lines of text that were not used: %1.</source>
         <translation>Lignes de texte ignorées&#xa0;: %1.</translation>
     </message>
@@ -3067,10 +3039,6 @@
     <message>
         <source>there are readings of targets that are not in the list</source>
         <translation>des relevés se rapportent à des points visés absents de la liste</translation>
-    </message>
-    <message>
-        <source>The head names %1 cycles, the readings have %2; the readings count.</source>
-        <translation>L’en-tête annonce %1 cycles, les relevés en contiennent %2&#x202f;; ce sont les relevés qui comptent.</translation>
     </message>
     <message>
         <source>All readings of run %1 are zero: was it measured at all?</source>
@@ -3197,10 +3165,6 @@
         <translation>il n’y a pas de point visé n°&#xa0;%1&#x202f;; la liste en contient %2</translation>
     </message>
     <message>
-        <source>The head names %1 runs, the rows have %2; the rows count.</source>
-        <translation>L’en-tête annonce %1 passes, les lignes en contiennent %2&#x202f;; ce sont les lignes qui comptent.</translation>
-    </message>
-    <message>
         <source>Directions: the targets descend along the list; a run in its order moves in the negative direction and is read as ↓.</source>
         <translation>Sens&#xa0;: les points visés décroissent le long de la liste&#x202f;; une passe dans son ordre va dans le sens négatif et est lue comme ↓.</translation>
     </message>
@@ -3231,10 +3195,6 @@
     <message>
         <source>the sample rate is missing in the head</source>
         <translation>la fréquence d’échantillonnage manque dans l’en-tête</translation>
-    </message>
-    <message>
-        <source>the file was cut off: %1 samples are announced, %2 are there</source>
-        <translation>le fichier est tronqué&#xa0;: %1 échantillons annoncés, %2 présents</translation>
     </message>
     <message>
         <source>sample %1 is no number: the data are damaged</source>
@@ -3307,10 +3267,6 @@
     <message>
         <source>Kind: nothing in the file says it; read as a positioning test.</source>
         <translation>Nature&#xa0;: rien ne le dit dans le fichier&#x202f;; lu comme un essai de positionnement.</translation>
-    </message>
-    <message>
-        <source>the head names %1 targets, the list has %2 in no order: it is damaged</source>
-        <translation>l’en-tête annonce %1 points visés, la liste en contient %2, en désordre&#xa0;: elle est endommagée</translation>
     </message>
     <message>
         <source>Kind: the file speaks of “%1”; read as a positioning test.</source>
@@ -4548,10 +4504,6 @@
         <translation>Décalage de la moyenne</translation>
     </message>
     <message>
-        <source>Monte Carlo: %1 trials of the whole evaluation, seed %2; U is half of the shortest interval that holds 95.45 % of the results, the shift their mean less the evaluated value.</source>
-        <translation>Monte-Carlo&#xa0;: %1 tirages de l’évaluation complète, germe %2&#x202f;; U est la moitié du plus court intervalle qui contient 95,45&#xa0;% des résultats, le décalage leur moyenne moins la valeur évaluée.</translation>
-    </message>
-    <message>
         <source>The methods differ by more than 20 % for %1; reason: see the findings.</source>
         <translation>Les méthodes diffèrent de plus de 20&#xa0;% pour %1&#x202f;; raison&#xa0;: voir les constats.</translation>
     </message>
@@ -4788,10 +4740,6 @@
         <translation>Calculé autrement dans %1 que dans %2.</translation>
     </message>
     <message>
-        <source>%1 lines have no number: without angles every point is needed</source>
-        <translation>%1 lignes sont sans nombre&#xa0;: sans angles, il faut tous les points</translation>
-    </message>
-    <message>
         <source>No angles: the points are put at equal steps from %1 to %2.</source>
         <translation>Pas d’angles&#xa0;: les points sont placés à pas égaux de %1 à %2.</translation>
     </message>
@@ -4836,10 +4784,6 @@
     <message>
         <source>deviation at rest, range %1</source>
         <translation>écart au repos, étendue %1</translation>
-    </message>
-    <message>
-        <source>Distribution of %1 in %2 trials</source>
-        <translation>Répartition de %1 sur %2 tirages</translation>
     </message>
     <message>
         <source>evaluated %1</source>
@@ -5323,10 +5267,6 @@
         <translation>un mesurage dont la vérité est connue</translation>
     </message>
     <message>
-        <source>Not seen: smaller than its uncertainty.</source>
-        <translation>Non décelé&#xa0;: plus petit que son incertitude.</translation>
-    </message>
-    <message>
         <source>Condition of the fit</source>
         <translation>Conditionnement</translation>
     </message>
@@ -5400,10 +5340,6 @@
         <translation>Tous les relevés sont nuls&#xa0;: a-t-on mesuré quelque chose&#x202f;?</translation>
     </message>
     <message>
-        <source>%1 targets and %2 runs are no positioning test; look at the kind and the columns</source>
-        <translation>%1 points visés et %2 passes ne font pas un essai de positionnement&#x202f;; vérifier la nature et les colonnes</translation>
-    </message>
-    <message>
         <source>Directions: letters, abbreviations or titles say them; look whether ↑ and ↓ are right.</source>
         <translation>Sens&#xa0;: indiqués par des lettres, des abréviations ou des titres&#x202f;; vérifier que ↑ et ↓ sont justes.</translation>
     </message>
@@ -5458,10 +5394,6 @@
     <message>
         <source>the columns of the targets and of the readings are not known; give the columns their roles</source>
         <translation>les colonnes des points visés et des relevés ne sont pas connues&#x202f;; donner leur rôle aux colonnes</translation>
-    </message>
-    <message>
-        <source>%1 names %2 columns, the table has %3</source>
-        <translation>%1 nomme %2 colonnes, le tableau en a %3</translation>
     </message>
     <message>
         <source>columns of different roles cannot be read as runs of one test; ignore one of them</source>
@@ -5556,10 +5488,6 @@
         <translation>Répondez par --set %1=….</translation>
     </message>
     <message>
-        <source>%1 questions are open: nothing was imported; answer them with --set, or take what is proposed with --accept</source>
-        <translation>%1 questions sont ouvertes&#xa0;: rien n’a été importé&#x202f;; répondez-y par --set, ou acceptez ce qui est proposé par --accept</translation>
-    </message>
-    <message>
         <source>take what is proposed for every question about the file</source>
         <translation>accepter ce qui est proposé pour chaque question sur le fichier</translation>
     </message>
@@ -5574,14 +5502,6 @@
     <message>
         <source>expected a whole number from 1 to 1 000 000 000</source>
         <translation>un nombre entier de 1 à 1&#x202f;000&#x202f;000&#x202f;000 est attendu</translation>
-    </message>
-    <message>
-        <source>The Monte Carlo simulation has %1 trials: fewer than %2 (JCGM 101, 7.2) are shown and never decide.</source>
-        <translation>La simulation de Monte-Carlo compte %1 tirages&#xa0;: moins de %2 (JCGM 101, 7.2) sont affichés et ne fondent jamais un verdict.</translation>
-    </message>
-    <message>
-        <source>The Monte Carlo simulation has %1 trials: fewer than %2 (JCGM 101, 7.2) never decide. The budget U is used for the verdict.</source>
-        <translation>La simulation de Monte-Carlo compte %1 tirages&#xa0;: moins de %2 (JCGM 101, 7.2) ne fondent jamais un verdict. Le verdict est fondé sur l’U du budget.</translation>
     </message>
     <message>
         <source>%1: budget and Monte Carlo differ by more than 20 %: the results of the trials are not normally distributed, half of their 95.45 % interval is not 2u.</source>
@@ -5724,10 +5644,6 @@
         <translation>un relevé hors de portée de toute machine</translation>
     </message>
     <message>
-        <source>Left out: %1 rows, for a report prints no more than %2 of them unasked. The test file holds all readings. To print the rows as well, choose “All readings” for the report, or write “allReadings” under “include” in the test file.</source>
-        <translation>Omis&#xa0;: %1 lignes, car un rapport n’en imprime pas plus de %2 sans qu’on le demande. Le fichier d’essai contient tous les relevés. Pour imprimer aussi ces lignes, choisir «&#xa0;Tous les relevés&#xa0;» pour le rapport, ou écrire «&#xa0;allReadings&#xa0;» sous «&#xa0;include&#xa0;» dans le fichier d’essai.</translation>
-    </message>
-    <message>
         <source>there are characters in it that are none of UTF-16 or UTF-32; expected a test file in UTF-8</source>
         <translation>il contient des caractères qui ne sont ni de l’UTF-16 ni de l’UTF-32&#x202f;; un fichier d’essai en UTF-8 est attendu</translation>
     </message>
@@ -5822,10 +5738,6 @@
     <message>
         <source>the feed rate of a part program is above 0</source>
         <translation>la vitesse d’avance d’un programme pièce est supérieure à 0</translation>
-    </message>
-    <message>
-        <source>two targets are the same with %1 decimals: %2</source>
-        <translation>deux points visés sont les mêmes avec %1 décimales&#xa0;: %2</translation>
     </message>
     <message>
         <source>positions in the active datum: set it before the start; for a compensation table at the machine datum</source>
@@ -6173,18 +6085,6 @@
     <message>
         <source>location of the working zone of 2 000 mm or 360°</source>
         <translation>emplacement de la zone de travail de 2&#x202f;000&#xa0;mm ou 360°</translation>
-    </message>
-    <message>
-        <source>%1 targets over %2: practice asks for at least %3.</source>
-        <translation>%1 points visés sur %2&#xa0;: l’usage en demande au moins %3.</translation>
-    </message>
-    <message>
-        <source>%1 targets over %2: practice asks for at least 8 per turn, up to 1 800°.</source>
-        <translation>%1 points visés sur %2&#xa0;: l’usage en demande au moins 8 par tour, jusqu’à 1&#x202f;800°.</translation>
-    </message>
-    <message>
-        <source>%1 targets, %2 faces.</source>
-        <translation>%1 points visés, %2 faces.</translation>
     </message>
     <message>
         <source>All targets have the same phase of the pitch %1.</source>
@@ -7274,10 +7174,6 @@
         <translation>le dossier %1 ne peut être créé</translation>
     </message>
     <message>
-        <source>the template %1 cannot be used</source>
-        <translation>le modèle %1 ne peut être utilisé</translation>
-    </message>
-    <message>
         <source>--set %1: %2</source>
         <translation>--set %1&#xa0;: %2</translation>
     </message>
@@ -7582,10 +7478,6 @@
         <translation>scan&#xa0;: continuer et relancer le parcours à chaque changement, jusqu’à l’arrêt du programme</translation>
     </message>
     <message>
-        <source>Files: %1, of them read now: %2, unreadable: %3, not found: %4. In the register: %5 machines, %6 tests.</source>
-        <translation>Fichiers&#xa0;: %1, dont lus maintenant&#xa0;: %2, illisibles&#xa0;: %3, introuvables&#xa0;: %4. Dans le registre&#xa0;: %5 machines, %6 essais.</translation>
-    </message>
-    <message>
         <source>register scan needs a folder</source>
         <translation>register scan demande un dossier</translation>
     </message>
@@ -7648,10 +7540,6 @@
     <message>
         <source>none</source>
         <translation>aucune</translation>
-    </message>
-    <message>
-        <source>%1 months</source>
-        <translation>%1 mois</translation>
     </message>
     <message>
         <source>next test before %1</source>
@@ -8370,10 +8258,6 @@
         <translation>Avec les points réels&#xa0;: S = %1, pour le reste comme à l’essai %2.</translation>
     </message>
     <message>
-        <source>Monte Carlo: %1 trials, seed %2, otherwise as for test %3.</source>
-        <translation>Monte-Carlo&#xa0;: %1 tirages, germe %2, pour le reste comme à l’essai %3.</translation>
-    </message>
-    <message>
         <source>Sense: no word says which column is clockwise; both are read as the angles run.</source>
         <translation>Sens&#xa0;: aucun mot ne dit quelle colonne est horaire&#x202f;; les deux sont lues dans le sens des angles.</translation>
     </message>
@@ -8416,18 +8300,6 @@
     <message>
         <source>Hidden rows and columns</source>
         <translation>Lignes et colonnes masquées</translation>
-    </message>
-    <message>
-        <source>Rows or columns of the sheet are hidden; what stands there is left out (%1 numbers).</source>
-        <translation>Des lignes ou des colonnes de la feuille sont masquées&#x202f;; leur contenu n’est pas repris (%1 nombres).</translation>
-    </message>
-    <message>
-        <source>Rows or columns of the sheet are hidden; what stands there is read like the rest (%1 numbers).</source>
-        <translation>Des lignes ou des colonnes de la feuille sont masquées&#x202f;; leur contenu est lu comme le reste (%1 nombres).</translation>
-    </message>
-    <message>
-        <source>The values of %1 formulas are not in the file and were not read; open the workbook in a spreadsheet program and save it.</source>
-        <translation>Les valeurs de %1 formules ne figurent pas dans le fichier et n’ont pas été lues&#x202f;; ouvrir le classeur dans un tableur et l’enregistrer.</translation>
     </message>
     <message>
         <source>Palmer is installed without its library for PDF files and workbooks, or with that of another version: install it again</source>
@@ -8518,10 +8390,6 @@
         <translation>Les lignes passent du numéro %1 au numéro %2&#xa0;: il en manque, ou l’une d’elles est présente deux fois.</translation>
     </message>
     <message>
-        <source>The head announces %1 samples, %2 are there; those beyond were not read.</source>
-        <translation>L’en-tête annonce %1 échantillons, le fichier en contient %2&#x202f;; les suivants n’ont pas été lus.</translation>
-    </message>
-    <message>
         <source>Columns: the lines end before “%1”; either nothing was entered there, or the headings do not stand above their columns.</source>
         <translation>Colonnes&#xa0;: les lignes s’arrêtent avant «&#xa0;%1&#xa0;»&#x202f;; soit rien n’y a été saisi, soit les titres ne sont pas au-dessus de leurs colonnes.</translation>
     </message>
@@ -8553,6 +8421,386 @@
     <message>
         <source>The limit of %1 is negative; nothing can conform.</source>
         <translation>La limite de %1 est négative&#x202f;; rien ne peut être conforme.</translation>
+    </message>
+    <message>
+        <source>Not seen: its 95 % interval contains zero.</source>
+        <translation>Non décelé&#xa0;: son intervalle à 95&#xa0;% contient zéro.</translation>
+    </message>
+    <message>
+        <source>The stated axis travel of %1 is contradicted by the targets, which lie over %2: this is judged.</source>
+        <translation>La longueur d’axe indiquée de %1 est contredite par les points visés, qui s’étendent sur %2&#xa0;: c’est cette étendue qui est jugée.</translation>
+    </message>
+    <message>
+        <source>The path %1 has no measured points in the evaluated range.</source>
+        <translation>La trajectoire %1 n’a aucun point mesuré dans l’étendue évaluée.</translation>
+    </message>
+    <message>
+        <source>Of the path %1 too few points are evaluated (%2): bi-directional results need both senses.</source>
+        <translation>Trop peu de points de la trajectoire %1 sont évalués (%2)&#xa0;: les résultats bidirectionnels demandent les deux sens.</translation>
+    </message>
+    <message>
+        <source>title, author or bookmarks of the PDF are not those that follow from the data</source>
+        <translation>le titre, l’auteur ou les signets du PDF ne sont pas ceux qui découlent des données</translation>
+    </message>
+    <message>
+        <source>No value for H: it needs full circles in both senses.</source>
+        <translation>Pas de valeur pour H&#xa0;: il demande des cercles complets dans les deux sens.</translation>
+    </message>
+    <message>
+        <source>The drift test “%1” gives no E_VE for this budget: it has no readings at rest, or is of another kind of axis.</source>
+        <translation>L’essai de dérive «&#xa0;%1&#xa0;» ne donne pas d’E_VE à ce budget&#xa0;: il n’a pas de relevés à l’arrêt, ou concerne un autre genre d’axe.</translation>
+    </message>
+    <message>
+        <source>only one direction was measured: there is no compensation of each direction</source>
+        <translation>un seul sens a été mesuré&#xa0;: pas de compensation par sens</translation>
+    </message>
+    <message>
+        <source>Only the positive direction was measured: its values stand for the negative one, too.</source>
+        <translation>Seul le sens positif a été mesuré&#xa0;: ses valeurs valent aussi pour le sens négatif.</translation>
+    </message>
+    <message>
+        <source>Only the negative direction was measured: its values stand for the positive one, too.</source>
+        <translation>Seul le sens négatif a été mesuré&#xa0;: ses valeurs valent aussi pour le sens positif.</translation>
+    </message>
+    <message>
+        <source>Quarter turns</source>
+        <translation>Quarts de tour</translation>
+    </message>
+    <message>
+        <source>all multiples of 90° within the travel</source>
+        <translation>tous les multiples de 90° compris dans la course</translation>
+    </message>
+    <message>
+        <source>Further targets</source>
+        <translation>Points visés supplémentaires</translation>
+    </message>
+    <message>
+        <source>one in each %1 of the travel, at random</source>
+        <translation>un par tranche de %1 de la course, au hasard</translation>
+    </message>
+    <message>
+        <source>cm</source>
+        <translation>cm</translation>
+    </message>
+    <message>
+        <source>gon</source>
+        <translation>gon</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2 here: the file has its numbers in %3</source>
+        <translation>%1 ne peut pas être %2 ici&#xa0;: les nombres du fichier sont en %3</translation>
+    </message>
+    <message>
+        <source>Motion: the file holds angles and does not say of which axis; read as those of a rotary axis. Pitch and yaw of a linear axis are no positioning test.</source>
+        <translation>Mouvement&#xa0;: le fichier contient des angles et ne dit pas de quel axe&#x202f;; lus comme ceux d’un axe de rotation. Le tangage et le lacet d’un axe linéaire ne sont pas un essai de positionnement.</translation>
+    </message>
+    <message>
+        <source>Readings that differ from another at the same target in the same run: %1; the first was read.</source>
+        <translation>Relevés qui diffèrent d’un autre au même point visé de la même passe&#xa0;: %1&#x202f;; le premier a été lu.</translation>
+    </message>
+    <message>
+        <source>Unit: the file says %1 for the readings and %2 for the targets. Angles along a linear axis (pitch, yaw) are no positioning test; where a heading is wrong, say the unit.</source>
+        <translation>Unité&#xa0;: le fichier indique %1 pour les relevés et %2 pour les points visés. Des angles le long d’un axe linéaire (tangage, lacet) ne sont pas un essai de positionnement&#x202f;; si un titre de colonne est faux, indiquer l’unité.</translation>
+    </message>
+    <message>
+        <source>Unit of the positions: the file says “%1”, which cannot be read as it stands; say the unit of the numbers.</source>
+        <translation>Unité des positions&#xa0;: le fichier indique «&#xa0;%1&#xa0;», qui ne peut être lu tel quel&#x202f;; indiquer l’unité des nombres.</translation>
+    </message>
+    <message>
+        <source>Unit of the times: the file says “%1”, which cannot be read as it stands; say the unit of the numbers.</source>
+        <translation>Unité des temps&#xa0;: le fichier indique «&#xa0;%1&#xa0;», qui ne peut être lu tel quel&#x202f;; indiquer l’unité des nombres.</translation>
+    </message>
+    <message>
+        <source>Unit of the readings: the file says “%1”, which cannot be read as it stands; say the unit of the numbers.</source>
+        <translation>Unité des relevés&#xa0;: le fichier indique «&#xa0;%1&#xa0;», qui ne peut être lu tel quel&#x202f;; indiquer l’unité des nombres.</translation>
+    </message>
+    <message>
+        <source>Directions: the file says clockwise or counterclockwise, not which of them is positive; clockwise is read as ↑.</source>
+        <translation>Sens&#xa0;: le fichier indique le sens horaire ou antihoraire, mais non lequel est positif&#x202f;; le sens horaire est lu comme ↑.</translation>
+    </message>
+    <message>
+        <source>Columns that look like readings and are not read: %1.</source>
+        <translation>Colonnes qui ressemblent à des relevés et ne sont pas lues&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>Columns: “%1” is read as the heading of the columns without one behind it, too.</source>
+        <translation>Colonnes&#xa0;: «&#xa0;%1&#xa0;» est lu aussi comme le titre des colonnes sans titre qui suivent.</translation>
+    </message>
+    <message>
+        <source>Temperatures in “%1” are not read, only those in °C.</source>
+        <translation>Les températures en «&#xa0;%1&#xa0;» ne sont pas lues, seulement celles en °C.</translation>
+    </message>
+    <message>
+        <source>expected the number of a run, from 1 to %1</source>
+        <translation>attendu&#xa0;: un numéro de parcours de 1 à %1</translation>
+    </message>
+    <message>
+        <source>expected the number of a target, from 1 to %1</source>
+        <translation>attendu&#xa0;: un numéro de point visé de 1 à %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n line(s) without a number: without angles every point is needed</source>
+        <translation>
+            <numerusform>%n ligne sans nombre&#xa0;: sans angles, il faut tous les points</numerusform>
+            <numerusform>%n lignes sans nombre&#xa0;: sans angles, il faut tous les points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>two targets are the same with %n decimal(s): %1</source>
+        <translation>
+            <numerusform>deux points visés sont les mêmes avec %n décimale&#xa0;: %1</numerusform>
+            <numerusform>deux points visés sont les mêmes avec %n décimales&#xa0;: %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Distribution of %1 in %n trial(s)</source>
+        <translation>
+            <numerusform>Répartition de %1 sur %n tirage</numerusform>
+            <numerusform>Répartition de %1 sur %n tirages</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Targets named in the head: %1, in the list: %2; the list counts.</source>
+        <translation>Points visés annoncés dans l’en-tête&#xa0;: %1, dans la liste&#xa0;: %2&#x202f;; c’est la liste qui compte.</translation>
+    </message>
+    <message>
+        <source>Cycles named in the head: %1, in the readings: %2; the readings count.</source>
+        <translation>Cycles annoncés dans l’en-tête&#xa0;: %1, dans les relevés&#xa0;: %2&#x202f;; ce sont les relevés qui comptent.</translation>
+    </message>
+    <message>
+        <source>targets named in the head: %1, in the list, in no order: %2: it is damaged</source>
+        <translation>points visés annoncés dans l’en-tête&#xa0;: %1, dans la liste, en désordre&#xa0;: %2&#xa0;: elle est endommagée</translation>
+    </message>
+    <message>
+        <source>Runs named in the head: %1, in the rows: %2; the rows count.</source>
+        <translation>Passes annoncées dans l’en-tête&#xa0;: %1, dans les lignes&#xa0;: %2&#x202f;; ce sont les lignes qui comptent.</translation>
+    </message>
+    <message>
+        <source>the file was cut off: samples announced: %1, there: %2</source>
+        <translation>le fichier est tronqué&#xa0;: échantillons annoncés&#xa0;: %1, présents&#xa0;: %2</translation>
+    </message>
+    <message>
+        <source>Samples announced in the head: %1, there: %2; those beyond were not read.</source>
+        <translation>Échantillons annoncés dans l’en-tête&#xa0;: %1, présents&#xa0;: %2&#x202f;; les suivants n’ont pas été lus.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 names %n column(s), the table has %2</source>
+        <translation>
+            <numerusform>%1 nomme %n colonne, le tableau en a %2</numerusform>
+            <numerusform>%1 nomme %n colonnes, le tableau en a %2</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>targets: %1, runs: %2: that is no positioning test; look at the kind and the columns</source>
+        <translation>points visés&#xa0;: %1, passes&#xa0;: %2&#xa0;: ce n’est pas un essai de positionnement&#x202f;; vérifier la nature et les colonnes</translation>
+    </message>
+    <message numerus="yes">
+        <source>Rows or columns of the sheet are hidden; what stands there is left out (%n number(s)).</source>
+        <translation>
+            <numerusform>Des lignes ou des colonnes de la feuille sont masquées&#x202f;; leur contenu n’est pas repris (%n nombre).</numerusform>
+            <numerusform>Des lignes ou des colonnes de la feuille sont masquées&#x202f;; leur contenu n’est pas repris (%n nombres).</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Rows or columns of the sheet are hidden; what stands there is read like the rest (%n number(s)).</source>
+        <translation>
+            <numerusform>Des lignes ou des colonnes de la feuille sont masquées&#x202f;; leur contenu est lu comme le reste (%n nombre).</numerusform>
+            <numerusform>Des lignes ou des colonnes de la feuille sont masquées&#x202f;; leur contenu est lu comme le reste (%n nombres).</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The value(s) of %n formula(s) are not in the file and were not read; open the workbook in a spreadsheet program and save it.</source>
+        <translation>
+            <numerusform>La valeur de %n formule ne figure pas dans le fichier et n’a pas été lue&#x202f;; ouvrir le classeur dans un tableur et l’enregistrer.</numerusform>
+            <numerusform>Les valeurs de %n formules ne figurent pas dans le fichier et n’ont pas été lues&#x202f;; ouvrir le classeur dans un tableur et l’enregistrer.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The Monte Carlo simulation has %n trial(s): fewer than %1 (JCGM 101, 7.2) never decide. The budget U is used for the verdict.</source>
+        <translation>
+            <numerusform>La simulation de Monte-Carlo compte %n tirage&#xa0;: moins de %1 (JCGM 101, 7.2) ne fondent jamais un verdict. Le verdict est fondé sur l’U du budget.</numerusform>
+            <numerusform>La simulation de Monte-Carlo compte %n tirages&#xa0;: moins de %1 (JCGM 101, 7.2) ne fondent jamais un verdict. Le verdict est fondé sur l’U du budget.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>The Monte Carlo simulation has %n trial(s): fewer than %1 (JCGM 101, 7.2) are shown and never decide.</source>
+        <translation>
+            <numerusform>La simulation de Monte-Carlo compte %n tirage&#xa0;: moins de %1 (JCGM 101, 7.2) sont affichés et ne fondent jamais un verdict.</numerusform>
+            <numerusform>La simulation de Monte-Carlo compte %n tirages&#xa0;: moins de %1 (JCGM 101, 7.2) sont affichés et ne fondent jamais un verdict.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s) over %1: a long axis has a target in each element of its measuring system or every 250 mm.</source>
+        <translation>
+            <numerusform>%n point visé sur %1&#xa0;: un axe long a un point visé dans chaque élément de son système de mesure ou tous les 250&#xa0;mm.</numerusform>
+            <numerusform>%n points visés sur %1&#xa0;: un axe long a un point visé dans chaque élément de son système de mesure ou tous les 250&#xa0;mm.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s) over %1: at least 5 per metre are required, %2 here.</source>
+        <translation>
+            <numerusform>%n point visé sur %1&#xa0;: au moins 5 par mètre sont exigés, soit %2 ici.</numerusform>
+            <numerusform>%n points visés sur %1&#xa0;: au moins 5 par mètre sont exigés, soit %2 ici.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s) over %1: practice asks for at least %2.</source>
+        <translation>
+            <numerusform>%n point visé sur %1&#xa0;: l’usage en demande au moins %2.</numerusform>
+            <numerusform>%n points visés sur %1&#xa0;: l’usage en demande au moins %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s) over %1: practice asks for at least 8 per turn, up to 1 800°.</source>
+        <translation>
+            <numerusform>%n point visé sur %1&#xa0;: l’usage en demande au moins 8 par tour, jusqu’à 1&#x202f;800°.</numerusform>
+            <numerusform>%n points visés sur %1&#xa0;: l’usage en demande au moins 8 par tour, jusqu’à 1&#x202f;800°.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s), %1 faces.</source>
+        <translation>
+            <numerusform>%n point visé, %1 faces.</numerusform>
+            <numerusform>%n points visés, %1 faces.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n month(s)</source>
+        <translation>
+            <numerusform>%n mois</numerusform>
+            <numerusform>%n mois</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Mean over %n target(s): none rules it alone.</source>
+        <translation>
+            <numerusform>Moyenne sur %n point visé&#xa0;: aucun ne l’impose seul.</numerusform>
+            <numerusform>Moyenne sur %n points visés&#xa0;: aucun ne l’impose seul.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Left out: %n row(s), for a report prints no more than %1 of them unasked. The test file holds all readings. To print the rows as well, choose “All readings” for the report, or write “allReadings” under “include” in the test file.</source>
+        <translation>
+            <numerusform>Omise&#xa0;: %n ligne, car un rapport n’en imprime pas plus de %1 sans qu’on le demande. Le fichier d’essai contient tous les relevés. Pour imprimer aussi cette ligne, choisir «&#xa0;Tous les relevés&#xa0;» pour le rapport, ou écrire «&#xa0;allReadings&#xa0;» sous «&#xa0;include&#xa0;» dans le fichier d’essai.</numerusform>
+            <numerusform>Omises&#xa0;: %n lignes, car un rapport n’en imprime pas plus de %1 sans qu’on le demande. Le fichier d’essai contient tous les relevés. Pour imprimer aussi ces lignes, choisir «&#xa0;Tous les relevés&#xa0;» pour le rapport, ou écrire «&#xa0;allReadings&#xa0;» sous «&#xa0;include&#xa0;» dans le fichier d’essai.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Monte Carlo: %n trial(s) of the whole evaluation, seed %1; U is half of the shortest interval that holds 95.45 % of the results, the shift their mean less the evaluated value.</source>
+        <translation>
+            <numerusform>Monte-Carlo&#xa0;: %n tirage de l’évaluation complète, germe %1&#x202f;; U est la moitié du plus court intervalle qui contient 95,45&#xa0;% des résultats, le décalage leur moyenne moins la valeur évaluée.</numerusform>
+            <numerusform>Monte-Carlo&#xa0;: %n tirages de l’évaluation complète, germe %1&#x202f;; U est la moitié du plus court intervalle qui contient 95,45&#xa0;% des résultats, le décalage leur moyenne moins la valeur évaluée.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Monte Carlo: %n trial(s), seed %1, otherwise as for test %2.</source>
+        <translation>
+            <numerusform>Monte-Carlo&#xa0;: %n tirage, germe %1, pour le reste comme à l’essai %2.</numerusform>
+            <numerusform>Monte-Carlo&#xa0;: %n tirages, germe %1, pour le reste comme à l’essai %2.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s) are open: nothing was imported; answer with --set, or take what is proposed with --accept</source>
+        <translation>
+            <numerusform>%n question est ouverte&#xa0;: rien n’a été importé&#x202f;; répondez-y par --set, ou acceptez ce qui est proposé par --accept</numerusform>
+            <numerusform>%n questions sont ouvertes&#xa0;: rien n’a été importé&#x202f;; répondez-y par --set, ou acceptez ce qui est proposé par --accept</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Files: %1, of them read now: %2, unreadable: %3, not found: %4. Machines in the register: %5, tests: %6.</source>
+        <translation>Fichiers&#xa0;: %1, dont lus maintenant&#xa0;: %2, illisibles&#xa0;: %3, introuvables&#xa0;: %4. Machines dans le registre&#xa0;: %5, essais&#xa0;: %6.</translation>
+    </message>
+    <message>
+        <source>temperatures at the start</source>
+        <translation>températures au début</translation>
+    </message>
+    <message>
+        <source>temperatures at the end</source>
+        <translation>températures à la fin</translation>
+    </message>
+    <message>
+        <source>coefficient of thermal expansion of the machine</source>
+        <translation>coefficient de dilatation thermique de la machine</translation>
+    </message>
+    <message>
+        <source>coefficient of thermal expansion of the instrument</source>
+        <translation>coefficient de dilatation thermique de l’instrument</translation>
+    </message>
+    <message>
+        <source>offset of the measuring line to the tool reference</source>
+        <translation>décalage de la ligne de mesurage par rapport à la référence d’outil</translation>
+    </message>
+    <message>
+        <source>offset of the measuring line to the workpiece reference</source>
+        <translation>décalage de la ligne de mesurage par rapport à la référence de pièce</translation>
+    </message>
+    <message>
+        <source>temperature gradient over 12 h</source>
+        <translation>gradient de température sur 12&#xa0;h</translation>
+    </message>
+    <message>
+        <source>agreed limit of the temperature gradient</source>
+        <translation>limite convenue du gradient de température</translation>
+    </message>
+    <message>
+        <source>position of the temperature sensors, expansion coefficient of the machine</source>
+        <translation>position des capteurs de température, coefficient de dilatation de la machine</translation>
+    </message>
+    <message>
+        <source>position of the temperature sensors, expansion coefficient of the instrument</source>
+        <translation>position des capteurs de température, coefficient de dilatation de l’instrument</translation>
+    </message>
+    <message>
+        <source>choice of targets</source>
+        <translation>choix des points visés</translation>
+    </message>
+    <message>
+        <source>cyclic pitch</source>
+        <translation>pas cyclique</translation>
+    </message>
+    <message>
+        <source>temperatures of machine and air</source>
+        <translation>températures de la machine et de l’air</translation>
+    </message>
+    <message>
+        <source>temperatures of instrument and air</source>
+        <translation>températures de l’instrument et de l’air</translation>
+    </message>
+    <message>
+        <source>role not stated</source>
+        <translation>rôle non indiqué</translation>
+    </message>
+    <message>
+        <source>the plane cannot be %1; expected two different axes, for example XY</source>
+        <translation>le plan ne peut pas être %1&#x202f;; deux axes différents sont attendus, par exemple XY</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2 for a positioning test</source>
+        <translation>%1 ne peut pas être %2 pour un essai de positionnement</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2 for values over time</source>
+        <translation>%1 ne peut pas être %2 pour des valeurs en fonction du temps</translation>
+    </message>
+    <message>
+        <source>Sense: “%1” is neither clockwise nor counterclockwise to the program; those points are read as their angles run.</source>
+        <translation>Sens&#xa0;: «&#xa0;%1&#xa0;» n’est pour le programme ni horaire ni antihoraire&#x202f;; ces points sont lus dans l’ordre de leurs angles.</translation>
+    </message>
+    <message>
+        <source>Directions: “%1” is read as ↑, the opposite of the other word of its column.</source>
+        <translation>Sens&#xa0;: «&#xa0;%1&#xa0;» est lu comme ↑, le contraire de l’autre mot de la colonne.</translation>
+    </message>
+    <message>
+        <source>Directions: “%1” is read as ↓, the opposite of the other word of its column.</source>
+        <translation>Sens&#xa0;: «&#xa0;%1&#xa0;» est lu comme ↓, le contraire de l’autre mot de la colonne.</translation>
+    </message>
+    <message>
+        <source>Radial deviations up to %1 on a circle of radius %2: are unit and radius right?</source>
+        <translation>Écarts radiaux jusqu’à %1 sur un cercle de rayon %2&#xa0;: l’unité et le rayon sont-ils justes&#x202f;?</translation>
+    </message>
+    <message>
+        <source>mdeg</source>
+        <translation>mdeg</translation>
     </message>
 </context>
 </TS>

@@ -144,11 +144,11 @@ void check(const PositioningMeasurement &measurement, const Place &place) {
         const auto run = static_cast<std::size_t>(excluded.run) - 1;
         const auto target = static_cast<std::size_t>(excluded.target) - 1;
         if (run >= measurement.runs.size())
-            refuseAt(Place(at, "run"), REPORT_TEXT("report", "expected one of the %1 runs, counted from 1"),
+            refuseAt(Place(at, "run"), REPORT_TEXT("report", "expected the number of a run, from 1 to %1"),
                      {countOf(measurement.runs.size())});
         if (target >= targets.size())
             refuseAt(Place(at, "target"),
-                     REPORT_TEXT("report", "expected one of the %1 targets, counted from 1"),
+                     REPORT_TEXT("report", "expected the number of a target, from 1 to %1"),
                      {countOf(targets.size())});
         if (measurement.runs[run].deviations[target]) {
             const Place atRun(atRuns, run);

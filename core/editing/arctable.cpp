@@ -3,6 +3,7 @@
 #include "editing/arctable.h"
 
 #include "document/documenterror.h"
+#include "import/doubts.h"
 #include "import/importmeasurement.h"
 #include "import/layouts/arcs.h"
 #include "import/layouts/tablebody.h"
@@ -63,12 +64,15 @@ std::vector<double> numbersOf(const CellTable &table, const TableBody &body, std
     }
     if (missing > 0)
         throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "%1 lines have no number: without angles every point is needed"),
-                     {Number{static_cast<double>(missing), Quantity::count}}});
+                    {REPORT_TEXT_COUNTED("report",
+                                         "%n line(s) without a number: without angles every point is needed"),
+                     {},
+                     static_cast<int>(missing)});
     return numbers;
 }
 
-ArcTable readDeviations(const CellTable &table, const TableBody &body, const ArcTableChoices &choices) {
+ArcTable readDeviations(const CellTable &table, const TableBody &body, const CircularMeasurement &circle,
+                        const ArcTableChoices &choices) {
     ArcTable result;
     result.content = {ArcContent::deviations,
                       choices.content == ArcContent::deviations ? Origin::chosen : Origin::recognised};
@@ -125,6 +129,15 @@ ArcTable readDeviations(const CellTable &table, const TableBody &body, const Arc
              "sense"});
     result.points = count;
     result.arcs.push_back(std::move(arc));
+    Test test;
+    CircularMeasurement measurement = circle;
+    measurement.arcs = result.arcs;
+    test.measurement = std::move(measurement);
+    questionNumbers(test, result.remarks);
+    ImportOptions answers = choices.answers;
+    answers.insert({"startAngle", {}}); // start and extent are stated
+    const std::array<ImportChoice, 1> guessed{ImportChoice{"unit", result.unit.value, result.unit.origin}};
+    result.questions = takeQuestions(result.remarks, answers, guessed);
     return result;
 }
 
@@ -137,7 +150,7 @@ ArcTable readArcTable(const std::string &text, const CircularMeasurement &circle
     const CellTable table = readTable(text, tableOptions);
     const TableBody body = bodyOf(table);
     if (choices.content == ArcContent::deviations || (!choices.content && isOneColumn(body)))
-        return readDeviations(table, body, choices);
+        return readDeviations(table, body, circle, choices);
 
     // The test says already what a file would have to say.
     ImportOptions options{
@@ -147,6 +160,7 @@ ArcTable readArcTable(const std::string &text, const CircularMeasurement &circle
         {"nominalRadius", shortest(circle.nominalRadius)},
         {"angleReference", choices.angleReference == AngleReference::polar ? "polar" : "commanded"},
         {"sign", "actualMinusTarget"}};
+    options.insert(choices.answers.begin(), choices.answers.end());
     if (choices.content)
         options["layout"] = layouts.at(static_cast<std::size_t>(*choices.content));
     if (choices.decimalMark)
@@ -173,9 +187,16 @@ ArcTable readArcTable(const std::string &text, const CircularMeasurement &circle
             result.content = {static_cast<ArcContent>(layout - layouts.begin()), choice.origin};
     }
     // Of the test as such it is known, or asked for elsewhere.
+    const auto isOfTest = [](std::string_view choice) {
+        return choice == "calibrated" || choice == "correctionTo20" || choice == "plane";
+    };
     for (Remark &remark : imported.remarks) {
-        if (remark.choice != "calibrated" && remark.choice != "correctionTo20" && remark.choice != "plane")
+        if (!isOfTest(remark.choice))
             result.remarks.push_back(std::move(remark));
+    }
+    for (Question &question : imported.questions) {
+        if (!isOfTest(question.id))
+            result.questions.push_back(std::move(question));
     }
     return result;
 }

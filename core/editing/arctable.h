@@ -30,6 +30,7 @@ struct ArcTableChoices {
     AngleReference angleReference = AngleReference::polar;
     double startAngle = 0; ///< degrees, of deviations without angles
     double arc = 360;      ///< degrees from the first point to the last, of deviations without angles
+    ImportOptions answers; ///< to further questions, by their id
 };
 
 /// The paths of a table, with what was understood and assumed.
@@ -39,6 +40,7 @@ struct ArcTable {
     Choice<ArcContent> content;
     Choice<DecimalMark> decimalMark;
     Choice<std::string> unit;
+    std::vector<Question> questions; ///< to be answered before the paths are taken, as of an imported file
     std::vector<Remark> remarks;
 };
 

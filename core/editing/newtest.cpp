@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editing/newtest.h"
 
-#include "kernel/evaluation/iso230_2/targetcount.h"
+#include "kernel/evaluation/iso230_2/targetrules.h"
 #include "kernel/evaluation/positioningcase.h"
 #include "kernel/measurement/testfacts.h"
 

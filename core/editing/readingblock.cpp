@@ -208,7 +208,9 @@ private:
         if (m_aside->at(place.run, place.target)) {
             m_result.aside += none ? 0 : 1;
         } else if (none) {
-            m_result.erased += readingAt(m, place) || refusedAt(m, place) ? 1 : 0;
+            const std::size_t held = readingAt(m, place) || refusedAt(m, place) ? 1 : 0;
+            m_result.erased += held;
+            m_result.erasedByWords += cell.kind == CellKind::missing ? held : 0;
             setReading(m, place, std::nullopt);
         } else if (cell.isNumber()) {
             ++m_result.readings;

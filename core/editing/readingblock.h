@@ -50,7 +50,8 @@ struct PastedBlock {
     std::size_t readings = 0; ///< numbers taken as readings
     std::size_t targets = 0;  ///< numbers taken as target positions
     std::size_t erased = 0; ///< readings (or texts in their place) that empty cells and words for "none" took
-    std::size_t aside = 0;  ///< cells that met a reading set aside: not taken, it keeps value and reason
+    std::size_t erasedByWords = 0; ///< of these by words for "none": "n/a", "-", "?"
+    std::size_t aside = 0;   ///< cells that met a reading set aside: not taken, it keeps value and reason
     std::size_t refused = 0; ///< cells that are no numbers: kept as they are, shown red, missing
     std::size_t left = 0;    ///< cells outside the table, not taken
     Choice<DecimalMark> decimalMark;

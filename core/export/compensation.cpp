@@ -246,12 +246,18 @@ CompensationTable compensationTable(const Test &test, const TestEvaluation &eval
         refuseCompensation(REPORT_TEXT("report", "a compensation needs two targets at least"));
     demandPossible(*measurement, format, options);
     const PositioningResults &results = resultsOf(*measurement, evaluation);
+    const bool bothWays = measuredBothWays(evaluation);
+    if (options.perDirection && !bothWays)
+        refuseCompensation(REPORT_TEXT("report", "only one direction was measured: there is no compensation "
+                                                 "of each direction"));
     CompensationTable curve = correctionsOfTargets(*measurement, results, options.perDirection);
     const bool closes = format == CompensationFormat::siemens && isFullTurn(*measurement, options);
     CompensationTable table;
     table.axis = measurement->axis.name;
     table.motion = measurement->axis.motion;
     table.perDirection = options.perDirection;
+    if (!bothWays)
+        table.only = results.upward ? Direction::positive : Direction::negative;
     table.measured = Interval{measurement->targets.front(), measurement->targets.back()};
     for (const double position : positionsOf(*measurement, format, options, closes))
         table.positions.push_back(rounded(position, positionFineness));
@@ -274,6 +280,11 @@ CompensationTable compensationTable(const Test &test, const TestEvaluation &eval
     return table;
 }
 
+bool measuredBothWays(const TestEvaluation &evaluation) {
+    const auto *results = std::get_if<PositioningResults>(&evaluation.results);
+    return results && results->upward && results->downward;
+}
+
 std::vector<Message> compensationRemarks(const CompensationTable &table, CompensationFormat format,
                                          const CompensationOptions &options) {
     std::vector<Message> remarks;
@@ -287,6 +298,12 @@ std::vector<Message> compensationRemarks(const CompensationTable &table, Compens
             {REPORT_TEXT("report", "Nothing was measured outside %1 … %2: the values at these ends "
                                    "hold there."),
              {Number{table.measured->from, position}, Number{table.measured->to, position}}});
+    if (table.only)
+        remarks.push_back({*table.only == Direction::positive
+                               ? REPORT_TEXT("report", "Only the positive direction was measured: its values "
+                                                       "stand for the negative one, too.")
+                               : REPORT_TEXT("report", "Only the negative direction was measured: its values "
+                                                       "stand for the positive one, too.")});
     switch (format) {
     case CompensationFormat::linuxcnc:
         remarks.push_back(

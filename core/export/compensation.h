@@ -38,25 +38,28 @@ struct CompensationOptions {
 inline constexpr std::size_t mostLinuxcncPoints = 256;
 
 /// The table that takes out the means of an evaluated positioning test; linear between targets, rounded to
-/// 0.1 µm (rotary: 1e-5°), so that what is written is what is predicted. A test of one direction has the
-/// same values for both. Siemens: the positions are a whole number of equal steps; the value is 0 at the
-/// reference point (half of the rounding where that lies between two points); a rotary axis of 360°, by its
-/// targets or its stated travel, gets a table of the full turn that closes.
-/// Throws Error(content) for no positioning test, targets without a mean, a range or interval beyond sense,
-/// what the format cannot hold: values per direction or steps in a Siemens table, steps in a LinuxCNC or
-/// Weihong table, more points than a control loads, a rotary axis for Weihong; a reference point that is
-/// owed.
+/// 0.1 µm (rotary: 1e-5°), so that what is written is what is predicted. A test of one direction has its
+/// values for both, and the remarks say so. Siemens: the positions are a whole number of equal steps; the
+/// value is 0 at the reference point (half of the rounding where that lies between two points); a rotary axis
+/// of 360°, by its targets or its stated travel, gets a table of the full turn that closes. Throws
+/// Error(content) for no positioning test, targets without a mean, values per direction of a test of one, a
+/// range or interval beyond sense, what the format cannot hold: values per direction or steps in a Siemens
+/// table, steps in a LinuxCNC or Weihong table, more points than a control loads, a rotary axis for Weihong;
+/// a reference point that is owed.
 [[nodiscard]] CompensationTable compensationTable(const Test &test, const TestEvaluation &evaluation,
                                                   CompensationFormat format,
                                                   const CompensationOptions &options);
+
+/// Both directions have results: values per direction can be had.
+[[nodiscard]] bool measuredBothWays(const TestEvaluation &evaluation);
 
 /// The table as the control reads it. Throws Error(content) for a name of the axis that the control does not
 /// know, an empty one included, and a measuring system that a SINUMERIK does not have.
 [[nodiscard]] QByteArray writeCompensation(const CompensationTable &table, CompensationFormat format,
                                            const CompensationOptions &options);
 
-/// What has to be known before the table is loaded: what the control has to be set to, where nothing was
-/// measured, what the sign rests on.
+/// What has to be known before the table is loaded: what the control has to be set to, where and in which
+/// direction nothing was measured, what the sign rests on.
 [[nodiscard]] std::vector<Message> compensationRemarks(const CompensationTable &table,
                                                        CompensationFormat format,
                                                        const CompensationOptions &options);

@@ -200,8 +200,10 @@ void demandSense(const CycleProgram &program, Dialect dialect) {
     for (const double target : program.targets) {
         std::string written = Decimal(target).rounded(program.decimals);
         if (written == last)
-            refuseProgram(REPORT_TEXT("report", "two targets are the same with %1 decimals: %2"),
-                          {Number{static_cast<double>(program.decimals), Quantity::count}, written});
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT_COUNTED("report", "two targets are the same with %n decimal(s): %1"),
+                         {written},
+                         program.decimals});
         last = std::move(written);
     }
 }

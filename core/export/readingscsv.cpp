@@ -80,7 +80,7 @@ void writeReadings(CsvWriter &csv, const CircularMeasurement &m, const TestEvalu
 void writeReadings(CsvWriter &csv, const DriftMeasurement &m, const TestEvaluation & /*evaluation*/) {
     if (!m.axis.name.empty())
         csv.comment("axis: " + m.axis.name);
-    csv.text("time [s]");
+    csv.text("time (s)");
     csv.text(m.axis.motion == Motion::linear ? "deviation (mm)" : "deviation (°)");
     csv.endRow();
     for (std::size_t i = 0; i < m.times.size(); ++i) {

@@ -12,7 +12,8 @@ namespace palmer {
 /// Readings and results of one test as CSV, UTF-8: comments with # that name the test, the readings with the
 /// statistics of each target (what the figure draws), then the parameters. Numbers in mm or degrees, all
 /// digits, with the decimal mark given; `;` between the cells under a comma, else `,`. Missing ones are
-/// empty. The importer reads the readings back as they are. Names in `language`.
+/// empty. The importer reads the readings back as they are. Headings are the same in every language, as the
+/// keys of JSON are, with their unit in parentheses; names of parameters are in `language`.
 [[nodiscard]] QByteArray readingsCsv(const Test &test, const TestEvaluation &evaluation,
                                      const Language &language, char decimalMark);
 

@@ -376,10 +376,16 @@ Visible visible(const CircleFigure &figure) {
 void addRings(CircleFigure &figure, const Interval &deviations, const Visible &inView,
               const Language &language) {
     const double perMicrometre = figure.magnification / micrometresPerMillimetre; // mm on paper
-    figure.division = roundStep(leastDivision * figure.figureRadius / (perMicrometre * figure.view.zoom), 1,
-                                TickSteps::values);
-    const int decimals = decimalsOfDecade(figure.division);
-    figure.divisionLabel = language.quantity(figure.division, Quantity::micrometres, decimals);
+    // Round in the unit that is shown.
+    const double scale = unitScale(Quantity::micrometres, language.units());
+    const double shownDivision =
+        roundStep(scale * leastDivision * figure.figureRadius / (perMicrometre * figure.view.zoom), 1,
+                  TickSteps::values);
+    figure.division = shownDivision / scale;
+    const int decimals = decimalsOfDecade(shownDivision);
+    figure.divisionLabel = language.quantity(
+        figure.division, Quantity::micrometres,
+        std::max(0, decimals - shownUnit(Quantity::micrometres, language.units()).decimals));
 
     const auto deviation = [&](double radius) { return (radius - figure.plotRadius) / perMicrometre; };
     const double slack = 1e-9;
@@ -405,7 +411,7 @@ void addRings(CircleFigure &figure, const Interval &deviations, const Visible &i
     for (int i = 0; first + i <= last; ++i) {
         const double k = first + i;
         const double value = k == 0 ? 0.0 : k * figure.division;
-        figure.rings.push_back({value, withSign(value, decimals, language)});
+        figure.rings.push_back({value, withSign(value * scale, decimals, language)});
     }
 }
 

@@ -72,7 +72,7 @@ void thin(std::vector<QPointF> &points, double to, std::size_t parts) {
 
 /// Puts the points of an arc into lines of at most a turn: each begins where the one before passed 0°.
 void addTurns(LineFigure &figure, LineRole role, const QString &name, const std::vector<double> &angles,
-              const std::vector<double> &curve, std::size_t mostPoints) {
+              const std::vector<double> &curve, double scale, std::size_t mostPoints) {
     FigureLine line{role, {}, name, {}};
     double turn = 0;
     const auto close = [&] {
@@ -87,7 +87,7 @@ void addTurns(LineFigure &figure, LineRole role, const QString &name, const std:
         if (i > 0 && now != turn)
             close();
         turn = now;
-        line.points.emplace_back(angles[i] - now * fullTurn, curve[i] * micrometres);
+        line.points.emplace_back(angles[i] - now * fullTurn, curve[i] * scale);
     }
     close();
 }
@@ -179,7 +179,9 @@ CircleFigure diagnosisFigure(const DiagnosedTest &test, const Language &language
 
 LineFigure residualFigure(const DiagnosedTest &test, const Language &language, std::size_t mostPoints) {
     constexpr double mostTicks = 4;
-    constexpr double least = 0.02; // µm
+    constexpr double leastHalf = 0.02e-3; // mm
+    const double scale = unitScale(Quantity::deviation, language.units());
+    const double least = leastHalf * scale;
     LineFigure figure;
     figure.title = language.text(REPORT_TEXT("report", "Rest"));
     const auto curves = unexplained(test.circle, test.diagnosis);
@@ -187,13 +189,13 @@ LineFigure residualFigure(const DiagnosedTest &test, const Language &language, s
     for (std::size_t a = 0; a < curves.size(); ++a) {
         const DiagnosedArc &arc = test.circle.arcs[a];
         addTurns(figure, roleOf(arc.sense), nameOf(arc.sense, test.results().paths[a].index, language),
-                 arc.angles, curves[a], mostPoints);
+                 arc.angles, curves[a], scale, mostPoints);
         for (const double value : curves[a])
-            values.include(value * micrometres);
+            values.include(value * scale);
     }
     setAngles(figure.x, test.measurement().plane, language);
     figure.y.quantity = language.text(REPORT_TEXT_FOR("report", "rest", "what no source explains"));
-    figure.y.unit = language.unit(Quantity::micrometres);
+    figure.y.unit = language.unit(Quantity::deviation);
     setValues(figure.y, values, least, mostTicks, language);
     return figure;
 }
@@ -202,6 +204,7 @@ LineFigure spectrumFigure(const DiagnosedTest &test, const Language &language, s
     constexpr double mostTicks = 8;
     constexpr double fewestWaves = 20;
     constexpr double standsOut = 0.1; // of the largest
+    const double scale = unitScale(Quantity::deviation, language.units());
     LineFigure figure;
     figure.title = language.text(REPORT_TEXT("report", "Spectrum of the rest"));
     const auto curves = unexplained(test.circle, test.diagnosis);
@@ -211,7 +214,7 @@ LineFigure spectrumFigure(const DiagnosedTest &test, const Language &language, s
         FigureLine line{
             roleOf(arc.sense), {}, nameOf(arc.sense, test.results().paths[a].index, language), {}};
         for (const SpectralLine &wave : spectrum(test.circle, a, curves[a])) {
-            line.points.emplace_back(wave.perTurn, wave.amplitude * micrometres);
+            line.points.emplace_back(wave.perTurn, wave.amplitude * scale);
             largest = std::max(largest, line.points.back().y());
         }
         if (!line.points.empty())
@@ -234,7 +237,7 @@ LineFigure spectrumFigure(const DiagnosedTest &test, const Language &language, s
         thin(line.points, figure.x.to, mostPoints);
     }
     figure.y.quantity = language.text(REPORT_TEXT("report", "amplitude"));
-    figure.y.unit = language.unit(Quantity::micrometres);
+    figure.y.unit = language.unit(Quantity::deviation);
     setRange(figure.y, 0, scaleEnd(largest), 4, TickSteps::values, language);
     return figure;
 }
@@ -294,6 +297,8 @@ LineFigure overFeedFigure(std::span<const DiagnosedTest> tests, InfluenceId sour
     FigureLine value{LineRole::counterclockwise, {}, {}, {}};
     FigureLine lower{LineRole::measuredDown, {}, {}, {}};
     FigureLine upper{LineRole::measuredDown, {}, {}, {}};
+    const bool inMicrometres = influence(id).unit == std::string_view("µm");
+    const double scale = inMicrometres ? unitScale(Quantity::micrometres, language.units()) : 1;
     Bounds values;
     Bounds feeds;
     for (const std::size_t i : byFeed(tests)) {
@@ -306,8 +311,8 @@ LineFigure overFeedFigure(std::span<const DiagnosedTest> tests, InfluenceId sour
             figure.title = language.sentence(sourceName(*estimate));
         if (!estimate->value || !estimate->u)
             continue;
-        const double shown = shownParameter(id, *estimate->value);
-        const double twice = 2 * shownUncertainty(*estimate);
+        const double shown = shownParameter(id, *estimate->value) * scale;
+        const double twice = 2 * shownUncertainty(*estimate) * scale;
         value.points.emplace_back(feed, shown);
         lower.points.emplace_back(feed, shown - twice);
         upper.points.emplace_back(feed, shown + twice);
@@ -325,7 +330,8 @@ LineFigure overFeedFigure(std::span<const DiagnosedTest> tests, InfluenceId sour
     const double span = feeds.lowest <= feeds.highest ? feeds.highest : 1;
     setRange(figure.x, 0, span * (1 + room), mostTicks, TickSteps::values, language);
     figure.y.quantity = figure.title;
-    figure.y.unit = QString::fromUtf8(influence(id).unit);
+    figure.y.unit =
+        inMicrometres ? language.unit(Quantity::micrometres) : QString::fromUtf8(influence(id).unit);
     setValues(figure.y, values, std::numeric_limits<double>::min(), mostTicks, language);
     return figure;
 }

@@ -350,9 +350,9 @@ struct HistogramFigure {
     bool operator==(const HistogramFigure &) const = default;
 };
 
-/// How a test of a trend is marked: before or after an adjustment (a role that is not stated counts as
-/// found), or of a series that cannot be compared with the first.
-enum class TrendMark { asFound, asLeft, otherSeries };
+/// How a test of a trend is marked: before or after an adjustment, or neither stated, or of a series that
+/// cannot be compared with the first.
+enum class TrendMark { asFound, asLeft, noRole, otherSeries };
 
 /// A value with its U at a day; x in calendar years.
 struct TrendValue {
@@ -402,7 +402,7 @@ struct TrendFigure {
     QString note = {};  ///< below it: "1 000 mm"
     std::vector<TrendPanel> panels;
     std::vector<QString> legend =
-        {}; ///< as found, as left, other series, limit, line, intervention; empty: none
+        {}; ///< as found, as left, other series, limit, line, intervention, no role; empty: none
 
     bool operator==(const TrendFigure &) const = default;
 };

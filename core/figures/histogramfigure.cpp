@@ -30,7 +30,8 @@ Interval counted(const HistogramFigure &figure) {
 } // namespace
 
 std::optional<HistogramFigure> histogramFigure(const Test &test, const TestEvaluation &evaluation,
-                                               const Parameter &parameter, const Language &language) {
+                                               const Parameter &parameter, const Language &language,
+                                               std::optional<double> resolution) {
     if (!parameter.simulated)
         return std::nullopt;
     const SimulatedParameter &simulated = *parameter.simulated;
@@ -47,10 +48,10 @@ std::optional<HistogramFigure> histogramFigure(const Test &test, const TestEvalu
     const std::string symbol = plainSymbol(parameter);
     const long long trials =
         evaluation.uncertainty.simulation ? evaluation.uncertainty.simulation->trials : 0;
-    figure.title = language.sentence({REPORT_TEXT("report", "Distribution of %1 in %2 trials"),
-                                      {symbol, Number{static_cast<double>(trials), Quantity::count}},
-                                      {}});
-    const int decimals = decimalsWithUncertainty(simulated.expanded(), quantity);
+    figure.title = language.sentence({REPORT_TEXT_COUNTED("report", "Distribution of %1 in %n trial(s)"),
+                                      {symbol},
+                                      static_cast<int>(trials)});
+    const int decimals = decimalsWithUncertainty(simulated.expanded(), quantity, resolution);
     const auto number = [&](double value) { return Number{value, quantity, decimals}; };
     figure.evaluatedText =
         language.sentence({REPORT_TEXT("report", "evaluated %1"), {number(simulated.value)}, {}});

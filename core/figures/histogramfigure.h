@@ -14,9 +14,9 @@ namespace palmer {
 /// What a simulation gave for a parameter: how often which value (µm; rotary: arc seconds), the shortest
 /// interval that holds 95.45 % of them, their mean, and the value evaluated from the readings. The axis
 /// reaches over the counted values and the evaluated one. Nothing for a parameter that was not simulated.
-[[nodiscard]] std::optional<HistogramFigure> histogramFigure(const Test &test,
-                                                             const TestEvaluation &evaluation,
-                                                             const Parameter &parameter,
-                                                             const Language &language);
+/// `resolution`: the finest of the instruments (mm, rotary: degrees); numbers are printed as in the tables.
+[[nodiscard]] std::optional<HistogramFigure>
+histogramFigure(const Test &test, const TestEvaluation &evaluation, const Parameter &parameter,
+                const Language &language, std::optional<double> resolution = {});
 
 } // namespace palmer

@@ -195,6 +195,15 @@ Language Language::withUnits(const DisplayUnits &units) const {
     return result;
 }
 
+namespace {
+
+QString dayOfMonth(const QDate &date, Language::Id language) {
+    const bool ordinal = language == Language::Id::french && date.day() == 1;
+    return ordinal ? QStringLiteral("1er") : QString::number(date.day());
+}
+
+} // namespace
+
 QString Language::date(const std::string &iso) const {
     if (iso.empty())
         return dash;
@@ -202,10 +211,8 @@ QString Language::date(const std::string &iso) const {
     const QDate date = QDate::fromString(written, Qt::ISODate);
     if (!date.isValid())
         return written;
-    const bool ordinal = m_id == Id::french && date.day() == 1;
-    const QString day = ordinal ? QStringLiteral("1er") : QString::number(date.day());
-    return day + noBreakSpace + text(months[static_cast<std::size_t>(date.month() - 1)]) + u' ' +
-           QString::number(date.year());
+    return dayOfMonth(date, m_id) + noBreakSpace + text(months[static_cast<std::size_t>(date.month() - 1)]) +
+           u' ' + QString::number(date.year());
 }
 
 QString Language::shortDate(const std::string &iso) const {
@@ -213,7 +220,8 @@ QString Language::shortDate(const std::string &iso) const {
     if (!day.isValid())
         return date(iso);
     const QLocale locale(m_id == Id::french ? QLocale::French : QLocale::English);
-    return locale.toString(day, QStringLiteral("d MMM yyyy")).replace(u' ', noBreakSpace);
+    QString written = dayOfMonth(day, m_id) + locale.toString(day, QStringLiteral(" MMM yyyy"));
+    return written.replace(u' ', noBreakSpace);
 }
 
 } // namespace palmer

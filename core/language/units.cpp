@@ -13,6 +13,7 @@ namespace {
 
 constexpr double millimetresPerInch = 25.4;
 constexpr double microinchesPerInch = 1e6;
+constexpr double micrometresPerMillimetre = 1000;
 constexpr double secondsPerDegree = 3600;
 constexpr double grid = 1e9; ///< per mm or degree: conversions are exact to a millionth of a micrometre
 
@@ -40,9 +41,15 @@ ShownUnit shownUnit(Quantity quantity, const DisplayUnits &units) {
         if (units.angles == AngleDisplay::degrees)
             return {"°", 0, 1, 4};
         return {"″", 0, secondsPerDegree};
-    case Quantity::micrometres:
+    case Quantity::micrometres: // beside deviations: in their unit
+        if (inches)
+            return {"µin", 0, microinchesPerInch / millimetresPerInch / micrometresPerMillimetre, -1, 2};
+        if (units.lengths == LengthDisplay::millimetres)
+            return {"mm", -3, 1, 3};
         return {"µm"};
     case Quantity::arcSeconds:
+        if (units.angles == AngleDisplay::degrees)
+            return {"°", 0, 1 / secondsPerDegree, 4, 8};
         return {"″"};
     case Quantity::temperature:
         return {"°C"};

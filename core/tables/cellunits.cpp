@@ -84,9 +84,10 @@ std::optional<int> decimalsOf(const Unit &unit, const Unit &base) {
         std::string_view base;
         int decimals = 0;
     };
-    constexpr std::array powers{Power{"m", "m", 0},     Power{"mm", "m", 3},     Power{"um", "m", 6},
-                                Power{"nm", "m", 9},    Power{"in", "in", 0},    Power{"uin", "in", 6},
-                                Power{"rad", "rad", 0}, Power{"mrad", "rad", 3}, Power{"urad", "rad", 6}};
+    constexpr std::array powers{Power{"m", "m", 0},      Power{"cm", "m", 2},    Power{"mm", "m", 3},
+                                Power{"um", "m", 6},     Power{"nm", "m", 9},    Power{"in", "in", 0},
+                                Power{"uin", "in", 6},   Power{"rad", "rad", 0}, Power{"mrad", "rad", 3},
+                                Power{"urad", "rad", 6}, Power{"deg", "deg", 0}, Power{"mdeg", "deg", 3}};
     const auto rowOf = [&](const Unit &each) {
         return std::ranges::find(powers, std::string_view(each.word), &Power::word);
     };

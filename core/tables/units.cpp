@@ -2,13 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tables/units.h"
 
+#include "tables/foreignunits.h"
 #include "tables/numbercell.h"
 
 #include <QRegularExpression>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
-#include <optional>
+#include <string>
+#include <unordered_map>
+#include <utility>
 
 namespace palmer {
 
@@ -38,10 +42,33 @@ constexpr std::array spellings{
     Spelling{"min", "min", true},   Spelling{"minutes", "min"},    Spelling{"h", "h", true},
     Spelling{"heures", "h"},        Spelling{"hours", "h"},        Spelling{"ms", "ms"},
     Spelling{"c", "C", true},       Spelling{"°c", "C"},           Spelling{"degc", "C"},
-    Spelling{"deg c", "C", true},
+    Spelling{"mdeg", "mdeg"},       Spelling{"m°", "mdeg", true},  Spelling{"deg c", "C", true},
+    Spelling{"cm", "cm"},           Spelling{"gon", "gon"},
 };
 
+/// Units as they are called in full, in the languages of headings.
+constexpr std::array<std::pair<const char *, std::string_view>, 12> fullNames{{
+    {"mm", "millimetres|millimeters|millimètre|millimètres|millimetri|milímetros"},
+    {"um", "micrometres|micrometers|micromètres|mikrometer|mikron|micrometri|micrómetros|microns|micras"},
+    {"nm", "nanometre|nanometres|nanometer|nanometers|nanomètre|nanomètres"},
+    {"cm", "centimetre|centimetres|centimeter|centimeters|zentimeter|centimètre|centimètres"},
+    {"in", "zoll|pouce|pouces|pollici|pulgadas"},
+    {"deg", "degré|gradi|grados"},
+    {"mdeg", "millidegree|millidegrees|millideg|millidegré|millidegrés"},
+    {"arcmin", "arcminute|arcminutes|arc-min|arcmins|bogenminute|bogenminuten|winkelminute|winkelminuten|"
+               "arc min|arc minute|arc minutes|arc-minute|arc-minutes|minute d'arc|minutes d'arc|"
+               "minuto de arco|minutos de arco|minuti d'arco"},
+    {"arcsec", "arcsecond|arcseconds|bogensekunde|bogensekunden|winkelsekunde|winkelsekunden|"
+               "arc sec|arc second|arc seconds|arc-second|arc-seconds|seconde d'arc|secondes d'arc|"
+               "segundo de arco|segundos de arco|secondi d'arco"},
+    {"rad", "radian|radians"},
+    {"mrad", "milliradian|milliradians|millirad"},
+    {"gon", "gons|gradian|gradians"},
+}};
+
 std::string plain(std::string_view text) {
+    if (std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 0x80; }))
+        return std::string(text);
     std::string result;
     for (std::size_t i = 0; i < text.size();) {
         bool micro = false;
@@ -58,12 +85,42 @@ std::string plain(std::string_view text) {
     return result;
 }
 
+struct KnownUnit {
+    const Unit *unit = nullptr;
+    bool bracketsOnly = false;
+};
+
+/// By the spelling in small letters; each word of a column of texts is looked up.
+const std::unordered_map<std::string_view, KnownUnit> &dictionaryOfUnits() {
+    static const auto words = [] {
+        std::unordered_map<std::string_view, KnownUnit> result;
+        for (const Spelling &row : spellings)
+            result.emplace(row.text, KnownUnit{unitOf(row.word), row.bracketsOnly});
+        for (const auto &[word, list] : fullNames) {
+            for (std::string_view rest = list; !rest.empty();) {
+                const std::string_view name = rest.substr(0, rest.find('|'));
+                result.emplace(name, KnownUnit{unitOf(word)});
+                rest.remove_prefix(std::min(name.size() + 1, rest.size()));
+            }
+        }
+        return result;
+    }();
+    return words;
+}
+
 const Unit *spelled(std::string_view text, bool inBrackets) {
-    for (const Spelling &row : spellings) {
-        if ((inBrackets || !row.bracketsOnly) && sameWord(row.text, text))
-            return unitOf(row.word);
-    }
-    return nullptr;
+    constexpr std::size_t longest = 20;
+    if (text.size() > 2 && text.ends_with('.')) // "mm.", "arcsec."
+        text.remove_suffix(1);
+    if (text.empty() || text.size() > longest)
+        return nullptr;
+    std::string low(text);
+    for (char &c : low)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    const auto found = dictionaryOfUnits().find(low);
+    return found != dictionaryOfUnits().end() && (inBrackets || !found->second.bracketsOnly)
+               ? found->second.unit
+               : nullptr;
 }
 
 constexpr std::string_view openings = "([{";
@@ -78,16 +135,13 @@ std::string_view bracketed(std::string_view text) {
     return close == std::string_view::npos ? std::string_view() : text.substr(open, close - open + 1);
 }
 
-} // namespace
-
-namespace {
-
 /// "1/1000 mm", "0,001 mm", "10^-3 mm", "10⁻³ mm": a part of the unit that stands behind it, where a number
-/// of runs or a feed does not. Nothing: no such part; null: a unit that is not known here.
-std::optional<const Unit *> partOfUnit(const std::string &text) {
+/// of runs or a feed does not. Nothing: no such part.
+SaidUnit partOfUnit(const std::string &text) {
     static const QRegularExpression part(QStringLiteral(
-        R"((?:1\s*/\s*(10+)|0[.,](0*)1|10\s*(?:\^|\*\*)?\s*[-−⁻]\s*([1-9¹²³⁴⁵⁶⁷⁸⁹]))\s*(mm|um|m|in|inch|deg|°)\b)"));
-    const auto found = part.match(QString::fromStdString(text));
+        R"((?<![\d.,])(?:1\s*/\s*(10+)|0[.,](0*)1|10\s*(?:\^|\*\*)?\s*[-−⁻]\s*([1-9¹²³⁴⁵⁶⁷⁸⁹]))\s*[x×*·]?\s*(mm|um|nm|cm|m|in|inch|deg|°|arcsec|″)(?![A-Za-z]))"));
+    const QString line = QString::fromStdString(text);
+    const auto found = part.match(line);
     if (!found.hasMatch())
         return {};
     qsizetype decimals = found.captured(1).size() - 1;
@@ -95,66 +149,149 @@ std::optional<const Unit *> partOfUnit(const std::string &text) {
         decimals = found.captured(2).size() + 1;
     if (!found.captured(3).isEmpty())
         decimals = QStringLiteral("0123456789⁰¹²³⁴⁵⁶⁷⁸⁹").indexOf(found.captured(3)) % 10;
-    if (found.captured(4) != QLatin1StringView("mm"))
-        return nullptr;
-    return decimals == 3 ? unitOf("um") : decimals == 6 ? unitOf("nm") : nullptr;
+    // "x0.1 um" may be a step as well.
+    const qsizetype before = found.capturedStart() - 1;
+    const bool isTimes = before >= 0 && QStringLiteral("x×*·").contains(line[before]);
+    const bool isKnown = found.captured(4) == QLatin1StringView("mm") && !isTimes;
+    if (isKnown && (decimals == 3 || decimals == 6))
+        return {unitOf(decimals == 3 ? "um" : "nm")};
+    return {nullptr,
+            (isTimes ? line.mid(before, found.capturedLength() + 1) : found.captured()).toStdString()};
 }
 
-/// Whether a heading makes another unit of the one it names: "tenths of µm", "µm/m", "µm x 10", "mm/min",
-/// "E-3 mm". What it makes is not known here.
-bool isScaled(const std::string &text) {
+/// The words by which a heading makes another unit of the one it names: "tenths of µm", "µm/m", "µm x 10",
+/// "mm/min", "E-3 mm", "x0.1um". What it makes is not known here. Empty: none.
+std::string scaleIn(const std::string &text) {
     constexpr std::size_t shortest = 4; // "um/m"
     if (text.size() < shortest)
-        return false;
+        return {};
     constexpr auto flags =
         QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption;
     static const QRegularExpression scale(
         QStringLiteral(
             R"(\b(?:tenths?|hundredths?|thousandths?|zehntel|hundertstel|tausendstel|(?:dix|cent|mill)i[eè]mes?|)"
-            R"((?:dec|centes|milles)im[oi]|d[eé]cimas?|(?:cent|mil)[eé]simas?)\b|)"
+            R"((?:dec|centes|milles)im[oi]|d[eé]cimas?|(?:cent|mil)[eé]simas?)\b(?:\s+(?:of|de|di|von)\b)?(?:\s+(?:mm|um|inch)\b)?|)"
             R"(\b1?e\s*[-−]\s*\d+\s*(?:mm|um|m|in|inch|deg|°)\b|)"
-            R"((?:\b(?:mm|um|nm|m|in|inch|deg|rad|arcsec)|°)\s*[)\]]?\s*[(\[]?(?:[x×*·]\s*\d|/\s*(?:\d|(?:m|mm|min|s|h|in|inch|ft)\b)))"),
+            R"([x×*·]\s*\d+(?:[.,]\d+)?\s*(?:(?:mm|um|nm|cm|in|inch|deg|arcsec)\b|[°″])|)"
+            R"((?:\b(?:mm|um|nm|cm|m|in|inch|deg|rad|mrad|urad|arcsec)|[°″])\s*[)\]]?\s*[(\[]?)"
+            R"((?:[x×*·]\s*\d+(?:[.,]\d+)?|/\s*(?:\d|(?:m|mm|min|s|sec|h|in|inch|ft|rev|tr|k|kg|n|turn|tour|umdr)\b|°c)))"),
         flags);
-    return scale.match(QString::fromStdString(text)).hasMatch();
+    return scale.match(QString::fromStdString(text)).captured().toStdString();
+}
+
+/// "0.1 µm", "10 mm", "µm/V" in brackets: a length or angle with a factor, or for each of another.
+bool isMadeOfUnits(const std::string &text) {
+    static const QRegularExpression factor(QStringLiteral(R"(^\s*[x×*·]?\s*(\d+(?:[.,]\d+)?)\s*(\D+)$)"));
+    static const QRegularExpression multiple(QStringLiteral(R"(^\s*(\S+?)\s*[x×*·/]\s*\d+(?:[.,]\d+)?\s*$)"));
+    static const QRegularExpression quotient(QStringLiteral(R"(^\s*([^\s/]+)\s*/\s*([^\s/\d]{1,6})\s*$)"));
+    const auto isSize = [](const QString &word) {
+        const std::string bare = word.trimmed().toStdString();
+        const Unit *unit = spelled(bare, true);
+        return (unit && (unit->kind == UnitKind::length || unit->kind == UnitKind::angle)) ||
+               (!unit && isForeignUnit(bare, true));
+    };
+    // Most words are no candidates.
+    if (text.size() > 30 || text.find_first_of("/0123456789") == std::string::npos)
+        return false;
+    const QString line = QString::fromStdString(text);
+    if (const auto found = factor.match(line); found.hasMatch())
+        return found.captured(1) != QLatin1StringView("1") && isSize(found.captured(2));
+    if (const auto found = multiple.match(line); found.hasMatch())
+        return isSize(found.captured(1));
+    const auto found = quotient.match(line);
+    return found.hasMatch() && isSize(found.captured(1)) && found.captured(2) != QLatin1StringView("out");
+}
+
+/// The words of a scaled unit as they stand there: those of the brackets that say it, else the unit alone,
+/// for it is that of the columns beside it, too.
+std::string scaledWords(std::string_view text, const std::string &scale) {
+    for (std::string_view rest = text;;) {
+        const std::string_view inside = bracketed(rest);
+        if (inside.empty())
+            break;
+        const std::string_view words = withoutBlanks(inside.substr(1, inside.size() - 2));
+        if (partOfUnit(plain(words)).isSaid() || !scaleIn(plain(words)).empty())
+            return std::string(words);
+        rest = rest.substr(static_cast<std::size_t>(inside.data() - rest.data()) + 1);
+    }
+    static const QRegularExpression micrometre(QStringLiteral("(?<![a-z])um(?![a-z])"));
+    static const QRegularExpression brackets(QStringLiteral(R"([()[\]{}])"));
+    return QString::fromStdString(scale)
+        .replace(micrometre, QStringLiteral("µm"))
+        .remove(brackets)
+        .trimmed()
+        .toStdString();
+}
+
+/// What the brackets of a text say, from the left.
+SaidUnit unitInBrackets(std::string_view text) {
+    for (std::string_view rest = text;;) {
+        const std::string_view inside = bracketed(rest);
+        if (inside.empty())
+            return {};
+        const std::string_view words = withoutBlanks(inside.substr(1, inside.size() - 2));
+        const std::string bare = plain(words);
+        if (const Unit *unit = spelled(bare, true))
+            return {unit};
+        if (isForeignUnit(bare, true) || isMadeOfUnits(bare))
+            return {nullptr, std::string(words)};
+        rest = rest.substr(static_cast<std::size_t>(inside.data() - rest.data()) + 1);
+    }
+}
+
+/// The last word that is a unit.
+SaidUnit unitAmongWords(std::string_view text) {
+    SaidUnit last;
+    bool isOfArc = false; // "arc sec"
+    constexpr std::string_view separators = " \t:=;,/_()[]{}|";
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find_first_of(separators, begin), text.size());
+        const std::string_view word = text.substr(begin, end - begin);
+        const std::string bare = plain(word);
+        if (const Unit *unit = spelled(isOfArc ? "arc " + bare : bare, false))
+            last = {unit};
+        else if (isForeignUnit(bare, false))
+            last = {nullptr, std::string(word)};
+        isOfArc = bare == "arc" || bare == "Arc" || bare == "ARC";
+        begin = end + 1;
+    }
+    return last;
 }
 
 } // namespace
 
-const Unit *unitIn(std::string_view text) {
-    const std::string bare = plain(text.substr(0, 500));
+SaidUnit saidUnit(std::string_view text) {
+    text = text.substr(0, 500);
+    const std::string bare = plain(text);
     if (bare.find_first_of("01") != std::string::npos) {
-        if (const auto part = partOfUnit(bare))
-            return *part;
+        if (SaidUnit part = partOfUnit(bare); part.isSaid())
+            return part.unit ? part : SaidUnit{nullptr, scaledWords(text, part.foreign)};
     }
-    for (std::string_view rest = bare;;) {
-        const std::string_view inside = bracketed(rest);
-        if (inside.empty())
-            break;
-        if (const Unit *unit = spelled(withoutBlanks(inside.substr(1, inside.size() - 2)), true))
-            return isScaled(bare) ? nullptr : unit;
-        rest = rest.substr(static_cast<std::size_t>(inside.data() - rest.data()) + 1);
-    }
-    const Unit *last = nullptr;
-    constexpr std::string_view separators = " \t:=;,/_()[]{}|";
-    for (std::size_t begin = 0; begin < bare.size();) {
-        const std::size_t end = std::min(bare.find_first_of(separators, begin), bare.size());
-        if (end > begin) {
-            if (const Unit *unit = spelled(std::string_view(bare).substr(begin, end - begin), false))
-                last = unit;
-        }
-        begin = end + 1;
-    }
-    return last && isScaled(bare) ? nullptr : last;
+    SaidUnit said = unitInBrackets(text);
+    if (!said.isSaid())
+        said = unitAmongWords(text);
+    if (const std::string scale = said.unit ? scaleIn(bare) : std::string(); !scale.empty())
+        return {nullptr, scaledWords(text, scale)};
+    return said;
+}
+
+const Unit *unitIn(std::string_view text) {
+    return saidUnit(text).unit;
 }
 
 std::string withoutUnit(std::string_view text) {
-    const std::string_view inside = bracketed(text);
-    if (inside.empty() || !unitIn(inside))
-        return std::string(withoutBlanks(text));
-    const auto at = static_cast<std::size_t>(inside.data() - text.data());
-    std::string result(text.substr(0, at));
-    result += text.substr(at + inside.size());
-    return std::string(withoutBlanks(result));
+    for (std::string_view rest = text;;) {
+        const std::string_view inside = bracketed(rest);
+        if (inside.empty())
+            return std::string(withoutBlanks(text));
+        if (saidUnit(inside).isSaid()) {
+            const auto at = static_cast<std::size_t>(inside.data() - text.data());
+            std::string result(text.substr(0, at));
+            result += text.substr(at + inside.size());
+            return std::string(withoutBlanks(result));
+        }
+        rest = rest.substr(static_cast<std::size_t>(inside.data() - rest.data()) + 1);
+    }
 }
 
 } // namespace palmer

@@ -95,7 +95,7 @@ Message sourceMeaning(const Diagnosis &diagnosis, const SourceEstimate &source) 
         return {REPORT_TEXT("report", "Taken out before any deviation is stated.")};
     const auto interval = source.interval();
     if (interval && interval->from <= 0 && interval->to >= 0)
-        return {REPORT_TEXT("report", "Not seen: smaller than its uncertainty.")};
+        return {REPORT_TEXT("report", "Not seen: its 95 % interval contains zero.")};
     const bool negative = source.fitted[0] < 0 && !row->negative.empty();
     return {negative ? row->negative : row->positive, axesOf(diagnosis.first, diagnosis.second, source.axis)};
 }

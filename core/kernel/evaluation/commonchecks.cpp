@@ -7,6 +7,7 @@
 #include "kernel/words/blank.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palmer::common {
@@ -130,10 +131,34 @@ bool anyTemperature(const Conditions &conditions, SensorMeasures what) {
     });
 }
 
-bool temperaturesAtStartAndEnd(const Conditions &conditions) {
-    return std::ranges::all_of(conditions.sensors, [](const Sensor &sensor) {
-        return startTemperature(sensor).has_value() == endTemperature(sensor).has_value();
-    });
+Judgement temperaturesAtStartAndEnd(const Conditions &conditions) {
+    static constexpr std::array<Text, 3> names{Text{}, REPORT_TEXT("report", "temperatures at the start"),
+                                               REPORT_TEXT("report", "temperatures at the end")};
+    unsigned missing = 0;
+    for (const Sensor &sensor : conditions.sensors) {
+        const auto start = startTemperature(sensor);
+        const auto end = endTemperature(sensor);
+        if (start || end)
+            missing |= missingOf(start, end);
+    }
+    return Judgement::lacking(State::unmet, missing, names);
+}
+
+Judgement expansionStated(const Conditions &conditions) {
+    static constexpr std::array<Text, 3> names{
+        Text{}, REPORT_TEXT("report", "coefficient of thermal expansion of the machine"),
+        REPORT_TEXT("report", "coefficient of thermal expansion of the instrument")};
+    return Judgement::lacking(
+        State::unmet, missingOf(conditions.expansion.machine, conditions.expansion.instrument), names);
+}
+
+Judgement offsetsStated(const Conditions &conditions) {
+    static constexpr std::array<Text, 3> names{
+        Text{}, REPORT_TEXT("report", "offset of the measuring line to the tool reference"),
+        REPORT_TEXT("report", "offset of the measuring line to the workpiece reference")};
+    return Judgement::lacking(
+        State::unmet, missingOf(allStated(conditions.toolOffset), allStated(conditions.workpieceOffset)),
+        names);
 }
 
 } // namespace palmer::common

@@ -32,8 +32,12 @@ stabilised(const Conditions &conditions); ///< declared, or a time of soaking is
 [[nodiscard]] bool machineSensorsPlaced(const Conditions &conditions);
 /// A start, an end or a series of any sensor of that kind.
 [[nodiscard]] bool anyTemperature(const Conditions &conditions, SensorMeasures what);
-/// Start and end of all sensors of machine and instrument.
-[[nodiscard]] bool temperaturesAtStartAndEnd(const Conditions &conditions);
+/// Start and end of all sensors that have one of them.
+[[nodiscard]] Judgement temperaturesAtStartAndEnd(const Conditions &conditions);
+/// Coefficients of expansion of machine and instrument.
+[[nodiscard]] Judgement expansionStated(const Conditions &conditions);
+/// Offsets of the measuring line to tool and workpiece.
+[[nodiscard]] Judgement offsetsStated(const Conditions &conditions);
 [[nodiscard]] bool allStated(const Point3 &point);
 
 /// A row on the conditions of a test.

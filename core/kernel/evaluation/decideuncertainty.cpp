@@ -52,16 +52,17 @@ void findMissing(TestEvaluation &evaluation, const std::vector<MissingInput> &mi
 }
 
 void findFewTrials(TestEvaluation &evaluation, bool simulationDecides) {
-    const auto count = [](long long number) { return Number{static_cast<double>(number), Quantity::count}; };
     note(evaluation, "monteCarlo",
          {simulationDecides
-              ? REPORT_TEXT("report",
-                            "The Monte Carlo simulation has %1 trials: fewer than %2 (JCGM 101, 7.2) never "
-                            "decide. The budget U is used for the verdict.")
-              : REPORT_TEXT("report",
-                            "The Monte Carlo simulation has %1 trials: fewer than %2 (JCGM 101, 7.2) are "
-                            "shown and never decide."),
-          {count(evaluation.uncertainty.simulation->trials), count(fewestDecidingTrials)}});
+              ? REPORT_TEXT_COUNTED(
+                    "report",
+                    "The Monte Carlo simulation has %n trial(s): fewer than %1 (JCGM 101, 7.2) never "
+                    "decide. The budget U is used for the verdict.")
+              : REPORT_TEXT_COUNTED(
+                    "report", "The Monte Carlo simulation has %n trial(s): fewer than %1 (JCGM 101, 7.2) are "
+                              "shown and never decide."),
+          {Number{static_cast<double>(fewestDecidingTrials), Quantity::count}},
+          static_cast<int>(evaluation.uncertainty.simulation->trials)});
 }
 
 void findDifferences(TestEvaluation &evaluation, const std::function<Message(const Parameter &)> &reason) {

@@ -5,6 +5,7 @@
 #include "kernel/evaluation/commonchecks.h"
 #include "kernel/evaluation/requirement.h"
 #include "kernel/evaluation/stated.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <algorithm>
 #include <array>
@@ -13,20 +14,10 @@
 /// Good practice of a laboratory, asked of tests of all kinds: notes that never count.
 namespace palmer::laboratory {
 
-template <class Case>
-bool offsets(const Case &test) {
-    return common::allStated(test.common().toolOffset) && common::allStated(test.common().workpieceOffset);
-}
-
 /// The machine and the date. `named`: the name of the machine, or its type.
 template <class Case>
 bool named(const Case &test) {
     return stated::ofMachine<&Machine::name>(test) || stated::ofMachine<&Machine::model>(test);
-}
-
-template <class Case>
-bool startAndEnd(const Case &test) {
-    return common::temperaturesAtStartAndEnd(test.common());
 }
 
 // ---- Further checks
@@ -97,6 +88,18 @@ std::optional<Message> datesContradict(const Case &test) {
     return std::nullopt;
 }
 
+/// The budget names a drift test that has nothing for it: readings of an axis of the other motion, or none.
+template <class Case>
+std::optional<Message> driftTestOfNoUse(const Case &test) {
+    const std::string *drift = driftTestOf(test.test);
+    if (!drift || test.surroundings.environmentalVariation)
+        return std::nullopt;
+    return Message{REPORT_TEXT("report",
+                               "The drift test “%1” gives no E_VE for this budget: it has no readings at "
+                               "rest, or is of another kind of axis."),
+                   {*drift}};
+}
+
 // clang-format off
 template <class Case>
 inline constexpr std::array checkTable{
@@ -106,6 +109,7 @@ inline constexpr std::array checkTable{
     RequirementOf<Case>{"pictures", Source::laboratory, "", Grade::note, Subject::report, nullptr, unless<picturesNotReadable<Case>>, {}, {}, {"report.laboratory.logo"}},
     RequirementOf<Case>{"calibrationDue", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, unless<calibrationNotValid<Case>>, {}, {}, {"instruments.calibrationDue"}},
     RequirementOf<Case>{"dates", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, unless<datesContradict<Case>>, {}, {}, {"date"}},
+    RequirementOf<Case>{"driftTest", Source::program, "", Grade::note, Subject::uncertainty, nullptr, unless<driftTestOfNoUse<Case>>, {}, {}, {"uncertainty.driftTest"}},
 };
 
 template <class Case>
@@ -116,7 +120,7 @@ inline constexpr std::array machineTable{
     RequirementOf<Case>{"model", Source::laboratory, "", Grade::note, Subject::machine, nullptr, stating<stated::ofMachine<&Machine::model, Case>>, REPORT_TEXT("report", "type of the machine"), {}, {"machine.model"}},
     RequirementOf<Case>{"machineSerialNumber", Source::laboratory, "", Grade::note, Subject::machine, nullptr, stating<stated::ofMachine<&Machine::serialNumber, Case>>, REPORT_TEXT("report", "serial number of the machine"), {}, {"machine.serialNumber"}},
     RequirementOf<Case>{"load", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, stating<stated::common<&Conditions::load, Case>>, REPORT_TEXT("report", "load of the machine"), {}, {"conditions.load"}},
-    RequirementOf<Case>{"startAndEnd", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, stating<startAndEnd<Case>>, REPORT_TEXT("report", "temperatures at start and end"), {}, {"conditions.sensors"}},
+    RequirementOf<Case>{"startAndEnd", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, common::ofConditions<common::temperaturesAtStartAndEnd, Case>, REPORT_TEXT("report", "temperatures at start and end"), {}, {"conditions.sensors"}},
 };
 
 template <class Case>

@@ -4,11 +4,16 @@
 
 #include "kernel/evaluation/agreedpoints.h"
 
+#include <algorithm>
+
 namespace palmer {
 
+double judgedAxisTravel(const PositioningMeasurement &measurement) {
+    return std::max(measurement.axis.travel.value_or(0), measurementTravel(measurement));
+}
+
 bool isLongAxis(const PositioningMeasurement &measurement) {
-    return measurement.axis.travel.value_or(measurementTravel(measurement)) >
-           longestShort(measurement.axis.motion);
+    return judgedAxisTravel(measurement) > longestShort(measurement.axis.motion);
 }
 
 bool isInsideZone(const PositioningMeasurement &measurement) {
@@ -18,7 +23,7 @@ bool isInsideZone(const PositioningMeasurement &measurement) {
 }
 
 double PositioningCase::travel() const {
-    return measurement.axis.travel.value_or(measurementTravel(measurement));
+    return judgedAxisTravel(measurement);
 }
 
 bool PositioningCase::longAxis() const {

@@ -17,7 +17,11 @@ namespace palmer {
     return motion == Motion::linear ? 2000 : 360;
 }
 
-/// The axis is longer than a short one; where its travel is not stated the measurement travel is judged.
+/// The travel of the axis, mm, rotary: degrees: as stated, and never less than the measurement travel, which
+/// the axis has gone.
+[[nodiscard]] double judgedAxisTravel(const PositioningMeasurement &measurement);
+
+/// The axis is longer than a short one.
 [[nodiscard]] bool isLongAxis(const PositioningMeasurement &measurement);
 
 /// A zone is stated and all targets lie in it, its ends included.
@@ -39,7 +43,7 @@ struct PositioningCase {
     [[nodiscard]] const Conditions &common() const { return measurement.conditions.common; }
     [[nodiscard]] bool linear() const { return measurement.axis.motion == Motion::linear; }
 
-    /// Axis travel; where it is not stated, the measurement travel. mm, rotary: degrees.
+    /// As judgedAxisTravel.
     [[nodiscard]] double travel() const;
     /// The axis is longer than a short one.
     [[nodiscard]] bool longAxis() const;

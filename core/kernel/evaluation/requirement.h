@@ -18,11 +18,19 @@ namespace palmer {
 struct Judgement {
     std::optional<State> state = {}; ///< null: met
     std::optional<Message> sentence = {};
+    Text name = {}; ///< of a row made of several fields those that are missing; empty: all that it asks for
 
     [[nodiscard]] static Judgement met() { return {}; }
     [[nodiscard]] static Judgement unmet() { return {State::unmet}; }
     [[nodiscard]] static Judgement unmet(Message message) { return {State::unmet, std::move(message)}; }
     [[nodiscard]] static Judgement undeclared() { return {State::undeclared}; }
+    /// Of a row made of several fields: `missing` has a bit for each that is, `names` their names by these
+    /// bits (an empty one, or none: the name of the row).
+    [[nodiscard]] static Judgement lacking(State state, unsigned missing, std::span<const Text> names) {
+        if (missing == 0)
+            return met();
+        return {state, {}, missing < names.size() ? names[missing] : Text{}};
+    }
     /// Of a condition that is declared or not.
     [[nodiscard]] static Judgement of(std::optional<bool> condition) {
         return !condition ? undeclared() : *condition ? met() : unmet();
@@ -75,9 +83,9 @@ template <class Case>
     } else if (judgement.state == State::unmet && !row.sentence.empty()) {
         finding.message = {row.sentence};
     } else {
-        finding.name = row.name;
+        finding.name = judgement.name.empty() ? row.name : judgement.name;
         finding.missing = true;
-        finding.message = {missingText(row.source, judgement.state), {row.name}};
+        finding.message = {missingText(row.source, judgement.state), {finding.name}};
     }
     return finding;
 }
@@ -116,6 +124,15 @@ asPractice(std::span<const RequirementOf<Case>> rows, std::initializer_list<std:
 template <auto wrong, class Case>
 Judgement unless(const Case &test) {
     return Judgement::of(std::optional<Message>(wrong(test)));
+}
+
+/// A bit for each statement that is missing, the first the lowest.
+template <class... Statements>
+[[nodiscard]] constexpr unsigned missingOf(const Statements &...stated) {
+    unsigned bits = 0;
+    unsigned bit = 1;
+    ((bits |= stated ? 0 : bit, bit <<= 1), ...);
+    return bits;
 }
 
 /// Turns a question into a judgement: unmet where the answer is no.

@@ -4,23 +4,42 @@
 
 #include <algorithm>
 #include <deque>
+#include <utility>
 
 namespace palmer {
 
+namespace {
+
+double temperatureAt(const TemperatureSeries &series, std::vector<double>::const_iterator time) {
+    return series.temperatures[static_cast<std::size_t>(time - series.times.begin())];
+}
+
+/// The series in the order of its times.
+TemperatureSeries inOrder(const TemperatureSeries &series) {
+    std::vector<std::pair<double, double>> both;
+    for (std::size_t i = 0; i < series.times.size(); ++i)
+        both.emplace_back(series.times[i], series.temperatures[i]);
+    std::ranges::stable_sort(both, {}, &std::pair<double, double>::first);
+    TemperatureSeries result;
+    for (const auto &[time, temperature] : both) {
+        result.times.push_back(time);
+        result.temperatures.push_back(temperature);
+    }
+    return result;
+}
+
+} // namespace
+
 std::optional<double> startTemperature(const Sensor &sensor) {
-    if (sensor.start)
+    if (sensor.start || !sensor.series || sensor.series->temperatures.empty())
         return sensor.start;
-    if (sensor.series && !sensor.series->temperatures.empty())
-        return sensor.series->temperatures.front();
-    return std::nullopt;
+    return temperatureAt(*sensor.series, std::ranges::minmax_element(sensor.series->times).min);
 }
 
 std::optional<double> endTemperature(const Sensor &sensor) {
-    if (sensor.end)
+    if (sensor.end || !sensor.series || sensor.series->temperatures.empty())
         return sensor.end;
-    if (sensor.series && !sensor.series->temperatures.empty())
-        return sensor.series->temperatures.back();
-    return std::nullopt;
+    return temperatureAt(*sensor.series, std::ranges::minmax_element(sensor.series->times).max);
 }
 
 std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what,
@@ -48,6 +67,8 @@ std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasur
 }
 
 std::optional<double> gradientPerHour(const TemperatureSeries &series) {
+    if (!std::ranges::is_sorted(series.times))
+        return gradientPerHour(inOrder(series));
     const std::vector<double> &t = series.times;
     const std::vector<double> &value = series.temperatures;
     constexpr double hour = 3600;

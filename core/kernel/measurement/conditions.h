@@ -116,7 +116,7 @@ struct CircularConditions {
 /// θ: mean of start and end over all sensors that measure it, °C. Null unless each of them has both.
 [[nodiscard]] std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what);
 
-/// Temperature at start or end of a sensor: stated, or from its series.
+/// Temperature at start or end of a sensor: stated, or that at the earliest or latest time of its series.
 [[nodiscard]] std::optional<double> startTemperature(const Sensor &sensor);
 [[nodiscard]] std::optional<double> endTemperature(const Sensor &sensor);
 
@@ -126,7 +126,7 @@ struct CircularConditions {
                                                     std::optional<double> (*temperature)(const Sensor &));
 
 /// The largest change of temperature within an hour, °C/h: highest − lowest of any window of one hour, so
-/// that noise is not magnified by short steps. Times ascend. Null for a series shorter than an hour.
+/// that noise is not magnified by short steps. Null for a series shorter than an hour.
 [[nodiscard]] std::optional<double> gradientPerHour(const TemperatureSeries &series);
 
 } // namespace palmer

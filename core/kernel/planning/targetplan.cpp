@@ -2,21 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/planning/targetplan.h"
 
-#include "kernel/evaluation/iso230_2/targetcount.h"
+#include "kernel/evaluation/iso230_2/targetrules.h"
 #include "kernel/evaluation/positioningcase.h"
 #include "kernel/numerics/fullturn.h"
 
 #include <algorithm>
 #include <cmath>
 #include <random>
-#include <string_view>
+#include <span>
 
 namespace palmer {
 namespace {
 
-constexpr double largestShare = 0.3; ///< of the interval: where the period is unknown
-constexpr double quarterTurn = 90;
-constexpr std::size_t freeTargetsOf1988 = 3;
+constexpr int mostDraws = 100; ///< of random parts; few plans need a second one
 
 /// Uniform numbers that are the same everywhere: the standard library's distributions are not.
 class Uniform {
@@ -31,14 +29,20 @@ private:
     std::mt19937_64 m_generator;
 };
 
+/// What the targets are counted for: the travel of a short axis reaches beyond that measured.
+double countedTravel(const TargetRequest &request) {
+    const double axis = request.axisTravel.value_or(0);
+    return axis <= longestShort(request.motion) ? std::max(request.travel, axis) : request.travel;
+}
+
 /// No more than `mostTargets` and one.
 std::size_t numberOfTargets(const TargetRequest &request) {
+    const double travel = countedTravel(request);
     double wanted = 0;
     if (request.motion == Motion::linear)
-        wanted =
-            std::max(iso230_2::fewestTargets, std::ceil(request.perMetre * request.travel / 1000 - 1e-9));
+        wanted = std::max(iso230_2::fewestTargets, std::ceil(request.perMetre * travel / 1000 - 1e-9));
     else if (request.travel < fullTurn)
-        wanted = iso230_2::targetsWithinATurn(request.travel);
+        wanted = iso230_2::targetsWithinATurn(travel);
     else // 8 a turn and the end
         wanted = std::ceil(iso230_2::targetsOfATurn * request.travel / fullTurn - 1e-9) + 1;
     return static_cast<std::size_t>(std::min(wanted, static_cast<double>(mostTargets + 1)));
@@ -55,19 +59,21 @@ double rounded(double position, double low, double high, int decimals) {
     return steps / scale;
 }
 
-std::vector<double> freeTargets(const TargetRequest &request, TargetPlan &plan, std::size_t count) {
-    Uniform uniform(request.seed);
+/// Whole pitches of 1988, none of a pitch beyond the bound of 2006.
+bool byPitches(const TargetRequest &request, const TargetPlan &plan) {
+    return request.rule == TargetRule::pitches1988 && request.period && plan.randomPart == *request.period;
+}
+
+std::vector<double> drawnTargets(const TargetRequest &request, const TargetPlan &plan, std::size_t count,
+                                 Uniform &uniform) {
     std::vector<double> targets;
+    targets.reserve(count);
     const double last = request.from + request.travel;
-    const bool pitches = request.rule == TargetRule::pitches1988 && request.period.has_value();
-    const double bound =
-        std::min(request.period.value_or(largestShare * plan.interval), largestShare * plan.interval);
-    plan.randomPart = bound;
-    plan.boundOf2006 = request.rule == TargetRule::pitches1988 && !(pitches && bound == *request.period);
+    const bool pitches = byPitches(request, plan);
     for (std::size_t i = 0; i < count; ++i) {
-        const double nominal = request.from + static_cast<double>(i) * plan.interval;
-        double position = nominal + (2 * uniform.next() - 1) * bound;
-        if (pitches && bound == *request.period) {
+        const double nominal = request.from + static_cast<double>(i) * *plan.interval;
+        double position = nominal + (2 * uniform.next() - 1) * plan.randomPart;
+        if (pitches) {
             // N whole pitches, the last of them that ends inside the travel
             const double pitch = *request.period;
             const double most = std::floor(request.travel / pitch + 1e-9) - 1;
@@ -80,24 +86,47 @@ std::vector<double> freeTargets(const TargetRequest &request, TargetPlan &plan, 
     return targets;
 }
 
-/// 1988: 0°, 90°, 180°, 270° as far as they are inside, and three more.
-std::vector<double> quarterTurns(const TargetRequest &request, TargetPlan &plan) {
-    Uniform uniform(request.seed);
+/// The multiples of 90° inside the travel, and one target in each part of it.
+std::vector<double> drawnQuarterTurns(const TargetRequest &request, const TargetPlan &plan,
+                                      Uniform &uniform) {
     const double last = request.from + request.travel;
     std::vector<double> targets;
-    const double beyond = request.travel >= fullTurn ? last - 1e-9 : last + 1e-9; // 360° is 0° again
-    const double first = std::ceil(request.from / quarterTurn - 1e-9);
-    for (int i = 0; (first + i) * quarterTurn <= beyond; ++i)
-        targets.push_back(rounded((first + i) * quarterTurn, request.from, last, request.decimals));
-    for (std::size_t i = 0; i < freeTargetsOf1988; ++i) {
-        // each in its own third, so that they are spread
-        const double third = request.travel / static_cast<double>(freeTargetsOf1988);
-        const double position = request.from + (static_cast<double>(i) + uniform.next()) * third;
-        targets.push_back(rounded(position, request.from, last, request.decimals));
-    }
-    plan.randomPart = request.travel / static_cast<double>(freeTargetsOf1988);
+    const bool oneTurn = std::abs(request.travel - fullTurn) < 1e-9; // its end is its beginning again
+    const double beyond = oneTurn ? last - 1e-9 : last + 1e-9;
+    const double first = std::ceil(request.from / iso230_2::quarterTurn - 1e-9);
+    for (int i = 0; (first + i) * iso230_2::quarterTurn <= beyond; ++i)
+        targets.push_back(rounded((first + i) * iso230_2::quarterTurn, request.from, last, request.decimals));
+    const double parts = std::round(request.travel / plan.randomPart);
+    for (int i = 0; i < parts; ++i)
+        targets.push_back(rounded(request.from + (i + uniform.next()) * plan.randomPart, request.from, last,
+                                  request.decimals));
     std::ranges::sort(targets);
     return targets;
+}
+
+/// What the edition asks of the places of its targets, and that they can be told apart.
+bool isAsAskedFor(const TargetRequest &request, const TargetPlan &plan, std::span<const double> targets) {
+    if (std::ranges::adjacent_find(targets, std::greater_equal<>()) != targets.end())
+        return false;
+    if (!plan.interval)
+        return iso230_2::furtherTargets(targets) >= iso230_2::fewestFurther;
+    if (request.rule == TargetRule::pitches1988)
+        return iso230_2::spacedAsOf1988(targets, request.period) &&
+               !(request.period && iso230_2::samePhase(targets, *request.period));
+    return iso230_2::staysWithin(iso230_2::spreadAbout(targets, *plan.interval),
+                                 iso230_2::boundOf2006(*plan.interval, request.period), *plan.interval) &&
+           !(request.period ? iso230_2::stepsOfWholePeriods(targets, *request.period)
+                            : iso230_2::evenlySpaced(targets));
+}
+
+/// Once each way where the targets span a long axis wherever their random parts lead.
+int approaches(const TargetRequest &request, const TargetPlan &plan) {
+    if (!plan.interval)
+        return 5;
+    // of pitches: up to one before the first target, two behind the last
+    const double lost = (byPitches(request, plan) ? 3 : 2) * plan.randomPart;
+    const double rounding = 2 * std::pow(10.0, -request.decimals);
+    return request.travel - lost - rounding > longestShort(request.motion) ? 1 : 5;
 }
 
 } // namespace
@@ -110,19 +139,30 @@ TargetPlan planTargets(const TargetRequest &request) {
                        (!request.period || (std::isfinite(*request.period) && *request.period > 0));
     if (!sound)
         return plan;
-    const bool linear = request.motion == Motion::linear;
-    plan.runs = request.travel > longestShort(request.motion) ? 1 : 5;
     const std::size_t count = numberOfTargets(request);
     if (count > mostTargets)
         return plan;
-    plan.interval = request.travel / static_cast<double>(count - 1);
-    const bool byQuarters = !linear && request.rule == TargetRule::pitches1988 && request.travel <= fullTurn;
-    std::vector<double> targets =
-        byQuarters ? quarterTurns(request, plan) : freeTargets(request, plan, count);
-    if (byQuarters)
-        targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
-    if (std::ranges::adjacent_find(targets, std::greater_equal<>()) == targets.end())
-        plan.targets = std::move(targets);
+    const bool rule1988 = request.rule == TargetRule::pitches1988;
+    if (rule1988 && request.motion == Motion::rotary) {
+        const double parts = std::max(iso230_2::fewestFurther,
+                                      std::ceil(iso230_2::fewestFurther * request.travel / fullTurn - 1e-9));
+        plan.randomPart = request.travel / parts;
+    } else {
+        plan.interval = request.travel / static_cast<double>(count - 1);
+        const double most = iso230_2::randomShare * *plan.interval;
+        plan.randomPart = std::min(request.period.value_or(most), most);
+        plan.boundOf2006 = rule1988 && !byPitches(request, plan);
+    }
+    plan.runs = approaches(request, plan);
+    Uniform uniform(request.seed);
+    for (int draw = 0; draw < mostDraws; ++draw) {
+        std::vector<double> targets = plan.interval ? drawnTargets(request, plan, count, uniform)
+                                                    : drawnQuarterTurns(request, plan, uniform);
+        if (isAsAskedFor(request, plan, targets)) {
+            plan.targets = std::move(targets);
+            break;
+        }
+    }
     return plan;
 }
 

@@ -20,15 +20,20 @@ struct TargetRequest {
     double travel = 0;            ///< length of the measurement travel, > 0
     double perMetre = 5;          ///< targets per metre, of linear axes; > 0
     std::optional<double> period; ///< of the cyclic errors (pitch), > 0; null: unknown
-    int decimals = 3;             ///< of the positions: the resolution of the axis, 0 … 9
+    /// Of the axis, where it is stated: that of a short axis is what the number of targets is asked for.
+    std::optional<double> axisTravel = {};
+    int decimals = 3; ///< of the positions: the resolution of the axis, 0 … 9
     std::uint64_t seed = 1;
 };
 
 struct TargetPlan {
     std::vector<double> targets; ///< strictly ascending; empty for a request that has no answer
-    double interval = 0;         ///< nominal interval p
-    double randomPart = 0;       ///< largest |r| (1988: length of the range of r), mm or degrees
-    int runs = 5;                ///< approaches each way
+    /// Nominal interval p; null: quarter turns and free targets have none.
+    std::optional<double> interval;
+    /// Largest |r| (1988: length of the range of r), mm or degrees; beside quarter turns the length of the
+    /// parts of the travel of which each has a free target.
+    double randomPart = 0;
+    int runs = 5; ///< approaches each way
     /// Planned for 1988 without a pitch that fits: the bound of ± 30 % is that of ISO 230-2:2006.
     bool boundOf2006 = false;
 };
@@ -39,16 +44,17 @@ inline constexpr std::size_t mostTargets = 10'000;
 /// The targets of a test, after the rules of ISO 230-2 (positioning of linear axes: 4.2, 4.3.2).
 ///
 /// Number: linear max(5, ⌈perMetre · travel in metres⌉); rotary 3 up to 90°, 5 up to 180°, 8 above, from a
-/// full turn on 8 a turn and the end (1988: the multiples of 90° and three chosen freely). Random part: new
-/// for every target, uniform within ± the period, and never beyond ± 30 % of the interval, which holds where
-/// the period is unknown and keeps the targets apart where it is long (a rule of 2006, which 1988 has none in
-/// place of: the plan says so); 1988 within [0, p) after the N-th
-/// pitch. All targets lie inside the measurement travel (r clipped at its ends) and are rounded to the
-/// resolution towards its inside. The same seed gives the same plan on every machine.
-/// Approaches: 5 each way; 1 over more than 2 000 mm or 360°, where the standard asks for a full test of an
-/// agreed zone besides.
-/// Bad input (travel or number not positive, not finite, more than 10 000 targets, a resolution too coarse to
-/// tell the targets apart) gives a plan without targets.
+/// full turn on 8 a turn and the end. Random part: new for every target, uniform within ± the period, and
+/// never beyond ± 30 % of the interval, which holds where the period is unknown and keeps the targets apart
+/// where it is long (a rule of 2006, which 1988 has none in place of: the plan says so); 1988 within [0, p)
+/// after the N-th pitch. 1988, rotary of any travel: all multiples of 90° of the travel, and one chosen
+/// freely in each third of it, of longer ones in each third of a turn. All targets lie inside the measurement
+/// travel (r clipped at its ends) and are rounded to the resolution towards its inside. The same seed gives
+/// the same plan on every machine. Approaches: 5 each way; 1 over more than 2 000 mm or 360° (1988: mm),
+/// where the standard asks for a full test of an agreed zone besides. That the random parts may leave less
+/// than that is allowed for. A plan meets what its edition asks of targets and approaches: random parts are
+/// drawn anew until it does. Bad input (travel or number not positive, not finite, more than 10 000 targets,
+/// a resolution too coarse to tell the targets apart) gives a plan without targets.
 [[nodiscard]] TargetPlan planTargets(const TargetRequest &request);
 
 /// One stop of the measuring cycle: which target is approached from which side in which run, from 0.

@@ -428,10 +428,10 @@ private slots:
             "number of values found: %1; expected: %2");
         row("excluded run that does not exist",
             positioningFile(twoTargets + R"(, "excluded": [{"run": 3, "target": 2, "value": 0}])"), content,
-            "tests[0].excluded[0].run", "expected one of the %1 runs, counted from 1");
+            "tests[0].excluded[0].run", "expected the number of a run, from 1 to %1");
         row("excluded target that does not exist",
             positioningFile(twoTargets + R"(, "excluded": [{"run": 1, "target": 3, "value": 0}])"), content,
-            "tests[0].excluded[0].target", "expected one of the %1 targets, counted from 1");
+            "tests[0].excluded[0].target", "expected the number of a target, from 1 to %1");
         row("excluded run 0",
             positioningFile(twoTargets + R"(, "excluded": [{"run": 0, "target": 3, "value": 0}])"), content,
             "tests[0].excluded[0].run", "expected a number greater than 0");

@@ -121,6 +121,29 @@ private slots:
                 !mentions(read, "nominalRadius"));
     }
 
+    /// Without a word the columns are guessed: not as points of a huge circle, and never in silence.
+    void whatIsGuessedIsAsked() {
+        const std::string text = table(Columns::angleDeviation, 5, ',', "\t").toStdString() + "365\tn/a\n";
+        ArcTableChoices choices;
+        const auto ids = [&] {
+            QStringList found;
+            for (const Question &question : readArcTable(text, circle(), choices).questions)
+                found << QString::fromStdString(question.id);
+            found.sort();
+            return found.join(' ');
+        };
+        const ArcTable read = readArcTable(text, circle(), choices);
+        QCOMPARE(read.content.value, ArcContent::angleDeviation);
+        QCOMPARE(read.arcs.at(0).radialDeviations.at(1), deviationAt(5) / 1000);
+        QCOMPARE(ids(), QString("layout positionUnit unit unread"));
+        choices.content = ArcContent::angleDeviation;
+        choices.unit = "mm";
+        choices.answers = {{"positionUnit", "deg"}, {"unread", "leave"}};
+        QCOMPARE(ids(), QString("large"));
+        choices.answers["large"] = "keep";
+        QCOMPARE(ids(), QString());
+    }
+
     void whatWasWrittenIsTakenToTheLastBit() {
         QString text = "angle °\tdeviation µm\n";
         for (int i = 0; i < 3000; ++i)

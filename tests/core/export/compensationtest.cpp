@@ -347,9 +347,11 @@ private slots:
     void weihongReadsWhatIsWritten();
     void namesAreThoseOfTheControl();
     void saysWhereNothingWasMeasured();
+    void inventsNoDirection();
     void comparesTables();
     void readingsReadBack_data();
     void readingsReadBack();
+    void headingsAreTheSameInEveryLanguage();
     void jsonHasTheReadings();
 };
 
@@ -490,7 +492,7 @@ void CompensationTest::linuxcncLoadsWhatIsWritten() {
     for (int i = 0; i < 150; ++i) {
         const Test test = randomAxis(generator, false, i % 4 == 0 ? Motion::rotary : Motion::linear);
         const TestEvaluation before = evaluated(test);
-        const bool perDirection = i % 2 == 0;
+        const bool perDirection = i % 2 == 0 && measuredBothWays(before);
         const CompensationOptions form = options(perDirection);
         const QByteArray file =
             writeCompensation(compensationTable(test, before, CompensationFormat::linuxcnc, form),
@@ -645,9 +647,11 @@ void CompensationTest::weihongReadsWhatIsWritten() {
         Test test = randomAxis(generator, false);
         auto &m = std::get<PositioningMeasurement>(test.measurement);
         m.axis.name = std::string(1, "XYZxyz"[i % 6]);
-        const QByteArray file = writeCompensation(
-            compensationTable(test, evaluated(test), CompensationFormat::weihong, options(true)),
-            CompensationFormat::weihong, options(true));
+        const TestEvaluation before = evaluated(test);
+        const CompensationOptions form = options(measuredBothWays(before));
+        const QByteArray file =
+            writeCompensation(compensationTable(test, before, CompensationFormat::weihong, form),
+                              CompensationFormat::weihong, form);
         WeihongAxis axis;
         QVERIFY2(axis.load(file, QByteArray(1, "XYZ"[i % 3])), file.constData());
         const TestEvaluation after =
@@ -711,6 +715,36 @@ void CompensationTest::saysWhereNothingWasMeasured() {
     QVERIFY(said({}, {}, 0, CompensationFormat::weihong).contains("nominal \u2212 actual"));
 }
 
+/// Of a test of one direction: no columns of both, and where the control needs them it is said.
+void CompensationTest::inventsNoDirection() {
+    for (const Direction direction : {Direction::positive, Direction::negative}) {
+        Test test = smallTest();
+        std::erase_if(std::get<PositioningMeasurement>(test.measurement).runs,
+                      [&](const Run &run) { return run.approach != direction; });
+        const TestEvaluation evaluation = evaluated(test);
+        QVERIFY(!measuredBothWays(evaluation));
+        for (const auto format : {CompensationFormat::siemens, CompensationFormat::linuxcnc,
+                                  CompensationFormat::weihong, CompensationFormat::csv}) {
+            CompensationOptions form = referenced(0);
+            const CompensationTable table = compensationTable(test, evaluation, format, form);
+            QVERIFY(table.only == direction && table.forward == table.reverse);
+            const auto remarks = compensationRemarks(table, format, form);
+            const auto said = std::ranges::count_if(remarks, [&](const Message &remark) {
+                return Language(Language::Id::english)
+                    .sentence(remark)
+                    .startsWith(direction == Direction::positive
+                                    ? "Only the positive direction was measured"
+                                    : "Only the negative direction was measured");
+            });
+            QCOMPARE(said, 1);
+            form.perDirection = true;
+            QVERIFY_EXCEPTION_THROWN((void)compensationTable(test, evaluation, format, form), Error);
+        }
+    }
+    QVERIFY(measuredBothWays(evaluated(smallTest())));
+    QVERIFY(!compensationTable(smallTest(), evaluated(smallTest()), CompensationFormat::csv, {}).only);
+}
+
 void CompensationTest::comparesTables() {
     CompensationTable first;
     first.positions = {0, 100};
@@ -753,6 +787,30 @@ void CompensationTest::readingsReadBack() {
     QVERIFY(read.axis.motion == expected.axis.motion);
     for (const Remark &remark : imported.remarks)
         QVERIFY2(remark.grade != RemarkGrade::problem, remark.message.text.source);
+}
+
+/// For scripts: headings are keys, in one form of units; names follow the language.
+void CompensationTest::headingsAreTheSameInEveryLanguage() {
+    Test drift;
+    DriftMeasurement measurement;
+    measurement.times = {0, 1};
+    measurement.deviations = {0, 0.001};
+    drift.measurement = measurement;
+    for (const Test &test : {example("iso230-2-1988-example"), drift}) {
+        const auto written = [&](Language::Id id) {
+            return readingsCsv(test, evaluated(test), Language(id), '.').split('\n');
+        };
+        const QByteArrayList english = written(Language::Id::english);
+        const QByteArrayList french = written(Language::Id::french);
+        QCOMPARE(english.size(), french.size());
+        for (qsizetype i = 0; i < english.size(); ++i) {
+            const bool isHeading = english[i].startsWith("i,") || english[i].startsWith("time") ||
+                                   english[i].startsWith("parameter,");
+            QVERIFY(!isHeading || (english[i] == french[i] && !english[i].contains('[')));
+        }
+    }
+    QVERIFY(readingsCsv(drift, evaluated(drift), Language(Language::Id::english), '.')
+                .contains("time (s),deviation (mm)"));
 }
 
 void CompensationTest::jsonHasTheReadings() {

@@ -102,6 +102,16 @@ private slots:
         }
         QCOMPARE(points, std::size_t(720));
         QVERIFY(std::abs(std::sqrt(square / double(points)) - 0.05) < 0.008); // µm
+        // In the unit of deviations, whichever it is.
+        const Language inMm = english().withUnits({LengthDisplay::millimetres, AngleDisplay::arcSeconds});
+        for (const auto &[own, other] :
+             {std::pair(figure, residualFigure(test, inMm, 0)),
+              std::pair(spectrumFigure(test, english(), 0), spectrumFigure(test, inMm, 0))}) {
+            QCOMPARE(own.y.unit, QString::fromUtf8("µm"));
+            QCOMPARE(other.y.unit, QString::fromUtf8("mm"));
+            QVERIFY(std::abs(other.y.to - own.y.to / 1000) < 1e-9);
+            QVERIFY(std::abs(other.lines[0].points[7].y() - own.lines[0].points[7].y() / 1000) < 1e-12);
+        }
         QCOMPARE(figure.x.ticks.size(), std::size_t(5));
         QCOMPARE(figure.x.ticks[1].label, QString("90° (+Y)"));
         QCOMPARE(figure.y.unit, QString("µm"));

@@ -288,7 +288,9 @@ void LanguageTest::writesDates() {
 void LanguageTest::writesShortDates() {
     QCOMPARE(english.shortDate("2026-11-20"), "20\u00A0Nov\u00A02026");
     QCOMPARE(french.shortDate("2026-11-20"), "20\u00A0nov.\u00A02026");
-    QCOMPARE(french.shortDate("2026-05-01"), "1\u00A0mai\u00A02026");
+    QCOMPARE(french.shortDate("2026-10-01"), "1er\u00A0oct.\u00A02026");
+    QCOMPARE(english.shortDate("2026-10-01"), "1\u00A0Oct\u00A02026");
+    QCOMPARE(french.shortDate("2026-05-01"), "1er\u00A0mai\u00A02026");
     QCOMPARE(french.shortDate("in autumn"), "in autumn");
     QCOMPARE(french.shortDate(""), french.date(""));
 }

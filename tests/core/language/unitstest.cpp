@@ -39,6 +39,9 @@ private slots:
         QTest::newRow("an inch")                     << inches << Quantity::position          << 25.4     << -1 << "1\u00a0in";
         QTest::newRow("angular deviation in ″")      << DisplayUnits{} << Quantity::angularDeviation << 0.0015 << 1 << "5.4″";
         QTest::newRow("the same in degrees")         << degrees << Quantity::angularDeviation << 0.0015   << 1  << "0.00150°";
+        QTest::newRow("entered in µm, in mm")        << millimetres << Quantity::micrometres  << 1.2      << 1  << "0.0012\u00a0mm";
+        QTest::newRow("entered in µm, in µin")       << inches << Quantity::micrometres       << 2.54     << -1 << "100\u00a0µin";
+        QTest::newRow("entered in ″, in degrees")    << degrees << Quantity::arcSeconds       << 5.4      << 1  << "0.00150°";
         QTest::newRow("temperatures stay")           << inches << Quantity::temperature       << 20.5     << 1  << "20.5\u00a0°C";
         // clang-format on
     }
@@ -56,8 +59,9 @@ private slots:
 
     void scaleIsThatOfTheNumberShown() {
         for (const DisplayUnits &units : {DisplayUnits{}, millimetres, inches, degrees}) {
-            for (const Quantity quantity : {Quantity::deviation, Quantity::position, Quantity::angle,
-                                            Quantity::angularDeviation, Quantity::feed}) {
+            for (const Quantity quantity :
+                 {Quantity::deviation, Quantity::position, Quantity::angle, Quantity::angularDeviation,
+                  Quantity::feed, Quantity::micrometres, Quantity::arcSeconds}) {
                 const double typed = fromShown("1", quantity, units);
                 // A millionth of a micrometre is what a conversion keeps.
                 QVERIFY(std::abs(typed * unitScale(quantity, units) - 1) <

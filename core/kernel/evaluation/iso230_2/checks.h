@@ -66,9 +66,10 @@ Sentence correctionImpossible(const PositioningCase &test);    ///< "applied her
 Sentence correctionOfRotary(const PositioningCase &test);      ///< "applied here" to a rotary axis
 Sentence expansionUncertainty(const PositioningCase &test);    ///< 0.6·R(α) ≥ 2 µm/(m·°C)
 Judgement temperaturesOf2006(const PositioningCase &test);     ///< of machine and instrument
-Judgement sensorsOf1988(const PositioningCase &test);          ///< positions and type of compensation
-Judgement correctionStatements(const PositioningCase &test);   ///< what goes with a correction
-Judgement uncertaintyStated(const PositioningCase &test);      ///< U beside every result
-Judgement namedInstrument(const PositioningCase &test);        ///< one that is described
+Judgement temperaturesOfMachineAndInstrument(const PositioningCase &test); ///< each by a sensor of its own
+Judgement sensorsOf1988(const PositioningCase &test);        ///< positions and type of compensation
+Judgement correctionStatements(const PositioningCase &test); ///< what goes with a correction
+Judgement uncertaintyStated(const PositioningCase &test);    ///< U beside every result
+Judgement namedInstrument(const PositioningCase &test);      ///< one that is described
 
 } // namespace palmer::iso230_2

@@ -9,6 +9,7 @@
 #include "kernel/words/blank.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palmer::iso230_2 {
@@ -20,6 +21,12 @@ constexpr double hoursBefore = 12;
 
 Number perHour(double value) {
     return {value, Quantity::gradient, -1};
+}
+
+Judgement temperatures(bool ofMachine, bool ofInstrument) {
+    static constexpr std::array<Text, 3> names{Text{}, REPORT_TEXT("report", "temperature of the machine"),
+                                               REPORT_TEXT("report", "temperature of the instrument")};
+    return Judgement::lacking(State::unmet, missingOf(ofMachine, ofInstrument), names);
 }
 
 bool isAgreedState(const AgreedPoint &point) {
@@ -48,14 +55,20 @@ Judgement gradient(const PositioningCase &test) {
     const PositioningConditions &conditions = test.conditions();
     if (agreed && !isAgreedState(*agreed))
         return Judgement::unmet({REPORT_TEXT("report", "No limit of the gradient was agreed.")});
+    static constexpr std::array<Text, 3> names{
+        Text{}, REPORT_TEXT("report", "temperature gradient over 12 h"),
+        REPORT_TEXT("report", "agreed limit of the temperature gradient")};
+    // A gradient of fewer hours says nothing of the twelve that are asked for.
+    const auto &hours = conditions.gradientHoursBefore;
+    const bool stated = conditions.gradientPerHour && hours && *hours >= hoursBefore - roundingOfWriting;
+    Judgement missing =
+        Judgement::lacking(State::undeclared, missingOf(stated, agreed && agreed->value), names);
     if (!agreed || !agreed->value || !conditions.gradientPerHour)
-        return Judgement::undeclared();
+        return missing;
     if (std::abs(*conditions.gradientPerHour) > *agreed->value + roundingOfWriting)
         return Judgement::unmet({REPORT_TEXT("report", "Gradient %1, agreed limit %2."),
                                  {perHour(*conditions.gradientPerHour), perHour(*agreed->value)}});
-    // A gradient of fewer hours says nothing of the twelve that are asked for.
-    const auto &hours = conditions.gradientHoursBefore;
-    return hours && *hours >= hoursBefore - roundingOfWriting ? Judgement::met() : Judgement::undeclared();
+    return missing;
 }
 
 Judgement dwell(const PositioningCase &test) {
@@ -133,22 +146,37 @@ Judgement temperaturesOf2006(const PositioningCase &test) {
     const bool ofInstrument =
         common::anyTemperature(conditions, instrument) ||
         (conditions.expansion.instrument == 0.0 && common::anyTemperature(conditions, air));
-    return common::anyTemperature(conditions, machine) && ofInstrument ? Judgement::met()
-                                                                       : Judgement::unmet();
+    return temperatures(common::anyTemperature(conditions, machine), ofInstrument);
+}
+
+Judgement temperaturesOfMachineAndInstrument(const PositioningCase &test) {
+    return temperatures(common::anyTemperature(test.common(), SensorMeasures::machine),
+                        common::anyTemperature(test.common(), SensorMeasures::instrument));
 }
 
 Judgement sensorsOf1988(const PositioningCase &test) {
-    return common::machineSensorsPlaced(test.common()) &&
-                   test.common().correctionTo20 != CorrectionTo20::notStated
-               ? Judgement::met()
-               : Judgement::unmet();
+    static constexpr std::array<Text, 3> names{Text{},
+                                               REPORT_TEXT("report", "position of the temperature sensors"),
+                                               REPORT_TEXT("report", "type of compensation")};
+    return Judgement::lacking(State::unmet,
+                              missingOf(common::machineSensorsPlaced(test.common()),
+                                        test.common().correctionTo20 != CorrectionTo20::notStated),
+                              names);
 }
 
 Judgement correctionStatements(const PositioningCase &test) {
+    static constexpr std::array<Text, 7> names{
+        Text{},
+        REPORT_TEXT("report", "position of the temperature sensors"),
+        REPORT_TEXT("report", "coefficient of thermal expansion of the machine"),
+        REPORT_TEXT("report", "position of the temperature sensors, expansion coefficient of the machine"),
+        REPORT_TEXT("report", "coefficient of thermal expansion of the instrument"),
+        REPORT_TEXT("report", "position of the temperature sensors, expansion coefficient of the instrument"),
+        REPORT_TEXT("report", "coefficients of thermal expansion of machine and instrument")};
     const Expansion &alpha = test.common().expansion;
-    return common::machineSensorsPlaced(test.common()) && alpha.machine && alpha.instrument
-               ? Judgement::met()
-               : Judgement::unmet();
+    return Judgement::lacking(
+        State::unmet, missingOf(common::machineSensorsPlaced(test.common()), alpha.machine, alpha.instrument),
+        names);
 }
 
 Judgement uncertaintyStated(const PositioningCase &test) {

@@ -109,10 +109,6 @@ bool axisName(const PositioningCase &test) {
 bool positionFeedback(const PositioningCase &test) {
     return !isBlank(test.measurement.axis.positionFeedback);
 }
-bool expansionStated(const PositioningCase &test) {
-    const Expansion &alpha = test.common().expansion;
-    return alpha.machine && alpha.instrument;
-}
 bool feedStated(const PositioningCase &test) {
     return test.conditions().feed || test.conditions().feedMode == FeedMode::rapid;
 }
@@ -122,10 +118,6 @@ bool correctionStated(const PositioningCase &test) {
 template <auto member>
 bool number(const PositioningCase &test) {
     return (test.conditions().*member).has_value();
-}
-bool machineAndInstrumentTemperature(const PositioningCase &test) {
-    return common::anyTemperature(test.common(), SensorMeasures::machine) &&
-           common::anyTemperature(test.common(), SensorMeasures::instrument);
 }
 bool airTemperature(const PositioningCase &test) {
     return common::anyTemperature(test.common(), SensorMeasures::air);
@@ -284,15 +276,15 @@ constexpr Demand laboratoryRow(const char *id, Subject subject, bool (*applies)(
 constexpr std::array laboratoryRows{
     laboratoryRow("name", conditions, nullptr, stating<axisName>, REPORT_TEXT("report", "name of the axis"), "axis.name"),
     laboratoryRow("positionFeedback", conditions, nullptr, stating<positionFeedback>, REPORT_TEXT("report", "measuring system of the axis"), "axis.positionFeedback"),
-    laboratoryRow("offsets", conditions, nullptr, stating<laboratory::offsets<PositioningCase>>, REPORT_TEXT("report", "offset of the measuring line to the tool and workpiece reference"), "conditions.toolOffset"),
+    laboratoryRow("offsets", conditions, nullptr, ofConditions<common::offsetsStated>, REPORT_TEXT("report", "offset of the measuring line to the tool and workpiece reference"), "conditions.toolOffset"),
     laboratoryRow("sensors", conditions, nullptr, stating<airTemperature>, REPORT_TEXT("report", "temperature of the air"), "conditions.sensors"),
     laboratoryRow("airPressure", conditions, nullptr, stating<number<&PositioningConditions::airPressure>>, REPORT_TEXT("report", "air pressure"), "conditions.airPressure"),
     laboratoryRow("airHumidity", conditions, nullptr, stating<number<&PositioningConditions::airHumidity>>, REPORT_TEXT("report", "air humidity"), "conditions.airHumidity"),
 };
 /// Where the text of the edition does not ask for the temperatures.
 constexpr std::array temperatureRows{
-    laboratoryRow("sensors", conditions, linear, stating<machineAndInstrumentTemperature>, REPORT_TEXT("report", "temperatures of machine and instrument"), "conditions.sensors"),
-    laboratoryRow("expansion", conditions, linear, stating<expansionStated>, REPORT_TEXT("report", "coefficients of thermal expansion of machine and instrument"), "conditions.expansion"),
+    laboratoryRow("sensors", conditions, linear, temperaturesOfMachineAndInstrument, REPORT_TEXT("report", "temperatures of machine and instrument"), "conditions.sensors"),
+    laboratoryRow("expansion", conditions, linear, ofConditions<common::expansionStated>, REPORT_TEXT("report", "coefficients of thermal expansion of machine and instrument"), "conditions.expansion"),
     laboratoryRow("compensation", conditions, nullptr, stating<stated::common<&Conditions::compensation, PositioningCase>>, REPORT_TEXT("report", "compensation active during the test"), "conditions.compensation"),
     laboratoryRow("uncertainty", uncertainty, nullptr, uncertaintyStated, REPORT_TEXT("report", "measurement uncertainty"), "uncertainty"),
 };

@@ -3,7 +3,7 @@
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/evaluation/iso230_2/checks.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
-#include "kernel/evaluation/iso230_2/targetcount.h"
+#include "kernel/evaluation/iso230_2/targetrules.h"
 
 #include <algorithm>
 #include <array>
@@ -13,10 +13,13 @@ namespace palmer::iso230_2 {
 
 namespace {
 
-constexpr double quarterTolerance = 1e-3; ///< degrees
-
 std::size_t targetCount(const PositioningCase &test) {
     return test.measurement.targets.size();
+}
+
+/// The same for a sentence that counts them.
+int numberOfTargets(const PositioningCase &test) {
+    return static_cast<int>(targetCount(test));
 }
 
 double zoneOfStandard(const PositioningCase &test) {
@@ -77,21 +80,19 @@ Sentence meanIntervalWhere(const PositioningCase &test, bool tooLong) {
     if (!tooLong)
         return std::nullopt;
     return Message{
-        REPORT_TEXT("report", "%1 targets over %2: a long axis has a target in each element of its measuring "
-                              "system or every 250 mm."),
-        {count(targetCount(test)), along(test, measurementTravel(test.measurement))}};
+        REPORT_TEXT_COUNTED("report", "%n target(s) over %1: a long axis has a target in each element of its "
+                                      "measuring system or every 250 mm."),
+        {along(test, measurementTravel(test.measurement))},
+        numberOfTargets(test)};
 }
 
-/// P_i − (i − 1)·p over all targets: highest − lowest.
-double spread(std::span<const double> targets, double interval) {
-    double low = targets.front();
-    double high = low;
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-        const double rest = targets[i] - static_cast<double>(i) * interval;
-        low = std::min(low, rest);
-        high = std::max(high, rest);
-    }
-    return high - low;
+/// The choice of targets or the cyclic pitch is not stated.
+Judgement choiceMissing(const TargetChoice &choice) {
+    static constexpr std::array<Text, 3> names{Text{}, REPORT_TEXT("report", "choice of targets"),
+                                               REPORT_TEXT("report", "cyclic pitch")};
+    return Judgement::lacking(
+        State::undeclared,
+        missingOf(choice.kind != TargetChoiceKind::notStated, choice.period && *choice.period > 0), names);
 }
 
 /// The interval whose multiples the targets follow most closely: the spread is convex in it.
@@ -101,14 +102,10 @@ double bestInterval(std::span<const double> targets) {
     for (int step = 0; step < 200; ++step) {
         const double a = low + (high - low) / 3;
         const double b = high - (high - low) / 3;
-        (spread(targets, a) <= spread(targets, b) ? high : low) =
-            spread(targets, a) <= spread(targets, b) ? b : a;
+        const bool below = spreadAbout(targets, a) <= spreadAbout(targets, b);
+        (below ? high : low) = below ? b : a;
     }
     return (low + high) / 2;
-}
-
-bool evenlySpaced(const std::vector<double> &steps, double mean) {
-    return std::ranges::all_of(steps, [mean](double step) { return std::abs(step - mean) <= 0.01 * mean; });
 }
 
 } // namespace
@@ -117,9 +114,10 @@ Sentence targetsPerMetre(const PositioningCase &test) {
     const double needed = targetsOfAMetre * test.judgedTravel() / 1000;
     if (static_cast<double>(targetCount(test)) >= needed - 1e-9)
         return std::nullopt;
-    return Message{REPORT_TEXT("report", "%1 targets over %2: at least 5 per metre are required, %3 here."),
-                   {count(targetCount(test)), along(test, test.judgedTravel()),
-                    count(static_cast<std::size_t>(std::ceil(needed - 1e-9)))}};
+    return Message{
+        REPORT_TEXT_COUNTED("report", "%n target(s) over %1: at least 5 per metre are required, %2 here."),
+        {along(test, test.judgedTravel()), count(static_cast<std::size_t>(std::ceil(needed - 1e-9)))},
+        numberOfTargets(test)};
 }
 
 Sentence fiveTargets(const PositioningCase &test) {
@@ -160,9 +158,7 @@ Sentence quarterTurns(const PositioningCase &test) {
         reach = {targets.front(), targets.back()};
     NameList missing;
     for (const double quarter : {0.0, 90.0, 180.0, 270.0}) {
-        const auto atQuarter = [quarter](double position) {
-            return std::abs(std::remainder(position - quarter, 360.0)) < quarterTolerance;
-        };
+        const auto atQuarter = [quarter](double position) { return isAtQuarter(position, quarter); };
         // A tilting axis cannot go everywhere: only the quarters within its reach are asked for.
         const double first = quarter + 360 * std::ceil((reach.from - quarter) / 360);
         if (first <= reach.to && std::ranges::none_of(targets, atQuarter))
@@ -181,8 +177,9 @@ Sentence targetsOfTravel(const PositioningCase &test) {
     const double needed = targetsWithinATurn(travel);
     if (static_cast<double>(targetCount(test)) >= needed)
         return std::nullopt;
-    return Message{REPORT_TEXT("report", "%1 targets over %2: practice asks for at least %3."),
-                   {count(targetCount(test)), along(test, travel), Number{needed, Quantity::count, 0}}};
+    return Message{REPORT_TEXT_COUNTED("report", "%n target(s) over %1: practice asks for at least %2."),
+                   {along(test, travel), Number{needed, Quantity::count, 0}},
+                   numberOfTargets(test)};
 }
 
 Sentence targetsPerTurn(const PositioningCase &test) {
@@ -190,8 +187,10 @@ Sentence targetsPerTurn(const PositioningCase &test) {
     if (targetCount(test) >= 2 && static_cast<double>(targetCount(test)) >= targetsOfATurn * turns - 1e-9)
         return std::nullopt;
     return Message{
-        REPORT_TEXT("report", "%1 targets over %2: practice asks for at least 8 per turn, up to 1 800°."),
-        {count(targetCount(test)), along(test, measurementTravel(test.measurement))}};
+        REPORT_TEXT_COUNTED("report",
+                            "%n target(s) over %1: practice asks for at least 8 per turn, up to 1 800°."),
+        {along(test, measurementTravel(test.measurement))},
+        numberOfTargets(test)};
 }
 
 Sentence otherTest(const PositioningCase &test) {
@@ -249,7 +248,17 @@ Sentence endsUnknown(const PositioningCase &test) {
 }
 
 Judgement axisTravel(const PositioningCase &test) {
-    return test.measurement.axis.travel ? Judgement::met() : Judgement::undeclared();
+    const auto &stated = test.measurement.axis.travel;
+    if (!stated)
+        return Judgement::undeclared();
+    const double measured = measurementTravel(test.measurement);
+    if (measured <= *stated * (1 + 1e-9))
+        return Judgement::met();
+    return Judgement::unmet(
+        {REPORT_TEXT("report",
+                     "The stated axis travel of %1 is contradicted by the targets, which lie over %2: "
+                     "this is judged."),
+         {along(test, *stated), along(test, measured)}});
 }
 
 Judgement zone(const PositioningCase &test) {
@@ -264,10 +273,7 @@ Judgement zone(const PositioningCase &test) {
 Judgement freeTargets(const PositioningCase &test) {
     if (!test.conditions().continuousDevice)
         return Judgement::undeclared();
-    const auto further = std::ranges::count_if(test.measurement.targets, [](double position) {
-        return std::abs(std::remainder(position, 90.0)) >= quarterTolerance;
-    });
-    return further >= 3 ? Judgement::met() : Judgement::unmet();
+    return furtherTargets(test.measurement.targets) >= fewestFurther ? Judgement::met() : Judgement::unmet();
 }
 
 Judgement polygonFaces(const PositioningCase &test) {
@@ -276,36 +282,27 @@ Judgement polygonFaces(const PositioningCase &test) {
         return Judgement::undeclared();
     if (*faces == static_cast<int>(targetCount(test)))
         return Judgement::met();
-    return Judgement::unmet(
-        {REPORT_TEXT("report", "%1 targets, %2 faces."),
-         {count(targetCount(test)), Number{static_cast<double>(*faces), Quantity::count, 0}}});
+    return Judgement::unmet({REPORT_TEXT_COUNTED("report", "%n target(s), %1 faces."),
+                             {Number{static_cast<double>(*faces), Quantity::count, 0}},
+                             numberOfTargets(test)});
 }
 
 Judgement choiceOf1988(const PositioningCase &test) {
     const TargetChoice &choice = test.measurement.targetChoice;
     const auto &targets = test.measurement.targets;
-    if (choice.kind == TargetChoiceKind::notStated || !choice.period || !(*choice.period > 0))
-        return Judgement::undeclared();
-    constexpr double samePhase = 0.01;
-    const auto same = [&](double target) {
-        return std::abs(std::remainder((target - targets.front()) / *choice.period, 1.0)) <= samePhase + 1e-9;
-    };
-    if (targets.size() < 2 || !std::ranges::all_of(targets, same))
+    if (Judgement missing = choiceMissing(choice); missing.state)
+        return missing;
+    if (!samePhase(targets, *choice.period))
         return Judgement::met();
     return Judgement::unmet({REPORT_TEXT("report", "All targets have the same phase of the pitch %1."),
                              {along(test, *choice.period)}});
 }
 
 Sentence spacing(const PositioningCase &test) {
+    if (spacedAsOf1988(test.measurement.targets, test.measurement.targetChoice.period))
+        return std::nullopt;
     const std::vector<double> all = steps(test);
-    if (all.empty())
-        return std::nullopt;
-    const double mean = measurementTravel(test.measurement) / static_cast<double>(all.size());
-    const auto &period = test.measurement.targetChoice.period;
-    const double most = (period && *period > 0 ? 2 * *period : 0.6 * mean) + 1e-9 * mean;
     const auto [least, largest] = std::ranges::minmax(all);
-    if (mean - least <= most && largest - mean <= most)
-        return std::nullopt;
     return Message{REPORT_TEXT("report", "Steps between targets from %1 to %2."),
                    {along(test, least), along(test, largest)}};
 }
@@ -314,27 +311,20 @@ Judgement choiceOf2006(const PositioningCase &test) {
     const TargetChoice &choice = test.measurement.targetChoice;
     const auto &targets = test.measurement.targets;
     if (choice.kind == TargetChoiceKind::notStated)
-        return Judgement::undeclared();
-    const std::vector<double> all = steps(test);
+        return choiceMissing(choice);
     const bool periodic = choice.period && *choice.period > 0;
-    if (periodic && !all.empty()) {
-        const double period = *choice.period;
-        const auto whole = [period](double step) {
-            return std::abs(std::remainder(step, period)) <= (0.01 + 1e-9) * period;
-        };
-        if (std::ranges::all_of(all, whole))
-            return Judgement::unmet(
-                {REPORT_TEXT("report",
-                             "All intervals are whole multiples of the period of %1: its periodic error "
-                             "stays hidden."),
-                 {along(test, period)}});
-    }
+    if (periodic && stepsOfWholePeriods(targets, *choice.period))
+        return Judgement::unmet(
+            {REPORT_TEXT("report",
+                         "All intervals are whole multiples of the period of %1: its periodic error "
+                         "stays hidden."),
+             {along(test, *choice.period)}});
     if (targets.size() < 3)
         return Judgement::met();
     const double interval = choice.interval ? *choice.interval : bestInterval(targets);
-    const double bound = periodic ? *choice.period : 0.3 * interval;
-    const double width = spread(targets, interval);
-    if (width <= 2 * bound + 1e-9 * std::abs(interval))
+    const double bound = boundOf2006(interval, choice.period);
+    const double width = spreadAbout(targets, interval);
+    if (staysWithin(width, bound, interval))
         return Judgement::met();
     return Judgement::unmet(
         {REPORT_TEXT("report",
@@ -346,16 +336,14 @@ Judgement choiceOf2006(const PositioningCase &test) {
 
 Sentence evenSpacing(const PositioningCase &test) {
     const TargetChoice &choice = test.measurement.targetChoice;
-    const std::vector<double> all = steps(test);
-    if (choice.kind != TargetChoiceKind::free || all.size() < 2 || (choice.period && *choice.period > 0))
-        return std::nullopt;
-    const double mean = measurementTravel(test.measurement) / static_cast<double>(all.size());
-    if (!evenlySpaced(all, mean))
+    const auto &targets = test.measurement.targets;
+    if (choice.kind != TargetChoiceKind::free || (choice.period && *choice.period > 0) ||
+        !evenlySpaced(targets))
         return std::nullopt;
     return Message{REPORT_TEXT("report",
                                "The targets are evenly spaced (%1): with a new random part for every target "
                                "periodic errors do not stay hidden."),
-                   {along(test, mean, 2)}};
+                   {along(test, meanStep(targets), 2)}};
 }
 
 } // namespace palmer::iso230_2

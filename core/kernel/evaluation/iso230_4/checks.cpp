@@ -19,7 +19,9 @@ namespace palmer::iso230_4 {
 
 namespace {
 
-constexpr double leastExtent = 90; ///< degrees
+constexpr double leastExtent = 90;    ///< degrees
+constexpr double largeOfRadius = 0.1; ///< no machine that runs deviates by so much, and no set-up
+constexpr double noiseOfAngles = 5;   ///< degrees: a step back beyond it is no noise of measured angles
 
 bool asksForF(const CircularCase &test) {
     return !test.feedback() && test.asksFor(OfCircle::radialDeviation);
@@ -33,8 +35,9 @@ bool partialArc(const CircularCase &test) {
     return std::ranges::any_of(test.results.paths, [](const EvaluatedPath &p) { return !p.fullCircle; });
 }
 
-/// Whether the angles of an arc go back by more than half of what they cover: measured in the other sense, or
-/// not unwrapped. Small steps back are the noise of measured angles.
+/// Whether the angles of an arc go back: measured in the other sense, not unwrapped, or one of them mistyped.
+/// Small steps back, of an arc of a few points up to half of what they cover, are the noise of measured
+/// angles.
 bool runsBack(const Arc &arc) {
     const double sign = arc.sense == Sense::counterclockwise ? 1 : -1;
     double least = std::numeric_limits<double>::infinity();
@@ -45,7 +48,7 @@ bool runsBack(const Arc &arc) {
         furthest = std::max(furthest, sign * angle);
         back = std::max(back, furthest - sign * angle);
     }
-    return back > (furthest - least) / 2;
+    return back > std::min(noiseOfAngles, (furthest - least) / 2) && !arc.angles.empty();
 }
 
 /// The path has minimum zone circles and no least squares circle, though a result that is asked for rests on
@@ -68,8 +71,14 @@ Sentence noArcs(const CircularCase &test) {
 }
 
 Sentence shortArc(const CircularCase &test) {
+    if (noArcs(test))
+        return std::nullopt; // and says so
     for (const EvaluatedPath &path : test.results.paths) {
-        if (!path.source.empty() && path.extent < leastExtent)
+        if (path.source.empty())
+            return Message{
+                REPORT_TEXT("report", "The path %1 has no measured points in the evaluated range."),
+                {path.index}};
+        if (path.extent < leastExtent)
             return Message{REPORT_TEXT("report", "The path %1 covers %2: at least 90° are required."),
                            {path.index, Number{path.extent, Quantity::angle, 1}}};
     }
@@ -90,20 +99,46 @@ Sentence anglesAgainstSense(const CircularCase &test) {
     return std::nullopt;
 }
 
-Sentence oneSense(const CircularCase &test) {
-    if (test.results.paths.size() != 1)
-        return std::nullopt;
-    if (!test.asksForPair())
+Sentence largeDeviations(const CircularCase &test) {
+    double largest = 0;
+    for (const Arc &arc : test.measurement.arcs) {
+        for (const double deviation : arc.radialDeviations)
+            largest = std::max(largest, std::abs(deviation));
+    }
+    if (largest <= largeOfRadius * test.measurement.nominalRadius)
         return std::nullopt;
     return Message{
-        REPORT_TEXT("report", "Only the path %1 was measured: bi-directional results need both senses."),
-        {test.results.paths.front().index}};
+        REPORT_TEXT("report",
+                    "Radial deviations up to %1 on a circle of radius %2: are unit and radius right?"),
+        {Number{largest, Quantity::position, 3}, Number{test.measurement.nominalRadius, Quantity::position}}};
+}
+
+Sentence oneSense(const CircularCase &test) {
+    const auto &paths = test.results.paths;
+    if (paths.empty() || test.bothSenses() || !test.asksForPair())
+        return std::nullopt;
+    if (paths.size() == 1)
+        return Message{
+            REPORT_TEXT("report", "Only the path %1 was measured: bi-directional results need both senses."),
+            {paths.front().index}};
+    const auto &shorter =
+        *std::ranges::min_element(paths, {}, [](const EvaluatedPath &path) { return path.points.size(); });
+    return Message{
+        REPORT_TEXT("report", "Of the path %1 too few points are evaluated (%2): bi-directional results need "
+                              "both senses."),
+        {shorter.index, Number{static_cast<double>(shorter.points.size()), Quantity::count, 0}}};
 }
 
 Sentence partialArcsForD(const CircularCase &test) {
     if (!asksForD(test) || !test.bothSenses() || !partialArc(test))
         return std::nullopt;
     return plain(REPORT_TEXT("report", "No value for D: it needs full circles in both senses."));
+}
+
+Sentence partialArcsForH(const CircularCase &test) {
+    if (test.feedback() || !test.asksFor(OfCircle::hysteresis) || !test.bothSenses() || !partialArc(test))
+        return std::nullopt;
+    return plain(REPORT_TEXT("report", "No value for H: it needs full circles in both senses."));
 }
 
 Sentence leastSquaresOfPartialArc(const CircularCase &test) {
@@ -164,7 +199,8 @@ Sentence leftHandedPlane(const CircularCase &test) {
     const auto is = [&](const auto &pair) {
         return plane.first == pair.first && plane.second == pair.second;
     };
-    if (plane.first.empty() || plane.second.empty() || std::ranges::any_of(rightHanded, is))
+    if (plane.first.empty() || plane.second.empty() || plane.first == plane.second ||
+        std::ranges::any_of(rightHanded, is))
         return std::nullopt;
     return Message{
         REPORT_TEXT("report",
@@ -239,7 +275,8 @@ bool uncertaintyStated(const CircularCase &test) {
 
 Sentence rotaryAxis(const CircularCase &test) {
     const auto rotary = [](const std::string &name) {
-        return !name.empty() && name[0] >= 'A' && name[0] <= 'C';
+        constexpr std::string_view rotaryAxes = "ABCabc";
+        return !name.empty() && rotaryAxes.find(name[0]) != std::string_view::npos;
     };
     if (!rotary(test.measurement.plane.first) && !rotary(test.measurement.plane.second))
         return std::nullopt;
@@ -305,24 +342,32 @@ bool centringUncertaintyStated(const CircularCase &test) {
 }
 
 bool planeStated(const CircularCase &test) {
-    return !isBlank(test.measurement.plane.first) && !isBlank(test.measurement.plane.second);
+    const Plane &plane = test.measurement.plane; // a circle is in the plane of two axes
+    return !isBlank(plane.first) && !isBlank(plane.second) && plane.first != plane.second;
 }
 bool positionFeedbackStated(const CircularCase &test) {
     return !isBlank(test.measurement.positionFeedback);
 }
 bool feedStated(const CircularCase &test) {
-    return test.measurement.feed.has_value();
+    return test.measurement.feed.value_or(0) > 0;
 }
 bool locationStated(const CircularCase &test) {
     return common::allStated(test.conditions().centre) || !isBlank(test.common().instrumentPosition);
 }
-bool temperaturesStated(const CircularCase &test) {
-    return std::ranges::all_of(
-        std::array{SensorMeasures::machine, SensorMeasures::instrument, SensorMeasures::air},
-        [&](SensorMeasures what) { return common::anyTemperature(test.common(), what); });
-}
-bool expansionStated(const CircularCase &test) {
-    return test.common().expansion.machine && test.common().expansion.instrument;
+Judgement temperaturesStated(const CircularCase &test) {
+    static constexpr std::array<Text, 7> names{
+        Text{},
+        REPORT_TEXT("report", "temperature of the machine"),
+        REPORT_TEXT("report", "temperature of the instrument"),
+        REPORT_TEXT("report", "temperatures of machine and instrument"),
+        REPORT_TEXT("report", "temperature of the air"),
+        REPORT_TEXT("report", "temperatures of machine and air"),
+        REPORT_TEXT("report", "temperatures of instrument and air")};
+    const auto any = [&](SensorMeasures what) { return common::anyTemperature(test.common(), what); };
+    return Judgement::lacking(
+        State::unmet,
+        missingOf(any(SensorMeasures::machine), any(SensorMeasures::instrument), any(SensorMeasures::air)),
+        names);
 }
 bool correctionStated(const CircularCase &test) {
     return test.common().correctionTo20 != CorrectionTo20::notStated;

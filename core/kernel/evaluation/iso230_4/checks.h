@@ -15,8 +15,11 @@ using Sentence = std::optional<Message>;
 Sentence noArcs(const CircularCase &test);             ///< at least one path with points
 Sentence shortArc(const CircularCase &test);           ///< arcs of 90° at least
 Sentence anglesAgainstSense(const CircularCase &test); ///< anticlockwise grow, clockwise fall
-Sentence oneSense(const CircularCase &test);           ///< both senses for G(b), D, H
-Sentence partialArcsForD(const CircularCase &test);    ///< full circles for D
+Sentence
+largeDeviations(const CircularCase &test);   ///< small against the radius, else unit or radius is wrong
+Sentence oneSense(const CircularCase &test); ///< both senses for G(b), D, H
+Sentence partialArcsForD(const CircularCase &test);
+Sentence partialArcsForH(const CircularCase &test); ///< full circles for H
 Sentence
 leastSquaresOfPartialArc(const CircularCase &test);      ///< full circle for F about the least squares centre
 Sentence setUpCentring(const CircularCase &test);        ///< F of a full circle about the set-up centre
@@ -49,9 +52,8 @@ bool centringUncertaintyStated(const CircularCase &test);
 bool planeStated(const CircularCase &test);
 bool positionFeedbackStated(const CircularCase &test);
 bool feedStated(const CircularCase &test);
-bool locationStated(const CircularCase &test);     ///< centre, or the position of the instrument
-bool temperaturesStated(const CircularCase &test); ///< of machine, instrument and air
-bool expansionStated(const CircularCase &test);
+bool locationStated(const CircularCase &test);          ///< centre, or the position of the instrument
+Judgement temperaturesStated(const CircularCase &test); ///< of machine, instrument and air
 bool correctionStated(const CircularCase &test);
 bool startPointStated(const CircularCase &test);
 bool stopPointStated(const CircularCase &test);

@@ -40,6 +40,12 @@ void addCircles(std::vector<CircleResult> &circles, const Wanted &wanted, Circle
 
 } // namespace
 
+bool bothMeasured(const std::vector<EvaluatedPath> &paths) {
+    constexpr std::size_t fewest = 4;
+    return paths.size() == 2 &&
+           std::ranges::all_of(paths, [](const EvaluatedPath &path) { return path.points.size() >= fewest; });
+}
+
 std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths) {
     return circles(paths, [](CircleOf, ReferenceCircle) { return true; });
 }
@@ -48,7 +54,7 @@ std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths, const
     std::vector<CircleResult> result;
     const bool both = wanted(CircleOf::both, ReferenceCircle::minimumZone) ||
                       wanted(CircleOf::both, ReferenceCircle::leastSquares);
-    if (paths.size() == 2 && both) {
+    if (both && bothMeasured(paths)) {
         Points points;
         for (std::vector<double> *each : {&points.x, &points.y}) // not copied a second time
             each->reserve(paths[0].points.size() + paths[1].points.size());

@@ -14,6 +14,10 @@ namespace palmer::iso230_4 {
     return sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
 }
 
+/// Both senses were measured: a pair of paths, each of as many points as circles of its own need. A result of
+/// both from a path and a few points would be that of the one path.
+[[nodiscard]] bool bothMeasured(const std::vector<EvaluatedPath> &paths);
+
 /// The minimum zone circles and the least squares circle of each path and, of a pair, of both together (each
 /// path with equal weight). Those that do not exist (too few points, collinear) are left out.
 [[nodiscard]] std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths);

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/iso230_4/circularcase.h"
 
+#include "kernel/evaluation/iso230_4/circles.h"
+
 #include <algorithm>
 
 namespace palmer {
@@ -12,7 +14,7 @@ const EvaluatedPath *CircularCase::path(Sense sense) const {
 }
 
 bool CircularCase::bothSenses() const {
-    return results.paths.size() == 2;
+    return iso230_4::bothMeasured(results.paths);
 }
 
 bool CircularCase::twoFullCircles() const {

@@ -25,6 +25,7 @@ struct CircularCase {
 
     /// The path of that sense; null where none was measured.
     [[nodiscard]] const EvaluatedPath *path(Sense sense) const;
+    /// Of a path of each sense there are points enough to evaluate.
     [[nodiscard]] bool bothSenses() const;
     /// Both senses, both full circles.
     [[nodiscard]] bool twoFullCircles() const;

@@ -97,7 +97,7 @@ std::vector<ListedParameter> listedParameters(const CircularCase &test) {
                 for (const CircularRow &row : quantity)
                     result.push_back({&row, &path, path.index});
             }
-        } else if (test.bothSenses()) {
+        } else if (test.results.paths.size() == 2) {
             result.push_back({&quantity.front(), nullptr, test.results.paths.front().index});
         }
     }

@@ -129,8 +129,8 @@ constexpr std::array statements2005{
     statement("feed", "6 (4.4 b)", conditions, nullptr, stating<feedStated>, REPORT_TEXT("report", "contouring feed"), "feed"),
     statement("plane", "6 (4.4 d)", conditions, nullptr, stating<planeStated>, REPORT_TEXT("report", "axes moved"), "plane"),
     statement("centre", "6 (4.4 e)", conditions, external, stating<locationStated>, REPORT_TEXT("report", "location of the measuring instrument"), "conditions.centre"),
-    statement("sensors", "6 (4.4 f)", conditions, needsLength, stating<temperaturesStated>, REPORT_TEXT("report", "temperatures of machine, instrument and air"), "conditions.sensors"),
-    statement("expansion", "6 (4.4 f)", conditions, needsLength, stating<expansionStated>, REPORT_TEXT("report", "coefficients of thermal expansion of machine and instrument"), "conditions.expansion"),
+    statement("sensors", "6 (4.4 f)", conditions, needsLength, temperaturesStated, REPORT_TEXT("report", "temperatures of machine, instrument and air"), "conditions.sensors"),
+    statement("expansion", "6 (4.4 f)", conditions, needsLength, ofConditions<common::expansionStated>, REPORT_TEXT("report", "coefficients of thermal expansion of machine and instrument"), "conditions.expansion"),
     statement("startPoint", "6 (4.4 g)", conditions, nullptr, stating<startPointStated>, REPORT_TEXT("report", "start point"), "conditions.startPoint"),
     statement("stopPoint", "6 (4.4 g)", conditions, nullptr, stating<stopPointStated>, REPORT_TEXT("report", "stop point"), "conditions.stopPoint"),
     statement("smoothing", "6 (4.4 g)", conditions, nullptr, stating<smoothingStated>, REPORT_TEXT("report", "data smoothing"), "conditions.smoothing"),
@@ -143,7 +143,7 @@ constexpr Row laboratoryRow(const char *id, bool (*applies)(const CircularCase &
 }
 constexpr std::array laboratoryRows{
     laboratoryRow("positionFeedback", external, stating<positionFeedbackStated>, REPORT_TEXT("report", "measuring system of the axes"), "positionFeedback"),
-    laboratoryRow("offsets", external, stating<laboratory::offsets<CircularCase>>, REPORT_TEXT("report", "offset of the measuring line to the tool and workpiece reference"), "conditions.toolOffset"),
+    laboratoryRow("offsets", external, ofConditions<common::offsetsStated>, REPORT_TEXT("report", "offset of the measuring line to the tool and workpiece reference"), "conditions.toolOffset"),
     laboratoryRow("sensorPositions", needsLength, statingConditions<common::machineSensorsPlaced>, REPORT_TEXT("report", "position of the temperature sensors"), "conditions.sensors"),
     laboratoryRow("correctionTo20", needsLength, stating<correctionStated>, REPORT_TEXT("report", "type of compensation"), "conditions.correctionTo20"),
 };
@@ -155,6 +155,8 @@ constexpr Row programRow(const char *id, Subject subject, Judgement (*judge)(con
 constexpr std::array programRows{
     programRow("arcs", readings, unless<noArcs>, missingValues),
     programRow("arcs", readings, unless<anglesAgainstSense>),
+    programRow("arcs", readings, unless<largeDeviations>),
+    programRow("fullCircles", readings, unless<partialArcsForH>, missingValues),
     programRow("minimumZone", readings, unless<noCircle>, missingValues),
     programRow("minimumZone", readings, unless<notCertified>),
     programRow("leastSquares", readings, unless<noLeastSquaresCircle>, missingValues),

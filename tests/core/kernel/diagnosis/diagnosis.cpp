@@ -738,7 +738,7 @@ void DiagnosisTest::wordsForEverySource() {
                     source.degreesOfFreedom = 100; // k = 1.984
                     return QByteArray(sourceMeaning(d, source).text.source);
                 };
-                const QByteArray notSeen("Not seen: smaller than its uncertainty.");
+                const QByteArray notSeen("Not seen: its 95 % interval contains zero.");
                 QCOMPARE(meant(sign * 2.0, 1), QByteArray(meaning.text.source));
                 QCOMPARE(meant(sign * 1.9, 1), notSeen);
                 QCOMPARE(meant(0, 0), notSeen);

@@ -38,6 +38,7 @@ private slots:
     void withoutLeastSquaresCircle();
     void shortArcStillHasItsCertificate();
     void oneSenseOnly();
+    void noResultOfBothFromOne();
     void calibration();
     void feedback();
     void limitsOfF();
@@ -47,6 +48,7 @@ private slots:
     void holesOfFullCircles();
     void anglesAgainstTheSense_data();
     void anglesAgainstTheSense();
+    void largeDeviationsAreDoubted();
     void nilExpansionNeedsNoCorrection();
     void hysteresis();
     void properties();
@@ -424,6 +426,27 @@ void Circular::oneSenseOnly() {
     QVERIFY(finding(evaluated(test), "bothSenses"));
 }
 
+void Circular::noResultOfBothFromOne() {
+    const auto shape = [](double theta) { return std::cos(2 * theta); };
+    for (const std::size_t k : {0U, 1U}) {
+        for (const std::size_t points : {0U, 1U, 3U}) {
+            Test test = circularTest({path(counterclockwise, 360, shape), path(clockwise, 360, shape)});
+            QVERIFY(parameter(evaluated(test), "G(b)_XY")->value);
+            Arc &arc = measurement(test).arcs[k];
+            arc.angles.resize(points);
+            arc.radialDeviations.resize(points);
+            for (const bool ofFeedback : {false, true}) {
+                measurement(test).source = ofFeedback ? SignalSource::feedback : SignalSource::external;
+                const auto e = evaluated(test);
+                const Parameter *both = parameter(e, ofFeedback ? "G(b)f_XY" : "G(b)_XY");
+                QVERIFY(both && !both->value);
+                QVERIFY(ofFeedback || !parameter(e, "D_XY")->value);
+                QVERIFY(finding(e, "bothSenses"));
+            }
+        }
+    }
+}
+
 void Circular::calibration() {
     const auto shape = [](double theta) { return std::cos(2 * theta); };
     Test test = circularTest({path(counterclockwise, 360, shape), path(clockwise, 360, shape)});
@@ -697,6 +720,25 @@ void Circular::anglesAgainstTheSense() {
     }
 }
 
+/// A tenth of the radius, from both sides and outwards and inwards.
+void Circular::largeDeviationsAreDoubted() {
+    for (const double radius : {0.5, 50.0, 150.0}) {
+        for (const double share : {-1.2, -0.11, -0.1, 0.0, 0.1, 0.11, 1.2}) {
+            Arc arc = path(counterclockwise, 360, [](double) { return 0.0; });
+            arc.radialDeviations[7] = share * radius;
+            const auto e = evaluated(circularTest({arc}, "ISO 230-4:2005", radius));
+            const auto found = std::ranges::find_if(e.findings, [](const Finding &f) {
+                return QString::fromUtf8(f.message.text.source).contains(u"on a circle of radius");
+            });
+            QCOMPARE(found != e.findings.end(), std::abs(share) > 0.105);
+            if (found != e.findings.end()) {
+                QCOMPARE(found->grade, Grade::note);
+                QCOMPARE(std::get<Number>(found->message.arguments[0]).value, std::abs(share) * radius);
+            }
+        }
+    }
+}
+
 void Circular::nilExpansionNeedsNoCorrection() {
     Test test = circularTest({path(counterclockwise, 360, [](double) { return 1.0; })});
     Conditions &conditions = measurement(test).conditions.common;
@@ -736,6 +778,16 @@ void Circular::hysteresis() {
                                                clockwise, 500, [](double) { return -2.0; }, 13)},
                                           "ISO 230-4:1996"));
     QVERIFY(std::abs(value(e, "H_XY") - 4) < 1e-9);
+    QVERIFY(!finding(e, "fullCircles"));
+    Test half = circularTest({path(counterclockwise, 360, [](double) { return 0.0; }),
+                              path(clockwise, 360, [](double) { return 1.0; })});
+    for (Arc &arc : measurement(half).arcs) {
+        arc.angles.resize(180);
+        arc.radialDeviations.resize(180);
+    }
+    const auto arcs = evaluated(half, "ISO 230-4:1996");
+    QVERIFY(!parameter(arcs, "H_XY")->value);
+    QVERIFY(finding(arcs, "fullCircles")); // why
     // A point of one sense that stands out between two of the other is seen from its own side: 10 + 2 µm.
     // From the other side the path about it is interpolated, half as far out.
     constexpr double degree = std::numbers::pi / 180;

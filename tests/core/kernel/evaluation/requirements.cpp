@@ -57,6 +57,8 @@ private slots:
     void statements_data();
     void statements();
     void statementsOfCircles();
+    void namesWhatIsMissingOnly_data();
+    void namesWhatIsMissingOnly();
     void everyRowIsMissedByAFile();
     void citedClausesAreThoseOfTheTables();
     void unreadEditionsCiteNothing_data();
@@ -284,6 +286,20 @@ void Requirements::rows_data() {
         row(
             "travel not stated", edition, shortAxis, [](Setup &s) { s.m().axis.travel.reset(); }, "travel",
             "4.3.2", "undeclared");
+        const double measured = measurementTravel(shortAxis(edition).m());
+        row(
+            "travel as measured", edition, shortAxis, [=](Setup &s) { s.m().axis.travel = measured; },
+            "travel", "4.3.2", "met");
+        row(
+            "targets beyond the travel", edition, shortAxis,
+            [=](Setup &s) { s.m().axis.travel = measured - 0.001; }, "travel", "4.3.2", "unmet");
+        row(
+            "six targets on 1 300 mm of a travel of 500", edition, shortAxis,
+            [](Setup &s) {
+                s.m().targets.back() = 1303;
+                s.m().axis.travel = 500;
+            },
+            "targetsPerMetre", "4.3.2", "unmet");
         row(
             "six targets on 1 200 mm", edition, shortAxis, [](Setup &s) { s.m().axis.travel = 1200; },
             "targetsPerMetre", "4.3.2", "met");
@@ -635,6 +651,14 @@ void Requirements::rows_data() {
         check("report before the test", dated("2026-11-19", "2026-11-01", "2026-11-30"), "dates", true);
         check("tests began the day after", dated("2026-12-01", "2026-11-21", "2026-11-30"), "dates", true);
         check("tests ended the day before", dated("2026-12-01", "2026-11-01", "2026-11-19"), "dates", true);
+        const auto drift = [](std::optional<double> range) -> Change {
+            return [=](Setup &s) {
+                s.m().uncertainty.driftTest = "drift";
+                s.around.environmentalVariation = range;
+            };
+        };
+        row("drift test of use", edition, shortAxis, drift(0.001), "driftTest", "", "met");
+        row("drift test of no use", edition, shortAxis, drift({}), "driftTest", "", "program note");
         const char *const parameter = edition == std::string_view("VDI/DGQ 3441:1977") ? "P" : "A";
         const auto limit = [=](Rule rule, double factor, double ofUncertainty) -> Change {
             return [=](Setup &s) {
@@ -1110,6 +1134,51 @@ void Requirements::circularRows_data() {
     row("G(b) alone does not", uncalibrated("G(b)"), "referenceLength", "4.5", "met");
     row(
         "one sense", [](Circle &c) { c.m().arcs.pop_back(); }, "bothSenses", "5", "unmet");
+    const auto points = [](std::size_t k, std::size_t count) -> Change {
+        return [=](Circle &c) {
+            Arc &one = c.m().arcs[k];
+            const double to = one.angles[count];
+            one.evaluated = one.sense == Sense::counterclockwise ? Interval{one.angles.front(), to - 1e-9}
+                                                                 : Interval{to + 1e-9, one.angles.front()};
+            one.cutOff = "overshoot";
+        };
+    };
+    for (const std::size_t k : {0U, 1U}) {
+        const QByteArray which = k == 0 ? "first" : "second";
+        row(("three points of the " + which).constData(), points(k, 3), "bothSenses", "5", "unmet");
+        row(("four points of the " + which).constData(), points(k, 4), "bothSenses", "5", "met");
+        row(("nothing evaluated of the " + which).constData(),
+            [=](Circle &c) {
+                c.m().arcs[k].evaluated = Interval{1000, 1100};
+            },
+            "bothSenses", "5", "unmet");
+        row(("nothing evaluated of the " + which).constData(),
+            [=](Circle &c) {
+                c.m().arcs[k].evaluated = Interval{1000, 1100};
+            },
+            "arcs", "3.1", "unmet");
+        row(("nothing measured of the " + which).constData(),
+            [=](Circle &c) { c.m().arcs[k].angles = c.m().arcs[k].radialDeviations = {}; }, "bothSenses", "5",
+            "unmet");
+        row(("angles of nothing measured in the " + which).constData(),
+            [=](Circle &c) { c.m().arcs[k].angles = c.m().arcs[k].radialDeviations = {}; }, "arcs", "",
+            "met");
+        row(("an angle 4° back in the " + which).constData(),
+            [=](Circle &c) { c.m().arcs[k].angles[100] = c.m().arcs[k].angles[95]; }, "arcs", "", "met");
+        row(("an angle 6° back in the " + which).constData(),
+            [=](Circle &c) { c.m().arcs[k].angles[100] = c.m().arcs[k].angles[93]; }, "arcs", "",
+            "program note");
+    }
+    row(
+        "feed of nothing", [](Circle &c) { c.m().feed = 0; }, "feed", "6 (4.4 b)", "unmet");
+    row(
+        "one axis twice", [](Circle &c) { c.m().plane.second = c.m().plane.first; }, "plane", "6 (4.4 d)",
+        "unmet");
+    row(
+        "one axis twice has no hand", [](Circle &c) { c.m().plane.second = c.m().plane.first; }, "plane", "",
+        "met");
+    row(
+        "rotary axis in a small letter", [](Circle &c) { c.m().plane.second = "c"; }, "scope", "1", "unmet");
     row(
         "one sense for G",
         [](Circle &c) {
@@ -1484,6 +1553,92 @@ std::set<std::string> citedBySpecification(std::string_view edition) {
                 "compensation 6 (4.4 h)",
                 "otherAxes 6 (4.4 i)"};
     return {};
+}
+
+void Requirements::namesWhatIsMissingOnly_data() {
+    QTest::addColumn<Evaluate>("evaluate");
+    QTest::addColumn<QByteArray>("id");
+    QTest::addColumn<QByteArray>("name");
+    using S = Setup;
+    using Change = std::function<void(S &)>;
+    const auto row = [](const char *edition, const char *id, Change change, const char *name) {
+        QTest::addRow("%s, %s: %s", edition, id, name) << Evaluate([=] {
+            S setup = shortAxis(edition);
+            change(setup);
+            return setup.evaluated();
+        }) << QByteArray(id) << QByteArray(name);
+    };
+    const auto place = [](S &s) { s.common().sensors[0].position.clear(); };
+    const auto type = [](S &s) { s.common().correctionTo20 = CorrectionTo20::notStated; };
+    const auto machine = [](S &s) { s.common().expansion.machine.reset(); };
+    const auto instrument = [](S &s) { s.common().expansion.instrument.reset(); };
+    const auto all = [](std::vector<Change> changes) -> Change {
+        return [=](S &s) {
+            for (const Change &change : changes)
+                change(s);
+        };
+    };
+    constexpr const char *of1988 = "ISO 230-2:1988";
+    constexpr const char *of2006 = "ISO 230-2:2006";
+    row(of1988, "sensors", place, "position of the temperature sensors");
+    row(of1988, "sensors", type, "type of compensation");
+    row(of1988, "sensors", all({place, type}), "position of the temperature sensor, type of compensation");
+    row(of2006, "correctionStatements", place, "position of the temperature sensors");
+    row(of2006, "correctionStatements", machine, "coefficient of thermal expansion of the machine");
+    row(of2006, "correctionStatements", instrument, "coefficient of thermal expansion of the instrument");
+    row(of2006, "correctionStatements", all({machine, instrument}),
+        "coefficients of thermal expansion of machine and instrument");
+    row(of2006, "correctionStatements", all({place, machine, instrument}),
+        "position of the temperature sensors, expansion coefficients");
+    row(of1988, "expansion", machine, "coefficient of thermal expansion of the machine");
+    row(of1988, "expansion", all({machine, instrument}),
+        "coefficients of thermal expansion of machine and instrument");
+    const auto sensor = [](SensorMeasures what) -> Change {
+        return [=](S &s) {
+            std::erase_if(s.common().sensors, [=](const Sensor &x) { return x.measures == what; });
+            s.common().expansion.instrument = 8;
+        };
+    };
+    row(of2006, "sensors", sensor(SensorMeasures::machine), "temperature of the machine");
+    row(of2006, "sensors", sensor(SensorMeasures::instrument), "temperature of the instrument");
+    row(of2006, "sensors", all({sensor(SensorMeasures::machine), sensor(SensorMeasures::instrument)}),
+        "temperatures of machine and instrument");
+    const auto gradient = [](S &s) { s.m().conditions.gradientHoursBefore = 6; };
+    const auto limit = [](S &s) { agreed(s.test, "gradient").value.reset(); };
+    row(of2006, "gradientPerHour", gradient, "temperature gradient over 12 h");
+    row(of2006, "gradientPerHour", limit, "agreed limit of the temperature gradient");
+    row(of2006, "gradientPerHour", all({gradient, limit}),
+        "temperature gradient over 12 h and its agreed limit");
+    const auto kind = [](S &s) { s.m().targetChoice.kind = TargetChoiceKind::notStated; };
+    const auto period = [](S &s) { s.m().targetChoice.period.reset(); };
+    for (const char *edition : {of1988, of2006})
+        row(edition, "targetChoice", kind, "choice of targets");
+    row(of1988, "targetChoice", period, "cyclic pitch");
+    row(of1988, "targetChoice", all({kind, period}), "choice of targets, cyclic pitch");
+    row(
+        of2006, "offsets", [](S &s) { s.common().toolOffset[2].reset(); },
+        "offset of the measuring line to the tool reference");
+    row(
+        of2006, "offsets", [](S &s) { s.common().workpieceOffset[2].reset(); },
+        "offset of the measuring line to the workpiece reference");
+    row(
+        of2006, "startAndEnd", [](S &s) { s.common().sensors[0].start.reset(); },
+        "temperatures at the start");
+    row(
+        of2006, "startAndEnd", [](S &s) { s.common().sensors[0].end.reset(); }, "temperatures at the end");
+}
+
+/// Of a row made of several fields.
+void Requirements::namesWhatIsMissingOnly() {
+    QFETCH(Evaluate, evaluate);
+    QFETCH(QByteArray, id);
+    QFETCH(QByteArray, name);
+    QByteArrayList names;
+    for (const Finding &finding : evaluate().findings) {
+        if (finding.id == id.toStdString() && !finding.name.empty())
+            names << finding.name.source;
+    }
+    QVERIFY2(names.contains(name), names.join(" | ").constData());
 }
 
 /// Complete tests meet all rows of the specification (above); each is missed by at least one file of the

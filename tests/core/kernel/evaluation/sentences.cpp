@@ -56,15 +56,15 @@ void Sentences::numbers_data() {
     // ---- targets: 3, 104, 207, 298, 402, 511 on 531 mm from −10 to 521 ----
     row(
         "six targets on 1 201 mm are one too few", of2006, shortAxis, "targetsPerMetre",
-        [](Setup &s) { s.m().axis.travel = 1201; }, "6n.0; 1201 mm; 7n.0");
+        [](Setup &s) { s.m().axis.travel = 1201; }, "1201 mm; 7n.0; #6");
     row("four targets", of2006, shortAxis, "numberOfTargets", targets({3, 104, 207, 298}), "4n.0");
     // 17 targets up to 16·249 + 7 = 3 991 mm, travel 20 mm more
     row(
         "mean interval", of2006, longAxis, "meanInterval", [](Setup &s) { s.m().targets.back() = 4001; },
-        "17n.0; 4001 mm");
+        "4001 mm; #17");
     row(
         "elements of 1988", of1988, longAxis, "meanInterval", [](Setup &s) { s.m().targets.back() = 4001; },
-        "17n.0; 4001 mm");
+        "4001 mm; #17");
     row(
         "left out", of2006, longAxis, "wholeLength", [](Setup &s) { s.m().axis.travel = 4492; },
         "501 mm; 4492 mm");
@@ -88,14 +88,14 @@ void Sentences::numbers_data() {
             targets({0, 30, 60, 90.1})(s);
             s.m().axis.travel = 90.1;
         },
-        "4n.0; 90.1°; 5n.0");
+        "90.1°; 5n.0; #4");
     row(
         "targets a turn", of2006, rotary, "targetsPerTurn",
         [=](Setup &s) {
             targets({0, 100, 200, 720})(s);
             s.m().axis.travel = 1000;
         },
-        "4n.0; 720°");
+        "720°; #4");
     row(
         "room at the ends", of2006, shortAxis, "ends",
         [](Setup &s) { s.m().conditions.approachDistance = 15; }, "13 mm; 10 mm; 15 mm");
@@ -108,7 +108,7 @@ void Sentences::numbers_data() {
             s.m().targetChoice.kind = TargetChoiceKind::polygon;
             s.m().targetChoice.faces = 8;
         },
-        "9n.0; 8n.0");
+        "8n.0; #9");
     row("one phase", of1988, shortAxis, "targetChoice", targets({0, 100, 200, 300, 400, 500}), "10 mm");
     row("steps", of1988, shortAxis, "spacing", targets({0, 120.5, 200, 300, 400, 500}), "79.5 mm; 120.5 mm");
     row("whole multiples", of2006, shortAxis, "targetChoice", targets({0, 100, 200, 300, 400, 500}), "10 mm");

@@ -37,6 +37,9 @@ private slots:
         one.series = TemperatureSeries{{0, 60, 120}, {20, 23, 21}};
         QCOMPARE(startTemperature(one), OptionalNumber(20));
         QCOMPARE(endTemperature(one), OptionalNumber(21));
+        one.series = TemperatureSeries{{60, 0, 120, 60}, {23, 20, 21, 24}}; // as they stand in a file
+        QCOMPARE(startTemperature(one), OptionalNumber(20));
+        QCOMPARE(endTemperature(one), OptionalNumber(21));
         one.start = 19; // what is stated wins
         one.end = 22;
         QCOMPARE(startTemperature(one), OptionalNumber(19));
@@ -73,6 +76,8 @@ private slots:
         // of each hour: {20}, {20, 20.5}, {20.5, 20.2}, {20.2, 21}, {21, 21.1}
         QTest::newRow("the largest of many hours")
             << Numbers{0, 60, 120, 180, 240} << Numbers{20, 20.5, 20.25, 21, 21.125} << 0.75;
+        QTest::newRow("the same in another order")
+            << Numbers{180, 0, 240, 60, 120} << Numbers{21, 20, 21.125, 20.5, 20.25} << 0.75;
     }
 
     void gradient() {

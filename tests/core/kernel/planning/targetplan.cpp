@@ -43,7 +43,8 @@ private slots:
         QTest::newRow("5 a metre")                       << false <<  1000.0 << std::size_t(5)  << 5;
         QTest::newRow("a part of a metre counts")        << false <<  1001.0 << std::size_t(6)  << 5;
         QTest::newRow("the longest short axis")          << false <<  2000.0 << std::size_t(10) << 5;
-        QTest::newRow("just longer")                     << false <<  2000.1 << std::size_t(11) << 1;
+        QTest::newRow("just longer: its targets may not be")
+                                                         << false <<  2000.1 << std::size_t(11) << 5;
         QTest::newRow("a long axis, once each way")      << false <<  3000.0 << std::size_t(15) << 1;
         QTest::newRow("a quarter turn")                  << true  <<    90.0 << std::size_t(3)  << 5;
         QTest::newRow("just more than a quarter")        << true  <<    90.1 << std::size_t(5)  << 5;
@@ -52,7 +53,8 @@ private slots:
         QTest::newRow("more than half a turn")           << true  <<   270.0 << std::size_t(8)  << 5;
         QTest::newRow("a turn: 8 and the end")           << true  <<   360.0 << std::size_t(9)  << 5;
         QTest::newRow("just less than a turn")           << true  <<   359.9 << std::size_t(8)  << 5;
-        QTest::newRow("just more than a turn")           << true  <<   360.1 << std::size_t(10) << 1;
+        QTest::newRow("just more than a turn: its targets may not be")
+                                                         << true  <<   360.1 << std::size_t(10) << 5;
         QTest::newRow("two turns: 8 each, once each way")<< true  <<   720.0 << std::size_t(17) << 1;
         // clang-format on
     }
@@ -93,10 +95,10 @@ private slots:
             if (request.rule == TargetRule::nominalInterval) {
                 for (std::size_t i = 0; i < plan.targets.size(); ++i) {
                     const double rest =
-                        plan.targets[i] - request.from - static_cast<double>(i) * plan.interval;
+                        plan.targets[i] - request.from - static_cast<double>(i) * *plan.interval;
                     QVERIFY(std::abs(rest) <= plan.randomPart + 0.01); // 0.01: the coarsest resolution
                 }
-                QVERIFY(plan.randomPart <= 0.3 * plan.interval + 1e-12);
+                QVERIFY(plan.randomPart <= 0.3 * *plan.interval + 1e-12);
                 QVERIFY(!request.period || plan.randomPart <= *request.period);
             }
         }
@@ -160,13 +162,53 @@ private slots:
         QVERIFY(!planTargets(request).boundOf2006);
     }
 
+    void quarterTurnsOf1988_data() {
+        QTest::addColumn<double>("from");
+        QTest::addColumn<double>("travel");
+        QTest::addColumn<int>("quarters");
+        QTest::addColumn<double>("third");
+        QTest::newRow("a turn, whose end is its beginning") << 0.0 << 360.0 << 4 << 120.0;
+        QTest::newRow("less than a turn") << 0.0 << 270.0 << 4 << 90.0;
+        QTest::newRow("no quarter within") << 10.0 << 60.0 << 0 << 20.0;
+        QTest::newRow("a turn from elsewhere") << -45.0 << 360.0 << 4 << 120.0;
+        QTest::newRow("two turns") << 0.0 << 720.0 << 9 << 120.0;
+        QTest::newRow("more than a turn") << 0.0 << 400.0 << 5 << 100.0;
+    }
+    /// Of any travel: the text sets no upper one, and asks for five approaches.
     void quarterTurnsOf1988() {
-        TargetRequest request = rotary(360);
+        QFETCH(double, from);
+        QFETCH(double, travel);
+        TargetRequest request = rotary(travel);
+        request.from = from;
         request.rule = TargetRule::pitches1988;
-        const auto targets = planTargets(request).targets;
-        QCOMPARE(targets.size(), std::size_t(7));
-        QCOMPARE(std::ranges::count_if(targets, [](double p) { return isMultiple(p, 90); }), 4);
-        QVERIFY(!targets.empty() && targets.back() < 360); // which is 0° again
+        for (request.seed = 0; request.seed < 50; ++request.seed) {
+            const TargetPlan plan = planTargets(request);
+            const auto quarters =
+                std::ranges::count_if(plan.targets, [](double p) { return isMultiple(p, 90); });
+            QTEST(static_cast<int>(quarters), "quarters");
+            QTEST(plan.randomPart, "third");
+            QCOMPARE(static_cast<double>(plan.targets.size()),
+                     static_cast<double>(quarters) + travel / plan.randomPart);
+            QVERIFY(!plan.interval && !plan.boundOf2006);
+            QCOMPARE(plan.runs, 5);
+        }
+    }
+
+    /// Whole degrees: what falls upon a quarter turn is drawn anew.
+    void freeTargetsAreNoQuarterTurns() {
+        TargetRequest request = rotary(90);
+        request.rule = TargetRule::pitches1988;
+        request.decimals = 0;
+        for (request.seed = 0; request.seed < 200; ++request.seed)
+            QCOMPARE(planTargets(request).targets.size(), std::size_t(5));
+    }
+
+    void theAxisTravelIsCountedOfShortAxes() {
+        TargetRequest request = linear(999);
+        request.axisTravel = 1001;
+        QCOMPARE(planTargets(request).targets.size(), std::size_t(6));
+        request.axisTravel = 2001;
+        QCOMPARE(planTargets(request).targets.size(), std::size_t(5));
     }
 
     void whatHasNoAnswerHasNoTargets() {

@@ -295,7 +295,7 @@ void DecidingUncertainty::fewTrialsNeverDecide() {
     QCOMPARE(remark != nullptr, !decides);
     if (remark) {
         QCOMPARE(remark->grade, Grade::note);
-        QCOMPARE(std::get<Number>(remark->message.arguments[0]).value, double(trials));
+        QVERIFY(remark->message.count == trials);
         QVERIFY(!finding(evaluation, "uncertaintyMethods")); // nothing is made of so few
     }
 }

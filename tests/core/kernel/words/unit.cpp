@@ -34,6 +34,7 @@ private slots:
         row("arcmin", "′", 90, 1.5);
         row("arcsec", "″", 1800, 0.5);
         row("rad", "rad", std::numbers::pi, 180);
+        row("mdeg", "mdeg", 1500, 1.5);
         row("mrad", "mrad", 500 * std::numbers::pi, 90);
         row("urad", "µrad", 1e6 * std::numbers::pi, 180);
         row("s", "s", 7, 7);
