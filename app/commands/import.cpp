@@ -68,6 +68,8 @@ int runImport(const Invocation &invocation) {
     demandOutput(invocation, *output, {"palmer", "json"}); // a test file is JSON
     const ImportOptions chosen = chosenOptions(invocation);
     const bool keep = invocation.has(QLatin1StringView("keep-original"));
+    if (!canReadTemplates(invocation))
+        return cannotRead;
     struct Read {
         QString file;
         QByteArray bytes;

@@ -77,11 +77,13 @@ constexpr std::array signWords{
 };
 constexpr std::array unitWords{
     ImportWord{"mm", REPORT_TEXT("report", "mm")},     ImportWord{"um", REPORT_TEXT("report", "µm")},
-    ImportWord{"nm", REPORT_TEXT("report", "nm")},     ImportWord{"m", REPORT_TEXT("report", "m")},
-    ImportWord{"in", REPORT_TEXT("report", "in")},     ImportWord{"uin", REPORT_TEXT("report", "µin")},
-    ImportWord{"deg", REPORT_TEXT("report", "°")},     ImportWord{"arcmin", REPORT_TEXT("report", "′")},
+    ImportWord{"nm", REPORT_TEXT("report", "nm")},     ImportWord{"cm", REPORT_TEXT("report", "cm")},
+    ImportWord{"m", REPORT_TEXT("report", "m")},       ImportWord{"in", REPORT_TEXT("report", "in")},
+    ImportWord{"uin", REPORT_TEXT("report", "µin")},   ImportWord{"deg", REPORT_TEXT("report", "°")},
+    ImportWord{"mdeg", REPORT_TEXT("report", "mdeg")}, ImportWord{"arcmin", REPORT_TEXT("report", "′")},
     ImportWord{"arcsec", REPORT_TEXT("report", "″")},  ImportWord{"rad", REPORT_TEXT("report", "rad")},
     ImportWord{"mrad", REPORT_TEXT("report", "mrad")}, ImportWord{"urad", REPORT_TEXT("report", "µrad")},
+    ImportWord{"gon", REPORT_TEXT("report", "gon")},
 };
 constexpr std::array timeWords{
     ImportWord{"s", REPORT_TEXT("report", "s")},
@@ -185,6 +187,21 @@ const ImportKey *findImportKey(std::string_view key) {
     return found == keys.end() ? nullptr : found;
 }
 
+Argument nameOfChoice(std::string_view key) {
+    const ImportKey *known = findImportKey(key);
+    return known ? Argument(known->name) : Argument(std::string(key));
+}
+
+Argument nameOfWord(std::string_view key, std::string_view word) {
+    if (const ImportKey *known = findImportKey(key)) {
+        const auto found =
+            std::ranges::find_if(known->words, [&](const ImportWord &one) { return word == one.word; });
+        if (found != known->words.end())
+            return found->name;
+    }
+    return std::string(word);
+}
+
 namespace {
 
 void demandKnownValue(const std::string &key, const std::string &value) {
@@ -199,13 +216,13 @@ void demandKnownValue(const std::string &key, const std::string &value) {
     const auto same = [&](const ImportWord &word) { return word.word == value; };
     if (known->value == ImportValue::word && std::ranges::none_of(known->words, same))
         throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                                           {key, value, listOf(known->words)}});
+                                           {known->name, value, listOf(known->words)}});
     if (known->value == ImportValue::number && !numberOf(value))
         throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "%1 cannot be %2; expected a number"), {key, value}});
+                    {REPORT_TEXT("report", "%1 cannot be %2; expected a number"), {known->name, value}});
     if (std::string unknownRole; key == "columns" && !columnsOf(value, unknownRole))
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "%1 cannot be %2; known: %3"), {key, unknownRole, roleWords()}});
+        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
+                                           {known->name, unknownRole, roleWords()}});
     if (key == "edition" && !findEdition(value))
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "unknown edition %1; known: %2"), {value, wordsOf(editions())}});
@@ -250,7 +267,7 @@ std::string Choices::settleEdition(Kind kind) {
     const Edition *edition = findEdition(chosen);
     if (!edition || edition->kind != kind) {
         throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                                           {"edition", chosen, wordsOf(editionsOf(kind))}});
+                                           {nameOfChoice("edition"), chosen, wordsOf(editionsOf(kind))}});
     }
     return chosen;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernel/measurement/test.h"
+#include "kernel/words/message.h"
 #include "kernel/words/text.h"
 #include "tables/choice.h"
 
@@ -38,6 +39,10 @@ struct ImportKey {
 /// All of them, in the order they are shown in.
 [[nodiscard]] std::span<const ImportKey> importKeys();
 [[nodiscard]] const ImportKey *findImportKey(std::string_view key);
+
+/// What a choice is called, and a word it can have: in sentences, which know no keys.
+[[nodiscard]] Argument nameOfChoice(std::string_view key);
+[[nodiscard]] Argument nameOfWord(std::string_view key, std::string_view word);
 
 /// Throws Error(content) for a key or word that is unknown, with those that are known.
 void demandKnown(const ImportOptions &options);

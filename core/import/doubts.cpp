@@ -49,7 +49,7 @@ void questionSize(double largest, bool angular, std::vector<Remark> &remarks) {
     if (largest > (angular ? largestAngle : largestLength))
         doubt(remarks,
               {REPORT_TEXT("report", "Deviations up to %1: are unit, content and decimal mark right?"),
-               {Number{largest, angular ? Quantity::angle : Quantity::position}}},
+               {Number{largest, angular ? Quantity::angle : Quantity::position, 2}}},
               "large");
 }
 

@@ -36,6 +36,17 @@ std::optional<double> positiveNumber(const std::optional<QString> &text) {
     return value.kind == CellKind::number && value.value > 0 ? std::optional(value.value) : std::nullopt;
 }
 
+/// What "Unit: mm" says; letters that are units in brackets only may stand behind the colon, too.
+SaidUnit unitOfNote(const std::string &line) {
+    SaidUnit said = saidUnit(line);
+    const std::size_t colon = line.find_first_of(":=;");
+    if (said.isSaid() || colon == std::string::npos)
+        return said;
+    const std::string_view behind = std::string_view(line).substr(colon + 1);
+    const std::string value(withoutBlanks(behind.substr(0, behind.find(';'))));
+    return saidUnit('(' + value + ')');
+}
+
 /// "Air temperature: 20.5 °C": a sensor with the value at the start.
 bool readTemperature(const QString &line, FileNotes &notes) {
     constexpr std::size_t mostSensors = 20;
@@ -104,9 +115,9 @@ bool read(const QString &line, FileNotes &notes) {
         notes.operatorName.clear();
     understood |= readTemperature(line, notes);
     if (pattern(R"(\b(?:unit|units|unité|unités|unite|einheit|unità|unidad)\b)").match(line).hasMatch() &&
-        !notes.unit) {
-        notes.unit = unitIn(line.toStdString());
-        understood |= notes.unit != nullptr;
+        !notes.unit.isSaid()) {
+        notes.unit = unitOfNote(line.toStdString());
+        understood |= notes.unit.isSaid();
     }
     if (const auto date = isoDate(line.toStdString()); date && !notes.date) {
         notes.date = date;

@@ -15,7 +15,7 @@ namespace palmer {
 struct FileNotes {
     std::string axis;
     std::string plane;               ///< "XY"
-    const Unit *unit = nullptr;      ///< "unit: µm"
+    SaidUnit unit;                   ///< "unit: µm"
     std::optional<std::string> date; ///< YYYY-MM-DD
     std::string dateText;            ///< a date that is not ISO, as it stands there
     std::string operatorName;

@@ -199,7 +199,8 @@ void demandKind(const Imported &imported, const Choices &choices) {
         kind = fileWord(kindOf(*imported.test));
     if (choices.isChosen("kind") && choices.chosen("kind") != kind)
         throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                                           {"kind", std::string(choices.chosen("kind")), kind}});
+                                           {nameOfChoice("kind"), nameOfWord("kind", choices.chosen("kind")),
+                                            nameOfWord("kind", kind)}});
 }
 
 void readInto(Imported &imported, QByteArrayView bytes, const ImportFormat &format, Choices &choices) {

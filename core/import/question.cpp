@@ -23,6 +23,9 @@ constexpr std::array<std::string_view, 25> asked{
 /// Doubts about the numbers: their answer is that they are right.
 constexpr std::array<std::string_view, 5> doubts{"large", "spread", "equalsTargets", "zeros", "unequalRuns"};
 
+/// Numbers nothing in the file says, and units it says that cannot be taken: who knows them has to answer.
+constexpr std::array<std::string_view, 4> owed{"nominalRadius", "unit", "positionUnit", "timeUnit"};
+
 template <std::size_t size>
 bool isOneOf(const std::array<std::string_view, size> &words, std::string_view word) {
     return std::ranges::find(words, word) != words.end();
@@ -31,7 +34,7 @@ bool isOneOf(const std::array<std::string_view, size> &words, std::string_view w
 std::string proposalFor(const Remark &remark, std::span<const ImportChoice> choices) {
     if (isOneOf(doubts, remark.choice))
         return "keep";
-    if (remark.choice == "nominalRadius" && remark.grade == RemarkGrade::problem)
+    if (isOneOf(owed, remark.choice) && remark.grade == RemarkGrade::problem)
         return {}; // what stands in its place, to go on reading, is no answer
     const auto choice = std::ranges::find(choices, remark.choice, &ImportChoice::key);
     return choice == choices.end() ? std::string() : choice->value;

@@ -59,6 +59,7 @@ private slots:
     void exportsEveryForm_data();
     void exportsEveryForm();
     void asksForWhatATableOwes();
+    void inventsNoDirection();
     void comparesWithTheTableOfAControl();
     void writesThePointsOfAFigure();
     void refusesHugeFilesAtOnce();
@@ -129,7 +130,9 @@ void ImportExportTest::refusesUntilQuestionsAreAnswered() {
     QVERIFY(open.err.contains("--set correctionTo20="));
     QVERIFY(open.err.contains("2 questions are open"));
     const QStringList sign{"--set", "sign=actualMinusTarget"};
-    QCOMPARE(run(import + sign, table).code, 3);
+    const Result one = run(import + sign, table);
+    QCOMPARE(one.code, 3);
+    QVERIFY2(one.err.contains("1 question is open"), qPrintable(one.err));
     QCOMPARE(run(import + sign + QStringList{"--set", "correctionTo20=not applied"}, table).code, 0);
     QVERIFY(QFile::remove(at("q.palmer")));
     QCOMPARE(run(import + QStringList{"--accept"}, table).code, 0);
@@ -150,6 +153,11 @@ void ImportExportTest::refusesUntilQuestionsAreAnswered() {
 }
 
 void ImportExportTest::refusesInOneLineAndWritesNothing() {
+    const Result noTemplate = run({"import", DATA "rtl/typical.rtl", "--accept", "--template",
+                                   at("nowhere.palmer-template"), "-o", at("none")});
+    QCOMPARE(noTemplate.code, 3);
+    QCOMPARE(noTemplate.err.count('\n'), 1);
+    QVERIFY(noTemplate.err.contains("nowhere.palmer-template") && !QFile::exists(at("none")));
     for (const QString name : {"empty.csv", "binary.csv", "cut-off.rtl", "entities.b5r", "bomb.xlsx",
                                "repeats.ods", "ballbar.b5r64", "document.palmer"}) {
         const Result result = run({"import", DATA "refused/" + name, "-o", at("none.palmer")});
@@ -228,6 +236,25 @@ void ImportExportTest::asksForWhatATableOwes() {
                                 "siemens", "--reference", "-7", "--from", "-10", "-o", "-"});
     QVERIFY(outside.err.contains("Nothing was measured outside") &&
             outside.err.contains("The reference point"));
+}
+
+void ImportExportTest::inventsNoDirection() {
+    const QString file = at("up.palmer");
+    QFile up(file);
+    QVERIFY(up.open(QIODevice::WriteOnly));
+    up.write(R"({"format": "palmer test report", "version": 1, "tests": [{"kind": "positioning",
+        "edition": "ISO 230-2:2006", "axis": {"name": "X", "motion": "linear"}, "targets": [0, 10, 20],
+        "runs": [{"approach": "positive", "deviations": [0.001, 0.002, 0.003]}]}]})");
+    up.close();
+    for (const QString form : {"compensation-csv", "linuxcnc", "weihong"}) {
+        const QStringList wanted{"export", file, "--as", form, "--language", "en", "-o", "-"};
+        const Result combined = run(wanted);
+        QVERIFY2(combined.err.contains("Only the positive direction was measured"), qPrintable(combined.err));
+        const Result refused = run(wanted + QStringList{"--per-direction"});
+        QCOMPARE(refused.code, 3);
+        QVERIFY(refused.out.isEmpty());
+        QCOMPARE(refused.err.count('\n'), 1);
+    }
 }
 
 void ImportExportTest::comparesWithTheTableOfAControl() {

@@ -26,6 +26,7 @@ struct CompensationTable {
     std::vector<double> reverse;      ///< −x̄_i↓, or −x̄_i
     std::optional<double> period;     ///< degrees: of a table for a full turn
     std::optional<Interval> measured; ///< where it was measured; null where that is not known
+    std::optional<Direction> only;    ///< the one that was measured; null: both, or not known
 
     [[nodiscard]] double correction(double position, Direction direction) const;
     bool operator==(const CompensationTable &) const = default;

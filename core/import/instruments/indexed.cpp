@@ -83,7 +83,7 @@ public:
         const bool stated = m_unit != nullptr;
         const auto choice =
             m_choices.settle("unit", stated ? m_unit : "mm", stated ? Origin::recognised : Origin::guessed);
-        if (choice.origin == Origin::guessed)
+        if (choice.origin == Origin::guessed && !m_unknownUnit)
             remark(RemarkGrade::assumption,
                    {REPORT_TEXT("report", "Unit of the positions: nothing in the file says it; read as %1."),
                     {std::string(unitOf(choice.value)->sign)}},
@@ -132,7 +132,7 @@ private:
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "there are no target positions in it")});
         if (m_positions && *m_positions != static_cast<double>(m_targets.size()))
             remark(RemarkGrade::problem,
-                   {REPORT_TEXT("report", "The head names %1 targets, the list has %2; the list counts."),
+                   {REPORT_TEXT("report", "Targets named in the head: %1, in the list: %2; the list counts."),
                     {Number{*m_positions, Quantity::count},
                      Number{static_cast<double>(m_targets.size()), Quantity::count}}});
         if (ignored > 0)
@@ -203,9 +203,11 @@ private:
 
     void takeUnit(const Assignment &assignment, std::size_t line) {
         m_unit = unitWord(assignment.value);
-        if (!m_unit)
+        m_unknownUnit = !m_unit;
+        if (!m_unit) // nothing else in the file says it
             remark(RemarkGrade::problem,
-                   {REPORT_TEXT("report", "The unit “%1” is not known."), {excerpt(assignment.value)}}, line);
+                   {REPORT_TEXT("report", "The unit “%1” is not known."), {excerpt(assignment.value)}}, line,
+                   "unit");
     }
 
     void remarkRepetition(const std::string &name, std::size_t line) {
@@ -263,11 +265,11 @@ private:
         if (!passes.empty())
             addMissing(passes.front(), targets);
         if (m_cycles && *m_cycles != static_cast<double>(cycles.size()))
-            remark(
-                RemarkGrade::problem,
-                {REPORT_TEXT("report", "The head names %1 cycles, the readings have %2; the readings count."),
-                 {Number{*m_cycles, Quantity::count},
-                  Number{static_cast<double>(cycles.size()), Quantity::count}}});
+            remark(RemarkGrade::problem,
+                   {REPORT_TEXT("report",
+                                "Cycles named in the head: %1, in the readings: %2; the readings count."),
+                    {Number{*m_cycles, Quantity::count},
+                     Number{static_cast<double>(cycles.size()), Quantity::count}}});
         return passes;
     }
 
@@ -277,6 +279,7 @@ private:
     std::map<std::pair<long, long>, std::pair<double, std::size_t>> m_forward;
     std::map<std::pair<long, long>, std::pair<double, std::size_t>> m_backward;
     const char *m_unit = nullptr;
+    bool m_unknownUnit = false;
     std::optional<double> m_positions;
     std::optional<double> m_cycles;
     std::string m_axis;

@@ -41,7 +41,7 @@ struct Header {
     std::optional<double> spacing;
     std::optional<double> start;
     std::optional<double> end;
-    const Unit *unit = nullptr;
+    SaidUnit unit;
     bool ended = false; ///< the table begins
 };
 
@@ -54,9 +54,10 @@ void readHead(std::string_view line, Header &header) {
         header.end = lastNumber(line);
     else if (contains(line, "Axis position"))
         header.ended = true;
-    if (const Unit *unit = header.ended ? nullptr : unitIn(line);
-        unit && contains(line, "unit") && unit->kind == UnitKind::length)
-        header.unit = unit;
+    if (!header.ended && contains(line, "unit")) {
+        if (SaidUnit said = saidUnit(line); said.isSaid())
+            header.unit = std::move(said);
+    }
 }
 
 /// Whether a line begins with a number, or has two of them: a row that was damaged.
@@ -131,10 +132,14 @@ Pass readTable(Imported &imported, Header &header) {
 PassForm settleForm(const Header &header, Choices &choices, std::vector<Remark> &remarks) {
     PassForm form;
     form.sign = choices.settle("sign", "targetMinusActual", Origin::guessed).value;
-    const auto unit = choices.settle("unit", header.unit ? header.unit->word : "um",
-                                     header.unit ? Origin::recognised : Origin::guessed);
+    const Unit *stated = header.unit.unit;
+    const bool isKnown = stated && stated->kind == UnitKind::length;
+    const auto unit =
+        choices.settle("unit", isKnown ? stated->word : "um", isKnown ? Origin::recognised : Origin::guessed);
     form.unit = unitOf(unit.value);
-    if (unit.origin == Origin::guessed)
+    if (unit.origin == Origin::guessed && header.unit.isSaid())
+        askForUnit("unit", header.unit.words(), remarks);
+    else if (unit.origin == Origin::guessed)
         addRemark(remarks, RemarkGrade::assumption,
                   {REPORT_TEXT("report",
                                "Unit of the compensation values: nothing in the file says it; read as %1."),

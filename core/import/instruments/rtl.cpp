@@ -101,13 +101,13 @@ private:
         if (disagrees && !areOrdered()) // a number in two pieces
             throw Error(
                 Error::Kind::content,
-                {REPORT_TEXT("report", "the head names %1 targets, the list has %2 in no order: it is "
+                {REPORT_TEXT("report", "targets named in the head: %1, in the list, in no order: %2: it is "
                                        "damaged"),
                  {count(*stated), count(static_cast<double>(m_targets.size()))}},
                 placeOfLine(section.line));
         if (disagrees)
             remark(RemarkGrade::problem,
-                   {REPORT_TEXT("report", "The head names %1 targets, the list has %2; the list counts."),
+                   {REPORT_TEXT("report", "Targets named in the head: %1, in the list: %2; the list counts."),
                     {count(*stated), count(static_cast<double>(m_targets.size()))}},
                    section.line);
         const auto flags = section.value("Flags");
@@ -176,7 +176,7 @@ private:
         const auto stated = runs ? numberOf(runs->value("Run-count")) : std::nullopt;
         if (stated && *stated != static_cast<double>(m_runs.size()))
             remark(RemarkGrade::problem,
-                   {REPORT_TEXT("report", "The head names %1 runs, the rows have %2; the rows count."),
+                   {REPORT_TEXT("report", "Runs named in the head: %1, in the rows: %2; the rows count."),
                     {count(*stated), count(static_cast<double>(m_runs.size()))}});
     }
 
@@ -248,14 +248,14 @@ private:
         const std::string_view owner =
             header ? header->value("Owner").value_or(std::string_view()) : std::string_view();
         const bool ofRotaryAxis = contains(type, "rta") || contains(type, "rot") || contains(owner, "rot");
-        // Pitch and yaw: angles at positions in millimetres.
-        if (contains(owner, "ang") && !ofRotaryAxis && !m_choices.isChosen("motion"))
-            throw Error(
-                Error::Kind::content,
-                {REPORT_TEXT("report", "this is an angular measurement of a linear axis (pitch, yaw), no "
-                                       "positioning test; measure the axis with linear optics")});
         const bool angular = contains(type, "ang") || ofRotaryAxis;
         const bool rotary = m_choices.isChosen("motion") ? m_choices.chosen("motion") == "rotary" : angular;
+        demandRotation(angular, ofRotaryAxis);
+        if (rotary && contains(type, "lin") && !m_choices.isChosen("unit"))
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "%1 cannot be %2 here: the file has its numbers in %3"),
+                         {"motion", "rotary", "µm"}});
+        askForType();
         PassForm form;
         m_choices.settle("content", "deviations", Origin::recognised);
         m_choices.settle("motion", rotary ? "rotary" : "linear", Origin::recognised);
@@ -277,6 +277,62 @@ private:
         return form;
     }
 
+    /// Pitch and yaw: angles at positions in millimetres.
+    void demandRotation(bool angular, bool ofRotaryAxis) {
+        const Section *header = findSection(m_sections, "HEADER");
+        const std::string_view owner = header ? header->value("Owner").value_or("") : std::string_view();
+        const bool isOwned = sameWord(owner.substr(0, 3), "ang");
+        angular |= isOwned;
+        const std::string axis = userText("Axis").substr(0, 1);
+        const bool isLinear = axis.find_first_of("XYZUVWxyzuvw") == 0 || isOwned;
+        const std::string_view motion = m_choices.chosen("motion");
+        const bool isNone = !ofRotaryAxis && (isLinear || isTilt(userText("TITLE")));
+        if (angular && (motion == "linear" || (motion.empty() && isNone)))
+            throw Error(
+                Error::Kind::content,
+                {REPORT_TEXT("report", "this is an angular measurement of a linear axis (pitch, yaw), no "
+                                       "positioning test; measure the axis with linear optics")});
+        if (angular && !ofRotaryAxis && motion.empty() && axis.find_first_of("ABCabc") != 0)
+            remark(
+                RemarkGrade::assumption,
+                {REPORT_TEXT("report", "Motion: the file holds angles and does not say of which axis; read "
+                                       "as those of a rotary axis. Pitch and yaw of a linear axis are no "
+                                       "positioning test.")},
+                0, "motion");
+    }
+
+    /// Words for angles beside the way of an axis.
+    [[nodiscard]] static bool isTilt(std::string_view text) {
+        constexpr std::array<std::string_view, 14> words{
+            "pitch",   "yaw",    "roll",      "nick",       "gier",    "wank",    "lacet",
+            "tangage", "roulis", "imbardata", "beccheggio", "cabeceo", "guinada", "alabeo"};
+        return std::ranges::any_of(words, [&](std::string_view word) { return contains(text, word); });
+    }
+
+    /// Straightness, squareness, flatness: measured along an axis, too.
+    void askForType() {
+        constexpr std::array<std::string_view, 5> known{"lin", "pos", "ang", "rot", "rta"};
+        const Section *header = findSection(m_sections, "HEADER");
+        for (const std::string_view type :
+             {m_type, header ? header->value("File type").value_or("") : std::string_view()}) {
+            const bool isWord =
+                std::ranges::any_of(type, [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; });
+            if (isWord &&
+                std::ranges::none_of(known, [&](std::string_view word) { return contains(type, word); })) {
+                remark(RemarkGrade::assumption,
+                       {REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test."),
+                        {excerpt(type)}},
+                       0, "kind");
+                return;
+            }
+        }
+    }
+
+    [[nodiscard]] std::string userText(std::string_view key) const {
+        const Section *user = findSection(m_sections, "USER-TEXT");
+        return user ? std::string(user->value(key).value_or("")) : std::string();
+    }
+
     [[nodiscard]] static bool contains(std::string_view text, std::string_view word) {
         for (std::size_t i = 0; i + word.size() <= text.size(); ++i) {
             if (sameWord(text.substr(i, word.size()), word))
@@ -286,10 +342,7 @@ private:
     }
 
     void readUserText(Test &test, PositioningMeasurement &measurement) {
-        const Section *user = findSection(m_sections, "USER-TEXT");
-        const auto text = [&](std::string_view key) {
-            return user ? std::string(user->value(key).value_or("")) : std::string();
-        };
+        const auto text = [&](std::string_view key) { return userText(key); };
         m.machine.name = text("Machine");
         m.machine.serialNumber = text("Serial No");
         m.machine.location = text("Location");

@@ -67,7 +67,7 @@ std::string_view samplesBehind(std::string_view all, std::size_t mark, std::size
     const std::size_t there = (all.size() - at) / sizeof(double);
     if (there < count)
         throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the file was cut off: %1 samples are announced, %2 are there"),
+                    {REPORT_TEXT("report", "the file was cut off: samples announced: %1, there: %2"),
                      {Number{static_cast<double>(count), Quantity::count},
                       Number{static_cast<double>(there), Quantity::count}}});
     return all.substr(at);
@@ -96,7 +96,7 @@ void remarkEnd(std::string_view rest, const Sampling &sampling, std::vector<Rema
                   {REPORT_TEXT("report", "The file has no end mark behind its samples.")});
     else if (const std::size_t further = mark / sizeof(double); further > 0)
         addRemark(remarks, RemarkGrade::problem,
-                  {REPORT_TEXT("report", "The head announces %1 samples, %2 are there; those beyond "
+                  {REPORT_TEXT("report", "Samples announced in the head: %1, there: %2; those beyond "
                                          "were not read."),
                    {Number{static_cast<double>(sampling.count), Quantity::count},
                     Number{static_cast<double>(sampling.count + further), Quantity::count}}},

@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "import/choices.h"
+#include "kernel/measurement/plane.h"
 
 #include <cmath>
 
@@ -15,11 +16,13 @@ void settleCircle(CircularMeasurement &measurement, std::string &edition, std::s
                   std::optional<double> feed, Choices &choices, std::vector<Remark> &remarks) {
     const auto settled = choices.settle("plane", plane.empty() ? "XY" : plane,
                                         plane.empty() ? Origin::guessed : Origin::recognised);
-    if (settled.value.size() != 2)
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the plane cannot be %1; expected two axes, for example XY"),
-                     {settled.value}});
-    measurement.plane = {settled.value.substr(0, 1), settled.value.substr(1, 1)};
+    const std::optional<Plane> named = planeOf(settled.value);
+    if (!named)
+        throw Error(
+            Error::Kind::content,
+            {REPORT_TEXT("report", "the plane cannot be %1; expected two different axes, for example XY"),
+             {settled.value}});
+    measurement.plane = *named;
     if (settled.origin == Origin::guessed)
         addRemark(remarks, RemarkGrade::assumption,
                   {REPORT_TEXT("report", "Plane: nothing in the file says it; taken as XY.")}, 0, "plane");

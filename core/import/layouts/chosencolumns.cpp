@@ -20,9 +20,9 @@ public:
         std::vector<ImportColumn> chosen = columnsOf(text, unknown).value_or(std::vector<ImportColumn>());
         if (chosen.size() > m_heads.size())
             throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "%1 names %2 columns, the table has %3"),
-                         {"columns", Number{static_cast<double>(chosen.size()), Quantity::count},
-                          Number{static_cast<double>(m_heads.size()), Quantity::count}}});
+                        {REPORT_TEXT_COUNTED("report", "%1 names %n column(s), the table has %2"),
+                         {"columns", Number{static_cast<double>(m_heads.size()), Quantity::count}},
+                         static_cast<int>(chosen.size())});
         chosen.resize(m_heads.size());
         m_result = {};
         const bool hasDeviations =
@@ -47,8 +47,8 @@ public:
                                                    "test; ignore one of them")});
             content = chosen[c].role;
             m_result.values.push_back(c);
-            if (!m_result.unit)
-                m_result.unit = m_heads[c].unit;
+            if (!m_result.unit.isSaid())
+                m_result.unit = m_heads[c].said();
         }
         m_result.content = content == ColumnRole::deviation ? "deviations"
                            : content == ColumnRole::actual  ? "positions"

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/arcs.h"
+#include "import/layouts/passes.h"
 #include "import/layouts/tablereading.h"
 
 #include "document/documenterror.h"
+#include "document/place.h"
 #include "kernel/numerics/leastsquarescircle.h"
 #include "kernel/words/degree.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace palmer {
@@ -74,7 +77,8 @@ public:
         if (m_missing > 0)
             m.remark(RemarkGrade::problem,
                      {REPORT_TEXT("report", "Points without a number were left out: %1."),
-                      {Number{static_cast<double>(m_missing), Quantity::count}}});
+                      {Number{static_cast<double>(m_missing), Quantity::count}}},
+                     0, "unread");
         test.measurement = std::move(measurement);
         m.result.test = std::move(test);
     }
@@ -97,21 +101,37 @@ private:
 
     void setRole(std::size_t column, ColumnRole role) { m.result.columns[column].role = role; }
 
+    [[nodiscard]] std::vector<std::size_t> numbersOf(Meaning meaning) const {
+        std::vector<std::size_t> found;
+        for (const std::size_t c : m.body.numberColumns()) {
+            if (m.body.columns[c].meaning == meaning)
+                found.push_back(c);
+        }
+        return found;
+    }
+
+    /// Called so, else by their unit: "Angular position (°)".
+    [[nodiscard]] std::vector<std::size_t> angleColumns() const {
+        std::vector<std::size_t> angles = numbersOf(Meaning::angle);
+        if (!angles.empty())
+            return angles;
+        for (const Meaning meaning : {Meaning::place, Meaning::target, Meaning::unknown}) {
+            std::ranges::copy_if(numbersOf(meaning), std::back_inserter(angles), [&](std::size_t c) {
+                const Unit *unit = m.body.columns[c].unit;
+                return unit && unit->kind == UnitKind::angle;
+            });
+        }
+        return angles;
+    }
+
     /// The columns of a role by their headings; those of several roles are never paths of one test.
     void takeRoles() {
         const TableBody &body = m.body;
         m.result.columns.clear();
         for (const TableColumn &column : body.columns)
             m.result.columns.push_back({ColumnRole::ignored, {}, 0, column.unit, column.heading});
-        const auto of = [&](Meaning meaning) {
-            std::vector<std::size_t> found;
-            for (const std::size_t c : body.numberColumns()) {
-                if (body.columns[c].meaning == meaning)
-                    found.push_back(c);
-            }
-            return found;
-        };
-        const auto angle = of(Meaning::angle);
+        const auto of = [&](Meaning meaning) { return numbersOf(meaning); };
+        const std::vector<std::size_t> angle = angleColumns();
         const auto coordinates = coordinateColumns();
         m_named = coordinates || !angle.empty();
         // "angle, x, y": the points, and where on their way they were taken.
@@ -133,6 +153,9 @@ private:
             setRole(c, isXy ? ColumnRole::y : roleOf(c));
         for (const std::size_t c : of(Meaning::nominal))
             setRole(c, ColumnRole::nominal);
+        takeSenses();
+        if (const auto runs = columnOfRuns())
+            setRole(*runs, ColumnRole::number);
     }
 
     /// Two columns called by their axes, in the order of the plane: as it is stated, else of the table.
@@ -241,6 +264,16 @@ private:
                                                "x and y, angle and radius, or angle and deviation")});
         m_first = *first;
         m.result.columns = std::move(chosen);
+        if (std::ranges::find(m.result.columns, ColumnRole::direction, &ImportColumn::role) ==
+            m.result.columns.end())
+            takeSenses();
+    }
+
+    /// A column of senses is read also where its role is not among those that were chosen.
+    void takeSenses() {
+        const auto senses = columnOfSenses();
+        if (senses && m.result.columns[*senses].role == ColumnRole::ignored)
+            setRole(*senses, ColumnRole::direction);
     }
 
     /// A column that holds the nominal radius in every line.
@@ -253,6 +286,14 @@ private:
             if (low == high && low > 0)
                 m.notes.radius = unit && unit->kind == UnitKind::length ? unit->toBase(low) : low;
         }
+    }
+
+    [[nodiscard]] static Message contentOf(std::string_view layout) {
+        if (layout == "xy")
+            return {REPORT_TEXT("report", "Content: the columns are read as x and y of points of a circle.")};
+        if (layout == "angleRadius")
+            return {REPORT_TEXT("report", "Content: the columns are read as angle and radius.")};
+        return {REPORT_TEXT("report", "Content: the columns are read as angle and radial deviation.")};
     }
 
     std::string settleLayout() {
@@ -277,17 +318,16 @@ private:
         const auto choice = m.choices.settle("layout", found, origin);
         if (choice.value != "xy" && choice.value != "angleRadius" && choice.value != "angleDeviation")
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for a circular test"),
-                                               {"layout", choice.value}});
+                                               {nameOfChoice("layout"), nameOfWord("layout", choice.value)}});
         if (choice.origin == Origin::guessed)
-            m.remark(
-                RemarkGrade::assumption,
-                {choice.value == "xy"
-                     ? REPORT_TEXT("report",
-                                   "Content: the columns are read as x and y of points of a circle.")
-                 : choice.value == "angleRadius"
-                     ? REPORT_TEXT("report", "Content: the columns are read as angle and radius.")
-                     : REPORT_TEXT("report", "Content: the columns are read as angle and radial deviation.")},
-                0, "layout");
+            m.remark(RemarkGrade::assumption, contentOf(choice.value), 0, "layout");
+        // The columns are what the layout says they are, also where it was chosen against their headings.
+        const bool isXy = choice.value == "xy";
+        setRole(m_first, isXy ? ColumnRole::x : ColumnRole::angle);
+        for (const std::size_t second : m_seconds)
+            setRole(second, isXy                            ? ColumnRole::y
+                            : choice.value == "angleRadius" ? ColumnRole::radius
+                                                            : ColumnRole::deviation);
         return choice.value;
     }
 
@@ -302,6 +342,12 @@ private:
 
     /// Two columns beside the same angles run the same way unless a word tells them apart.
     void askForSenses() {
+        if (!m_unknownSense.empty())
+            m.remark(RemarkGrade::assumption,
+                     {REPORT_TEXT("report", "Sense: “%1” is neither clockwise nor counterclockwise to the "
+                                            "program; those points are read as their angles run."),
+                      {excerpt(m_unknownSense)}},
+                     0, "columns");
         const auto isSilent = [](const RawPath &path) { return !path.stated; };
         if (m_seconds.size() == 2 && m.body.blocks.size() == 1 && std::ranges::any_of(m_paths, isSilent) &&
             !m_question && !m.choices.isChosen("columns"))
@@ -311,20 +357,27 @@ private:
                      0, "columns");
     }
 
-    /// Of a block and its column: another where a column of senses says another.
+    /// Columns that part the lines of a block into paths.
+    struct Parting {
+        std::optional<std::size_t> senses;
+        std::optional<std::size_t> runs;
+        std::string_view lastSense = {};
+        std::string_view lastRun = {};
+    };
+
+    /// Of a block and its column: another where a column says another sense or run.
     void collectPaths(const TableBlock &block, std::size_t second, std::optional<Sense> stated) {
-        const auto senses = m.body.columnOf(ColumnKind::senses);
+        const auto direction =
+            std::ranges::find(m.result.columns, ColumnRole::direction, &ImportColumn::role);
+        Parting parting{std::nullopt, columnOfRuns()};
+        if (direction != m.result.columns.end())
+            parting.senses = static_cast<std::size_t>(direction - m.result.columns.begin());
         RawPath path;
         path.stated = stated;
         path.first.reserve(block.rows.size());
         path.second.reserve(block.rows.size());
         for (const std::uint32_t row : block.rows) {
-            if (senses) {
-                const auto sense = senseIn(m.cellText(row, *senses));
-                if (path.stated && sense != path.stated && !path.first.empty())
-                    finish(path);
-                path.stated = sense;
-            }
+            part(parting, row, path);
             const auto a = m.number(row, m_first);
             const auto b = m.number(row, second);
             if (!a || !b) {
@@ -339,6 +392,51 @@ private:
         finish(path);
     }
 
+    /// Ends the path where the line belongs to another one.
+    void part(Parting &parting, std::uint32_t row, RawPath &path) {
+        auto sense = path.stated;
+        bool ends = false;
+        if (parting.senses) {
+            const std::string_view word = m.cellText(row, *parting.senses);
+            if (word != parting.lastSense) {
+                sense = senseIn(word);
+                ends = !sense || sense != path.stated;
+            }
+            parting.lastSense = word;
+            if (!sense && m_unknownSense.empty())
+                m_unknownSense = word;
+        }
+        if (parting.runs) {
+            const std::string_view run = m.cellText(row, *parting.runs);
+            ends |= run != parting.lastRun;
+            parting.lastRun = run;
+        }
+        if (ends)
+            finish(path);
+        path.stated = sense;
+    }
+
+    /// Numbers of the paths: each has its own arc.
+    [[nodiscard]] std::optional<std::size_t> columnOfRuns() const {
+        const std::vector<std::size_t> found = numbersOf(Meaning::run);
+        return found.size() == 1 && found.front() != m_first &&
+                       std::ranges::find(m_seconds, found.front()) == m_seconds.end()
+                   ? std::optional(found.front())
+                   : std::nullopt;
+    }
+
+    /// Of words that say the sense, else of words below a heading that says so.
+    [[nodiscard]] std::optional<std::size_t> columnOfSenses() const {
+        if (const auto known = m.body.columnOf(ColumnKind::senses))
+            return known;
+        for (std::size_t c = 0; c < m.body.columns.size(); ++c) {
+            if (m.body.columns[c].kind == ColumnKind::words &&
+                m.body.columns[c].meaning == Meaning::direction)
+                return c;
+        }
+        return {};
+    }
+
     void finish(RawPath &path) {
         if (!path.first.empty())
             m_paths.push_back(std::move(path));
@@ -351,16 +449,23 @@ private:
         return a.size() == 1 && b.size() == 1 ? upper(a + b) : std::string();
     }
 
-    const Unit *settleUnit(std::string_view key, const Unit *stated, UnitKind kind, const char *guess,
+    /// What the heading says of the unit, else the lines above.
+    [[nodiscard]] SaidUnit saidFor(const TableColumn &column) const {
+        return column.said().isSaid() ? column.said() : m.notes.unit;
+    }
+
+    const Unit *settleUnit(std::string_view key, const SaidUnit &stated, UnitKind kind, const char *guess,
                            Text remark) {
-        const Unit *found = stated && stated->kind == kind ? stated : nullptr;
+        const Unit *found = stated.unit && stated.unit->kind == kind ? stated.unit : nullptr;
         const auto choice =
             m.choices.settle(key, found ? found->word : guess, found ? Origin::recognised : Origin::guessed);
         const Unit *unit = unitOf(choice.value);
         if (!unit || unit->kind != kind)
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for a circular test"),
-                                               {std::string(key), choice.value}});
-        if (choice.origin == Origin::guessed)
+                                               {nameOfChoice(key), nameOfWord(key, choice.value)}});
+        if (choice.origin == Origin::guessed && stated.isSaid())
+            askForUnit(key, stated.words(), m.result.remarks);
+        else if (choice.origin == Origin::guessed)
             m.remark(RemarkGrade::assumption, {remark, {std::string(unit->sign)}}, 0, std::string(key));
         return unit;
     }
@@ -376,8 +481,7 @@ private:
 
     void convertXy(CircularMeasurement &measurement) {
         const Unit *unit =
-            settleUnit("unit", m.body.columns[m_first].unit ? m.body.columns[m_first].unit : m.notes.unit,
-                       UnitKind::length, "mm",
+            settleUnit("unit", saidFor(m.body.columns[m_first]), UnitKind::length, "mm",
                        REPORT_TEXT("report", "Unit of x and y: nothing in the file says it; read as %1."));
         Points points;
         std::size_t count = 0;
@@ -455,13 +559,12 @@ private:
         }
         mean /= static_cast<double>(std::max<std::size_t>(n, 1));
         form.angle =
-            settleUnit("positionUnit", m.body.columns[m_first].unit, UnitKind::angle,
+            settleUnit("positionUnit", m.body.columns[m_first].said(), UnitKind::angle,
                        largest < 7 && n > 20 ? "rad" : "deg",
                        REPORT_TEXT("report", "Unit of the angles: nothing in the file says it; read as %1."));
         const TableColumn &second = m.body.columns[m_seconds.front()];
         form.reading = settleUnit(
-            "unit", second.unit ? second.unit : m.notes.unit, UnitKind::length,
-            form.radii || size < 0.5 ? "mm" : "um",
+            "unit", saidFor(second), UnitKind::length, form.radii || size < 0.5 ? "mm" : "um",
             REPORT_TEXT("report", "Unit of the radial deviations: nothing in the file says it; read as %1."));
         constexpr double anyRadius = 150; // to go on reading: the deviations hold for any
         form.radius =
@@ -559,7 +662,9 @@ private:
     [[nodiscard]] static std::size_t turningPoint(const std::vector<double> &angles) {
         if (angles.size() < 8)
             return 0;
-        const auto [low, high] = std::ranges::minmax_element(angles);
+        // The first of equal ones: the way back may begin with the point again where the way there ended.
+        const auto low = std::ranges::min_element(angles);
+        const auto high = std::ranges::max_element(angles);
         const auto farthest = std::abs(*high - angles.front()) > std::abs(*low - angles.front()) ? high : low;
         const double there = std::abs(*farthest - angles.front());
         const double back = std::abs(*farthest - angles.back());
@@ -574,6 +679,7 @@ private:
     std::vector<RawPath> m_paths;
     std::size_t m_missing = 0;
     std::optional<Message> m_question;
+    std::string_view m_unknownSense; ///< the first word of a column of senses that says none
     bool m_named = false;
     bool m_turned = false;
 };
@@ -605,8 +711,11 @@ bool areOnCircle(const TableReading &reading, std::size_t xColumn, std::size_t y
     for (std::size_t i = 0; i < points.size(); ++i)
         worst = std::max(
             worst, std::abs(std::hypot(points.x[i] - fit.centre.x, points.y[i] - fit.centre.y) - fit.radius));
-    const auto [low, high] = std::ranges::minmax(points.x);
-    return worst < 0.02 * fit.radius && high - low > 0.1 * fit.radius;
+    const auto [left, right] = std::ranges::minmax(points.x);
+    const auto [low, high] = std::ranges::minmax(points.y);
+    // Small deviations over a whole turn lie on a huge circle as on a straight line: its bend has to be seen.
+    const double bend = std::min(right - left, high - low);
+    return worst < 0.02 * fit.radius && worst < 0.1 * bend && right - left > 0.1 * fit.radius;
 }
 
 void readCircles(TableReading &reading) {

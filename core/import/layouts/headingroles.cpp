@@ -29,7 +29,9 @@ public:
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             const TableColumn &head = m_heads[c];
             m_result.columns.push_back({ColumnRole::ignored, {}, 0, head.unit, head.heading});
-            if (head.kind == ColumnKind::directions && !m_result.direction) {
+            const bool saysWay =
+                head.kind == ColumnKind::directions || head.kind == ColumnKind::senses; // of rotation
+            if (saysWay && !m_result.direction) {
                 role(c) = ColumnRole::direction;
                 m_result.direction = c;
             } else if (isNumeric(c)) {
@@ -39,12 +41,18 @@ public:
     }
 
 private:
+    [[nodiscard]] static bool saysReading(const TableColumn &head) {
+        return head.meaning == Meaning::deviation || head.meaning == Meaning::actual ||
+               head.meaning == Meaning::reading || head.meaning == Meaning::run ||
+               head.meaning == Meaning::direction || head.words.direction;
+    }
+
     [[nodiscard]] ColumnRole roleOf(std::size_t c) const {
         const TableColumn &head = m_heads[c];
         if (head.unit && head.unit->kind == UnitKind::temperature)
             return ColumnRole::temperature;
-        if (head.unit && head.unit->kind == UnitKind::time)
-            return ColumnRole::time;
+        if (head.unit && head.unit->kind == UnitKind::time && !saysReading(head))
+            return ColumnRole::time; // else "(sec)" is of arc, perhaps, and is asked for
         switch (head.meaning) {
         case Meaning::statistic:
             return ColumnRole::statistic;
@@ -75,8 +83,9 @@ private:
         case Meaning::x:
         case Meaning::y:
             return isRunHeading(head.words) ? ColumnRole::run : ColumnRole::ignored;
+        case Meaning::angle: // "Measured angle"
+            return head.words.isActual && !head.words.isTarget ? ColumnRole::actual : ColumnRole::ignored;
         case Meaning::target:
-        case Meaning::angle:
         case Meaning::other:
         case Meaning::process:
             break;

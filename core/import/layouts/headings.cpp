@@ -35,6 +35,17 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
     return words;
 }
 
+/// "G2", "Radius (G03)": neither "G21" nor "DG2".
+bool hasCode(std::string_view text, std::string_view code) {
+    const auto isPart = [](char c) { return isLetter(c) || (c >= '0' && c <= '9'); };
+    for (std::size_t at = text.find(code); at != std::string_view::npos; at = text.find(code, at + 1)) {
+        const std::size_t end = at + code.size();
+        if ((at == 0 || !isPart(text[at - 1])) && (end == text.size() || !isPart(text[end])))
+            return true;
+    }
+    return false;
+}
+
 /// "soll - ist": one of both sides of the sign is the target, the other what was measured.
 std::string signOfDifference(std::string_view left, std::string_view right) {
     const HeadingWords from = readHeading(left);
@@ -64,15 +75,22 @@ std::optional<Sense> senseIn(std::string_view text) {
                                                        "contro",  "contra"};
     if (std::ranges::any_of(clocks, has) && std::ranges::any_of(against, has))
         return Sense::counterclockwise;
+    // "Sens trigonométrique": as angles are counted in mathematics.
+    constexpr std::array<std::string_view, 4> counted{"trigo", "trigonometrique", "trigonometrico",
+                                                      "trigonometrica"};
+    if (std::ranges::any_of(counted, has))
+        return std::ranges::any_of(against, has) ? Sense::clockwise : Sense::counterclockwise;
     if (has("ccw") || has("counterclockwise") || has("anticlockwise") || has("antihoraire") || has("acw") ||
-        has("sah") || has("trigo") || has("antiorario") || has("antihorario") || has("gegenuhrzeigersinn") ||
+        has("sah") || has("antiorario") || has("antihorario") || has("gegenuhrzeigersinn") ||
+        has("linksdrehend") || has("linkslauf") || has("linksherum") || has("linkskreis") ||
         low.find("counter-clockwise") != std::string::npos ||
         low.find("anti-clockwise") != std::string::npos || low.find("anti-horaire") != std::string::npos ||
-        low == "g3" || low == "g03" || low == "⟲" || has("⟲"))
+        hasCode(low, "g3") || hasCode(low, "g03") || low == "⟲" || has("⟲"))
         return Sense::counterclockwise;
     if (has("cw") || has("sh") || has("clockwise") || has("horaire") || has("orario") || has("horario") ||
-        has("uhrzeigersinn") || has("aiguilles") || has("lancette") || has("agujas") || low == "g2" ||
-        low == "g02" || has("⟳"))
+        has("uhrzeigersinn") || has("aiguilles") || has("lancette") || has("agujas") ||
+        has("rechtsdrehend") || has("rechtslauf") || has("rechtsherum") || has("rechtskreis") ||
+        hasCode(low, "g2") || hasCode(low, "g02") || has("⟳"))
         return Sense::clockwise;
     return {};
 }

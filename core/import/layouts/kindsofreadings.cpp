@@ -110,22 +110,24 @@ private:
     }
 
     void keepOneUnit() {
-        std::map<const Unit *, std::size_t> counts;
+        std::map<std::string, std::size_t> counts;
         for (const std::size_t c : m_result.values) {
-            if (m_heads[c].unit)
-                ++counts[m_heads[c].unit];
+            if (const SaidUnit said = m_heads[c].said(); said.isSaid())
+                ++counts[said.words()];
         }
         if (counts.empty())
             return;
         for (const std::size_t c : m_result.values) {
-            if (m_heads[c].unit && (!m_result.unit || counts[m_heads[c].unit] > counts[m_result.unit]))
-                m_result.unit = m_heads[c].unit;
+            const SaidUnit said = m_heads[c].said();
+            if (said.isSaid() &&
+                (!m_result.unit.isSaid() || counts[said.words()] > counts[m_result.unit.words()]))
+                m_result.unit = said;
         }
         if (counts.size() < 2)
             return;
         ask({REPORT_TEXT("report", "Columns: the readings have different units; those in %1 are read."),
-             {std::string(m_result.unit->sign)}});
-        setAside([&](std::size_t c) { return m_heads[c].unit == m_result.unit; });
+             {excerpt(m_result.unit.words())}});
+        setAside([&](std::size_t c) { return m_heads[c].said() == m_result.unit; });
     }
 
     /// Runs of one kind have the same words; a word that is not understood is a kind of its own.
@@ -184,7 +186,7 @@ private:
             const bool isOther = meaning == Meaning::statistic || meaning == Meaning::other ||
                                  meaning == Meaning::index || meaning == Meaning::target;
             if (isNumeric(c) && role(c) == ColumnRole::ignored && isOfAxis && !isOther &&
-                (m_heads[c].unit == m_result.unit || !m_heads[c].unit) &&
+                (m_heads[c].said() == m_result.unit || !m_heads[c].unit) &&
                 (words(c).number || words(c).direction || words(c).hint))
                 ask({REPORT_TEXT("report", "Columns: “%1” may be a run like the others; it is not read."),
                      {excerpt(m_heads[c].heading)}});

@@ -3,11 +3,15 @@
 #include "import/layouts/passes.h"
 
 #include "document/documenterror.h"
+#include "document/place.h"
 #include "kernel/numerics/beside.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <future>
+#include <optional>
+#include <utility>
 
 namespace palmer {
 
@@ -97,8 +101,18 @@ std::size_t placeOf(double position, const std::vector<double> &positions, std::
 /// A run, its readings at the positions of all.
 struct SortedPass {
     Run run;
-    std::size_t repeated = 0; ///< readings where one is already
-    std::size_t firstRepeated = 0;
+    /// Readings where one is already.
+    struct Repeated {
+        std::size_t times = 0;
+        std::size_t line = 0; ///< of the first of them
+
+        void add(const Repeated &other) {
+            line = times == 0 ? other.line : line;
+            times += other.times;
+        }
+    };
+    Repeated same = {};  ///< say the same once more
+    Repeated other = {}; ///< say another number: what was measured there is not known
 };
 
 SortedPass sortedPass(Pass &pass, const std::vector<double> &positions, const DeviationForm &form) {
@@ -109,7 +123,9 @@ SortedPass sortedPass(Pass &pass, const std::vector<double> &positions, const De
         const std::size_t at = placeOf(reading.position, positions, next);
         next = at + 1;
         if (taken[at]) {
-            result.firstRepeated = result.repeated++ == 0 ? reading.line : result.firstRepeated;
+            const bool isOther = !reading.isMissing && result.run.deviations[at] !=
+                                                           deviation(reading.position, reading.value, form);
+            (isOther ? result.other : result.same).add({1, reading.line});
             continue;
         }
         taken[at] = true;
@@ -132,16 +148,17 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
             {REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations")});
     constexpr std::size_t readingLimit = 10'000'000;
     if (positions.size() > readingLimit / passes.size())
-        throw Error(Error::Kind::tooLarge,
-                    {REPORT_TEXT("report", "%1 targets and %2 runs are no positioning test; look at the kind "
-                                           "and the columns"),
-                     {count(positions.size()), count(passes.size())}});
+        throw Error(
+            Error::Kind::tooLarge,
+            {REPORT_TEXT("report", "targets: %1, runs: %2: that is no positioning test; look at the kind "
+                                   "and the columns"),
+             {count(positions.size()), count(passes.size())}});
     const DeviationForm deviations(form);
-    std::size_t repeated = 0;
-    std::size_t firstRepeated = 0;
+    SortedPass::Repeated same;
+    SortedPass::Repeated other;
     const auto take = [&](SortedPass sorted) {
-        firstRepeated = repeated == 0 ? sorted.firstRepeated : firstRepeated;
-        repeated += sorted.repeated;
+        same.add(sorted.same);
+        other.add(sorted.other);
         result.runs.push_back(std::move(sorted.run));
     };
     // Two passes at once where they are long.
@@ -159,12 +176,18 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
         position = form.positionUnit->toBase(position);
     result.targets = std::move(positions);
     result.axis.motion = form.positionUnit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
-    if (repeated > 0)
+    if (same.times > 0)
         addRemark(remarks, RemarkGrade::problem,
                   {REPORT_TEXT("report",
                                "Readings that stand at a target twice in one run: %1; the first is kept."),
-                   {count(repeated)}},
-                  firstRepeated);
+                   {count(same.times)}},
+                  same.line);
+    if (other.times > 0)
+        addRemark(remarks, RemarkGrade::problem,
+                  {REPORT_TEXT("report", "Readings that differ from another at the same target in the same "
+                                         "run: %1; the first was read."),
+                   {count(other.times)}},
+                  other.line, "unread");
     remarkGaps(result, remarks);
     return result;
 }
@@ -181,7 +204,7 @@ void demandOneMotion(const PassForm &form) {
     if (form.unit->kind != form.positionUnit->kind)
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
-                     {"positionUnit", std::string(form.positionUnit->word)}});
+                     {nameOfChoice("positionUnit"), nameOfWord("positionUnit", form.positionUnit->word)}});
 }
 
 void addMissing(Pass &pass, std::span<const double> targets) {
@@ -221,10 +244,10 @@ struct PassRange {
     double difference = 0; ///< of value and position
     std::size_t readings = 0;
 
+    /// Values that follow the positions. Deviations differ from the farthest position by half of the range.
     [[nodiscard]] bool arePositions() const {
-        const double largest = std::max(std::abs(lowValue), std::abs(highValue));
         const double size = std::max(high - low, std::abs(high));
-        return readings > 1 && high > low && difference < 0.1 * size && largest > 0.5 * size;
+        return readings > 1 && high > low && difference < 0.1 * size;
     }
 };
 
@@ -282,8 +305,10 @@ private:
     void settleContent() {
         const bool anyValue = m_low <= m_high;
         // Readings in a smaller unit than the targets are no positions.
-        const bool isSmall = m_stated.unit && m_stated.positionUnit && !m_followTargets &&
-                             m_stated.unit->toBase(1) < m_stated.positionUnit->toBase(1);
+        const Unit *unit = m_stated.unit.unit;
+        const Unit *positionUnit = m_stated.positionUnit.unit;
+        const bool isSmall =
+            unit && positionUnit && !m_followTargets && unit->toBase(1) < positionUnit->toBase(1);
         // "Medida 1 (µm)" is a measured position to some, and a measured deviation to others.
         const bool areSmall = std::max(std::abs(m_low), std::abs(m_high)) < 0.5 * m_farthest;
         const bool contradicted = m_stated.content == "positions" && !m_followTargets && anyValue && areSmall;
@@ -311,21 +336,48 @@ private:
     /// All near zero in the units that the file states, along an axis that is much longer: no positions.
     [[nodiscard]] bool areNoPositions() const {
         constexpr double part = 0.1; // of the farthest target
-        return m_high > m_low && m_stated.unit && m_stated.positionUnit &&
-               m_stated.unit->kind == m_stated.positionUnit->kind &&
-               m_stated.unit->toBase(std::max(std::abs(m_low), std::abs(m_high))) <
-                   part * m_stated.positionUnit->toBase(m_farthest);
+        const Unit *unit = m_stated.unit.unit;
+        const Unit *positionUnit = m_stated.positionUnit.unit;
+        return m_high > m_low && unit && positionUnit && unit->kind == positionUnit->kind &&
+               unit->toBase(std::max(std::abs(m_low), std::abs(m_high))) <
+                   part * positionUnit->toBase(m_farthest);
     }
 
-    /// The motion: what is chosen, else what the units say.
+    /// What is chosen in the place of a unit, else what the file says.
+    [[nodiscard]] std::optional<UnitKind> kindOf(std::string_view key, const SaidUnit &said) const {
+        const Unit *unit = m_choices.isChosen(key) ? unitOf(m_choices.chosen(key)) : said.unit;
+        return unit && (unit->kind == UnitKind::length || unit->kind == UnitKind::angle)
+                   ? std::optional(unit->kind)
+                   : std::nullopt;
+    }
+
+    /// The motion: what is chosen, else what the units say; where they differ it is that of the file.
     void settleMotion() {
-        const Unit *position = m_stated.positionUnit;
-        const Unit *unit = m_stated.unit;
-        m_angular = m_choices.isChosen("motion") ? m_choices.chosen("motion") == "rotary"
-                                                 : (position && position->kind == UnitKind::angle) ||
-                                                       (!position && unit && unit->kind == UnitKind::angle);
+        const auto position = kindOf("positionUnit", m_stated.positionUnit);
+        const auto reading = kindOf("unit", m_stated.unit);
+        const Unit *said = m_stated.positionUnit.unit ? m_stated.positionUnit.unit : m_stated.unit.unit;
+        auto kind = position ? position : reading;
+        if (position && reading && position != reading)
+            kind = said ? std::optional(said->kind) : position;
+        if (m_choices.isChosen("motion")) {
+            kind = m_choices.chosen("motion") == "rotary" ? UnitKind::angle : UnitKind::length;
+            demandUnitsOf(*kind);
+        }
+        m_angular = kind == UnitKind::angle;
         m_choices.settle("motion", m_angular ? "rotary" : "linear",
-                         position || unit ? Origin::recognised : Origin::guessed);
+                         kind ? Origin::recognised : Origin::guessed);
+    }
+
+    /// A chosen motion does not change what the headings say; who knows better chooses the units, too.
+    void demandUnitsOf(UnitKind kind) const {
+        const std::array stated{std::pair("positionUnit", &m_stated.positionUnit),
+                                std::pair("unit", &m_stated.unit)};
+        for (const auto &[key, said] : stated) {
+            if (said->unit && said->unit->kind != kind && !m_choices.isChosen(key))
+                throw Error(Error::Kind::content,
+                            {REPORT_TEXT("report", "%1 cannot be %2 here: the file has its numbers in %3"),
+                             {"motion", std::string(m_choices.chosen("motion")), said->words()}});
+        }
     }
 
     [[nodiscard]] const Unit *fitting(const Unit *candidate) const {
@@ -333,28 +385,47 @@ private:
         return candidate && candidate->kind == kind ? candidate : nullptr;
     }
 
-    const Unit *settleUnit(std::string_view key, const Unit *stated, const Unit *guess, Text question) {
+    const Unit *settleUnit(std::string_view key, const SaidUnit &said, const Unit *guess, Text question) {
         const Unit *chosen = fitting(unitOf(m_choices.chosen(key)));
         if (m_choices.isChosen(key) && !chosen)
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
-                         {std::string(key), std::string(m_choices.chosen(key))}});
-        const Unit *found = fitting(stated) ? stated : guess;
-        const auto choice =
-            m_choices.settle(key, found->word, fitting(stated) ? Origin::recognised : Origin::guessed);
+                         {nameOfChoice(key), nameOfWord(key, m_choices.chosen(key))}});
+        const Unit *stated = fitting(said.unit);
+        const Unit *found = stated ? stated : guess;
+        const auto choice = m_choices.settle(key, found->word, stated ? Origin::recognised : Origin::guessed);
         const Unit *result = chosen ? chosen : found;
-        if (choice.origin == Origin::guessed)
+        if (choice.origin == Origin::guessed && said.isSaid())
+            askForUnit(said, key);
+        else if (choice.origin == Origin::guessed)
             ask({question, {std::string(result->sign)}}, key);
         return result;
+    }
+
+    /// An angle along millimetres, or the other way round, or a unit that is not known.
+    void askForUnit(const SaidUnit &said, std::string_view key) {
+        const Unit *position = m_stated.positionUnit.unit;
+        const bool isAngle = said.unit && said.unit->kind == UnitKind::angle;
+        if (key == "unit" && isAngle && position && position->kind == UnitKind::length)
+            addRemark(
+                m_remarks, RemarkGrade::problem,
+                {REPORT_TEXT("report",
+                             "Unit: the file says %1 for the readings and %2 for the targets. Angles "
+                             "along a linear axis (pitch, yaw) are no positioning test; where a heading "
+                             "is wrong, say the unit."),
+                 {said.words(), std::string(position->sign)}},
+                0, std::string(key));
+        else
+            palmer::askForUnit(key, said.words(), m_remarks);
     }
 
     void settleUnits() {
         const Unit *base = unitOf(m_angular ? "deg" : "mm");
         m_form.positionUnit = settleUnit(
             "positionUnit",
-            m_stated.positionUnit ? m_stated.positionUnit
-            : m_positions         ? m_stated.unit
-                                  : nullptr,
+            m_stated.positionUnit.isSaid() ? m_stated.positionUnit
+            : m_positions                  ? SaidUnit{fitting(m_stated.unit.unit)}
+                                           : SaidUnit{},
             base,
             REPORT_TEXT("report", "Unit of the target positions: nothing in the file says it; read as %1."));
         const double largest = m_low <= m_high ? std::max(std::abs(m_low), std::abs(m_high)) : 0;
@@ -405,6 +476,19 @@ private:
 };
 
 } // namespace
+
+void askForUnit(std::string_view choice, std::string_view said, std::vector<Remark> &remarks) {
+    const Text question =
+        choice == "positionUnit"
+            ? REPORT_TEXT("report", "Unit of the positions: the file says “%1”, which cannot be read as it "
+                                    "stands; say the unit of the numbers.")
+        : choice == "timeUnit"
+            ? REPORT_TEXT("report", "Unit of the times: the file says “%1”, which cannot be read as it "
+                                    "stands; say the unit of the numbers.")
+            : REPORT_TEXT("report", "Unit of the readings: the file says “%1”, which cannot be read as it "
+                                    "stands; say the unit of the numbers.");
+    addRemark(remarks, RemarkGrade::problem, {question, {excerpt(said)}}, 0, std::string(choice));
+}
 
 PassForm settleForm(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
                     std::vector<Remark> &remarks) {

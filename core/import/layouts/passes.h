@@ -40,8 +40,8 @@ struct PassForm {
 
 /// Targets ascending without repetition, one run a pass, readings that are not there null; deviations =
 /// actual − target in mm or degrees. Differences of positions are rounded to 1e-10, far below any
-/// instrument: 150.712 − 150.71 is 0.002. Remarks: two readings in one place (the first stays), a run of
-/// zeros, gaps, runs that differ in number.
+/// instrument: 150.712 − 150.71 is 0.002. Remarks: two readings in one place (the first stays; others than
+/// it are data that were not read), a run of zeros, gaps, runs that differ in number.
 [[nodiscard]] PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &form,
                                                    std::vector<Remark> &remarks);
 
@@ -66,10 +66,13 @@ void addMissing(Pass &pass, std::span<const double> targets);
 struct StatedForm {
     std::string content; ///< "deviations" or "positions"
     std::string sign;    ///< as of the choice, where the file proves it
-    const Unit *unit = nullptr;
-    const Unit *positionUnit = nullptr;
+    SaidUnit unit = {};
+    SaidUnit positionUnit = {};
     SaidSign said = {}; ///< what words of the file say, which is asked
 };
+
+/// Asks for the unit of a choice, where what the file says cannot be taken: nothing is proposed.
+void askForUnit(std::string_view choice, std::string_view said, std::vector<Remark> &remarks);
 
 /// Settles content, unit, positionUnit, sign and motion for passes: what the file says, else a guess with its
 /// question.

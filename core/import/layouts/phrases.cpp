@@ -3,6 +3,7 @@
 #include "import/layouts/phrases.h"
 
 #include "document/digit.h"
+#include "import/layouts/headings.h"
 #include "tables/folded.h"
 #include "tables/numbercell.h"
 
@@ -62,6 +63,11 @@ constexpr std::array phrases{
     Phrases{Meaning::unknown, Sign::down, "it es", "negativo|negativa"},
     Phrases{Meaning::unknown, Sign::down, "es",
             "vuelta|regreso|retorno|atras|retroceso|bajada|descendente|decreciente"},
+    // "pos" alone is a place, too.
+    Phrases{Meaning::direction, Sign::up, "en", "pos direction|pos dir"},
+    Phrases{Meaning::direction, Sign::down, "en", "neg direction|neg dir"},
+    Phrases{Meaning::direction, Sign::up, "de", "pos richtung"},
+    Phrases{Meaning::direction, Sign::down, "de", "neg richtung"},
     Phrases{Meaning::unknown, Sign::hintUp, "*", "pos"},
     Phrases{Meaning::unknown, Sign::hintDown, "*", "neg"},
     Phrases{Meaning::unknown, Sign::hintDown, "en", "rev|dec|desc|backw|return|inward|inbound"},
@@ -119,13 +125,15 @@ constexpr std::array phrases{
     Phrases{Meaning::deviation, Sign::none, "de",
             "abweichung|abweichungen|abw|fehler|positionsabweichung|positionsfehler|"
             "radialabweichung|differenz|messabweichung|messabweichungen|positionierabweichung|"
-            "positionierfehler|wegabweichung|wegfehler|istabweichung|linearabweichung"},
+            "positionierfehler|wegabweichung|wegfehler|istabweichung|linearabweichung|"
+            "winkelabweichung|winkelfehler|drehwinkelabweichung|drehwinkelfehler"},
     Phrases{Meaning::deviation, Sign::none, "it",
             "scostamento|scostamenti|scost|scarto|scarti|errore|errori|deviazione|deviazioni|differenza"},
     Phrases{Meaning::deviation, Sign::none, "es", "desviacion|desviaciones|desv|diferencia|desvio|desvios"},
     Phrases{Meaning::actual, Sign::none, "en", "actual|measured|meas"},
     Phrases{Meaning::actual, Sign::none, "fr", "reel|reelle|mesuree|atteinte"},
-    Phrases{Meaning::actual, Sign::none, "de", "ist|istposition|istwert|istpos|gemessen|gemessene"},
+    Phrases{Meaning::actual, Sign::none, "de",
+            "ist|istposition|istwert|istpos|istwinkel|gemessen|gemessene|gemessener"},
     Phrases{Meaning::actual, Sign::none, "it", "misurata|misurato|reale|effettiva|rilevata|rilevato"},
     Phrases{Meaning::actual, Sign::none, "es", "medida|medido|real"},
     Phrases{Meaning::reading, Sign::none, "fr", "mesure|mesures|releve|lecture"},
@@ -170,7 +178,8 @@ constexpr std::array phrases{
     Phrases{Meaning::target, Sign::none, "fr it", "nominale"},
     Phrases{Meaning::target, Sign::none, "fr", "cible|visee|vise|consigne|theorique|programmee|commandee"},
     Phrases{Meaning::target, Sign::none, "de",
-            "soll|sollposition|sollwert|sollpos|zielposition|zielpos|ziel|nennposition"},
+            "soll|sollposition|sollwert|sollpos|sollwinkel|zielposition|zielpos|zielwinkel|ziel|"
+            "nennposition|nennwinkel"},
     Phrases{Meaning::target, Sign::none, "it", "obiettivo|bersaglio|comandata|programmata"},
     Phrases{Meaning::target, Sign::none, "it es", "teorica"},
     Phrases{Meaning::target, Sign::none, "es", "objetivo|consigna|programada|comandada"},
@@ -181,7 +190,9 @@ constexpr std::array phrases{
     Phrases{Meaning::place, Sign::none, "es", "posicion|cota"},
     Phrases{Meaning::place, Sign::none, "fr", "cote|abscisse"},
     Phrases{Meaning::place, Sign::none, "en", "coordinate"},
-    Phrases{Meaning::place, Sign::none, "de", "messposition|messpunkt|achsposition|prufposition|prufpunkt"},
+    Phrases{Meaning::place, Sign::none, "de",
+            "messposition|messpunkt|achsposition|prufposition|prufpunkt|winkelposition|winkelstellung|"
+            "drehwinkel"},
     Phrases{Meaning::run, Sign::none, "en", "run|runs|pass|trial|series|traverse|rep|repeat|repetition|test"},
     Phrases{Meaning::run, Sign::none, "en fr", "cycle"},
     Phrases{Meaning::run, Sign::none, "fr", "passe|passage|essai|course"},
@@ -205,6 +216,9 @@ constexpr std::array phrases{
     Phrases{Meaning::process, Sign::none, "*", "pv"},
     Phrases{Meaning::unknown, Sign::filler, "en",
             "value|values|data|positioning|positional|of|the|to|travel|movement|ve"},
+    Phrases{Meaning::unknown, Sign::filler, "en es", "angular"},
+    Phrases{Meaning::unknown, Sign::filler, "fr", "angulaire|angulaires"},
+    Phrases{Meaning::unknown, Sign::filler, "it", "angolare|angolari"},
     Phrases{Meaning::unknown, Sign::filler, "fr", "valeur|d|du|positionnement|lineaire"},
     Phrases{Meaning::unknown, Sign::filler, "de", "wert|der|die|lineare"},
     Phrases{Meaning::unknown, Sign::filler, "it", "valore|di|posizionamento|lineare"},
@@ -234,6 +248,9 @@ bool isWordByte(char c) {
 std::size_t arrowLength(std::string_view text) {
     constexpr std::array<std::string_view, 18> arrows{"↑",   "↓",  "⇑",  "⇓",  "↗",  "↘",  "→",  "←", "-->",
                                                       "<--", "->", "<-", ">>", "<<", "=>", "<=", "»", "«"};
+    constexpr std::string_view beginnings = "-<>=\xC2\xE2"; // most text holds none of them
+    if (text.empty() || beginnings.find(text.front()) == std::string_view::npos)
+        return 0;
     for (const std::string_view arrow : arrows) {
         if (text.starts_with(arrow))
             return arrow.size();
@@ -363,6 +380,7 @@ public:
         if (m_symbol && m.direction && m_meanings.empty() && m.unknownWords < 2)
             m.meaning = Meaning::statistic;
         m.isTarget = has(Meaning::target);
+        m.isActual = has(Meaning::actual) || has(Meaning::reading);
         m.saysDirection = has(Meaning::direction);
         if (has(Meaning::target) && has(Meaning::radius))
             m.meaning = Meaning::nominal;
@@ -451,7 +469,7 @@ private:
         }
         if (token.text.size() == 1)
             takeLetter(token.text[0]);
-        if (!unitIn("(" + std::string(token.text) + ")")) {
+        if (!unitIn("(" + std::string(token.text) + ")") && saidUnit(token.text).foreign.empty()) {
             ++m.unknownWords;
             m.stem += std::string(token.text) + ' ';
         }
@@ -496,10 +514,82 @@ Meaning meaningOfLetter(std::string_view letter) {
 
 } // namespace
 
+namespace {
+
+/// The words of "gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre".
+bool isOfSense(const Token &token) {
+    constexpr std::array<std::string_view, 52> words{"cw",
+                                                     "ccw",
+                                                     "acw",
+                                                     "sh",
+                                                     "sah",
+                                                     "trigo",
+                                                     "trigonometrique",
+                                                     "trigonometrico",
+                                                     "trigonometrica",
+                                                     "linksdrehend",
+                                                     "linkslauf",
+                                                     "linksherum",
+                                                     "linkskreis",
+                                                     "rechtsdrehend",
+                                                     "rechtslauf",
+                                                     "rechtsherum",
+                                                     "rechtskreis",
+                                                     "clockwise",
+                                                     "counter",
+                                                     "anti",
+                                                     "horaire",
+                                                     "antihoraire",
+                                                     "orario",
+                                                     "antiorario",
+                                                     "horario",
+                                                     "antihorario",
+                                                     "uhrzeigersinn",
+                                                     "gegenuhrzeigersinn",
+                                                     "uhrzeigers",
+                                                     "gegen",
+                                                     "entgegen",
+                                                     "im",
+                                                     "den",
+                                                     "des",
+                                                     "sens",
+                                                     "senso",
+                                                     "sentido",
+                                                     "sinn",
+                                                     "inverse",
+                                                     "inverso",
+                                                     "contraire",
+                                                     "contrario",
+                                                     "contro",
+                                                     "contra",
+                                                     "aiguilles",
+                                                     "montre",
+                                                     "lancette",
+                                                     "agujas",
+                                                     "reloj",
+                                                     "une",
+                                                     "⟲",
+                                                     "⟳"};
+    return std::ranges::find(words, token.text) != words.end() || token.text == "counterclockwise" ||
+           token.text == "anticlockwise";
+}
+
+} // namespace
+
 HeadingWords readHeading(std::string_view text) {
     const std::string low = folded(withoutUnit(text.substr(0, 500)));
-    const std::vector<Token> tokens = tokensOf(low);
+    std::vector<Token> tokens = tokensOf(low);
+    const std::optional<Sense> sense = senseIn(low);
+    if (sense)
+        std::erase_if(tokens, isOfSense);
     HeadingWords heading = HeadingReader(tokens).read();
+    if (sense) {
+        ++heading.words;
+        heading.namesSense = true;
+        if (!heading.hint)
+            heading.hint = sense == Sense::clockwise ? Direction::positive : Direction::negative;
+        heading.isHintWord = false;
+    }
     if (tokens.size() == 1 && !tokens[0].isNumber && tokens[0].text.size() == 1 &&
         heading.meaning == Meaning::unknown) {
         heading.meaning = meaningOfLetter(tokens[0].text);

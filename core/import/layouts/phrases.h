@@ -41,10 +41,12 @@ enum class Meaning {
 struct HeadingWords {
     Meaning meaning = Meaning::unknown;
     bool isTarget = false;              ///< says "target" or "nominal", whatever else it says
+    bool isActual = false;              ///< says "actual", "measured" or "reading", whatever else it says
     std::optional<Direction> direction; ///< a whole phrase: "approche négative", "Hinfahrt", "↑", "+"
     std::optional<Direction> hint;      ///< an abbreviation that means a direction only beside its opposite
     bool isHintWord = false;            ///< the hint is an abbreviation, no letter and no dash
     bool saysDirection = false;         ///< holds a word for "direction"
+    bool namesSense = false;            ///< of rotation; its hint is a guess: clockwise as ↑
     bool comesFrom = false;             ///< "approach from −": the hint is the other way, and to be asked
     std::optional<unsigned> number;     ///< of a run
     char axis = 0;                      ///< X Y Z U V W A B C, else 0

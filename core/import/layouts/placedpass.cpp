@@ -3,6 +3,7 @@
 #include "import/layouts/placedpass.h"
 
 #include "document/documenterror.h"
+#include "document/place.h"
 
 #include <algorithm>
 #include <array>
@@ -57,23 +58,35 @@ std::string guessOf(const std::vector<PlacedPass> &passes) {
     return n > 2 && scatter(passes, halves) < 0.5 * scatter(passes, inTurn) ? "sideBySide" : "alternating";
 }
 
-Text questionFor(std::string_view word, const FoundPasses &found) {
+Message questionFor(std::string_view word, const FoundPasses &found,
+                    const std::optional<OppositeWord> &opposite) {
     if (word == "alternating" && found.isByLine)
-        return REPORT_TEXT(
-            "report", "Directions: nothing in the file says them; the lines are read as ↑ and ↓ in turn.");
+        return {REPORT_TEXT(
+            "report", "Directions: nothing in the file says them; the lines are read as ↑ and ↓ in turn.")};
     if (word == "alternating" && found.isBlockwise)
-        return REPORT_TEXT(
-            "report", "Directions: nothing in the file says them; the blocks are read as ↑ and ↓ in turn.");
+        return {REPORT_TEXT(
+            "report", "Directions: nothing in the file says them; the blocks are read as ↑ and ↓ in turn.")};
     if (word == "alternating")
-        return REPORT_TEXT(
-            "report", "Directions: nothing in the file says them; the runs are read as ↑ and ↓ in turn.");
+        return {REPORT_TEXT(
+            "report", "Directions: nothing in the file says them; the runs are read as ↑ and ↓ in turn.")};
     if (word == "sideBySide")
-        return REPORT_TEXT("report", "Directions: nothing in the file says them; the first half of the "
-                                     "runs is read as ↑, the second as ↓.");
+        return {REPORT_TEXT("report", "Directions: nothing in the file says them; the first half of the "
+                                      "runs is read as ↑, the second as ↓.")};
     if (word == "positive")
-        return REPORT_TEXT("report", "Directions: nothing in the file says them; all runs are read as ↑.");
-    return REPORT_TEXT(
-        "report", "Directions: letters, abbreviations or titles say them; look whether ↑ and ↓ are right.");
+        return {REPORT_TEXT("report", "Directions: nothing in the file says them; all runs are read as ↑.")};
+    if (opposite)
+        return {
+            opposite->direction == Direction::positive
+                ? REPORT_TEXT("report",
+                              "Directions: “%1” is read as ↑, the opposite of the other word of its column.")
+                : REPORT_TEXT("report",
+                              "Directions: “%1” is read as ↓, the opposite of the other word of its column."),
+            {excerpt(opposite->word)}};
+    if (found.hasSenses)
+        return {REPORT_TEXT("report", "Directions: the file says clockwise or counterclockwise, not which of "
+                                      "them is positive; clockwise is read as ↑.")};
+    return {REPORT_TEXT(
+        "report", "Directions: letters, abbreviations or titles say them; look whether ↑ and ↓ are right.")};
 }
 
 } // namespace
@@ -93,7 +106,8 @@ void settleDirections(FoundPasses &found, TableReading &reading) {
             passes[j].direction = directionUnder(choice.value, j, passes.size());
     }
     if (choice.origin == Origin::guessed)
-        reading.remark(RemarkGrade::assumption, {questionFor(choice.value, found)}, 0, "directions");
+        reading.remark(RemarkGrade::assumption, questionFor(choice.value, found, reading.body.opposite), 0,
+                       "directions");
 }
 
 std::vector<Pass> inOrder(std::vector<PlacedPass> placed) {

@@ -35,9 +35,10 @@ struct FoundPasses {
     std::vector<PlacedPass> passes;
     std::string content; ///< "deviations", "positions", or empty
     std::string sign;    ///< proven by the table, or empty
-    const Unit *unit = nullptr;
-    const Unit *positionUnit = nullptr;
-    bool hasHints = false; ///< directions come from letters, abbreviations or titles
+    SaidUnit unit = {};
+    SaidUnit positionUnit = {};
+    bool hasHints = false;  ///< directions come from letters, abbreviations or titles
+    bool hasSenses = false; ///< directions come from senses of rotation
     bool isBlockwise = false;
     bool isByLine = false; ///< a pass a line
 };

@@ -11,9 +11,42 @@ namespace palmer {
 
 namespace {
 
+/// Numbers without a heading behind the targets, where others have one.
+bool isUntitled(const ColumnSearch &search, std::size_t c) {
+    const std::vector<TableColumn> &heads = search.reading.body.columns;
+    const auto isTitled = [](const TableColumn &head) { return !head.heading.empty(); };
+    return !isTitled(heads[c]) && std::ranges::any_of(heads, isTitled) && c > search.result.target &&
+           !isCounter(search.reading, c);
+}
+
+/// Whether a column that is not read is headed, or stands, as readings do.
+bool looksLikeReadings(const ColumnSearch &search, std::size_t c) {
+    const TableColumn &head = search.reading.body.columns[c];
+    const std::string &axis = search.reading.axisFound;
+    const bool isOfAxis = axis.empty() || head.words.axis == 0 || head.words.axis == axis[0];
+    if (head.kind != ColumnKind::numbers || search.result.columns[c].role != ColumnRole::ignored || !isOfAxis)
+        return false;
+    switch (head.meaning) {
+    case Meaning::deviation:
+    case Meaning::reading:
+    case Meaning::run:
+        return true;
+    case Meaning::unknown:
+    case Meaning::actual:
+    case Meaning::direction:
+    case Meaning::place:
+        return head.words.direction || head.words.namesSense || isUntitled(search, c);
+    default:
+        return false;
+    }
+}
+
+/// What is not read is said; that readings are left out is asked, whatever else is.
 void remarkIgnored(ColumnSearch &search) {
     const std::vector<TableColumn> &heads = search.reading.body.columns;
+    const bool isChosen = search.reading.choices.isChosen("columns");
     std::string names;
+    std::string readings;
     for (std::size_t c = 0; c < heads.size(); ++c) {
         const ColumnRole what = search.result.columns[c].role;
         const bool isRead = what == ColumnRole::target || what == ColumnRole::direction ||
@@ -22,9 +55,21 @@ void remarkIgnored(ColumnSearch &search) {
         const bool isCounted =
             heads[c].meaning == Meaning::index ||
             (heads[c].meaning == Meaning::axis && heads[c].kind == ColumnKind::words); // it chooses the lines
-        if (!isRead && !isCounted && heads[c].kind != ColumnKind::empty && !heads[c].heading.empty())
-            names += (names.empty() ? "" : ", ") + std::string(heads[c].heading);
+        if (isRead || isCounted || heads[c].kind == ColumnKind::empty)
+            continue;
+        const bool isReading = !isChosen && looksLikeReadings(search, c);
+        std::string &list = isReading ? readings : names;
+        const std::string name = heads[c].heading.empty() && isReading ? '#' + std::to_string(c + 1)
+                                 : isReading                           ? excerpt(heads[c].heading)
+                                                                       : heads[c].heading;
+        if (!name.empty())
+            list += (list.empty() ? "" : ", ") + name;
     }
+    if (!readings.empty())
+        search.reading.remark(
+            RemarkGrade::assumption,
+            {REPORT_TEXT("report", "Columns that look like readings and are not read: %1."), {readings}}, 0,
+            "columns");
     if (!names.empty())
         search.reading.remark(RemarkGrade::note,
                               {REPORT_TEXT("report", "Columns that are not read: %1."), {excerpt(names)}});

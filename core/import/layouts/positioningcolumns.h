@@ -20,10 +20,11 @@ struct PositioningColumns {
     std::optional<std::size_t> number;             ///< a column of numbers of runs
     std::vector<std::size_t> values;               ///< readings: of one role, one unit, one axis
     std::map<std::size_t, std::size_t> ownTargets; ///< readings beside a column of targets of their own
-    std::string content;        ///< "deviations", "positions", or empty: the headings do not say
-    std::string sign;           ///< proven by actual positions beside the deviations, else empty
-    const Unit *unit = nullptr; ///< of the readings
-    bool hasHints = false;      ///< directions were taken from letters or abbreviations
+    std::string content;    ///< "deviations", "positions", or empty: the headings do not say
+    std::string sign;       ///< proven by actual positions beside the deviations, else empty
+    SaidUnit unit = {};     ///< of the readings
+    bool hasSenses = false; ///< directions were taken from senses of rotation
+    bool hasHints = false;  ///< directions were taken from letters or abbreviations
 };
 
 /// Settles the role of every column: what the user chose ("columns"), else what the whole words of the

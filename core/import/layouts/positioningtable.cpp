@@ -101,8 +101,8 @@ std::string settleLayout(TableReading &reading) {
     }
     const auto choice = reading.choices.settle("layout", found, origin);
     if (choice.value != "targetsDown" && choice.value != "runsDown" && choice.value != "list")
-        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                                           {"layout", choice.value, "targetsDown, runsDown, list"}});
+        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for a positioning test"),
+                                           {nameOfChoice("layout"), nameOfWord("layout", choice.value)}});
     if (choice.origin == Origin::guessed)
         reading.remark(
             RemarkGrade::assumption,
@@ -196,9 +196,9 @@ void readPositioning(TableReading &reading) {
     colour(found.passes, reading);
     std::vector<Pass> passes = inOrder(std::move(found.passes));
     // "Unit: µm" above positions is that of something else: asked.
-    const Unit *noted = reading.notes.unit;
-    const bool isTooSmall = noted && noted->toBase(1) < 1 && arePositions(passes);
-    const Unit *unit = found.unit || isTooSmall ? found.unit : noted;
+    const SaidUnit &noted = reading.notes.unit;
+    const bool isTooSmall = noted.unit && noted.unit->toBase(1) < 1 && arePositions(passes);
+    const SaidUnit unit = found.unit.isSaid() || isTooSmall ? found.unit : noted;
     const PassForm form =
         settleForm(passes, {found.content, found.sign, unit, found.positionUnit, signOf(reading)},
                    reading.choices, reading.result.remarks);

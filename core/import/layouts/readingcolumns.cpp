@@ -104,7 +104,10 @@ private:
             const Meaning meaning = m_heads[c].meaning;
             const bool isNamed = words(c).direction || meaning == Meaning::deviation ||
                                  meaning == Meaning::actual || meaning == Meaning::reading;
-            if (m_heads[c].kind == ColumnKind::words && isNamed && meaning != Meaning::direction)
+            const bool holdsWords = m_heads[c].kind == ColumnKind::words ||
+                                    m_heads[c].kind == ColumnKind::clock ||
+                                    m_heads[c].kind == ColumnKind::dates;
+            if (holdsWords && isNamed && meaning != Meaning::direction)
                 ask({REPORT_TEXT("report",
                                  "Columns: “%1” is headed as readings, but holds words; it is not read."),
                      {excerpt(m_heads[c].heading)}});
@@ -123,6 +126,10 @@ private:
     /// A column of numbers without a heading among others that have one.
     void askForUntitled() {
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
+            if (m_heads[c].isSpread && m_result.columns[c].hasReadings())
+                ask({REPORT_TEXT("report", "Columns: “%1” is read as the heading of the columns without one "
+                                           "behind it, too."),
+                     {excerpt(m_heads[c].heading)}});
             if (isNumeric(c) && role(c) == ColumnRole::ignored && m_heads[c].heading.empty() &&
                 !isCounter(m, c))
                 ask({REPORT_TEXT("report", "Columns: column %1 has numbers and no heading; it is not read."),

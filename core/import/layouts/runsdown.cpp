@@ -52,9 +52,9 @@ private:
             m.setRole(head, c, cells[c].isNumber() ? CellRole::position : CellRole::head);
         }
         if (m.table().unitOfRow().unit && m.table().unitOfRow().row == head)
-            m_found.positionUnit = m.table().unitOfRow().unit;
-        if (!m_found.positionUnit)
-            m_found.positionUnit = unitIn(words);
+            m_found.positionUnit = {m.table().unitOfRow().unit};
+        if (!m_found.positionUnit.isSaid())
+            m_found.positionUnit = saidUnit(words);
         for (const TableCell &cell : cells) {
             if (cell.kind == CellKind::grouped || cell.kind == CellKind::broken)
                 m.remark(RemarkGrade::problem,
@@ -75,7 +75,8 @@ private:
     void readRun(std::uint32_t row) {
         const std::string label = labelOf(row);
         const HeadingWords heading = readHeading(label);
-        const Unit *unit = unitIn(label);
+        const SaidUnit said = saidUnit(label);
+        const Unit *unit = said.unit;
         if (heading.meaning == Meaning::statistic || heading.meaning == Meaning::other ||
             heading.meaning == Meaning::temperature ||
             (unit && unit->kind != UnitKind::length && unit->kind != UnitKind::angle)) {
@@ -87,15 +88,17 @@ private:
         }
         PlacedPass placed;
         placed.direction = m_titled;
-        if (m_directions)
-            placed.direction = directionOf(m.cellText(row, *m_directions));
-        else if (heading.direction)
+        if (m_directions) {
+            placed.direction = m.body.directionIn(m.cellText(row, *m_directions));
+            m_found.hasHints |= m.body.opposite.has_value();
+        } else if (heading.direction) {
             placed.direction = heading.direction;
+        }
         placed.number = heading.number.value_or(0);
         for (const auto &[column, position] : m_targets)
             placed.add(m, row, position, column);
         m_found.passes.push_back(std::move(placed));
-        m_labels.push_back({heading, unit, label, m.row(row).line});
+        m_labels.push_back({heading, said, label, m.row(row).line});
     }
 
     /// Lines whose words are not understood beside lines that name their run or direction are no runs; a
@@ -124,6 +127,7 @@ private:
             }
             if (!m_found.passes[i].direction && label.words.hint && up && down) {
                 m_found.passes[i].direction = label.words.hint;
+                m_found.hasSenses |= label.words.namesSense;
                 m_found.hasHints |= !label.words.isClearHint(isStated(
                     *label.words.hint == Direction::positive ? Direction::negative : Direction::positive));
             }
@@ -140,18 +144,18 @@ private:
 
     struct Label {
         HeadingWords words;
-        const Unit *unit = nullptr;
+        SaidUnit unit;
         std::string text;
         std::uint32_t line = 0;
     };
 
     void takeLabel(const Label &label) {
-        if (!m_found.unit)
+        if (!m_found.unit.isSaid())
             m_found.unit = label.unit;
-        else if (label.unit && label.unit != m_found.unit)
+        else if (label.unit.isSaid() && label.unit != m_found.unit)
             m.remark(RemarkGrade::problem,
                      {REPORT_TEXT("report", "The unit of this line is not that of the others: %1."),
-                      {std::string(label.unit->sign)}},
+                      {excerpt(label.unit.words())}},
                      label.line, "unread");
         const char *content = label.words.meaning == Meaning::deviation ? "deviations"
                               : label.words.meaning == Meaning::actual  ? "positions"
@@ -170,7 +174,7 @@ private:
             said = unit;
         }
         if (said)
-            m_found.unit = said;
+            m_found.unit = {said};
     }
 
     void takeColumns() {

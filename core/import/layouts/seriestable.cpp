@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "document/place.h"
+#include "import/layouts/passes.h"
 #include "tables/dates.h"
 
 #include <algorithm>
@@ -42,8 +43,8 @@ public:
         chooseColumns();
         const auto layout = m.choices.settle("layout", "series", Origin::recognised);
         if (layout.value != "series")
-            throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                                               {"layout", layout.value, "series"}});
+            throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for values over time"),
+                                               {nameOfChoice("layout"), nameOfWord("layout", layout.value)}});
         readTimes();
         if (m_temperatures)
             readTemperatures();
@@ -204,12 +205,15 @@ private:
 
     /// Seconds of one unit of the times.
     double settleTimeUnit() {
-        const Unit *stated = m.body.columns[m_time].unit;
+        const SaidUnit said = m.body.columns[m_time].said();
+        const Unit *stated = said.unit;
         const bool isTime = stated && stated->kind == UnitKind::time;
         // Milliseconds are a unit of the file, none of the choices.
         const auto choice = m.choices.settle("timeUnit", isTime ? stated->word : "s",
                                              isTime ? Origin::recognised : Origin::guessed);
-        if (choice.origin == Origin::guessed)
+        if (choice.origin == Origin::guessed && said.isSaid())
+            askForUnit("timeUnit", said.words(), m.result.remarks);
+        else if (choice.origin == Origin::guessed)
             m.remark(RemarkGrade::assumption,
                      {REPORT_TEXT("report", "Unit of the times: nothing in the file says it; read as %1."),
                       {choice.value}},
@@ -262,6 +266,14 @@ private:
             Sensor sensor;
             sensor.position = withoutUnit(m.body.columns[column].heading);
             sensor.measures = measuredBy(sensor.position);
+            if (const SaidUnit said = m.body.columns[column].said();
+                said.isSaid() && !(said.unit && said.unit->kind == UnitKind::temperature)) {
+                m.remark(RemarkGrade::problem,
+                         {REPORT_TEXT("report", "Temperatures in “%1” are not read, only those in °C."),
+                          {excerpt(said.words())}},
+                         0, "unread");
+                continue;
+            }
             TemperatureSeries series;
             for (std::size_t i = 0; i < m_rows.size(); ++i) {
                 if (const auto value = m.number(m_rows[i], column)) {
@@ -320,7 +332,8 @@ private:
                      {REPORT_TEXT("report", "Points without a number were left out: %1."),
                       {Number{static_cast<double>(missing), Quantity::count}}});
         const auto [low, high] = std::ranges::minmax(values);
-        const Unit *stated = column.unit ? column.unit : m.notes.unit;
+        const SaidUnit said = column.said().isSaid() ? column.said() : m.notes.unit;
+        const Unit *stated = said.unit;
         const bool known = stated && (stated->kind == UnitKind::length || stated->kind == UnitKind::angle);
         const bool rotary = m.choices.isChosen("motion") ? m.choices.chosen("motion") == "rotary"
                                                          : known && stated->kind == UnitKind::angle;
@@ -328,7 +341,9 @@ private:
         const auto choice = m.choices.settle("unit", known ? stated->word : guess,
                                              known ? Origin::recognised : Origin::guessed);
         const Unit *unit = unitOf(choice.value);
-        if (choice.origin == Origin::guessed)
+        if (choice.origin == Origin::guessed && said.isSaid())
+            askForUnit("unit", said.words(), m.result.remarks);
+        else if (choice.origin == Origin::guessed)
             m.remark(
                 RemarkGrade::assumption,
                 {REPORT_TEXT(

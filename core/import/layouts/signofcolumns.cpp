@@ -31,7 +31,10 @@ public:
             ImportColumn &column = m_result.columns[c];
             column.number = words(c).number.value_or(0);
             column.direction = words(c).direction;
-            if (!column.direction && paired && words(c).hint) {
+            if (!column.direction && words(c).namesSense) {
+                column.direction = words(c).hint;
+                m_result.hasSenses = true;
+            } else if (!column.direction && paired && words(c).hint) {
                 column.direction = words(c).hint;
                 m_result.hasHints = true;
                 allClear = allClear && isClear(c);
@@ -40,7 +43,7 @@ public:
             allSigns = allSigns && !words(c).comesFrom &&
                        folded(m_heads[c].heading).find_first_of("+-") != std::string::npos;
         }
-        m_result.hasHints = m_result.hasHints && !allSigns && !allClear;
+        m_result.hasHints = (m_result.hasHints && !allSigns && !allClear) || m_result.hasSenses;
     }
 
     [[nodiscard]] bool isClear(std::size_t column) const {

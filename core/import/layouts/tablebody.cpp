@@ -65,7 +65,17 @@ struct CellCount {
     std::size_t clocks = 0;
     std::size_t dates = 0;
     std::size_t words = 0;
+    std::size_t upward = 0;                                       ///< of the directions
+    std::map<std::string, std::size_t, std::less<>> unknown = {}; ///< the first of the words
 };
+
+void remember(CellCount &count, std::string_view word) {
+    constexpr std::size_t few = 3;
+    if (const auto known = count.unknown.find(word); known != count.unknown.end())
+        ++known->second;
+    else if (count.unknown.size() < few)
+        count.unknown.emplace(word, 1);
+}
 
 std::size_t CellCount::*countOf(const CellTable &table, const TableCell &cell) {
     if (cell.isNumber() || cell.kind == CellKind::grouped)
@@ -91,25 +101,62 @@ ColumnKind kindOf(const CellCount &count) {
         return ColumnKind::directions;
     if (2 * count.senses >= others)
         return ColumnKind::senses;
-    if (2 * count.clocks >= others)
+    // Readings that a spreadsheet has made dates and times of are no series.
+    if (2 * count.clocks >= others && 4 * count.numbers <= count.clocks)
         return ColumnKind::clock;
-    return 2 * count.dates >= others ? ColumnKind::dates : ColumnKind::words;
+    return 2 * count.dates >= others && 4 * count.numbers <= count.dates ? ColumnKind::dates
+                                                                         : ColumnKind::words;
 }
 
-std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width) {
+/// Whether a line of words calls the column one of directions.
+bool isCalledDirection(const CellTable &table, std::size_t column) {
+    return std::ranges::any_of(table.rows(), [&](const TableRow &row) {
+        const auto cells = table.cells(row);
+        return !row.comment && cells.size() > column && numberCount(cells) == 0 &&
+               readHeading(table.text(cells[column])).meaning == Meaning::direction;
+    });
+}
+
+/// Words of one direction, and one that nobody knows on a good part of the lines.
+std::optional<OppositeWord> oppositeIn(const CellTable &table, std::size_t column, const CellCount &count) {
+    constexpr std::size_t part = 4;
+    const bool isOneDirection =
+        count.directions > 0 && (count.upward == 0 || count.upward == count.directions);
+    if (!isOneDirection || count.unknown.size() != 1 ||
+        part * count.unknown.begin()->second < count.directions + count.words ||
+        !isCalledDirection(table, column))
+        return {};
+    return OppositeWord{count.unknown.begin()->first,
+                        count.upward > 0 ? Direction::negative : Direction::positive};
+}
+
+std::vector<TableColumn> columnsOf(const CellTable &table, std::size_t width,
+                                   std::optional<OppositeWord> &opposite) {
     std::vector<CellCount> counts(width);
     for (const TableRow &row : table.rows()) {
         const auto cells = table.cells(row);
         if (row.comment || cells.size() != width || numberCount(cells) == 0)
             continue;
         for (std::size_t c = 0; c < width; ++c) {
-            if (cells[c].kind != CellKind::empty)
-                ++(counts[c].*countOf(table, cells[c]));
+            if (cells[c].kind == CellKind::empty)
+                continue;
+            std::size_t CellCount::*const kind = countOf(table, cells[c]);
+            ++(counts[c].*kind);
+            if (kind == &CellCount::words)
+                remember(counts[c], table.text(cells[c]));
+            else if (kind == &CellCount::directions)
+                counts[c].upward += directionOf(table.text(cells[c])) == Direction::positive ? 1 : 0;
         }
     }
     std::vector<TableColumn> columns(width);
     for (std::size_t c = 0; c < width; ++c)
         columns[c].kind = kindOf(counts[c]);
+    for (std::size_t c = 0; c < width && !opposite; ++c) {
+        if (columns[c].kind == ColumnKind::directions || columns[c].kind == ColumnKind::words)
+            opposite = oppositeIn(table, c, counts[c]);
+        if (opposite)
+            columns[c].kind = ColumnKind::directions;
+    }
     return columns;
 }
 
@@ -196,10 +243,9 @@ private:
             return false;
         if (m_numberColumns > 2 && !cells.front().isNumber() && isLabelledValue(m_table, row))
             return false;
-        if (m_directions &&
-            (cells.size() <= *m_directions || !isDirectionCell(m_table, cells[*m_directions])))
+        if (m_directions && (cells.size() <= *m_directions || !saysDirection(cells[*m_directions])))
             return false;
-        if (m_senses && (cells.size() <= *m_senses || !senseIn(m_table.text(cells[*m_senses]))))
+        if (m_senses && (cells.size() <= *m_senses || !couldBeSense(cells[*m_senses])))
             return false;
         if (m_clock && (cells.size() <= *m_clock || !clockTime(m_table.text(cells[*m_clock]))))
             return false;
@@ -207,12 +253,24 @@ private:
         std::size_t numbers = 0;
         std::size_t words = 0;
         for (std::size_t c = 0; c < std::min(cells.size(), m_body.columns.size()); ++c) {
-            if (m_body.columns[c].kind != ColumnKind::numbers)
+            if (m_body.columns[c].kind != ColumnKind::numbers || m_body.columns[c].isChosen)
                 continue;
             numbers += isNumeric(cells[c]) ? 1 : 0;
             words += cells[c].kind == CellKind::text ? 1 : 0;
         }
         return words <= numbers && (m_numberColumns > 2 || words == 0 || words < numbers);
+    }
+
+    /// Also a word that nobody knows: it is asked for, and its points are not lost. A heading is none.
+    [[nodiscard]] bool couldBeSense(const TableCell &cell) const {
+        const std::string_view text = m_table.text(cell);
+        return senseIn(text) || (cell.kind == CellKind::text && !saidUnit(text).isSaid() &&
+                                 readHeading(text).meaning == Meaning::unknown);
+    }
+
+    [[nodiscard]] bool saysDirection(const TableCell &cell) const {
+        return isDirectionCell(m_table, cell) ||
+               (m_body.opposite && m_body.opposite->word == m_table.text(cell));
     }
 
     /// "-" alone among rows of several numbers: the title of a block, not a missing number.
@@ -427,7 +485,7 @@ std::optional<std::size_t> TableBody::columnOf(ColumnKind kind) const {
                                   : std::optional(static_cast<std::size_t>(found - columns.begin()));
 }
 
-TableBody bodyOf(const CellTable &table) {
+TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbers) {
     TableBody body;
     const std::size_t width = widthOf(table);
     const Error noNumbers(
@@ -439,7 +497,14 @@ TableBody bodyOf(const CellTable &table) {
     if (width > widestTable)
         throw Error(Error::Kind::tooLarge,
                     {REPORT_TEXT("report", "more rows or cells than a table of readings can have")});
-    body.columns = columnsOf(table, width);
+    body.columns = columnsOf(table, width, body.opposite);
+    for (const std::size_t c : ofNumbers) {
+        if (c < width && body.columns[c].kind != ColumnKind::numbers &&
+            body.columns[c].kind != ColumnKind::empty) {
+            body.columns[c].kind = ColumnKind::numbers;
+            body.columns[c].isChosen = true;
+        }
+    }
     if (body.numberColumns().empty())
         throw Error(noNumbers);
     Sorter(table, body).sort();

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace palmer {
@@ -21,6 +22,12 @@ struct TableColumn {
     HeadingWords words;  ///< what it says
     Meaning meaning = Meaning::unknown;
     const Unit *unit = nullptr; ///< of the heading, or null
+    std::string foreignUnit;    ///< of the heading, where it is none that numbers are converted from
+
+    bool isSpread = false; ///< its heading is that of a column before it
+    bool isChosen = false; ///< the user says that it holds numbers, whatever its cells look like
+
+    [[nodiscard]] SaidUnit said() const { return {unit, foreignUnit}; }
 };
 
 /// Rows of numbers that belong together, and the words above them. Indexes of rows of the table.
@@ -31,6 +38,12 @@ struct TableBlock {
     std::size_t section = 0;                  ///< whose headings hold for it
 };
 
+/// A word that nobody knows in a column of one direction, whose heading says that it holds directions.
+struct OppositeWord {
+    std::string word;
+    Direction direction = Direction::negative; ///< the other one than that of the words that are known
+};
+
 /// The rows of a table sorted into what is measured and what is said about it.
 struct TableBody {
     std::vector<TableColumn> columns;               ///< of the first section
@@ -39,7 +52,12 @@ struct TableBody {
     std::vector<std::uint32_t> notes;       ///< comments and lines that are no heading
     std::vector<std::uint32_t> columnHeads; ///< rows that the headings are made of
     std::vector<Remark> remarks;
+    std::optional<OppositeWord> opposite;
 
+    /// The direction a cell of the column of directions says.
+    [[nodiscard]] std::optional<Direction> directionIn(std::string_view cell) const {
+        return opposite && opposite->word == cell ? opposite->direction : directionOf(cell);
+    }
     [[nodiscard]] std::size_t rowCount() const;
     /// Columns of numbers, from the left.
     [[nodiscard]] std::vector<std::size_t> numberColumns() const;
@@ -49,6 +67,7 @@ struct TableBody {
 
 /// Blocks whose columns are others than those of most rows are not among them: a remark says so. Throws
 /// Error(content) where there are no rows of numbers.
-[[nodiscard]] TableBody bodyOf(const CellTable &table);
+/// `ofNumbers` are columns that the user has given a role of numbers.
+[[nodiscard]] TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbers = {});
 
 } // namespace palmer

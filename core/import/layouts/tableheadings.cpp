@@ -113,13 +113,17 @@ void takeFromComment(const CellTable &table, const TableRow &row, std::vector<Ta
         columns[c + first].heading = line.text(cells[c]);
 }
 
+bool saysUnit(std::string_view text) {
+    return saidUnit(text).isSaid();
+}
+
 /// Whether a row of the heading says units: a dash in it stands for none.
 bool isRowOfUnits(const CellTable &table, std::span<const TableCell> cells) {
     const auto isUnit = [&](const TableCell &cell) {
         const std::string_view text = table.text(cell);
         const HeadingWords heading = readHeading(text);
-        return unitIn(text) && heading.meaning == Meaning::unknown && !heading.direction && !heading.number &&
-               heading.unknownWords == 0 && heading.words <= 1;
+        return saysUnit(text) && heading.meaning == Meaning::unknown && !heading.direction &&
+               !heading.number && heading.unknownWords == 0 && heading.words <= 1;
     };
     return std::ranges::any_of(cells, isUnit);
 }
@@ -170,13 +174,41 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
             std::string_view text = c < cells.size() ? table.text(cells[c]) : std::string_view();
             if (hasUnits && folded(text) == "-")
                 continue;
-            if (hasUnits && text == "\"") // a unit in brackets only
-                text = "(\")";
             if (!text.empty())
                 last = text;
             else if (spans && c > 0)
                 text = last;
-            addWords(columns[c].heading, text);
+            // Some are units in brackets only: "m", "V", a quotation mark.
+            const std::string inBrackets = '(' + std::string(text) + ')';
+            addWords(columns[c].heading,
+                     hasUnits && !saysUnit(text) && saysUnit(inBrackets) ? inBrackets : text);
+        }
+    }
+}
+
+/// "Forward;;;Reverse;;" in the last row of the heading: merged cells. Each that names a run holds for the
+/// columns of numbers behind it, where they are as many behind each.
+void spreadHeadings(std::vector<TableColumn> &columns) {
+    std::vector<std::size_t> named;
+    std::vector<std::size_t> behind;
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        const TableColumn &column = columns[c];
+        const HeadingWords words = readHeading(column.heading);
+        if (!column.heading.empty() && (namesRuns(words) || words.namesSense) && !words.number) {
+            named.push_back(c);
+            behind.push_back(0);
+        } else if (column.heading.empty() && column.kind == ColumnKind::numbers && !named.empty() &&
+                   named.back() + behind.back() + 1 == c) {
+            ++behind.back();
+        }
+    }
+    if (named.size() < 2 || behind.front() == 0 ||
+        std::ranges::any_of(behind, [&](std::size_t count) { return count != behind.front(); }))
+        return;
+    for (const std::size_t first : named) {
+        for (std::size_t c = first + 1; c <= first + behind.front(); ++c) {
+            columns[c].heading = columns[first].heading;
+            columns[c].isSpread = true;
         }
     }
 }
@@ -189,7 +221,7 @@ void takeUnitOfCells(const CellTable &table, std::size_t c, TableColumn &column,
         return;
     const bool isTarget = column.meaning == Meaning::target || column.meaning == Meaning::place;
     const char *choice = isTarget ? "positionUnit" : "unit";
-    if (column.unit && column.unit != cells.unit)
+    if ((column.unit && column.unit != cells.unit) || !column.foreignUnit.empty())
         addRemark(remarks, RemarkGrade::assumption,
                   {REPORT_TEXT("report", "Unit: the heading “%1” names another unit than the cells of "
                                          "its column; read in %2, as the cells say."),
@@ -202,6 +234,7 @@ void takeUnitOfCells(const CellTable &table, std::size_t c, TableColumn &column,
                    {std::string(cells.unit->sign)}},
                   cells.bareLine, choice);
     column.unit = cells.unit;
+    column.foreignUnit.clear();
 }
 
 void readHeadings(const CellTable &table, std::vector<TableColumn> &columns, std::vector<Remark> &remarks) {
@@ -209,7 +242,9 @@ void readHeadings(const CellTable &table, std::vector<TableColumn> &columns, std
         TableColumn &column = columns[c];
         column.words = readHeading(column.heading);
         column.meaning = column.words.meaning;
-        column.unit = unitIn(column.heading);
+        const SaidUnit said = saidUnit(column.heading);
+        column.unit = said.unit;
+        column.foreignUnit = said.foreign;
         takeUnitOfCells(table, c, column, remarks);
         // "Point (mm)" is no counter.
         if (column.meaning == Meaning::index && column.unit &&
@@ -308,6 +343,7 @@ void findSections(const CellTable &table, TableBody &body) {
         if (rows.empty() && !block.heads.empty() && table.rows()[block.heads.back()].comment)
             takeFromComment(table, table.rows()[block.heads.back()], columns); // the headings themselves
         composeHeadings(table, rows, columns);
+        spreadHeadings(columns);
         const bool named =
             std::ranges::any_of(columns, [](const TableColumn &column) { return !column.heading.empty(); });
         if (named || body.sections.empty()) {

@@ -8,10 +8,30 @@
 
 namespace palmer {
 
+namespace {
+
+/// The columns that the user gives a role of numbers.
+std::vector<std::size_t> chosenNumbers(const Choices &choices) {
+    std::vector<std::size_t> numbers;
+    std::string unknown;
+    const auto columns = palmer::columnsOf(choices.chosen("columns"), unknown);
+    if (!choices.isChosen("columns") || !columns)
+        return numbers;
+    for (std::size_t c = 0; c < columns->size(); ++c) {
+        const ImportColumn &column = (*columns)[c];
+        if (column.hasReadings() || column.role == ColumnRole::target || column.role == ColumnRole::angle ||
+            column.role == ColumnRole::radius || column.role == ColumnRole::x || column.role == ColumnRole::y)
+            numbers.push_back(c);
+    }
+    return numbers;
+}
+
+} // namespace
+
 TableReading::TableReading(Imported &imported, Choices &chosen)
     : result(imported)
     , choices(chosen)
-    , body(bodyOf(imported.table))
+    , body(bodyOf(imported.table, chosenNumbers(chosen)))
     , notes(notesOf(imported.table, body)) {
     std::size_t cells = 0;
     for (const TableRow &each : result.table.rows())

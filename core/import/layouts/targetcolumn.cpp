@@ -103,7 +103,8 @@ private:
                 return m_heads[c].meaning == Meaning::place && !words(c).direction && !words(c).number;
             },
             [&](std::size_t c) {
-                return m_heads[c].meaning == Meaning::angle || m_heads[c].meaning == Meaning::place;
+                return (m_heads[c].meaning == Meaning::angle && !words(c).isActual) ||
+                       m_heads[c].meaning == Meaning::place;
             },
             [&](std::size_t c) { return isCalledByAxis(c); },
             [&](std::size_t c) { return m_heads[c].meaning == Meaning::index && !isCounter(m, c); },

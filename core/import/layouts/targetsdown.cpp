@@ -45,8 +45,9 @@ public:
         m_found.content = m_columns.content;
         m_found.sign = m_columns.sign;
         m_found.unit = m_columns.unit;
-        m_found.positionUnit = m_columns.columns[*m_columns.target].unit;
+        m_found.positionUnit = m.body.columns[*m_columns.target].said();
         m_found.hasHints = m_columns.hasHints;
+        m_found.hasSenses = m_columns.hasSenses;
         m_target = *m_columns.target;
         chooseAxis();
         if (m_columns.direction || m_columns.number)
@@ -222,13 +223,24 @@ private:
             return {};
         const TableCell *cell = m.cell(row, *m_columns.direction);
         if (!cell || !cell->isNumber())
-            return directionOf(m.cellText(row, *m_columns.direction));
+            return directionOrSense(m.cellText(row, *m_columns.direction));
         if (m_codes.empty())
             m_codes = codesOfDirection();
         m_codesAreGuessed |= !m_codes.contains(-1);
         return m_codes.rbegin()->first == cell->value && m_codes.contains(-1)  ? Direction::positive
                : m_codes.contains(-1) || m_codes.begin()->first != cell->value ? Direction::negative
                                                                                : Direction::positive;
+    }
+
+    [[nodiscard]] std::optional<Direction> directionOrSense(std::string_view text) {
+        const auto direction = m.body.directionIn(text);
+        m_found.hasHints |= m.body.opposite.has_value();
+        const auto sense = direction ? std::nullopt : senseIn(text);
+        if (!sense)
+            return direction;
+        m_found.hasSenses = true;
+        m_found.hasHints = true;
+        return *sense == Sense::clockwise ? Direction::positive : Direction::negative;
     }
 
     /// +1 and −1 say it; of 0 and 1, or 1 and 2, the first is taken as ↑, which is asked.

@@ -50,8 +50,9 @@ std::string seriesKindOf(const TableBody &body, Origin &origin) {
 bool isApproached(const TableBody &body) {
     return body.columnOf(ColumnKind::directions) ||
            std::ranges::any_of(body.columns, [](const TableColumn &column) {
-               const bool turns = column.meaning == Meaning::deviation && column.unit &&
-                                  column.unit->kind == UnitKind::angle;
+               const bool isReading =
+                   column.meaning == Meaning::deviation || column.words.namesSense || column.words.isActual;
+               const bool turns = isReading && column.unit && column.unit->kind == UnitKind::angle;
                return turns || (column.words.isTarget && column.meaning != Meaning::nominal) ||
                       (column.words.direction.has_value() && !senseIn(column.heading));
            });
@@ -65,10 +66,51 @@ bool hasTimes(const TableBody &body) {
     });
 }
 
+/// Lengths measured at angles are a circle's, not a rotary axis's.
+bool areLengthsAtAngles(const TableBody &body) {
+    const auto isIn = [](const TableColumn &column, UnitKind kind) {
+        return column.kind == ColumnKind::numbers && column.unit && column.unit->kind == kind;
+    };
+    bool angles = false;
+    bool lengths = false;
+    for (const TableColumn &column : body.columns) {
+        const Meaning meaning = column.meaning;
+        const bool isPlace = meaning == Meaning::place || meaning == Meaning::target ||
+                             meaning == Meaning::angle || (meaning == Meaning::unknown && !angles);
+        if (isPlace && isIn(column, UnitKind::length))
+            return false; // an angle beside the targets of a linear axis
+        angles |= isPlace && isIn(column, UnitKind::angle);
+        lengths |= !isPlace && meaning != Meaning::nominal && isIn(column, UnitKind::length);
+        if (meaning != Meaning::nominal && !isPlace && isIn(column, UnitKind::angle))
+            return false;
+    }
+    return angles && lengths && !body.columnOf(ColumnKind::directions);
+}
+
+/// A direction of approach; a sense of rotation is none.
+bool saysDirection(const TableBody &body) {
+    return std::ranges::any_of(body.columns, [](const TableColumn &column) {
+        return column.words.direction.has_value() && !senseIn(column.heading);
+    });
+}
+
+/// Two columns of axes, whatever stands beside them: a time, a counter.
+bool areAxesOnCircle(const TableReading &reading) {
+    std::vector<std::size_t> axes;
+    for (const std::size_t c : reading.body.numberColumns()) {
+        const Meaning meaning = reading.body.columns[c].meaning;
+        if (meaning == Meaning::x || meaning == Meaning::y)
+            axes.push_back(c);
+    }
+    return axes.size() == 2 && areOnCircle(reading, axes[0], axes[1]);
+}
+
 /// By its words.
 bool isCircular(const TableBody &body) {
     const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
-    if (has(Meaning::angle) && !(has(Meaning::run) && !has(Meaning::radius)))
+    const auto angles = body.columnOf(Meaning::angle); // across, it heads a column of words
+    const bool hasAngles = angles && body.columns[*angles].kind == ColumnKind::numbers;
+    if (hasAngles && !(has(Meaning::run) && !has(Meaning::radius)))
         return true;
     if (has(Meaning::x) && has(Meaning::y) && !has(Meaning::deviation) && !has(Meaning::place))
         return true;
@@ -80,7 +122,8 @@ bool isCircular(const TableBody &body) {
     }
     const bool isPlane =
         axes.size() == 2 && !hasTimes(body) && !has(Meaning::deviation) && !has(Meaning::place);
-    return isPlane || body.columnOf(ColumnKind::senses).has_value();
+    const bool isAcross = body.blocks.front().numericHead.has_value(); // the senses are of runs
+    return isPlane || (body.columnOf(ColumnKind::senses) && !isAcross);
 }
 
 /// The numbers could be angles of a circle or of a good part of one, in degrees.
@@ -113,14 +156,50 @@ bool moves(const TableReading &reading, std::size_t column) {
     return true;
 }
 
+/// A radius, a sense or the words of a circle.
+bool saysCircle(const TableReading &reading) {
+    const TableBody &body = reading.body;
+    const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
+    const auto namesSense = [](const TableColumn &column) { return senseIn(column.heading).has_value(); };
+    return reading.notes.radius || has(Meaning::radius) || has(Meaning::nominal) ||
+           body.columnOf(ColumnKind::senses) || (has(Meaning::angle) && isCircular(body)) ||
+           std::ranges::any_of(body.columns, namesSense);
+}
+
+/// Whether the user has said which column holds the targets.
+bool choosesTargets(const Choices &choices) {
+    std::string unknown;
+    const auto columns = palmer::columnsOf(choices.chosen("columns"), unknown);
+    return columns && std::ranges::find(*columns, ColumnRole::target, &ImportColumn::role) != columns->end();
+}
+
+/// Two columns without a word, or three with a counter: points of a circle, if they are many.
+std::string kindOfBareNumbers(const TableReading &reading, Origin &origin) {
+    std::vector<std::size_t> data = reading.body.numberColumns();
+    if (data.size() == 3 && isCounter(reading, data.front()))
+        data.erase(data.begin());
+    constexpr std::size_t fewPoints = 30;
+    if (data.size() != 2 || reading.body.rowCount() < fewPoints)
+        return "positioning";
+    origin = Origin::guessed;
+    return areOnCircle(reading, data[0], data[1]) || couldBeAngles(reading, data[0]) ? "circular"
+                                                                                     : "positioning";
+}
+
 /// Kind of measurement that the columns show.
 std::string kindOf(const TableReading &reading, Origin &origin) {
     const TableBody &body = reading.body;
     origin = Origin::recognised;
     const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
+    if (choosesTargets(reading.choices))
+        return "positioning";
+    if (areLengthsAtAngles(body) && !saysDirection(body)) {
+        origin = saysCircle(reading) ? Origin::recognised : Origin::guessed;
+        return "circular";
+    }
     if (isApproached(body))
         return "positioning";
-    if (isCircular(body))
+    if (isCircular(body) || areAxesOnCircle(reading))
         return "circular";
     const bool positions = has(Meaning::run) || has(Meaning::direction);
     // A place beside what was measured there is a target, whatever the clock says.
@@ -135,16 +214,7 @@ std::string kindOf(const TableReading &reading, Origin &origin) {
     }
     if (positions || has(Meaning::place) || has(Meaning::angle) || body.blocks.front().numericHead)
         return "positioning";
-    // Two columns without a word (three with a counter): points of a circle, if they are many.
-    std::vector<std::size_t> data = body.numberColumns();
-    if (data.size() == 3 && isCounter(reading, data.front()))
-        data.erase(data.begin());
-    constexpr std::size_t fewPoints = 30;
-    if (data.size() != 2 || body.rowCount() < fewPoints)
-        return "positioning";
-    origin = Origin::guessed;
-    return areOnCircle(reading, data[0], data[1]) || couldBeAngles(reading, data[0]) ? "circular"
-                                                                                     : "positioning";
+    return kindOfBareNumbers(reading, origin);
 }
 
 } // namespace

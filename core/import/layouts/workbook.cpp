@@ -706,20 +706,25 @@ private:
             addRemark(
                 m.remarks, choice.origin == Origin::guessed ? RemarkGrade::assumption : RemarkGrade::note,
                 {choice.value == "leave"
-                     ? REPORT_TEXT("report", "Rows or columns of the sheet are hidden; what stands there is "
-                                             "left out (%1 numbers).")
-                     : REPORT_TEXT("report", "Rows or columns of the sheet are hidden; what stands there is "
-                                             "read like the rest (%1 numbers)."),
-                 {Number{static_cast<double>(m_hiddenNumbers), Quantity::count}}},
+                     ? REPORT_TEXT_COUNTED("report",
+                                           "Rows or columns of the sheet are hidden; what stands there is "
+                                           "left out (%n number(s)).")
+                     : REPORT_TEXT_COUNTED("report",
+                                           "Rows or columns of the sheet are hidden; what stands there is "
+                                           "read like the rest (%n number(s))."),
+                 {},
+                 static_cast<int>(m_hiddenNumbers)},
                 0, "hidden");
         }
         if (m_emptyFormulas > 0)
-            addRemark(m.remarks, RemarkGrade::problem,
-                      {REPORT_TEXT("report",
-                                   "The values of %1 formulas are not in the file and were not read; open "
-                                   "the workbook in a spreadsheet program and save it."),
-                       {Number{static_cast<double>(m_emptyFormulas), Quantity::count}}},
-                      m_emptyFormulaLine, "unread");
+            addRemark(
+                m.remarks, RemarkGrade::problem,
+                {REPORT_TEXT_COUNTED(
+                     "report", "The value(s) of %n formula(s) are not in the file and were not read; open "
+                               "the workbook in a spreadsheet program and save it."),
+                 {},
+                 static_cast<int>(m_emptyFormulas)},
+                m_emptyFormulaLine, "unread");
     }
 
     void settle() {

@@ -5,6 +5,8 @@
 #include "core/import/importpicture.h"
 
 #include <QTest>
+#include <utility>
+#include <vector>
 
 using namespace palmer;
 
@@ -49,6 +51,7 @@ private slots:
     void areReadAsPeopleReadThem();
     void answersAreTaken_data();
     void answersAreTaken();
+    void namesAllColumnsLeftOut();
 };
 
 void LayoutsTest::areReadAsPeopleReadThem_data() {
@@ -70,9 +73,9 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     row("Soll, Ist, Abweichung", "Soll [mm];Ist [mm];Abw. [µm]\n0;0,001;1\n100;100,002;2\n200;199,999;-1\n",
         "target,actual,deviation / 0 100 200 / ↑ 1 2 -1 / directions");
     row("two kinds of readings", "Target (mm);Run 1 (µm);Deviation (µm)\n0;1;4\n100;2;5\n",
-        "target,ignored,deviation / 0 100 / ↑ 4 5 / columns directions");
+        "target,ignored,deviation / 0 100 / ↑ 4 5 / columns columns directions");
     row("two units", "Target (mm);Dev 1 (µm);Dev 2 (mm);Dev 3 (µm)\n0;1;0.004;7\n100;2;0.005;8\n",
-        "target,deviation1,ignored,deviation3 / 0 100 / ↑ 1 2 / ↓ 7 8 / columns directions");
+        "target,deviation1,ignored,deviation3 / 0 100 / ↑ 1 2 / ↓ 7 8 / columns columns directions");
     row("temperature beside", "Target (mm);↑1 (µm);↓1 (µm);Temp (°C)\n0;1;2;20.1\n100;3;4;20.2\n",
         "target,run+1,run-1,temperature / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
     row("time beside", "Target (mm);Time (s);↑1 (µm);↓1 (µm)\n0;0;1;2\n100;10;3;4\n",
@@ -261,9 +264,9 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     row("thousands in targets", "P (mm);1↑ (µm);1↓ (µm)\n0,5;1,5;2,5\n1.250,5;3,5;4,5\n500,5;3,5;4,5\n",
         "target,run+1,run-1 / 0.5 500.5 / ↑ 1.5 3.5 / ↓ 2.5 4.5 / unread");
     row("a column without heading", "P (mm);1↑ (µm);1↓ (µm);\n0;1;2;7.5\n100;3;4;7.25\n",
-        "target,run+1,run-1,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / columns");
+        "target,run+1,run-1,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / columns columns");
     row("no direction beside directions", "P (mm);Dev 1↑ (µm);Dev 1↓ (µm);Dev (µm)\n0;1;2;7\n100;3;4;8\n",
-        "target,deviation+1,deviation-1,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / columns");
+        "target,deviation+1,deviation-1,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / columns columns");
     // Pages, comments and titles between the rows: the runs go on.
     row("headings again on the next page",
         "P (mm);↑ (µm);↓ (µm)\n0;1;5\n100;2;6\n\nPage 2 of 2\nP (mm);↑ (µm);↓ (µm)\n200;3;7\n300;4;8\n",
@@ -351,6 +354,53 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     row("lines of pos. and neg. Richtung",
         "Soll (mm);0;100\npos. Richtung 1 (µm);1;2\nneg. Richtung 1 (µm);5;6\n",
         "ignored,run,run / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
+    for (const auto &[up, down] :
+         {std::pair("↑", "↓"), std::pair("⇑", "⇓"), std::pair("↗", "↘"), std::pair("→", "←"),
+          std::pair("-->", "<--"), std::pair("->", "<-"), std::pair(">>", "<<"), std::pair("»", "«")}) {
+        QTest::newRow(qPrintable(QString("arrows %1").arg(up)))
+            << QByteArray("Target (mm);Dev") + up + "1 (µm);Dev" + down + "1 (µm)\n0;1;5\n100;2;6\n"
+            << QString("target,deviation+1,deviation-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
+    }
+    row("an angle measured along a linear axis",
+        "Target (mm);Run 1 (µm);Pitch angle (arcsec)\n0;1;9\n100;2;8\n200;4;9\n",
+        "target,run1,ignored / 0 100 200 / ↑ 1 2 4 / directions");
+    row("an angle before the targets", "Angle (°);Target (mm);Run 1 (µm)\n30;0;1\n30;100;2\n30;200;4\n",
+        "ignored,target,run1 / 0 100 200 / ↑ 1 2 4 / directions");
+    // Rotary axes.
+    row("a measured angle beside the axis",
+        "C (deg);Measured angle (°);Dir\n0;0.001;+\n90;90.002;+\n90;90.006;-\n0;0.005;-\n",
+        "target,actual,direction / 0 90 / ↑ 0.001 0.002 / ↓ 0.005 0.006 / ");
+    row("angles measured clockwise, across",
+        "Table angle (°);0;90;180\nMeasured CW 1 (°);0.001;90.002;180.003\nMeasured CCW 1 "
+        "(°);0.005;90.006;180.007\n",
+        "ignored,run,run,run / 0 90 180 / ↑ 0.001 0.002 0.003 / ↓ 0.005 0.006 0.007 / directions");
+    row("angular deviations with signs",
+        "Position angulaire (°);Écart angulaire + 1 (mdeg);Écart angulaire - 1 (mdeg)\n0;1;5\n90;2;6\n",
+        "target,deviation+1,deviation-1 / 0 90 / ↑ 0.001 0.002 / ↓ 0.005 0.006 / ");
+    row("words of one piece",
+        "Sollwinkel (°);Winkelabweichung ↑1 (mdeg);Winkelabweichung ↓1 (mdeg)\n0;1;5\n90;2;6\n",
+        "target,deviation+1,deviation-1 / 0 90 / ↑ 0.001 0.002 / ↓ 0.005 0.006 / ");
+    // A word of direction that nobody knows beside one that is known: no line is lost.
+    row("one unknown word of direction, the way back falling",
+        "Target (mm);Dev "
+        "(µm);Dir\n0;1;fram\n100;2;fram\n200;3;fram\n200;7;backward\n100;6;backward\n0;5;backward\n",
+        "target,deviation,direction / 0 100 200 / ↑ 1 2 3 / ↓ 5 6 7 / directions");
+    row("one unknown word of direction, both rising",
+        "Target (mm);Dev "
+        "(µm);Dir\n0;1;forward\n100;2;forward\n200;3;forward\n0;5;aftur\n100;6;aftur\n200;7;aftur\n",
+        "target,deviation,direction / 0 100 200 / ↑ 1 2 3 / ↓ 5 6 7 / directions");
+    row("one unknown word of direction, at each target in turn",
+        "Target (mm);Dev "
+        "(µm);Dir\n0;1;forward\n0;5;aftur\n100;2;forward\n100;6;aftur\n200;3;forward\n200;7;aftur\n",
+        "target,deviation,direction / 0 100 200 / ↑ 1 2 3 / ↓ 5 6 7 / directions");
+    row("pos. direction beside reverse", "Target (mm);pos. direction 1 (µm);reverse 1 (µm)\n0;1;5\n100;2;6\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
+    row("readings of pos. direction beside reverse",
+        "Target (mm);Run 1 pos. direction (mm);Run 1 reverse (mm)\n0;0.001;0.005\n100;100.002;100.006\n",
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / content");
+    row("a column of directions named Pos. direction",
+        "Target (mm);Deviation (µm);Pos. direction\n0;1;+\n100;2;+\n100;6;-\n0;5;-\n",
+        "target,deviation,direction / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
     row("pos and neg alone", "Target (mm);pos 1 (µm);neg 1 (µm)\n0;1;5\n100;2;6\n",
         "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / directions");
     // Statistics by the letters of the standard, means without a number.
@@ -362,7 +412,8 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "statistic / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / ");
     row("a direction without a number beside runs",
         "P (mm);↑1 (µm);↑2 (µm);↑ (µm);↓1 (µm);↓2 (µm);↓ (µm)\n0;1;2;1.5;5;6;5.5\n100;3;4;3.5;7;8;7.5\n",
-        "target,run+1,run+2,ignored,run-1,run-2,ignored / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / columns");
+        "target,run+1,run+2,ignored,run-1,run-2,ignored / 0 100 / ↑ 1 3 / ↓ 5 7 / ↑ 2 4 / ↓ 6 8 / columns "
+        "columns");
     row("a line of means by another word", "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;3;7\nDurchschnitt;2;6\n",
         "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 5 7 / ");
     row("a line without a target", "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;3;7\n;2;6\n",
@@ -412,6 +463,12 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "target,actual+1,actual-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / positionUnit unit");
     row("mm above positions", "Unit: mm\nTarget;Actual ↑ 1;Actual ↓ 1\n0;0.001;0.005\n100;100.002;100.006\n",
         "target,actual+1,actual-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ");
+    // As many millimetres before zero as after it.
+    row("positions about zero", "Target;Actual ↑ 1;Actual ↓ 1\n-500;-499.999;-499.997\n500;499.99;499.992\n",
+        "target,actual+1,actual-1 / -500 500 / ↑ 1 -10 / ↓ 3 -8 / positionUnit unit");
+    row("positions about zero without a word",
+        "P (mm);↑1 (mm);↓1 (mm)\n-500;-499.999;-499.997\n500;499.99;499.992\n",
+        "target,run+1,run-1 / -500 500 / ↑ 1 -10 / ↓ 3 -8 / content");
     // Thousands or decimals of a small axis.
     row("1,000 beside 0", "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n1,000;2;6\n2,000;3;7\n",
         "target,run+1,run-1 / 0 1 2 / ↑ 1 2 3 / ↓ 5 6 7 / decimalMark");
@@ -582,7 +639,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "(µm)\n0;1;2\n100;3;4\n",
         "target,run+1,run-1 / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
     row("a damaged unit above a run", "P (mm);1 ↑ (µm);2 ↑ (µm);3 ↑ (xµm)\n0;1;2;3\n100;4;5;6\n",
-        "target,run+1,run+2,ignored / 0 100 / ↑ 1 4 / ↑ 2 5 / columns");
+        "target,run+1,run+2,ignored / 0 100 / ↑ 1 4 / ↑ 2 5 / columns columns");
     row("a letter in the place of the delimiter",
         "Radius: 100 mm\nAngle (°);Deviation (µm)\n0;1\n90;2\n180x1\n270;0\n",
         "angle,deviation / ISO 230-4:2005 XY R 100 mm F – / ccw polar 3: 0:1 90:2 270:0 / unread");
@@ -609,6 +666,44 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "100;-;3;x;7\n0;-;4;x;8\n",
         "target,direction,deviation1,target,deviation2 / 0 0.5 100 100.5 / ↑ 1 – 2 – / ↓ 4 – 3 – / "
         "↑ – 5 – 6 / ↓ – – – – / unread");
+    // Senses of rotation: which of them is positive is not known.
+    for (const auto &[up, down] :
+         std::vector<std::pair<QByteArray, QByteArray>>{{"CW", "CCW"},
+                                                        {"Clockwise", "Counter-clockwise"},
+                                                        {"Uhrzeigersinn", "Gegenuhrzeigersinn"},
+                                                        {"Im Uhrzeigersinn", "Gegen den Uhrzeigersinn"},
+                                                        {"Sens horaire", "Sens antihoraire"},
+                                                        {"Horaire", "Antihoraire"},
+                                                        {"Senso orario", "Senso antiorario"},
+                                                        {"Sentido horario", "Sentido antihorario"}}) {
+        const QByteArray heading = "Target (°);" + up + " 1 (°);" + down + " 1 (°);" + up + " 2 (°);" + down +
+                                   " 2 (°)\n0;0.01;0.02;0.03;0.04\n90;0.02;0.03;0.04;0.05\n";
+        QTest::newRow(up + " beside " + down)
+            << heading
+            << "target,run+1,run-1,run+2,run-2 / 0 90 / ↑ 0.01 0.02 / ↓ 0.02 0.03 / ↑ 0.03 0.04 / ↓ 0.04 "
+               "0.05 / directions";
+        QTest::newRow(up + " in a column")
+            << "Position (°);Dir.;Deviation (°)\n0;" + up + ";0.01\n90;" + up + ";0.02\n90;" + down +
+                   ";0.03\n0;" + down + ";0.04\n"
+            << "target,direction,deviation / 0 90 / ↑ 0.01 0.02 / ↓ 0.04 0.03 / directions";
+    }
+    row("one sense alone", "Target (°);CW 1 (°);CW 2 (°)\n0;0.01;0.02\n90;0.02;0.03\n",
+        "target,run+1,run+2 / 0 90 / ↑ 0.01 0.02 / ↑ 0.02 0.03 / directions");
+    // Dates and times that a spreadsheet has made of readings.
+    row("readings that became dates and times",
+        "Target (mm);Forward (µm);Reverse (µm)\n0;1;2\n100;2026-01-05;3\n200;01:30;4\n",
+        "target,ignored,run- / 0 100 200 / ↓ 2 3 4 / columns");
+    row("readings that all became times",
+        "Target (mm);Forward (µm);Reverse (µm)\n0;01:10;2\n100;01:20;3\n200;01:30;4\n",
+        "target,ignored,run- / 0 100 200 / ↓ 2 3 4 / columns");
+    // Merged cells of a heading.
+    row("headings over several columns",
+        "Target (mm);Forward (µm);;;Reverse (µm);;\n0;1;2;3;4;5;6\n100;2;3;4;5;6;7\n",
+        "target,run+,run+,run+,run-,run-,run- / 0 100 / ↑ 1 2 / ↓ 4 5 / ↑ 2 3 / ↓ 5 6 / ↑ 3 4 / ↓ 6 7 / "
+        "columns");
+    row("headings over columns, not as many each",
+        "Target (mm);Forward (µm);;;Reverse (µm);\n0;1;2;3;4;5\n100;2;3;4;5;6\n",
+        "target,run+,ignored,ignored,run-,ignored / 0 100 / ↑ 1 2 / ↓ 4 5 / columns columns");
     // Series over time.
     row("drift with temperature", "Time (s);Deviation (µm);Temp (°C)\n0;0;20\n60;1;20.1\n120;2;20.2\n",
         "time,deviation,temperature / drift  0:0 60:1 120:2 / ");
@@ -650,6 +745,15 @@ void LayoutsTest::answersAreTaken_data() {
     QTest::newRow("columns of different roles") << axes << "columns"
                                                 << "target,run,deviation"
                                                 << "refused";
+    QTest::newRow("columns of dates")
+        << QByteArray("Target (mm);Forward (µm);Reverse (µm)\n0;1;2\n100;2026-01-05;3\n200;01:30;4\n")
+        << "columns"
+        << "target,run+,run-"
+        << "target,run+,run- / 0 100 200 / ↑ 1 – – / ↓ 2 3 4 / unread";
+    QTest::newRow("one column of dates")
+        << QByteArray("Target (mm);Forward (µm)\n0;1\n100;2026-01-05\n200;01:30\n") << "columns"
+        << "target,run+"
+        << "target,run+ / 0 100 200 / ↑ 1 – – / unread";
     QTest::newRow("data left out") << QByteArray("P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3,,5;4\n") << "unread"
                                    << "leave"
                                    << "target,run+1,run-1 / 0 100 / ↑ 1 – / ↓ 2 4 / ";
@@ -672,6 +776,16 @@ void LayoutsTest::answersAreTaken() {
     QFETCH(QString, word);
     QFETCH(QString, expected);
     QCOMPARE(outcome(text, {{key.toStdString(), word.toStdString()}}), expected);
+}
+
+/// Readings that are not read are all named, in a question.
+void LayoutsTest::namesAllColumnsLeftOut() {
+    const Imported imported =
+        importMeasurement("Target (mm);Forward (µm);;;Reverse (µm);\n0;1;2;3;4;5\n100;2;3;4;5;6\n", "x.csv");
+    QVERIFY(std::ranges::any_of(imported.questions, [](const Question &question) {
+        return question.id == "columns" &&
+               Language(Language::Id::english).sentence(question.sentence).endsWith(": #3, #4, #6.");
+    }));
 }
 
 QTEST_GUILESS_MAIN(LayoutsTest)

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
+
+#include "core/import/importpicture.h"
+#include "tables/units.h"
+
+#include <QTest>
+#include <array>
+#include <cmath>
+
+using namespace palmer;
+
+namespace {
+
+const std::array foreignWords{"ppm",    "ppb",      "mA",   "mV",           "kHz",  "%",          "mm/min",
+                              "µm/m",   "µm/V",     "nrad", "furlong",      "ft",   "counts",     "digits",
+                              "mm/rev", "arcsec/m", "dm",   "tenths of µm", "mm/°", "Zehntel µm", "°F"};
+const std::array factors{"x0.1%1", "0.1 %1", "1/10 %1", "10 %1", "%1 x 10", "%1/10", "10^-4 %1", "×10 %1"};
+const std::array lengths{"µm", "um", "nm", "mm", "in"};
+// What people put behind a heading, and no unit.
+const std::array ordinaryWords{
+    "1",         "forward", "run 2",      "X",          "comp.", "corrected", "rev",    "A",      "V",
+    "inc",       "abs",     "rel",        "NA",         "n.a.",  "1/3",       "in/out", "s/n 12", "laser",
+    "pm",        "am",      "with comp.", "Mittelwert", "brut",  "mesure 1",  "Lauf 1", "new",    "after",
+    "ISO 230-2", "F",       "-",          "+",          "↑",     "1A",        "pos"};
+
+QByteArray withBrackets(const QString &word, int form) {
+    return (form == 0 ? '(' + word + ')' : form == 1 ? '[' + word + ']' : '{' + word + '}').toUtf8();
+}
+
+const Question *find(const Imported &imported, std::string_view id) {
+    const auto found = std::ranges::find(imported.questions, id, &Question::id);
+    return found == imported.questions.end() ? nullptr : &*found;
+}
+
+QString choiceOf(const Imported &imported, std::string_view key) {
+    const auto found = std::ranges::find(imported.choices, key, &ImportChoice::key);
+    return found == imported.choices.end() ? QString() : QString::fromStdString(found->value);
+}
+
+QByteArray tableWith(const QByteArray &target, const QByteArray &reading) {
+    return "Position" + target + ";Forward" + reading + ";Reverse" + reading + "\n0;1;2\n90;2;3\n180;3;4\n";
+}
+
+} // namespace
+
+/// A unit that a heading names is never denied nor replaced by a guess.
+class HeadingUnitsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void namesTheUnitItCannotTake_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("key");
+        QTest::addColumn<QString>("said");
+        QStringList said;
+        for (const char *word : foreignWords)
+            said << word;
+        for (const char *factor : factors) {
+            for (const char *unit : lengths)
+                said << QString(factor).arg(unit);
+        }
+        int form = 0;
+        for (const QString &word : said) {
+            const QByteArray heading = ' ' + withBrackets(word, ++form % 3);
+            QTest::newRow(qPrintable("readings " + word)) << tableWith(" (mm)", heading) << "unit" << word;
+            QTest::newRow(qPrintable("targets " + word))
+                << tableWith(heading, " (µm)") << "positionUnit" << word;
+        }
+        for (const char *word : {"ppm", "mA", "x0.1µm", "1/10 µm", "%", "furlong"})
+            QTest::newRow(qPrintable(QString("no brackets ") + word))
+                << tableWith(" (mm)", ' ' + QByteArray(word)) << "unit" << QString(word);
+        for (const char *word : {"0.1 µm", "µm x 10", "tenths of µm"})
+            QTest::newRow(qPrintable(QString("of both columns, no brackets ") + word))
+                << "Position (mm);Forward dev. in " + QByteArray(word) + ";Reverse dev. in " + word +
+                       "\n0;1;2\n90;2;3\n180;3;4\n"
+                << "unit" << QString(word);
+        QTest::newRow("row of units")
+            << QByteArray("Position;Forward;Reverse\nmm;ppm;ppm\n0;1;2\n90;2;3\n180;3;4\n") << "unit"
+            << "ppm";
+        QTest::newRow("runs down") << QByteArray(
+                                          "Position (mm);0;100;200\n↑ 1 (ppm);1.1;3;5\n↓ 1 (ppm);2.1;4;6\n")
+                                   << "unit"
+                                   << "ppm";
+        QTest::newRow("targets across")
+            << QByteArray("Position (furlong);0;100;200\n↑ 1 (µm);1.1;3;5\n↓ 1 (µm);2.1;4;6\n")
+            << "positionUnit"
+            << "furlong";
+        QTest::newRow("angles along a length") << tableWith(" (mm)", " (arcsec)") << "unit"
+                                               << "″";
+        QTest::newRow("pitch")
+            << QByteArray("Position (mm);Pitch (µrad) forward;Pitch (µrad) reverse\n0;1;2\n90;2;3\n")
+            << "unit"
+            << "µrad";
+        QTest::newRow("lengths at angles") << tableWith(" (deg)", " (µm)") << "unit"
+                                           << "µm";
+        QTest::newRow("line above") << "Unit: ppm\n" + tableWith(" (mm)", "") << "unit"
+                                    << "ppm";
+        QTest::newRow("circle") << QByteArray("Angle (°);Radial deviation (ppm)\n0;1\n90;2\n180;3\n270;0\n")
+                                << "unit"
+                                << "ppm";
+        QTest::newRow("circle, angles")
+            << QByteArray("Angle (mm);Radial deviation (µm)\n0;1\n90;2\n180;3\n270;0\n") << "positionUnit"
+            << "mm";
+        QTest::newRow("drift") << QByteArray("Time (s);Deviation (mV)\n0;1\n90;2\n180;3\n270;0\n") << "unit"
+                               << "mV";
+        QTest::newRow("drift, times")
+            << QByteArray("Time (days);Deviation (µm)\n0;1\n90;2\n180;3\n270;0\n") << "timeUnit"
+            << "days";
+        QTest::newRow("indexes")
+            << QByteArray("UNIT=FURLONG\nTGT_DATA[1]=0\nTGT_DATA[2]=100\nREF_DATA_FWD[1,1]=0.001\n"
+                          "REF_DATA_FWD[2,1]=100.002\n")
+            << "unit"
+            << "FURLONG";
+        QTest::newRow("compensation text")
+            << QByteArray(
+                   "Compensation spacing 50 mm\nUnits (ppm)\nNo.  Axis position  Combined\n1  0.0  0.0\n"
+                   "2  50.0  -2.5\n")
+            << "unit"
+            << "ppm";
+    }
+    void namesTheUnitItCannotTake() {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, key);
+        QFETCH(QString, said);
+        const Imported imported = showMeasurement(text, "x.csv");
+        QVERIFY(!imported.refusal);
+        const Question *question = find(imported, key.toStdString());
+        QVERIFY(question);
+        QCOMPARE(question->proposal, std::string());
+        const QString sentence = Language(Language::Id::english).sentence(question->sentence);
+        QVERIFY2(sentence.contains(said), qPrintable(sentence));
+        QVERIFY(!sentence.contains("nothing in the file"));
+        const bool isUnderstood = !text.contains("Pitch"); // which is asked, too
+        QVERIFY(!isUnderstood || !find(imported, "columns"));
+    }
+
+    /// Who knows the unit says it, where it does not move the axis the other way.
+    void takesTheUnitThatIsSaid() {
+        const QByteArray text = tableWith(" (mm)", " (1/10 µm)");
+        const Imported imported = importMeasurement(text, "x.csv", {{"unit", "um"}});
+        QVERIFY(!find(imported, "unit") && !find(imported, "columns"));
+        const Imported wrong = importMeasurement(tableWith(" (mm)", " (arcsec)"), "x.csv", {{"unit", "um"}});
+        QVERIFY(!find(wrong, "unit"));
+        const Imported rotary =
+            importMeasurement(tableWith(" (mm)", " (arcsec)"), "x.csv", {{"positionUnit", "deg"}});
+        QVERIFY(!find(rotary, "unit") && !find(rotary, "positionUnit"));
+        QCOMPARE(choiceOf(rotary, "motion"), "rotary");
+    }
+
+    void refusesAMotionThatTheHeadingsDeny_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QString>("motion");
+        QTest::newRow("rotary in mm") << tableWith(" (mm)", " (µm)") << "rotary";
+        QTest::newRow("rotary, readings in µm") << tableWith("", " (µm)") << "rotary";
+        QTest::newRow("linear in °") << tableWith(" (°)", " (″)") << "linear";
+        QTest::newRow("linear, targets in °") << tableWith(" (°)", "") << "linear";
+    }
+    void refusesAMotionThatTheHeadingsDeny() {
+        QFETCH(QByteArray, text);
+        QFETCH(QString, motion);
+        QVERIFY_EXCEPTION_THROWN((void)importMeasurement(text, "x.csv", {{"motion", motion.toStdString()}}),
+                                 Error);
+    }
+
+    void takesUnitsItKnows_data() {
+        QTest::addColumn<QString>("unit");
+        QTest::addColumn<double>("base"); // mm or °
+        QTest::addColumn<bool>("isAngle");
+        const auto row = [](const char *unit, double base, bool isAngle) {
+            QTest::newRow(unit) << QString(unit) << base << isAngle;
+        };
+        row("cm", 10, false);
+        row("m", 1000, false);
+        row("mm.", 1, false);
+        row("in.", 25.4, false);
+        row("Zoll", 25.4, false);
+        row("nm", 1e-6, false);
+        row("1/1000 mm", 1e-3, false);
+        row("gon", 0.9, true);
+        row("arcseconds", 1.0 / 3600, true);
+        row("Winkelsekunden", 1.0 / 3600, true);
+        row("mrad", 180 / M_PI / 1000, true);
+        row("mdeg", 0.001, true);
+        row("m°", 0.001, true);
+        row("millidegrees", 0.001, true);
+        for (const char *second : {"arc sec", "Arc Sec", "arc seconds", "arc-seconds", "secondes d'arc"})
+            row(second, 1.0 / 3600, true);
+        for (const char *minute : {"arc min", "arc minutes", "minutes d'arc"})
+            row(minute, 1.0 / 60, true);
+    }
+    void takesUnitsItKnows() {
+        QFETCH(QString, unit);
+        QFETCH(double, base);
+        QFETCH(bool, isAngle);
+        const QByteArray heading = " (" + unit.toUtf8() + ')';
+        const Imported imported = importMeasurement(tableWith(isAngle ? " (°)" : " (mm)", heading), "x.csv");
+        QVERIFY(!find(imported, "unit"));
+        const auto &measurement = std::get<PositioningMeasurement>(imported.test->measurement);
+        QCOMPARE(measurement.axis.motion == Motion::rotary, isAngle);
+        QVERIFY(std::abs(*measurement.runs.at(0).deviations.at(2) - 3 * base) <
+                1e-12 * base + 1e-15); // last bits
+    }
+
+    void leavesOrdinaryWords_data() {
+        QTest::addColumn<QString>("word");
+        for (const char *word : ordinaryWords)
+            QTest::newRow(word) << QString(word);
+    }
+    void leavesOrdinaryWords() {
+        QFETCH(QString, word);
+        for (const int form : {0, 1, 2}) {
+            const QByteArray brackets = withBrackets(word, form);
+            QVERIFY(!saidUnit(("Forward " + brackets).toStdString()).isSaid());
+            QCOMPARE(saidUnit(("Forward " + brackets + " (µm)").toStdString()).unit, unitOf("um"));
+            QCOMPARE(saidUnit(("Forward (µm) " + brackets).toStdString()).unit, unitOf("um"));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(HeadingUnitsTest)
+#include "headingunits.moc"
