@@ -14,8 +14,10 @@
 #include <QHashFunctions>
 #include <algorithm>
 #include <csignal>
+#include <fcntl.h>
 #include <memory>
 #include <new>
+#include <unistd.h>
 
 namespace {
 
@@ -94,9 +96,21 @@ std::unique_ptr<QCoreApplication> applicationFor(const QStringList &words, char 
     return std::make_unique<QApplication>(count, argv);
 }
 
+/// A stream that the caller closed gives its number to the next file that is opened, and what is read from it
+/// or written to it would be that file's. It becomes one that every read or write of fails.
+void keepClosedStreamsClosed() {
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+        // NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): POSIX
+        if (::fcntl(stream, F_GETFD) < 0)
+            static_cast<void>(::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY));
+        // NOLINTEND(cppcoreguidelines-pro-type-vararg)
+    }
+}
+
 } // namespace
 
 int main(int argc, char *argv[]) {
+    keepClosedStreamsClosed();
     QHashSeed::setDeterministicGlobalSeed(); // else no two PDFs were alike
     std::signal(SIGXFSZ, SIG_IGN);           // a file that may not grow is an error with a sentence
     const Language ofLocale = languageOfLocale();

@@ -3,6 +3,7 @@
 #include "commandline/inputs.h"
 
 #include "commandline/optionvalues.h"
+#include "commandline/preparation.h"
 #include "commandline/streams.h"
 #include "document/filename.h"
 #include "proof/readreportpdf.h"
@@ -130,7 +131,7 @@ int eachInput(const Invocation &invocation, const Inputs &inputs,
             return work(input);
         } catch (const Error &error) {
             printError(input.file, error, invocation.language);
-        } catch (const UsageError &error) { // that only shows with the file: --set, --template
+        } catch (const UsageError &error) { // that only shows with the file: --set
             printError(input.file + QStringLiteral(": ") + invocation.language.sentence(error.message));
             return {wrongUsage, {}};
         } catch (const std::bad_alloc &) {
@@ -161,6 +162,8 @@ int eachInput(const Invocation &invocation, const Inputs &inputs,
 int eachDocument(const Invocation &invocation, const Inputs &inputs,
                  const std::function<JobResult(const Input &, Document)> &work, Between between,
                  const std::function<void(const JobResult &)> &heard) {
+    if (!canReadTemplates(invocation))
+        return cannotRead;
     const auto onDocument = [&](const Input &input) -> JobResult {
         if (isToBePassedOver(input))
             return {done, {}};

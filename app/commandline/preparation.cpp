@@ -50,12 +50,13 @@ void apply(Document &document, const Declarations &declarations) {
         editTest(document, i, [&](Test &test) { applyDeclarations(test, declarations); });
 }
 
-Template templateFrom(const QString &file, const Invocation &invocation) {
+/// Throws Error, whose place is that of the template: the name printed before is that of the file worked on.
+Template templateFrom(const QString &file) {
     try {
         return readTemplate(readBytes(file));
-    } catch (const Error &error) { // the name is that of the template, not of the file worked on
-        printError(file, error, invocation.language);
-        throw UsageError({REPORT_TEXT("report", "the template %1 cannot be used"), {file.toStdString()}});
+    } catch (Error &error) {
+        error.place = file.toStdString() + (error.place.empty() ? "" : ": " + error.place);
+        throw;
     }
 }
 
@@ -81,10 +82,21 @@ std::vector<FieldSetting> fieldSettings(const Invocation &invocation) {
     return result;
 }
 
+bool canReadTemplates(const Invocation &invocation) {
+    return std::ranges::all_of(invocation.values(QLatin1StringView("template")), [&](const QString &file) {
+        try {
+            static_cast<void>(readTemplate(readBytes(file)));
+            return true;
+        } catch (const Error &error) {
+            printError(file, error, invocation.language);
+            return false;
+        }
+    });
+}
+
 Document prepared(Document document, const Invocation &invocation) {
     for (const QString &file : invocation.values(QLatin1StringView("template")))
-        std::visit([&](const auto &content) { apply(document, content); },
-                   templateFrom(file, invocation).content);
+        std::visit([&](const auto &content) { apply(document, content); }, templateFrom(file).content);
     if (const auto words = invocation.value(QLatin1StringView("editions")))
         document.report.editions = editionsOf(*words);
     if (isOneFile(invocation) && invocation.has(QLatin1StringView("editions"))) {

@@ -24,6 +24,10 @@ inline constexpr std::array preparationOptions{
 /// Throws UsageError for what cannot be, Error for a template that cannot be read.
 [[nodiscard]] Document prepared(Document document, const Invocation &invocation);
 
+/// Whether the files of --template can be read; else one line says which cannot, however many files are to be
+/// prepared.
+[[nodiscard]] bool canReadTemplates(const Invocation &invocation);
+
 /// Of --set what is a path of the test file and no choice of the import, in the order given. Throws
 /// UsageError for what is no key=value.
 struct FieldSetting {

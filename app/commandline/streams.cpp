@@ -193,10 +193,11 @@ std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file, 
     }
     if (open == 0)
         return imported;
-    Message refusal{REPORT_TEXT("report",
-                                "%1 questions are open: nothing was imported; answer them with --set, or "
-                                "take what is proposed with --accept"),
-                    {Number{static_cast<double>(open), Quantity::count}}};
+    Message refusal{
+        REPORT_TEXT_COUNTED("report", "%n question(s) are open: nothing was imported; answer with --set, or "
+                                      "take what is proposed with --accept"),
+        {},
+        static_cast<int>(open)};
     printError(file + QStringLiteral(": ") + invocation.language.sentence(refusal));
     return {};
 }

@@ -121,8 +121,8 @@ int report(const ScanResult &result, const Invocation &invocation) {
     else
         printOut(
             invocation.language.sentence(
-                {REPORT_TEXT("report", "Files: %1, of them read now: %2, unreadable: %3, not found: %4. In "
-                                       "the register: %5 machines, %6 tests."),
+                {REPORT_TEXT("report", "Files: %1, of them read now: %2, unreadable: %3, not found: %4. "
+                                       "Machines in the register: %5, tests: %6."),
                  {count(result.files), count(result.read), count(static_cast<int>(result.unreadable.size())),
                   count(result.notFound), count(result.machines), count(result.tests)}}) +
             u'\n');

@@ -10,6 +10,7 @@
 #include "export/diagnosisjson.h"
 #include "kernel/diagnosis/synthesize.h"
 #include "kernel/evaluation/edition.h"
+#include "kernel/measurement/plane.h"
 
 #include <QFileInfo>
 #include <QStringList>
@@ -164,9 +165,10 @@ std::vector<double> feeds(const Invocation &invocation) {
 
 Plane plane(const Invocation &invocation) {
     const QString given = invocation.value(QLatin1StringView("plane")).value_or(QStringLiteral("XY"));
-    if (given.size() != 2 || given[0] == given[1] || !given[0].isLetter() || !given[1].isLetter())
+    const std::optional<Plane> named = planeOf(given.toStdString());
+    if (!named)
         refuse("plane", given, "XY");
-    return {given.left(1).toStdString(), given.mid(1).toStdString()};
+    return *named;
 }
 
 CircularSource circularSource(const GivenSource &given, const Plane &plane, const Invocation &invocation) {

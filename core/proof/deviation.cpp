@@ -71,4 +71,11 @@ Difference otherFileName(const QString &name) {
     return said(0, REPORT_TEXT("report", "the attached test file has another name"), name);
 }
 
+Difference otherBeside(const QString &shown) {
+    return said(0,
+                REPORT_TEXT("report",
+                            "title, author or bookmarks of the PDF are not those that follow from the data"),
+                shown);
+}
+
 } // namespace palmer

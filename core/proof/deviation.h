@@ -19,6 +19,8 @@ namespace palmer {
 [[nodiscard]] Difference coveredBySignature(int page, const QRectF &area, const QString &words);
 [[nodiscard]] Difference brokenSignature(const QString &signer);
 [[nodiscard]] Difference otherFileName(const QString &name);
+/// A title, the author or a bookmark.
+[[nodiscard]] Difference otherBeside(const QString &shown);
 
 /// For pages that no reader can show, or not in reasonable time.
 [[nodiscard]] inline Error unreadablePages() {

@@ -6,6 +6,7 @@
 
 #include <qpdf/Pl_Discard.hh>
 #include <qpdf/QPDF.hh>
+#include <qpdf/QPDFExc.hh>
 #include <qpdf/QPDFNameTreeObjectHelper.hh>
 #include <qpdf/QPDFObjectHandle.hh>
 
@@ -22,6 +23,7 @@ namespace {
 using Handle = QPDFObjectHandle;
 
 constexpr std::size_t mostPages = 20'000;
+constexpr std::size_t mostBookmarks = 100'000;
 
 std::string bytesOf(Handle stream) {
     const auto buffer = stream.getStreamData(qpdf_dl_specialized);
@@ -144,9 +146,39 @@ bool isOwnLink(Handle annotation) {
            !annotation.hasKey("/AA") && !annotation.hasKey("/AP");
 }
 
+std::string textOf(Handle dictionary, const char *key) {
+    Handle value = dictionary.isDictionary() ? dictionary.getKey(key) : Handle::newNull();
+    return value.isString() ? value.getUTF8Value() : std::string();
+}
+
+/// Title, author, then the bookmarks in the order of reading. Throws for bookmarks without end.
+std::vector<std::string> besideThePages(QPDF &document) {
+    std::vector<std::string> result;
+    for (const char *key : {"/Title", "/Author", "/Subject", "/Keywords"})
+        result.push_back(textOf(document.getTrailer().getKey("/Info"), key));
+    Handle outlines = document.getRoot().getKey("/Outlines");
+    std::vector<Handle> next;
+    if (outlines.isDictionary())
+        next.push_back(outlines.getKey("/First"));
+    while (!next.empty()) {
+        Handle bookmark = next.back();
+        next.pop_back();
+        if (!bookmark.isDictionary())
+            continue;
+        if (result.size() > mostBookmarks)
+            throw std::runtime_error("too many bookmarks");
+        result.push_back(textOf(bookmark, "/Title"));
+        next.push_back(bookmark.getKey("/Next"));
+        next.push_back(bookmark.getKey("/First"));
+    }
+    return result;
+}
+
 void addAnnotations(PdfParts &result, Handle page, int number) {
     if (page.hasKey("/AA"))
         result.additions.push_back({PdfAddition::Kind::action, number, "AA"});
+    if (page.hasKey("/UserUnit")) // another scale
+        result.additions.push_back({PdfAddition::Kind::action, number, "UserUnit"});
     Handle annotations = page.getKey("/Annots");
     const double height = page.getKey("/MediaBox").getArrayAsRectangle().ury;
     for (int i = 0; annotations.isArray() && i < annotations.getArrayNItems(); ++i) {
@@ -178,6 +210,18 @@ void demandTame(QPDF &document) {
     }
 }
 
+/// False: it is encrypted with a password that has to be known, or by a way that the library does not know.
+bool canOpen(QPDF &document, const char *bytes, std::size_t size) {
+    try {
+        document.processMemoryFile("report", bytes, size);
+        return true;
+    } catch (const QPDFExc &error) {
+        if (error.getErrorCode() != qpdf_e_password && error.getErrorCode() != qpdf_e_unsupported)
+            throw;
+        return false;
+    }
+}
+
 PdfParts takeApart(QPDF &document) {
     PdfParts result;
     result.encrypted = document.isEncrypted();
@@ -194,6 +238,7 @@ PdfParts takeApart(QPDF &document) {
         throw std::runtime_error("too many pages");
     for (std::size_t i = 0; i < pages.size(); ++i)
         addAnnotations(result, pages[i], static_cast<int>(i) + 1);
+    result.beside = besideThePages(document);
     demandTame(document);
     if (document.anyWarnings()) // the library read on; another reader may have found no attachment
         throw std::runtime_error("damaged");
@@ -209,7 +254,11 @@ PdfParts pdfParts(const char *bytes, std::size_t size, std::int64_t most, bool &
         QPDF document;
         document.setSuppressWarnings(true);
         document.setAttemptRecovery(false);
-        document.processMemoryFile("report", bytes, size);
+        if (!canOpen(document, bytes, size)) {
+            PdfParts closed;
+            closed.encrypted = true;
+            return closed;
+        }
         PdfParts result = takeApart(document);
         if (UnpackingBound::isExceeded())
             throw std::runtime_error("unpacks to more than is read");

@@ -39,6 +39,7 @@ struct PdfParts {
     std::vector<EmbeddedFile> files; ///< as readers find them, each once
     std::vector<PdfAddition> additions;
     std::vector<PdfField> signatureFields; ///< those that are seen
+    std::vector<std::string> beside; ///< what readers show beside the pages: title and author, bookmarks
 };
 
 /// Takes a PDF apart. `most`: bytes that its streams may unpack to; `exceeded` says when that was the reason.

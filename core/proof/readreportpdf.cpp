@@ -93,6 +93,9 @@ ReportPdf readReportPdf(const QByteArray &pdf) {
                                      "was made from is not known"));
     result.metadata = *metadata;
     result.additions.insert(result.additions.end(), parts->additions.begin(), parts->additions.end());
+    result.beside << metadata->title << metadata->author;
+    for (const std::string &text : parts->beside)
+        result.beside << QString::fromStdString(text);
     for (const PdfField &field : parts->signatureFields)
         result.signatureFields.push_back(
             {field.page, QRectF(QPointF(field.left, field.top), QPointF(field.right, field.bottom))});

@@ -10,6 +10,7 @@
 #include <QByteArrayView>
 #include <QRectF>
 #include <QString>
+#include <QStringList>
 #include <vector>
 
 namespace palmer {
@@ -28,6 +29,7 @@ struct ReportPdf {
     QByteArray results; ///< results.json; empty: none
     std::vector<PdfAddition> additions;
     std::vector<SignatureField> signatureFields; ///< those that are seen
+    QStringList beside; ///< what readers show beside the pages: titles, author, bookmarks
 };
 
 /// Largest sum of what the streams of a PDF unpack to, bytes.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "proof/reportmetadata.h"
 
+#include "kernel/evaluation/edition.h"
 #include "language/language.h"
 
 #include <QXmlStreamReader>
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <span>
 
 namespace palmer {
 
@@ -27,6 +29,7 @@ constexpr QLatin1StringView programName("Program");
 constexpr QLatin1StringView languageName("Language");
 constexpr QLatin1StringView selfTestName("SelfTest");
 constexpr QLatin1StringView simulatedName("Simulated");
+constexpr QLatin1StringView editionName("Edition"); // of a view alone
 
 constexpr QLatin1StringView passed("passed");
 constexpr QLatin1StringView failed("failed");
@@ -43,6 +46,9 @@ constexpr std::array ownProperties{
     OwnProperty{languageName, "Language of the report"},
     OwnProperty{selfTestName, "Result of the self-test of the program: passed, failed, not run"},
     OwnProperty{simulatedName, "Tests whose uncertainty was simulated, counted from 1"},
+};
+constexpr std::array viewProperties{
+    OwnProperty{editionName, "Edition that the tests of its kind are evaluated under instead of their own"},
 };
 
 QString selfTestWord(std::optional<bool> isPassed) {
@@ -73,7 +79,7 @@ public:
         m_xml.writeStartElement(rdf, QStringLiteral("RDF"));
         writeCommon(metadata);
         writeOwn(metadata);
-        writeSchema();
+        writeSchema(metadata);
         m_xml.writeEndElement();
         m_xml.writeEndElement();
     }
@@ -125,6 +131,8 @@ private:
         m_xml.writeTextElement(own, languageName, metadata.language);
         m_xml.writeTextElement(own, selfTestName, selfTestWord(metadata.making.selfTestPassed));
         m_xml.writeTextElement(own, simulatedName, simulatedWords(metadata.making.simulated));
+        if (!metadata.making.edition.isEmpty())
+            m_xml.writeTextElement(own, editionName, metadata.making.edition);
         m_xml.writeEndElement();
     }
 
@@ -143,16 +151,8 @@ private:
         m_xml.writeEndElement();
     }
 
-    void writeSchema() {
-        beginDescription(
-            {{pdfaExtension, "pdfaExtension"}, {pdfaSchema, "pdfaSchema"}, {pdfaProperty, "pdfaProperty"}});
-        beginBag(pdfaExtension, "schemas", "Bag");
-        beginResource(rdf, QStringLiteral("li"));
-        m_xml.writeTextElement(pdfaSchema, QStringLiteral("schema"), QStringLiteral("Palmer report"));
-        m_xml.writeTextElement(pdfaSchema, QStringLiteral("namespaceURI"), own);
-        m_xml.writeTextElement(pdfaSchema, QStringLiteral("prefix"), QStringLiteral("palmer"));
-        beginBag(pdfaSchema, "property", "Seq");
-        for (const OwnProperty &property : ownProperties) {
+    void describe(std::span<const OwnProperty> properties) {
+        for (const OwnProperty &property : properties) {
             beginResource(rdf, QStringLiteral("li"));
             m_xml.writeTextElement(pdfaProperty, QStringLiteral("name"), property.name);
             m_xml.writeTextElement(pdfaProperty, QStringLiteral("valueType"), QStringLiteral("Text"));
@@ -161,6 +161,20 @@ private:
                                    QString::fromLatin1(property.description));
             m_xml.writeEndElement();
         }
+    }
+
+    void writeSchema(const ReportMetadata &metadata) {
+        beginDescription(
+            {{pdfaExtension, "pdfaExtension"}, {pdfaSchema, "pdfaSchema"}, {pdfaProperty, "pdfaProperty"}});
+        beginBag(pdfaExtension, "schemas", "Bag");
+        beginResource(rdf, QStringLiteral("li"));
+        m_xml.writeTextElement(pdfaSchema, QStringLiteral("schema"), QStringLiteral("Palmer report"));
+        m_xml.writeTextElement(pdfaSchema, QStringLiteral("namespaceURI"), own);
+        m_xml.writeTextElement(pdfaSchema, QStringLiteral("prefix"), QStringLiteral("palmer"));
+        beginBag(pdfaSchema, "property", "Seq");
+        describe(ownProperties);
+        if (!metadata.making.edition.isEmpty())
+            describe(viewProperties);
         endBag();
         m_xml.writeEndElement();
         endBag();
@@ -191,21 +205,43 @@ QByteArray xmpPacket(const ReportMetadata &metadata) {
            "\n<?xpacket end=\"r\"?>\n";
 }
 
-std::optional<ReportMetadata> readXmp(const QByteArray &packet) {
+namespace {
+
+/// What Palmer's own properties say, by their names; title and author go into the result. Null: not well
+/// formed, or a property is stated twice.
+std::optional<std::map<QString, QString>> propertiesOf(const QByteArray &packet, ReportMetadata &result) {
     std::map<QString, QString> found;
     QXmlStreamReader xml(packet);
     while (!xml.atEnd()) {
-        if (xml.readNext() == QXmlStreamReader::StartElement && xml.namespaceUri() == own) {
+        const bool begins = xml.readNext() == QXmlStreamReader::StartElement;
+        if (begins && xml.namespaceUri() == dc) {
+            QString *shown = xml.name() == QLatin1StringView("title")     ? &result.title
+                             : xml.name() == QLatin1StringView("creator") ? &result.author
+                                                                          : nullptr;
+            if (shown)
+                *shown += xml.readElementText(QXmlStreamReader::IncludeChildElements).trimmed();
+        } else if (begins && xml.namespaceUri() == own) {
             const QString name = xml.name().toString();
             if (!found.emplace(name, xml.readElementText()).second)
                 return std::nullopt; // stated twice
         }
     }
+    return xml.hasError() ? std::nullopt : std::optional(std::move(found));
+}
+
+} // namespace
+
+std::optional<ReportMetadata> readXmp(const QByteArray &packet) {
+    ReportMetadata result;
+    auto properties = propertiesOf(packet, result);
+    if (!properties)
+        return std::nullopt;
+    std::map<QString, QString> &found = *properties;
     const bool complete = std::ranges::all_of(
         ownProperties, [&](const OwnProperty &property) { return found.contains(property.name); });
-    if (xml.hasError() || !complete || found.size() != ownProperties.size())
+    const std::size_t more = found.contains(editionName) ? viewProperties.size() : 0;
+    if (!complete || found.size() != ownProperties.size() + more)
         return std::nullopt;
-    ReportMetadata result;
     result.making.program = found[programName];
     result.language = found[languageName];
     if (!Language::fromName(result.language))
@@ -219,6 +255,11 @@ std::optional<ReportMetadata> readXmp(const QByteArray &packet) {
     if (!simulated)
         return std::nullopt;
     result.making.simulated = *simulated;
+    if (more) {
+        result.making.edition = found[editionName];
+        if (!findEdition(result.making.edition.toStdString()))
+            return std::nullopt;
+    }
     return result;
 }
 

@@ -23,8 +23,8 @@ struct ReportMetadata {
 /// The packet, with the declaration of PDF/A-3b and the schema of our own properties. Nothing of the clock.
 [[nodiscard]] QByteArray xmpPacket(const ReportMetadata &metadata);
 
-/// Reads a packet of ours: language and `making`, no more. Null for what is no XML, or was written by another
-/// program, or has words that we do not write.
+/// Reads a packet of ours: title, author, language and `making`. Null for what is no XML, or was written by
+/// another program, or has words that we do not write.
 [[nodiscard]] std::optional<ReportMetadata> readXmp(const QByteArray &packet);
 
 } // namespace palmer

@@ -23,8 +23,9 @@ namespace palmer {
 
 namespace {
 
-constexpr double panelHeight = 26;  ///< mm
-constexpr double legendHeight = 10; ///< mm
+constexpr double panelHeight = 26;      ///< mm
+constexpr double legendRowHeight = 4.2; ///< mm, of three texts
+constexpr double legendMargin = 1.6;
 constexpr std::size_t panelsOfRow = 4;
 constexpr std::size_t mostWithEdition = 4;
 constexpr int mostResults = 5;         ///< of a test
@@ -166,8 +167,8 @@ private:
                           {text(REPORT_TEXT("report", "Serial number")), machine.serialNumber}};
         QString interval = text(REPORT_TEXT("report", "none"));
         if (machine.months)
-            interval = say(REPORT_TEXT("report", "%1 months"),
-                           {Number{static_cast<double>(*machine.months), Quantity::count}});
+            interval = m_language.sentence(
+                {REPORT_TEXT_COUNTED("report", "%n month(s)"), {}, static_cast<int>(*machine.months)});
         if (m_history.due.test)
             interval +=
                 QStringLiteral("; ") + say(REPORT_TEXT("report", "next test before %1"),
@@ -263,6 +264,9 @@ private:
         const std::vector<Watched> list = watched();
         m_blocks->emplace_back(Heading{2, text(REPORT_TEXT("report", "Trends")), Phrase(units())});
         bool withoutParts = false;
+        std::vector<MachineTrend> all;
+        for (const AxisTrends &axis : m_axes)
+            all.insert(all.end(), axis.trends.begin(), axis.trends.end());
         for (const AxisTrends &axis : m_axes) {
             TrendFigure figure;
             figure.title = utf8(axis.axis);
@@ -276,12 +280,14 @@ private:
             const bool isLast = &axis == &m_axes.back();
             const bool hasRoom = figure.panels.size() < panelsOfRow;
             if (isLast && hasRoom)
-                figure.legend = trendLegend(m_language);
+                figure.legend = trendLegend(m_language, all);
             m_blocks->emplace_back(FigureBlock{std::move(figure), 175, panelHeight});
             if (isLast && !hasRoom) {
                 TrendFigure legend;
-                legend.legend = trendLegend(m_language);
-                m_blocks->emplace_back(FigureBlock{std::move(legend), 175, legendHeight});
+                legend.legend = trendLegend(m_language, all);
+                const std::size_t rows = (legend.legend.size() + 2) / 3;
+                m_blocks->emplace_back(FigureBlock{
+                    std::move(legend), 175, static_cast<double>(rows) * legendRowHeight + legendMargin});
             }
         }
         MachineTrend method;

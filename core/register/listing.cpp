@@ -175,11 +175,12 @@ ShownResult shownResult(const RegisteredResult &result, bool angular, const Lang
     const Quantity quantity = angular ? Quantity::angularDeviation : Quantity::deviation;
     if (!result.value)
         return {QStringLiteral("–"), {}};
-    const int decimals = result.expandedUncertainty
-                             ? decimalsWithUncertainty(*result.expandedUncertainty, quantity)
-                             : decimalsWithoutUncertainty;
-    return {language.number(*result.value, quantity, decimals),
-            result.expandedUncertainty ? language.uncertainty(*result.expandedUncertainty, quantity, decimals)
+    const int usual = result.expandedUncertainty
+                          ? decimalsWithUncertainty(*result.expandedUncertainty, quantity)
+                          : decimalsWithoutUncertainty;
+    return {language.number(*result.value, quantity, result.decimals.value_or(usual)),
+            result.expandedUncertainty ? language.uncertainty(*result.expandedUncertainty, quantity,
+                                                              result.uncertaintyDecimals.value_or(usual))
                                        : QString()};
 }
 

@@ -28,6 +28,10 @@ std::optional<double> optionalNumber(const QVariant &value) {
     return value.isNull() ? std::nullopt : std::optional(value.toDouble());
 }
 
+std::optional<int> optionalCount(const QVariant &value) {
+    return value.isNull() ? std::nullopt : std::optional(value.toInt());
+}
+
 template <class Enumeration>
 Enumeration fromWord(const QVariant &value) {
     const std::string word = utf8(value);
@@ -176,6 +180,8 @@ RegisteredResult resultFrom(const QSqlQuery &row) {
     result.shared = static_cast<unsigned>(next().toInt());
     result.sharedFactor = next().toDouble();
     result.withoutParts = next().toInt() != 0;
+    result.decimals = optionalCount(next());
+    result.uncertaintyDecimals = optionalCount(next());
     return result;
 }
 
@@ -214,7 +220,7 @@ void addParts(Database &database, const TestFilter &filter, const Condition &con
     eachRow(database, condition,
             QStringLiteral(
                 "select test, id, value, expanded, k, bound, limit_value, guard, verdict, own, shared, "
-                "factor, whole from result where test"),
+                "factor, whole, decimals, udecimals from result where test"),
             QStringLiteral("order by test, position"), byId,
             [](ListedTest &test, const QSqlQuery &row) { test.test.results.push_back(resultFrom(row)); });
     if (filter.withCurves)

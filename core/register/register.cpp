@@ -46,7 +46,13 @@ constexpr std::array firstStep{
     "insert into register (name, value) values ('writer', '')",
 };
 
-constexpr std::array<std::span<const char *const>, 1> schemaSteps{firstStep};
+/// The digits a result is printed with: they follow from its instruments and its limit.
+constexpr std::array secondStep{
+    "alter table result add column decimals integer",
+    "alter table result add column udecimals integer",
+};
+
+constexpr std::array<std::span<const char *const>, 2> schemaSteps{firstStep, secondStep};
 
 constexpr int newest = static_cast<int>(schemaSteps.size());
 

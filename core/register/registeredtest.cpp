@@ -11,6 +11,8 @@
 #include "kernel/measurement/testfacts.h"
 #include "kernel/uncertainty/circularbudget.h"
 #include "kernel/uncertainty/positioningbudget.h"
+#include "report/words/printednumbers.h"
+#include "report/words/wording.h"
 
 #include <QCryptographicHash>
 #include <algorithm>
@@ -272,7 +274,8 @@ void describe(RegisteredTest &result, const CircularMeasurement &c, const Circul
 void describe(RegisteredTest & /*result*/, const DriftMeasurement & /*drift*/,
               const DriftResults & /*results*/) {}
 
-RegisteredResult resultOf(const Parameter &parameter) {
+RegisteredResult resultOf(const Parameter &parameter, const DecisionRule &rule,
+                          std::optional<double> resolution) {
     RegisteredResult result;
     result.id = parameterId(parameter);
     if (parameter.value && std::isfinite(*parameter.value))
@@ -285,6 +288,10 @@ RegisteredResult resultOf(const Parameter &parameter) {
     result.guardBand = parameter.guardBand;
     result.bound = parameter.bound;
     result.verdict = parameter.verdict;
+    const PrintedNumbers printed =
+        printedNumbers(parameter, rule, resolution, Language(Language::Id::english));
+    result.decimals = printed.decimals;
+    result.uncertaintyDecimals = printed.uncertaintyDecimals;
     return result;
 }
 
@@ -326,8 +333,9 @@ RegisteredTest registeredTest(const EvaluatedDocument &evaluated, std::size_t in
             {joined({instrument->description, instrument->manufacturer, instrument->model}),
              instrument->serialNumber, instrument->certificate, instrument->calibrationDue});
     Sharing sharing(document, test, evaluation, result.digest);
+    const std::optional<double> resolution = finestResolution(document, test);
     for (const Parameter &parameter : evaluation.parameters) {
-        result.results.push_back(resultOf(parameter));
+        result.results.push_back(resultOf(parameter, test.decisionRule, resolution));
         sharing.share(result.results.back(), parameter);
     }
     result.parts = sharing.parts();

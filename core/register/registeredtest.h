@@ -23,9 +23,11 @@ struct RegisteredResult {
     std::optional<double> guardBand;
     Bound bound = Bound::magnitude;
     std::optional<Verdict> verdict;
-    double own = 0;            ///< r: what of U/k belongs to this test alone
-    unsigned shared = 0;       ///< which of the parts of the test are in U: bit i is part i
-    double sharedFactor = 1;   ///< by which those parts count
+    std::optional<int> decimals;            ///< of the value as every report prints it; null: not kept
+    std::optional<int> uncertaintyDecimals; ///< of U
+    double own = 0;                         ///< r: what of U/k belongs to this test alone
+    unsigned shared = 0;                    ///< which of the parts of the test are in U: bit i is part i
+    double sharedFactor = 1;                ///< by which those parts count
     bool withoutParts = false; ///< U came without its parts: all of it is taken as shared by the instrument
 
     bool operator==(const RegisteredResult &) const = default;

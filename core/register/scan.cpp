@@ -25,7 +25,8 @@ namespace palmer {
 
 namespace {
 
-const QString program = QStringLiteral("Palmer " PALMER_VERSION);
+/// What reads the files: another version, or other contents of an entry, reads them again.
+const QString program = QStringLiteral("Palmer " PALMER_VERSION ", entries 2");
 
 constexpr std::size_t mostWaiting = 64; ///< summaries between those who read and who writes
 constexpr int filesOfTransaction = 256;

@@ -44,7 +44,8 @@ public:
         addLimits();
         addInterventions();
         addLine();
-        const double room = m_most > m_least ? 0.06 * (m_most - m_least) : 1;
+        const double level = m_most != 0 ? 0.1 * std::abs(m_most) : 1; // of one value without U
+        const double room = m_most > m_least ? 0.06 * (m_most - m_least) : level;
         const double bottom = m_least >= 0 ? std::max(0.0, m_least - room) : m_least - room;
         setRange(m_panel.y, bottom, m_most + room, 4, TickSteps::values, m_language);
         setRange(m_panel.x, m_span.from, m_span.to, mostTicks, TickSteps::values, m_language);
@@ -52,10 +53,28 @@ public:
         const double step = std::max(1.0, m_panel.x.step);
         for (int tick = static_cast<int>(std::ceil(m_span.from / step)); tick * step <= m_span.to; ++tick)
             m_panel.x.ticks.push_back({tick * step, QString::number(static_cast<int>(tick * step))});
+        if (m_panel.x.ticks.empty())
+            addMonths(mostTicks);
         return std::move(m_panel);
     }
 
 private:
+    /// Of a span in which no year begins; an axis without a number says nothing.
+    void addMonths(int mostTicks) {
+        constexpr int monthsOfYear = 12;
+        std::vector<Tick> months;
+        const int last = static_cast<int>(std::ceil(m_span.to * monthsOfYear));
+        for (int month = static_cast<int>(m_span.from * monthsOfYear); month <= last; ++month) {
+            const QDate first(month / monthsOfYear, month % monthsOfYear + 1, 1);
+            if (const double at = calendarYear(first); at >= m_span.from && at <= m_span.to)
+                months.push_back({at, shortMonthText(first, m_language)});
+        }
+        const std::size_t most = static_cast<std::size_t>(std::max(1, mostTicks));
+        const std::size_t step = (months.size() + most - 1) / most;
+        for (std::size_t i = 0; i < months.size(); i += step)
+            m_panel.x.ticks.push_back(months[i]);
+    }
+
     void see(double value) {
         m_least = m_seen ? std::min(m_least, value) : value;
         m_most = m_seen ? std::max(m_most, value) : value;
@@ -69,14 +88,15 @@ private:
                 TrendValue value{calendarYear(dateOf(entry.date)), *entry.result.value * m_scale};
                 if (entry.result.expandedUncertainty)
                     value.expanded = *entry.result.expandedUncertainty * m_scale;
-                value.mark = i > 0                            ? TrendMark::otherSeries
-                             : entry.role == TestRole::asLeft ? TrendMark::asLeft
-                                                              : TrendMark::asFound;
+                value.mark = i > 0                               ? TrendMark::otherSeries
+                             : entry.role == TestRole::asLeft    ? TrendMark::asLeft
+                             : entry.role == TestRole::notStated ? TrendMark::noRole
+                                                                 : TrendMark::asFound;
                 value.exceeds = entry.result.verdict == Verdict::doesNotConform;
                 see(value.y + value.expanded.value_or(0));
                 see(value.y - value.expanded.value_or(0));
-                const bool joins = i == 0 && before && before->stretch == entry.stretch &&
-                                   (before->role == TestRole::asLeft) == (entry.role == TestRole::asLeft);
+                const bool joins =
+                    i == 0 && before && before->stretch == entry.stretch && before->role == entry.role;
                 if (joins)
                     m_panel.joined.push_back(
                         {{m_panel.values.back().x, m_panel.values.back().y}, {value.x, value.y}});
@@ -222,16 +242,24 @@ TrendFigure trendFigure(const QString &title, const MachineTrend &trend, const Q
             {},
             {},
             {trendPanel(trend, trendSpan({trend}, today), today, language, mostTicks)},
-            trendLegend(language)};
+            trendLegend(language, {trend})};
 }
 
-std::vector<QString> trendLegend(const Language &language) {
-    return {language.text(REPORT_TEXT("report", "as found; bar: ± U")),
-            language.text(REPORT_TEXT("report", "as left")),
-            language.text(REPORT_TEXT("report", "another series, not joined")),
-            language.text(REPORT_TEXT("report", "agreed limit")),
-            language.text(REPORT_TEXT("report", "line, bounds of 95 %")),
-            language.text(REPORT_TEXT("report", "intervention"))};
+std::vector<QString> trendLegend(const Language &language, const std::vector<MachineTrend> &trends) {
+    std::vector<QString> legend{language.text(REPORT_TEXT("report", "as found; bar: ± U")),
+                                language.text(REPORT_TEXT("report", "as left")),
+                                language.text(REPORT_TEXT("report", "another series, not joined")),
+                                language.text(REPORT_TEXT("report", "agreed limit")),
+                                language.text(REPORT_TEXT("report", "line, bounds of 95 %")),
+                                language.text(REPORT_TEXT("report", "intervention"))};
+    const bool anyWithoutRole = std::ranges::any_of(trends, [](const MachineTrend &trend) {
+        return !trend.series.empty() &&
+               std::ranges::any_of(trend.series.front().entries,
+                                   [](const TrendEntry &entry) { return entry.role == TestRole::notStated; });
+    });
+    if (anyWithoutRole)
+        legend.push_back(language.text(REPORT_TEXT("report", "role not stated")));
+    return legend;
 }
 
 } // namespace palmer

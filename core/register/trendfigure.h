@@ -31,8 +31,9 @@ struct TrendSpan {
 [[nodiscard]] TrendFigure trendFigure(const QString &title, const MachineTrend &trend, const QDate &today,
                                       const Language &language);
 
-/// What the marks mean.
-[[nodiscard]] std::vector<QString> trendLegend(const Language &language);
+/// What the marks of these trends mean.
+[[nodiscard]] std::vector<QString> trendLegend(const Language &language,
+                                               const std::vector<MachineTrend> &trends);
 
 /// A day as a calendar year: 2024.29.
 [[nodiscard]] double calendarYear(const QDate &date);

@@ -46,11 +46,6 @@ QString signedNumber(double value, Quantity quantity, int decimals, const Langua
     return (value >= 0 ? QStringLiteral("+") : QString()) + language.number(value, quantity, decimals);
 }
 
-/// For a place with little room.
-QString shortMonthText(const QDate &date, const Language &language) {
-    return QLocale(language.code()).toString(date, QStringLiteral("MMM yyyy"));
-}
-
 } // namespace
 
 Quantity trendQuantity(const MachineTrend &trend) {
@@ -59,6 +54,10 @@ Quantity trendQuantity(const MachineTrend &trend) {
 
 QString monthText(const QDate &date, const Language &language) {
     return QLocale(language.code()).toString(date, QStringLiteral("MMMM yyyy"));
+}
+
+QString shortMonthText(const QDate &date, const Language &language) {
+    return QLocale(language.code()).toString(date, QStringLiteral("MMM yyyy"));
 }
 
 QString interventionName(InterventionKind kind, const Language &language) {

@@ -39,6 +39,8 @@ namespace palmer {
 
 /// "March 2028", "mars 2028".
 [[nodiscard]] QString monthText(const QDate &date, const Language &language);
+/// Where there is little room: "Nov 2026".
+[[nodiscard]] QString shortMonthText(const QDate &date, const Language &language);
 
 /// The facts beside a chart: since, tests, slope, level, scatter. Only of a trend with a line.
 [[nodiscard]] std::vector<KeyValue> trendFacts(const MachineTrend &trend, const Language &language);

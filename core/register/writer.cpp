@@ -223,15 +223,16 @@ void RegisterWriter::insertTest(int id, const RegisteredTest &test) {
 void RegisterWriter::insertResults(int id, const RegisteredTest &test) {
     const QString insert = QStringLiteral(
         "insert into result (test, position, id, value, expanded, k, bound, limit_value, guard, "
-        "verdict, own, shared, factor, whole) values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        "verdict, own, shared, factor, whole, decimals, udecimals) "
+        "values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     int position = 0;
     for (const RegisteredResult &result : test.results)
-        m_database.run(insert,
-                       {id, ++position, text(result.id), orNull(result.value),
-                        orNull(result.expandedUncertainty), orNull(result.k), static_cast<int>(result.bound),
-                        orNull(result.limit), orNull(result.guardBand), verdictOrNull(result.verdict),
-                        result.own, static_cast<int>(result.shared), result.sharedFactor,
-                        result.withoutParts ? 1 : 0});
+        m_database.run(
+            insert,
+            {id, ++position, text(result.id), orNull(result.value), orNull(result.expandedUncertainty),
+             orNull(result.k), static_cast<int>(result.bound), orNull(result.limit), orNull(result.guardBand),
+             verdictOrNull(result.verdict), result.own, static_cast<int>(result.shared), result.sharedFactor,
+             result.withoutParts ? 1 : 0, orNull(result.decimals), orNull(result.uncertaintyDecimals)});
 }
 
 void RegisterWriter::replaceResults(const QString &digest, const RegisteredTest &test) {

@@ -267,6 +267,12 @@ std::vector<int> simulatedTests(const EvaluatedDocument &evaluated) {
     return result;
 }
 
+/// The edition of a view, empty for a report under the editions of the file.
+QString viewedEdition(const EvaluatedDocument &evaluated) {
+    const auto found = std::ranges::find_if(evaluated.tests, [](const auto &test) { return test->view; });
+    return found == evaluated.tests.end() ? QString() : QString::fromUtf8((*found)->edition->word);
+}
+
 } // namespace
 
 Report composeReport(const EvaluatedDocument &evaluated, const Language &language,
@@ -283,7 +289,8 @@ Report composeReport(const EvaluatedDocument &evaluated, const Language &languag
         joined({reportTitle(write, head), QString::fromStdString(head.number)}, QStringLiteral(" "));
     report.laboratory = QString::fromStdString(head.laboratory.name);
     report.date = QString::fromStdString(head.date.value_or(std::string()));
-    report.making = {options.program, options.selfTestPassed, simulatedTests(evaluated)};
+    report.making = {options.program, options.selfTestPassed, simulatedTests(evaluated),
+                     viewedEdition(evaluated)};
     report.testFile =
         options.testFile.isEmpty() ? attachedFile(document, options.originals) : options.testFile;
     report.testFileName = attachedFileName(document);

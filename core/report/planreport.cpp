@@ -31,16 +31,25 @@ KeyValues head(const TargetRequest &request, const TargetPlan &plan, const Cycle
         language.sentence({REPORT_TEXT("report", "%1 to %2"), {from, to}, {}}));
     add(REPORT_TEXT("report", "Targets"),
         language.number(static_cast<double>(plan.targets.size()), Quantity::count));
-    add(REPORT_TEXT("report", "Nominal interval"),
-        joined(language, plan.interval, position, request.decimals));
-    add(REPORT_TEXT("report", "Random part"),
-        request.rule == TargetRule::pitches1988 && !plan.boundOf2006 && request.period
-            ? language.sentence({REPORT_TEXT("report", "P = (N + r)·p, p = %1"),
-                                 {Number{*request.period, position, -1}},
-                                 {}})
-            : language.sentence({REPORT_TEXT("report", "± %1, new for every target"),
-                                 {Number{plan.randomPart, position, request.decimals}},
-                                 {}}));
+    if (!plan.interval) {
+        add(REPORT_TEXT("report", "Quarter turns"),
+            language.text(REPORT_TEXT("report", "all multiples of 90° within the travel")));
+        add(REPORT_TEXT("report", "Further targets"),
+            language.sentence({REPORT_TEXT("report", "one in each %1 of the travel, at random"),
+                               {Number{plan.randomPart, position, request.decimals}},
+                               {}}));
+    } else {
+        add(REPORT_TEXT("report", "Nominal interval"),
+            joined(language, *plan.interval, position, request.decimals));
+        add(REPORT_TEXT("report", "Random part"),
+            request.rule == TargetRule::pitches1988 && !plan.boundOf2006 && request.period
+                ? language.sentence({REPORT_TEXT("report", "P = (N + r)·p, p = %1"),
+                                     {Number{*request.period, position, -1}},
+                                     {}})
+                : language.sentence({REPORT_TEXT("report", "± %1, new for every target"),
+                                     {Number{plan.randomPart, position, request.decimals}},
+                                     {}}));
+    }
     if (plan.boundOf2006)
         add(REPORT_TEXT("report", "Rule"),
             language.text(REPORT_TEXT("report", "that of ISO 230-2:2006: ISO 230-2:1988 has none for an "

@@ -410,10 +410,16 @@ void BatchCommandTest::templatesAreApplied() {
     QCOMPARE(results["machine"].toObject()["name"].toString(), QString("Big mill"));
     QCOMPARE(results["tests"].toArray()[0].toObject()["limits"].toString(), QString("exceeded"));
     write(at("bad.palmer-template"), R"({"format": "palmer template"})");
-    const CliResult bad = runCli({"evaluate", at("in/a.palmer"), "--template", at("bad.palmer-template")});
-    QCOMPARE(bad.code, 2);
-    QCOMPARE(bad.out, QByteArray());
-    QVERIFY(bad.err.contains("bad.palmer-template"));
+    // A file that cannot be read, once, however many are worked on.
+    for (const char *name : {"bad.palmer-template", "nowhere.palmer-template"}) {
+        for (const QStringList &files : {QStringList{at("in/a.palmer")}, QStringList{at("in")}}) {
+            const CliResult bad =
+                runCli(QStringList{"evaluate"} + files + QStringList{"--template", at(name)});
+            QCOMPARE(bad.code, 3);
+            QCOMPARE(bad.out, QByteArray());
+            QVERIFY2(bad.err.contains(name) && bad.err.count('\n') == 1, bad.err);
+        }
+    }
 }
 
 void BatchCommandTest::anotherEditionIsAViewInTheReport() {

@@ -13,6 +13,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <cmath>
+#include <unistd.h>
+#include <utility>
 
 namespace {
 
@@ -71,6 +73,7 @@ private slots:
     void givesTheUncertainty();
     void simulatesAlikeOnAnyNumberOfThreads();
     void saysWhenItCannotWrite();
+    void readsAndWritesNoOtherFileForAClosedStream();
     void listsOnlyWhatItDoes();
     void agreesWithTheReferenceData();
     void contouringFeed_data();
@@ -393,6 +396,29 @@ void PalmerCliTest::saysWhenItCannotWrite() {
     QVERIFY(process.waitForFinished());
     QCOMPARE(process.exitCode(), 3);
     QCOMPARE(process.readAllStandardError().count('\n'), 1);
+}
+
+void PalmerCliTest::readsAndWritesNoOtherFileForAClosedStream() {
+    const auto without = [](int stream, const QStringList &arguments) {
+        QProcess process;
+        process.setChildProcessModifier([stream] { ::close(stream); });
+        process.start(PALMER_CLI, arguments);
+        if (!process.waitForFinished())
+            qFatal("palmer-cli did not end by itself");
+        return std::pair(process.exitCode(), process.readAllStandardError());
+    };
+    // Its number was that of what Qt opens first, which "cannot be read for the moment".
+    QCOMPARE(without(STDIN_FILENO, {"evaluate", "-"}),
+             std::pair(3, QByteArray("palmer-cli: -: the file cannot be read (Bad file descriptor)\n")));
+    const auto [code, error] = without(STDOUT_FILENO, {"evaluate", example("rotary-axis")});
+    QCOMPARE(code, 3);
+    QVERIFY2(error.endsWith("standard output cannot be written\n"), error);
+    QTemporaryDir folder;
+    const QString report = folder.filePath("r.pdf");
+    QCOMPARE(
+        without(STDERR_FILENO, {"report", example("rotary-axis"), "--language", "en", "-o", report}).first,
+        0);
+    QCOMPARE(run({"verify", report}).code, 0);
 }
 
 void PalmerCliTest::listsOnlyWhatItDoes() {

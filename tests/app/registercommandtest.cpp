@@ -101,8 +101,8 @@ void RegisterCommandTest::scanListTrend() {
     QCOMPARE(first.err, QByteArray());
     QCOMPARE(first.code, 0);
     QCOMPARE(first.out,
-             QByteArray("Files: 240, of them read now: 240, unreadable: 0, not found: 0. In the register: 6 "
-                        "machines, 240 tests.\n"));
+             QByteArray("Files: 240, of them read now: 240, unreadable: 0, not found: 0. Machines in the "
+                        "register: 6, tests: 240.\n"));
     const auto again = objects(reg({"scan", files(), "--json"}).out);
     QCOMPARE(again.front()["read"].toInt(), 0);
     QCOMPARE(again.front()["tests"].toInt(), 240);

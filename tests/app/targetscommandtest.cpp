@@ -52,6 +52,29 @@ private slots:
         QVERIFY(checked.out.contains("\"deg\""));
     }
 
+    /// Quarter turns of more than a turn, five times each way: what `check` asks of the same edition.
+    void plansRotaryAxesAfter1988_data() {
+        QTest::addColumn<QString>("travel");
+        QTest::newRow("a turn") << "360";
+        QTest::newRow("two turns") << "720";
+    }
+    void plansRotaryAxesAfter1988() {
+        QFETCH(QString, travel);
+        const QStringList asked{"targets",   "--axis",         "C",          "--rotary", "--travel", travel,
+                                "--edition", "ISO 230-2:1988", "--language", "en",       "-o"};
+        const palmer::testdata::CliResult plan = run(asked + QStringList{"-"});
+        QCOMPARE(plan.code, 0);
+        QVERIFY2(plan.out.contains("all multiples of 90°"), plan.out.constData());
+        for (const char *untrue : {"Nominal interval", "Random part", "2006"})
+            QVERIFY2(!plan.out.contains(untrue), plan.out.constData());
+        QTemporaryDir folder;
+        const QString file = folder.filePath("plan.palmer");
+        QCOMPARE(run(asked + QStringList{file}).code, 0);
+        const palmer::testdata::CliResult checked = run({"check", "--language", "en", file});
+        for (const char *unmet : {"missing: 0°", "5 each way are required", "Fewer than three further"})
+            QVERIFY2(!checked.out.contains(unmet), checked.out.constData());
+    }
+
     void writesAPdf() {
         QTemporaryDir folder;
         QCOMPARE(run({"targets", "--travel", "1000", "-o", folder.filePath("plan.pdf")}).code, 0);

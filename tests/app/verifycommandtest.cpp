@@ -79,6 +79,26 @@ private slots:
         QVERIFY2(words.contains("U+7ACB"), words.constData());
     }
 
+    /// A report under another edition than the file's says in itself which.
+    void viewsFollowToo() {
+        const QString view = m_folder.filePath("view.pdf");
+        const auto follows = [&](const QString &file, const char *edition) {
+            const CliResult made =
+                runCli({"report", file, "--language", "fr", "--edition", edition, "-o", view});
+            QVERIFY2(made.code == 0 || made.code == 1, made.err.constData());
+            const CliResult result = runCli({"verify", view});
+            QVERIFY2(result.code == 0, result.out.constData());
+            // The whole is the same: nothing of the view was left out when it was made again.
+            QVERIFY2(result.out.contains("The whole PDF is the same, byte for byte."),
+                     result.out.constData());
+        };
+        for (const char *edition :
+             {"ISO 230-2:1988", "ISO 230-2:1997", "ISO 230-2:2014", "GB/T 17421.2-2016", "VDI"})
+            follows(QStringLiteral(EXAMPLES "../../tests/data/report/limits-2006.palmer"), edition);
+        for (const char *edition : {"ISO 230-4:1996", "ISO 230-4:2022"})
+            follows(QStringLiteral(EXAMPLES "iso230-4-full-circles-xy.palmer"), edition);
+    }
+
     void followsOrNot() {
         CliResult result = runCli({"verify", m_report});
         QCOMPARE(result.err, QByteArray());

@@ -341,6 +341,7 @@ struct Making {
     QString program;                         ///< "Palmer 0.1.0"
     std::optional<bool> selfTestPassed = {}; ///< of the process that made it; null: not run
     std::vector<int> simulated = {};         ///< tests whose uncertainty was simulated, counted from 1
+    QString edition = {};                    ///< of a view: designation of the other edition; else empty
 
     bool operator==(const Making &) const = default;
 };

@@ -278,8 +278,10 @@ private:
         else if (first)
             result << say(REPORT_TEXT("report", "Target %1 rules it."), {place(*first).toStdString()});
         else
-            result << say(REPORT_TEXT("report", "Mean over %1 targets: none rules it alone."),
-                          {Number{static_cast<double>(m_results.targets.size()), Quantity::count, 0}});
+            result << m_language.sentence(
+                {REPORT_TEXT_COUNTED("report", "Mean over %n target(s): none rules it alone."),
+                 {},
+                 static_cast<int>(m_results.targets.size())});
         if (m_recipe.parts && target(0))
             result << weights(*target(0));
         if (m_results.standardDeviation == DeviationMethod::range)

@@ -88,15 +88,13 @@ bool printsAllRows(const PositioningPart &part) {
 }
 
 void addLeftOut(std::vector<Block> &blocks, const Writer &write, std::size_t rows) {
-    const auto count = [](std::size_t value) {
-        return Number{static_cast<double>(value), Quantity::count, 0};
-    };
-    blocks.emplace_back(Paragraph{write.say(
-        REPORT_TEXT("report",
-                    "Left out: %1 rows, for a report prints no more than %2 of them unasked. The test "
-                    "file holds all readings. To print the rows as well, choose “All readings” for the "
-                    "report, or write “allReadings” under “include” in the test file."),
-        {count(rows), count(mostRows)})});
+    blocks.emplace_back(Paragraph{write.language().sentence(
+        {REPORT_TEXT_COUNTED(
+             "report", "Left out: %n row(s), for a report prints no more than %1 of them unasked. The test "
+                       "file holds all readings. To print the rows as well, choose “All readings” for the "
+                       "report, or write “allReadings” under “include” in the test file."),
+         {Number{static_cast<double>(mostRows), Quantity::count, 0}},
+         static_cast<int>(rows)})});
 }
 
 class ReadingTables {

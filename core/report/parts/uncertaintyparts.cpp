@@ -275,8 +275,8 @@ std::optional<int> explainedBefore(const TestPart &part) {
     return std::nullopt;
 }
 
-Number trialsOf(const TestPart &part) {
-    return {static_cast<double>(part.evaluation.uncertainty.simulation->trials), Quantity::count};
+int trialsOf(const TestPart &part) {
+    return static_cast<int>(part.evaluation.uncertainty.simulation->trials);
 }
 
 /// How the methods came to their U: once for all tests that use the same.
@@ -291,11 +291,13 @@ void addMethods(QStringList &words, const TestPart &part) {
                                   "an explanation, unless it is chosen to decide."),
             {Number{*uncertainty.systematic, deviationQuantity(part.test), contributionDecimals}});
     if (explained.simulated)
-        words << write.say(
-            REPORT_TEXT("report", "Monte Carlo: %1 trials of the whole evaluation, seed %2; U is half of the "
-                                  "shortest interval that holds 95.45 % of the results, the shift their mean "
-                                  "less the evaluated value."),
-            {trialsOf(part), std::to_string(uncertainty.simulation->seed)});
+        words << write.language().sentence(
+            {REPORT_TEXT_COUNTED(
+                 "report", "Monte Carlo: %n trial(s) of the whole evaluation, seed %1; U is half of the "
+                           "shortest interval that holds 95.45 % of the results, the shift their mean "
+                           "less the evaluated value."),
+             {std::to_string(uncertainty.simulation->seed)},
+             trialsOf(part)});
     if (explained.stable)
         words << write.text(REPORT_TEXT(
             "report", "Over the blocks of trials twice the standard deviation of mean, u, both ends "
@@ -313,9 +315,10 @@ void addMethodsAsFor(QStringList &words, const TestPart &part, int before) {
             {Number{*uncertainty.systematic, deviationQuantity(part.test), contributionDecimals},
              std::to_string(before)});
     if (explained.simulated)
-        words << write.say(
-            REPORT_TEXT("report", "Monte Carlo: %1 trials, seed %2, otherwise as for test %3."),
-            {trialsOf(part), std::to_string(uncertainty.simulation->seed), std::to_string(before)});
+        words << write.language().sentence(
+            {REPORT_TEXT_COUNTED("report", "Monte Carlo: %n trial(s), seed %1, otherwise as for test %2."),
+             {std::to_string(uncertainty.simulation->seed), std::to_string(before)},
+             trialsOf(part)});
 }
 
 } // namespace

@@ -28,7 +28,7 @@ public:
                                       : DiagnosisRowKind::notTold;
         row.sources = {place};
         row.name = nameOf(source);
-        row.unit = QString::fromUtf8(influence(source.id).unit);
+        setUnit(row, source.id);
         if (source.value && source.u)
             setNumbers(row, shownParameter(source.id, *source.value), shownUncertainty(source));
         row.contribution = source.contribution;
@@ -56,7 +56,7 @@ public:
                     m_language.number(std::abs(one.factor), Quantity::number, 3) + QStringLiteral(" · ");
             row.name += m_language.sentence(sourceName(m_diagnosis.sources[one.source]));
         }
-        row.unit = QString::fromUtf8(influence(m_diagnosis.sources[sum.of.front().source].id).unit);
+        setUnit(row, m_diagnosis.sources[sum.of.front().source].id);
         setNumbers(row, sum.value, sum.u);
         row.contribution = part.contribution;
         row.meaning = m_language.text(
@@ -67,12 +67,20 @@ public:
     }
 
 private:
+    /// Lengths in the unit of deviations, what has another unit in its own.
+    void setUnit(DiagnosisRow &row, InfluenceId id) const {
+        row.quantity =
+            influence(id).unit == std::string_view("µm") ? Quantity::micrometres : Quantity::number;
+        row.unit = row.quantity == Quantity::micrometres ? m_language.unit(row.quantity)
+                                                         : QString::fromUtf8(influence(id).unit);
+    }
+
     void setNumbers(DiagnosisRow &row, double value, double u) const {
         const int decimals = decimalsOfEstimate(u);
-        row.value = m_language.number(value, Quantity::number, decimals);
+        row.value = m_language.number(value, row.quantity, decimals);
         const double last = std::pow(10.0, -decimals);
-        row.u = u < last / 2 ? QStringLiteral("<\u00A0") + m_language.number(last, Quantity::number, decimals)
-                             : m_language.number(u, Quantity::number, decimals);
+        row.u = u < last / 2 ? QStringLiteral("<\u00A0") + m_language.number(last, row.quantity, decimals)
+                             : m_language.number(u, row.quantity, decimals);
     }
 
     [[nodiscard]] QString nameOf(const SourceEstimate &source) const {

@@ -26,6 +26,7 @@ struct DiagnosisRow {
     QString name;                     ///< "Backlash X", "Lateral play X + Backlash Y"
     QString value;                    ///< with the digits u allows; empty: none
     QString u;
+    Quantity quantity = Quantity::number; ///< of value and u
     QString unit;
     std::optional<double> contribution; ///< to G(b), alone, mm
     QString meaning;                    ///< a sentence: what it is; or why it has no value

@@ -168,8 +168,8 @@ Mark markOf(Accordance accordance) {
         return Mark::warning;
     case Accordance::notShown:
     case Accordance::notChecked:
+    case Accordance::partly: // a part of the text alone was read: no tick
         return Mark::openCircle;
-    case Accordance::partly:
     case Accordance::yes:
         return Mark::check;
     }

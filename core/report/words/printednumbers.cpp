@@ -116,6 +116,7 @@ PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &ru
     PrintedNumbers result;
     const Digits digits = digitsOf(parameter, rule, resolution, language.units());
     result.decimals = digits.value;
+    result.uncertaintyDecimals = digits.uncertainty;
     if (parameter.value)
         result.value = language.number(*parameter.value, quantity, result.decimals);
     if (parameter.expandedUncertainty && parameter.value)

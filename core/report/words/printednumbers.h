@@ -16,11 +16,12 @@ namespace palmer {
 /// numbers, compared by the decision rule with its factor as printed, to give the verdict that the unrounded
 /// ones give. Of a simulated U the rule compares with U + 2s, s that of U.
 struct PrintedNumbers {
-    int decimals = 1;     ///< of the value
-    QString value;        ///< empty where there is none, as below
-    QString uncertainty;  ///< likewise without a value
-    QString limit;        ///< as entered
-    QString alignedLimit; ///< filled up to the decimals of the value
+    int decimals = 1;            ///< of the value, counted in the default unit
+    int uncertaintyDecimals = 1; ///< likewise of U
+    QString value;               ///< empty where there is none, as below
+    QString uncertainty;         ///< likewise without a value
+    QString limit;               ///< as entered
+    QString alignedLimit;        ///< filled up to the decimals of the value
     QString reach; ///< the end of the guard band beyond the limit: limit + g, of a lower limit limit − g
 };
 

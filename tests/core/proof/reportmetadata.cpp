@@ -48,6 +48,8 @@ private slots:
                     metadata.language = QString::fromLatin1(language);
                     metadata.making.selfTestPassed = passed;
                     metadata.making.simulated = simulated;
+                    metadata.making.edition =
+                        simulated.size() == 1 ? QStringLiteral("ISO 230-2:1997") : QString();
                     const auto read = readXmp(xmpPacket(metadata));
                     QVERIFY(read);
                     QCOMPARE(read->language, metadata.language);
@@ -116,6 +118,15 @@ private slots:
         QTest::newRow("missing") << QByteArray("<palmer:Program>Palmer 1.2.3</palmer:Program>")
                                  << QByteArray();
         QTest::newRow("another name") << QByteArray("palmer:Program>") << QByteArray("palmer:Maker>");
+    }
+    void editionsThatWeDoNotKnowAreNotRead() {
+        ReportMetadata view = example();
+        view.making.edition = QStringLiteral("ISO 230-2:1997");
+        QCOMPARE(element(xmpPacket(view), "Edition"), view.making.edition);
+        QVERIFY(readXmp(xmpPacket(view)));
+        for (const char *word : {"", "ISO 230-2:1998", "1997"})
+            QVERIFY(!readXmp(xmpPacket(view).replace(">ISO 230-2:1997<", '>' + QByteArray(word) + '<')));
+        QVERIFY(!element(xmpPacket(example()), "Edition")); // of a view alone
     }
     void whatWeDoNotWriteIsNotRead() {
         QFETCH(const QByteArray, before);

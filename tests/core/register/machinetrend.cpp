@@ -342,6 +342,36 @@ private slots:
         const MachineTrend none = machineTrend({}, "A");
         QVERIFY(trendPanel(none, trendSpan({none}, today), today, language, 8).values.empty());
     }
+    /// From a month to twenty years, beginning anywhere in a year.
+    void theTimeAxisHasALabelWhateverItsSpan() {
+        const QDate today(2026, 11, 22);
+        const Language english(Language::Id::english);
+        const MachineTrend trend = machineTrend(sinceRepair(), "A");
+        for (const int most : {1, 3, 8}) {
+            for (int begin = 0; begin < 24; ++begin) {
+                for (const double years : {0.1, 0.25, 0.5, 0.9, 1.5, 3.0, 7.0, 20.0}) {
+                    const double from = 2024 + begin / 24.0;
+                    const auto ticks = trendPanel(trend, {from, from + years}, today, english, most).x.ticks;
+                    const QString place = QString("%1 + %2, %3").arg(from).arg(years).arg(most);
+                    QVERIFY2(!ticks.empty(), qPrintable(place));
+                    QSet<QString> labels;
+                    for (const Tick &tick : ticks) {
+                        QVERIFY2(tick.value >= from && tick.value <= from + years, qPrintable(place));
+                        labels.insert(tick.label);
+                    }
+                    QCOMPARE(static_cast<std::size_t>(labels.size()), ticks.size());
+                    if (ticks.front().label.contains(' ')) // months
+                        QVERIFY2(ticks.size() <= static_cast<std::size_t>(most), qPrintable(place));
+                }
+            }
+        }
+        const auto ticks = trendPanel(trend, {2026.1, 2026.4}, today, english, 8).x.ticks;
+        QCOMPARE(ticks.front().label, QString("Mar 2026")); // 0.1 of a year is in February
+        QCOMPARE(ticks.size(), std::size_t{3});
+        const Language french(Language::Id::french);
+        QCOMPARE(trendPanel(trend, {2026.05, 2026.1}, today, french, 8).x.ticks.front().label,
+                 QStringLiteral("f\u00e9vr. 2026"));
+    }
     void statesAreThoseOfTheNewestTests() {
         QTemporaryDir dir;
         const auto add = [&](const char *name, const char *axis, const char *date, double level) {

@@ -4,6 +4,8 @@
 
 #include "core/register/registerdata.h"
 #include "register/storedsentence.h"
+#include "report/words/accordancetext.h"
+#include "report/words/printednumbers.h"
 
 #include <QSqlDatabase>
 #include <QSqlQuery>
@@ -46,6 +48,71 @@ class RegisterScanTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Value and U with the digits that window and report print: not finer than the instrument.
+    void resultsAreRoundedAsInTheReport() {
+        const Language language(Language::Id::english);
+        const QDir examples(EXAMPLES);
+        QDir().mkpath(m_folder);
+        for (const QString &name : examples.entryList({"*.palmer"}))
+            QFile::copy(examples.filePath(name), file(name));
+        Register reg(m_path);
+        (void)scan(reg, {m_folder});
+        int compared = 0;
+        int differing = 0; // from digits that know nothing of the instrument
+        for (const ListedTest &listed : tests(reg.database(), {})) {
+            const auto document =
+                std::make_shared<const Document>(*documentOfFile(listed.places.front().path));
+            const EvaluatedDocument evaluated = evaluate(document);
+            const auto index = static_cast<std::size_t>(listed.places.front().test) - 1;
+            const Test &test = *document->tests[index];
+            for (const Parameter &parameter : evaluated.tests[index]->parameters) {
+                const auto found =
+                    std::ranges::find(listed.test.results, parameterId(parameter), &RegisteredResult::id);
+                QVERIFY(found != listed.test.results.end());
+                if (!parameter.value || listed.test.awaitsSimulation)
+                    continue;
+                const PrintedNumbers printed = printedNumbers(parameter, test, *document, language);
+                const ShownResult shown = shownResult(*found, listed.test.angular, language);
+                QCOMPARE(shown.value, printed.value);
+                QCOMPARE(shown.uncertainty, printed.uncertainty);
+                RegisteredResult unaware = *found;
+                unaware.decimals.reset();
+                differing += shownResult(unaware, listed.test.angular, language).value != shown.value;
+                ++compared;
+            }
+        }
+        QVERIFY(compared > 20);
+        QVERIFY(differing > 0);
+    }
+
+    /// A register made before digits were kept shows what it has, and is read again.
+    void anOlderRegisterLearnsTheDigits() {
+        writeFile(file("a.palmer"), fileOf({}));
+        {
+            Register reg(m_path);
+            (void)scan(reg, {m_folder});
+            for (const char *statement :
+                 {"alter table result drop column decimals", "alter table result drop column udecimals",
+                  "update register set value = '1' where name = 'schema'",
+                  "update source set program = 'Palmer before'", "update test set digest = 'before'"})
+                reg.database().execute(QString::fromLatin1(statement));
+        }
+        Register reg(m_path);
+        const auto list = tests(reg.database(), {});
+        QCOMPARE(list.size(), std::size_t(1));
+        QVERIFY(list.front().test.results.front().value);
+        QVERIFY(!list.front().test.results.front().decimals);
+        (void)scan(reg, {m_folder});
+        const auto again = tests(reg.database(), {});
+        QCOMPARE(again.size(), std::size_t(1));
+        QVERIFY(again.front().test.results.front().decimals);
+    }
+
+    void inPartIsNoTick() {
+        QCOMPARE(markOf(Accordance::partly), markOf(Accordance::notChecked));
+        QVERIFY(markOf(Accordance::partly) != Mark::check);
+    }
+
     void noPasswordIsShown_data() {
         QTest::addColumn<QString>("address");
         QTest::addColumn<QString>("shown");
@@ -155,7 +222,8 @@ void RegisterScanTest::aTestIsKeptWhole() {
     QCOMPARE(list.size(), std::size_t{1});
     // What comes out is what went in, to the last bit.
     const auto document = std::make_shared<const Document>(readDocument(fileOf(sample)));
-    RegisteredTest expected = registeredTests(evaluate(document), "Palmer " PALMER_VERSION).front();
+    RegisteredTest expected =
+        registeredTests(evaluate(document), "Palmer " PALMER_VERSION ", entries 2").front();
     QVERIFY(expected.results.size() > 8);
     QVERIFY(expected.results.front().own > 0 && expected.results.front().shared != 0);
     QCOMPARE(list.front().test.results.size(), expected.results.size());

@@ -403,12 +403,15 @@ private slots:
                     composeReport(evaluate(std::make_shared<const Document>(whole)), language, {});
                 const QString sentence =
                     language
-                        .text(REPORT_TEXT(
-                            "report",
-                            "Left out: %1 rows, for a report prints no more than %2 of them unasked. The "
-                            "test file holds all readings. To print the rows as well, choose “All readings” "
-                            "for the report, or write “allReadings” under “include” in the test file."))
-                        .section(u'%', 0, 0);
+                        .sentence(
+                            {REPORT_TEXT_COUNTED(
+                                 "report", "Left out: %n row(s), for a report prints no more than %1 of them "
+                                           "unasked. The test file holds all readings. To print the rows as "
+                                           "well, choose “All readings” for the report, or write "
+                                           "“allReadings” under “include” in the test file."),
+                             {},
+                             2})
+                        .section(u'2', 0, 0);
                 int leftOut = 0;
                 int rowsOfTargets = 0;
                 int rowsOfReadings = 0;

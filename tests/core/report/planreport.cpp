@@ -101,6 +101,21 @@ private slots:
         QCOMPARE(value(report, "Nominal interval"), QString("100.00°"));
     }
 
+    /// Of quarter turns and free targets an interval and a random part would be false.
+    void saysQuarterTurnsAndFurtherTargets() {
+        TargetRequest asked = request();
+        asked.motion = Motion::rotary;
+        asked.rule = TargetRule::pitches1988;
+        TargetPlan turns = plan();
+        turns.interval.reset();
+        turns.randomPart = 120;
+        const Report report = composed(asked, turns, program());
+        QCOMPARE(value(report, "Nominal interval"), QString());
+        QCOMPARE(value(report, "Random part"), QString());
+        QCOMPARE(value(report, "Quarter turns"), QString("all multiples of 90° within the travel"));
+        QCOMPARE(value(report, "Further targets"), QString("one in each 120.00° of the travel, at random"));
+    }
+
     /// A field for every reading: five runs beside one another, the rest below.
     void thereIsRoomForEveryReading() {
         const Report report = composed(request(), plan(), program());
