@@ -76,6 +76,13 @@
             <numerusform>%1 · %n arcs, %2 points</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 · %2 targets, %n run(s)</source>
+        <translation>
+            <numerusform>%1 · %2 targets, %n run</numerusform>
+            <numerusform>%1 · %2 targets, %n runs</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::AgreedPointsPage</name>
@@ -101,6 +108,13 @@
         <translation>
             <numerusform>&amp;Add %n point</numerusform>
             <numerusform>&amp;Add %n points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s) to answer</source>
+        <translation>
+            <numerusform>%n question to answer</numerusform>
+            <numerusform>%n questions to answer</numerusform>
         </translation>
     </message>
 </context>
@@ -291,6 +305,14 @@
             <numerusform>%1, %n erased by empty cells</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1, %n erased by cells that are no numbers</source>
+        <comment>readings pasted</comment>
+        <translation>
+            <numerusform>%1, %n erased by a cell that is no number</numerusform>
+            <numerusform>%1, %n erased by cells that are no numbers</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::PlanDialog</name>
@@ -370,6 +392,20 @@
             <numerusform>%n files not found</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 of %2 test(s)</source>
+        <translation>
+            <numerusform>%1 of %2 test</numerusform>
+            <numerusform>%1 of %2 tests</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %1 of %2 file(s)</source>
+        <translation>
+            <numerusform>reading %1 of %2 file</numerusform>
+            <numerusform>reading %1 of %2 files</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::RemarkList</name>
@@ -423,6 +459,16 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::SimulationRow</name>
+    <message numerus="yes">
+        <source>%1 trial(s)</source>
+        <translation>
+            <numerusform>%1 trial</numerusform>
+            <numerusform>%1 trials</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::TestTableModel</name>
     <message numerus="yes">
         <source>%n not met</source>
@@ -469,13 +515,6 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n run(s)</source>
-        <translation>
-            <numerusform>%n run</numerusform>
-            <numerusform>%n runs</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n arc(s)</source>
         <translation>
             <numerusform>%n arc</numerusform>
@@ -494,6 +533,27 @@
         <translation>
             <numerusform>%n point</numerusform>
             <numerusform>%n points</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s) each way</source>
+        <translation>
+            <numerusform>%n run each way</numerusform>
+            <numerusform>%n runs each way</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s) ↑</source>
+        <translation>
+            <numerusform>%n run ↑</numerusform>
+            <numerusform>%n runs ↑</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s) ↓</source>
+        <translation>
+            <numerusform>%n run ↓</numerusform>
+            <numerusform>%n runs ↓</numerusform>
         </translation>
     </message>
 </context>

@@ -307,6 +307,10 @@
         <source>paste limits</source>
         <translation>coller des limites</translation>
     </message>
+    <message>
+        <source>paste a block</source>
+        <translation>collage d’un bloc</translation>
+    </message>
 </context>
 <context>
     <name>examples</name>
@@ -375,10 +379,6 @@
         <translation>Diagnostic&#xa0;: dérive du rayon</translation>
     </message>
     <message>
-        <source>%1 · %2 targets, %3 runs</source>
-        <translation>%1 · %2 points, %3 passes</translation>
-    </message>
-    <message>
         <source>YZ plane, feedback signal</source>
         <translation>Plan YZ, signal de retour</translation>
     </message>
@@ -400,6 +400,13 @@
     <message>
         <source>Diagnosis: vibration in the rest</source>
         <translation>Diagnostic&#xa0;: vibration dans le reste</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 · %2 targets, %n run(s)</source>
+        <translation>
+            <numerusform>%1 · %2 points, %n passe</numerusform>
+            <numerusform>%1 · %2 points, %n passes</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -482,8 +489,8 @@
 <context>
     <name>palmer::ui::ArcCurvesView</name>
     <message>
-        <source>Δr µm, least squares centre</source>
-        <translation>Δr µm, centre des moindres carrés</translation>
+        <source>Δr %1, least squares centre</source>
+        <translation>Δr %1, centre des moindres carrés</translation>
     </message>
 </context>
 <context>
@@ -577,10 +584,6 @@
         <comment>sense of a path</comment>
         <translation>%1, %2 points&#xa0;: %3 … %4</translation>
     </message>
-    <message>
-        <source>line %1</source>
-        <translation>ligne %1</translation>
-    </message>
     <message numerus="yes">
         <source>&amp;Add %n point(s)</source>
         <translation>
@@ -591,6 +594,26 @@
     <message>
         <source>&amp;Add</source>
         <translation>&amp;Ajouter</translation>
+    </message>
+    <message>
+        <source>Questions and remarks</source>
+        <translation>Questions et remarques</translation>
+    </message>
+    <message>
+        <source>Con&amp;firm all</source>
+        <translation>Tout con&amp;firmer</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s) to answer</source>
+        <translation>
+            <numerusform>%n question en attente de réponse</numerusform>
+            <numerusform>%n questions en attente de réponse</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>read as %1, in %2</source>
+        <comment>columns, unit</comment>
+        <translation>lu comme %1, en %2</translation>
     </message>
 </context>
 <context>
@@ -1819,10 +1842,6 @@
         <translation>valeur</translation>
     </message>
     <message>
-        <source>part of G(b), µm</source>
-        <translation>part de G(b), µm</translation>
-    </message>
-    <message>
         <source>The instrument’s program states %1 = %2 %3; here: %4. Positive here: %5</source>
         <translation>Le programme de l’instrument indique %1 = %2 %3&#x202f;; ici&#xa0;: %4. Positif ici&#xa0;: %5</translation>
     </message>
@@ -1914,6 +1933,10 @@
     <message>
         <source>measured minus sources, s = %1</source>
         <translation>mesuré moins les sources, s = %1</translation>
+    </message>
+    <message>
+        <source>part of G(b), %1</source>
+        <translation>part de G(b), %1</translation>
     </message>
 </context>
 <context>
@@ -3618,6 +3641,10 @@
             <numerusform>%n informations requises manquent</numerusform>
         </translation>
     </message>
+    <message>
+        <source>provisional</source>
+        <translation>provisoire</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::NewCircleDialog</name>
@@ -3872,6 +3899,14 @@
         <source>Takes back what was pasted, also what it has erased</source>
         <translation>Reprend ce qui a été collé et rétablit ce qui a été effacé</translation>
     </message>
+    <message numerus="yes">
+        <source>%1, %n erased by cells that are no numbers</source>
+        <comment>readings pasted</comment>
+        <translation>
+            <numerusform>%1, %n effacé par une cellule qui n’est pas un nombre</numerusform>
+            <numerusform>%1, %n effacés par des cellules qui ne sont pas des nombres</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::PlanDialog</name>
@@ -4053,6 +4088,10 @@
     <message>
         <source>The random part follows ISO 230-2:2006: ISO 230-2:1988 has no rule for an unknown or long cyclic pitch.</source>
         <translation>La partie aléatoire suit l’ISO 230-2:2006&#xa0;: l’ISO 230-2:1988 n’a pas de règle pour un pas cyclique inconnu ou long.</translation>
+    </message>
+    <message>
+        <source>at the multiples of 90° and, at random, one in each %1 of the travel. The axis moves from %2 to %3.</source>
+        <translation>aux multiples de 90° et, au hasard, un par tranche de %1 de la course. L’axe va de %2 à %3.</translation>
     </message>
 </context>
 <context>
@@ -4487,10 +4526,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
 <context>
     <name>palmer::ui::RegisterWindow</name>
     <message>
-        <source>reading %1 of %2 files</source>
-        <translation>lecture de %1 fichiers sur %2</translation>
-    </message>
-    <message>
         <source>Each test under its own edition</source>
         <translation>Chaque essai selon sa propre édition</translation>
     </message>
@@ -4600,10 +4635,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Axis %1</source>
         <translation>Axe %1</translation>
-    </message>
-    <message>
-        <source>%1 of %2 tests</source>
-        <translation>%1 essais sur %2</translation>
     </message>
     <message>
         <source>Trend</source>
@@ -4746,6 +4777,20 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
             <numerusform>%n fichiers introuvables</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%1 of %2 test(s)</source>
+        <translation>
+            <numerusform>%1 sur %2 essai</numerusform>
+            <numerusform>%1 sur %2 essais</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %1 of %2 file(s)</source>
+        <translation>
+            <numerusform>lecture&#xa0;: %1 sur %2 fichier</numerusform>
+            <numerusform>lecture&#xa0;: %1 sur %2 fichiers</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::RemarkList</name>
@@ -4810,6 +4855,10 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Report NOT verified.</source>
         <translation>Rapport NON vérifié.</translation>
+    </message>
+    <message>
+        <source>Edited since: the window no longer shows what was verified in the report.</source>
+        <translation>Modifié depuis&#xa0;: la fenêtre ne montre plus ce qui a été vérifié dans le rapport.</translation>
     </message>
 </context>
 <context>
@@ -5267,10 +5316,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
 <context>
     <name>palmer::ui::SimulationRow</name>
     <message>
-        <source>%1 trials</source>
-        <translation>%1 tirages</translation>
-    </message>
-    <message>
         <source>Simulate</source>
         <translation>Simuler</translation>
     </message>
@@ -5317,6 +5362,13 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>too few to decide</source>
         <translation>trop peu pour un verdict</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 trial(s)</source>
+        <translation>
+            <numerusform>%1 tirage</numerusform>
+            <numerusform>%1 tirages</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6063,6 +6115,18 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <source>interval</source>
         <translation>intervalle</translation>
     </message>
+    <message>
+        <source>simulation not made yet</source>
+        <translation>simulation pas encore effectuée</translation>
+    </message>
+    <message>
+        <source>Grey: simulated before the last edit of the test, outdated.</source>
+        <translation>En gris&#xa0;: simulé avant la dernière modification de l’essai, périmé.</translation>
+    </message>
+    <message>
+        <source>%1, outdated</source>
+        <translation>%1, périmé</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::UnidentifiedRow</name>
@@ -6220,13 +6284,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
             <numerusform>%n points</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n run(s)</source>
-        <translation>
-            <numerusform>%n passe</numerusform>
-            <numerusform>%n passes</numerusform>
-        </translation>
-    </message>
     <message>
         <source>target %1, run %2 %3: %4</source>
         <translation>point %1, passe %2 %3&#xa0;: %4</translation>
@@ -6303,6 +6360,31 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
             <numerusform>%n point</numerusform>
             <numerusform>%n points</numerusform>
         </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s) each way</source>
+        <translation>
+            <numerusform>%n passe par sens</numerusform>
+            <numerusform>%n passes par sens</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s) ↑</source>
+        <translation>
+            <numerusform>%n passe ↑</numerusform>
+            <numerusform>%n passes ↑</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n run(s) ↓</source>
+        <translation>
+            <numerusform>%n passe ↓</numerusform>
+            <numerusform>%n passes ↓</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>runs: %1 ↑, %2 ↓</source>
+        <translation>passes&#xa0;: %1 ↑, %2 ↓</translation>
     </message>
 </context>
 <context>

@@ -16,6 +16,7 @@
 #include <QScrollBar>
 #include <QStyle>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace palmer::ui {
 
@@ -114,6 +115,22 @@ QSize sizeOnScreen(const QWidget &window, QSize wished) {
     const QSize room = window.screen()->availableSize();
     const int title = window.style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, &window);
     return wished.boundedTo({room.width(), room.height() - title});
+}
+
+void placeBeside(const QWidget &first, QWidget &window) {
+    constexpr int step = 24;
+    if (window.isMaximized() || window.isFullScreen())
+        return;
+    const bool fills = first.isMaximized() || first.isFullScreen();
+    const QRect normal = first.normalGeometry();
+    const QSize wished = !fills ? first.size() : normal.isValid() ? normal.size() : window.size();
+    window.resize(sizeOnScreen(first, wished));
+    const QRect room = first.screen()->availableGeometry();
+    const int title = window.style()->pixelMetric(QStyle::PM_TitleBarHeight, nullptr, &window);
+    const QPoint corner = (fills ? room.topLeft() : first.pos()) + QPoint(step, step);
+    const QPoint last(room.right() + 1 - window.width(), room.bottom() + 1 - window.height() - title);
+    window.move(std::max(room.left(), std::min(corner.x(), last.x())),
+                std::max(room.top(), std::min(corner.y(), last.y())));
 }
 
 QScrollArea *scrolledPlace(QWidget *parent) {

@@ -70,13 +70,13 @@ QString catalogue(const char *name) {
 
 /// Words that are the same in both languages.
 const QSet<QString> sameInBoth{
-    "Date",         "Machine",      "Signature", "Signatures", "Verdict",   "Instrument",   "Instruments",
-    "Position",     "minimum",      "maximum",   "note",       "Air",       "Cycle",        "Point",
-    "page %1 / %2", "Centre",       "Centre %1", "Source",     "Centre, F", "Compensation", "Points",
-    "Angles",       "Correction C", "positions", "rad",        "mrad",      "µrad",         "µin",
-    "min",          "Format",       "Arc (°)",   "air",        "machine",   "point .",      "Page",
-    "Type",         "Validation",   "Angle",     "Sources",    "source 1",  "amplitude",    "compensation",
-    "collision",    "intervention", "Machines"};
+    "Date",         "Machine",      "Signature", "Signatures",   "Verdict",   "Instrument",   "Instruments",
+    "Position",     "minimum",      "maximum",   "note",         "Air",       "Cycle",        "Point",
+    "page %1 / %2", "Centre",       "Centre %1", "Source",       "Centre, F", "Compensation", "Points",
+    "Angles",       "Correction C", "positions", "rad",          "mrad",      "µrad",         "mdeg",
+    "gon",          "µin",          "min",       "Format",       "Arc (°)",   "air",          "machine",
+    "point .",      "Page",         "Type",      "Validation",   "Angle",     "Sources",      "source 1",
+    "amplitude",    "compensation", "collision", "intervention", "Machines"};
 
 /// What is wrong with the typography of a French text; empty where nothing is.
 QString fault(const QString &text) {
@@ -96,6 +96,28 @@ QString fault(const QString &text) {
     return {};
 }
 
+/// Counts that are never 1, or are gone in a moment.
+const QSet<QString> neverOne{
+    "%1 of %2 values reproduced.",
+    "%1 readings: mean %2, range %3",
+    "%1, %2: %3 points evaluated from %4 to %5",
+    "The workbook has %1 sheets; “%2” is read.",
+    "The workbook has %1 sheets; “%2” is read, which is hidden.",
+    "The workbook has %1 sheets, several with a measurement; “%2” is read.",
+    "The workbook has %1 sheets, several with rows of numbers; “%2” is read, the others are not.",
+    "Monte Carlo: %1 of %2 trials",
+    "Monte Carlo: %1 trials",
+    "%1 runs on a bow: its ends lie towards +%2.", // an axis
+    "%1 runs on a bow: its ends lie towards −%2.",
+    "this text has %1 characters; expected no more than %2",
+    "compared with a table of %1, axis %2: %3 points from %4 to %5",
+    "polygon of %1 faces",
+    "fewer than %1 tests since the last intervention",
+    "%1 in %2 years", // with a decimal
+    "%1 machines are called “%2”: %3; say more of it, as its serial number",
+    "the number of a history has at most %1 characters",
+};
+
 } // namespace
 
 class CataloguesTest : public QObject {
@@ -112,6 +134,7 @@ private slots:
     void knowFrenchTypography_data();
     void knowFrenchTypography();
     void areFrench();
+    void countsHaveTheirPlurals();
     void leaveOutWordsThatWereGivenUp_data();
     void leaveOutWordsThatWereGivenUp();
 };
@@ -256,6 +279,20 @@ void CataloguesTest::areFrench() {
                 translation == entry.source && hasWord(translation) && !sameInBoth.contains(translation);
             QVERIFY2(!same, found + " is the English text");
         }
+}
+
+/// "1 questions are open": a count before the name of what is counted is %n of a REPORT_TEXT_COUNTED.
+void CataloguesTest::countsHaveTheirPlurals() {
+    static const QRegularExpression counted(
+        "%[1-9][ \u00A0](arcs|characters|columns|cycles|decimals|faces|files|formulas|limits|lines|"
+        "machines|months|numbers|pages|parameters|points|questions|readings|requirements|rows|runs|samples|"
+        "sensors|sheets|targets|tests|trials|values|years)\\b");
+    QStringList wrong;
+    for (const Entry &entry : entriesOf(catalogue("report_fr.ts"))) {
+        if (!entry.counted && counted.match(entry.source).hasMatch() && !neverOne.contains(entry.source))
+            wrong += entry.source;
+    }
+    QVERIFY2(wrong.isEmpty(), qPrintable(wrong.join(" | ")));
 }
 
 /// One thing has one name in report, window, help and command line: what was given up for another word.

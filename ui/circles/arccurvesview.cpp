@@ -122,8 +122,9 @@ void ArcCurvesView::fitAxes() {
         values = {-1, 1};
     const double space = margin * (values.to - values.from);
     setRange(m_angles, angles.from, angles.to, mostAngleParts, TickSteps::angles, m_language);
-    setRange(m_deviations, values.from - space, values.to + space, mostValueParts, TickSteps::values,
-             m_language);
+    const double scale = valueScale();
+    setRange(m_deviations, (values.from - space) * scale, (values.to + space) * scale, mostValueParts,
+             TickSteps::values, m_language);
     m_drawn = {};
     update();
 }
@@ -154,9 +155,14 @@ double ArcCurvesView::xOf(double angle) const {
     return plot().left() + (angle - m_angles.from) / (m_angles.to - m_angles.from) * plot().width();
 }
 
+/// Of a deviation in µm in the unit that is shown.
+double ArcCurvesView::valueScale() const {
+    return unitScale(Quantity::micrometres, m_language.units());
+}
+
 double ArcCurvesView::yOf(double deviation) const {
-    return plot().bottom() -
-           (deviation - m_deviations.from) / (m_deviations.to - m_deviations.from) * plot().height();
+    return plot().bottom() - (deviation * valueScale() - m_deviations.from) /
+                                 (m_deviations.to - m_deviations.from) * plot().height();
 }
 
 double ArcCurvesView::angleAt(double x) const {
@@ -193,7 +199,7 @@ void ArcCurvesView::drawAxes(QPainter &painter) const {
     const QFontMetricsF metrics(painter.font());
     const QColor secondary = token(Token::secondaryText, palette());
     for (const Tick &tick : m_deviations.ticks) {
-        const double y = std::round(yOf(tick.value)) + 0.5;
+        const double y = std::round(yOf(tick.value / valueScale())) + 0.5;
         painter.setPen(
             QPen(figureColor(tick.value == 0 ? FigureRole::zeroLine : FigureRole::grid, medium), 1));
         painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
@@ -223,7 +229,7 @@ void ArcCurvesView::drawAxes(QPainter &painter) const {
         painter.setPen(secondary);
         painter.drawText(QPointF(begin, area.bottom() + metrics.ascent() + 5), text);
     }
-    const QString title = tr("Δr µm, least squares centre");
+    const QString title = tr("Δr %1, least squares centre").arg(m_language.unit(Quantity::deviation));
     painter.setPen(secondary); // above the plot: curves and what is left out run through all of it
     painter.drawText(QPointF(area.left(), metrics.ascent()), title);
 }

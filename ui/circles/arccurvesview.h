@@ -67,7 +67,8 @@ private:
     void paintRange(QPainter &painter) const;
     void paintHovered(QPainter &painter) const;
     [[nodiscard]] QRectF plot() const;
-    [[nodiscard]] double yOf(double deviation) const;
+    [[nodiscard]] double valueScale() const;
+    [[nodiscard]] double yOf(double deviation) const; ///< µm
     [[nodiscard]] double angleAt(double x) const;
     [[nodiscard]] std::optional<Interval> range() const;
     [[nodiscard]] Handle handleAt(QPointF at) const;

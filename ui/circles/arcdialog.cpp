@@ -7,6 +7,7 @@
 #include "tables/units.h"
 #include "ui/circles/arctexts.h"
 #include "ui/dialogs/formrows.h"
+#include "ui/import/remarklist.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
@@ -20,7 +21,12 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRegularExpression>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QTimer>
+#include <algorithm>
 #include <array>
+#include <span>
 
 namespace palmer::ui {
 
@@ -29,6 +35,10 @@ namespace {
 constexpr std::array units{"mm", "um", "nm", "in", "uin"};
 constexpr int sideWidth = 300;
 constexpr int fewestLines = 3;
+constexpr int remarksHeight = 132;
+// Answers to questions of the import, in the order of the boxes.
+constexpr std::array layouts{"angleDeviation", "angleRadius", "xy"};
+constexpr std::array marks{"point", "comma"};
 
 /// The word chosen; the first entry leaves it to the table.
 template <class Value>
@@ -37,16 +47,14 @@ std::optional<Value> chosen(const QComboBox *box) {
                                    : std::nullopt;
 }
 
-QString gradeMark(RemarkGrade grade) {
-    switch (grade) {
-    case RemarkGrade::problem:
-        return QStringLiteral("⚠ ");
-    case RemarkGrade::assumption:
-        return QStringLiteral("? ");
-    case RemarkGrade::note:
-        break;
-    }
-    return QStringLiteral("· ");
+/// Chooses without reading anew; false: the box has no such entry.
+bool choose(QComboBox *box, std::span<const char *const> words, const std::string &word) {
+    const auto found = std::ranges::find(words, word);
+    if (found == words.end())
+        return false;
+    const QSignalBlocker blocker(box);
+    box->setCurrentIndex(static_cast<int>(found - words.begin()) + 1);
+    return true;
 }
 
 } // namespace
@@ -59,7 +67,8 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     , m_text(new QPlainTextEdit(this))
     , m_problem(new QLabel(this))
     , m_paths(new QLabel(this))
-    , m_remarks(new QLabel(this)) {
+    , m_remarks(new RemarkList(this))
+    , m_remarksPlace(new QScrollArea(this)) {
     setObjectName(QStringLiteral("arcDialog"));
     setWindowTitle(tr("New arc"));
     m_text->setObjectName(QStringLiteral("arcTable"));
@@ -76,8 +85,13 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     m_problem->setProperty("reason", true);
     m_paths->setObjectName(QStringLiteral("arcPaths"));
     m_remarks->setObjectName(QStringLiteral("arcRemarks"));
-    m_remarks->setProperty("secondary", true);
-    for (QLabel *each : {m_problem, m_paths, m_remarks}) {
+    m_remarks->setAccessibleName(tr("Questions and remarks"));
+    m_remarksPlace->setAccessibleName(m_remarks->accessibleName());
+    m_remarksPlace->setWidget(m_remarks);
+    m_remarksPlace->setWidgetResizable(true);
+    m_remarksPlace->setFrameShape(QFrame::NoFrame);
+    m_remarksPlace->setFixedHeight(remarksHeight);
+    for (QLabel *each : {m_problem, m_paths}) {
         each->setWordWrap(true);
         each->setTextFormat(Qt::PlainText);
     }
@@ -90,7 +104,6 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     sideColumn->addLayout(makeForm());
     sideColumn->addWidget(m_problem);
     sideColumn->addWidget(m_paths);
-    sideColumn->addWidget(m_remarks);
     sideColumn->addStretch();
     auto *left = new QVBoxLayout;
     left->setSpacing(4);
@@ -104,16 +117,29 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     m_add = buttons->addButton(QString(), QDialogButtonBox::AcceptRole);
     m_add->setObjectName(QStringLiteral("addArcs"));
     makePrimary(*m_add);
+    m_confirmAll = buttons->addButton(tr("Con&firm all"), QDialogButtonBox::ActionRole);
+    m_confirmAll->setObjectName(QStringLiteral("confirmAll"));
+    m_confirmAll->setAutoDefault(false);
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(16, 16, 16, 16);
     column->setSpacing(16);
     column->addLayout(body, 1);
+    column->addWidget(m_remarksPlace);
     column->addWidget(buttons);
-    resize(720, 480);
+    resize(720, 600);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     m_text->setPlainText(text);
+    connect(m_remarks, &RemarkList::answered, this, &ArcDialog::answer);
+    connect(m_remarks, &RemarkList::answerWanted, m_content, [this] { m_content->setFocus(); });
+    connect(m_confirmAll, &QPushButton::clicked, this, &ArcDialog::confirmAll);
+    // What was confirmed are the numbers as they were.
+    connect(m_text, &QPlainTextEdit::textChanged, this, [this] { m_answers.clear(); });
+    for (const QComboBox *box : {m_content, m_unit, m_mark})
+        connect(box, &QComboBox::currentIndexChanged, this, [this] { m_answers.clear(); });
     connect(m_text, &QPlainTextEdit::textChanged, this, &ArcDialog::read);
+    for (const QComboBox *box : {m_content, m_unit, m_mark, m_sense, m_reference})
+        connect(box, &QComboBox::currentIndexChanged, this, &ArcDialog::read);
     read();
 }
 
@@ -148,7 +174,6 @@ QComboBox *ArcDialog::addChoice(QFormLayout &form, const char *name, const QStri
     box->addItems(words);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     form.addRow(label, box);
-    connect(box, &QComboBox::currentIndexChanged, this, &ArcDialog::read);
     return box;
 }
 
@@ -186,11 +211,46 @@ ArcTableChoices ArcDialog::choices() const {
     result.angleReference = static_cast<AngleReference>(m_reference->currentIndex());
     result.startAngle = enteredNumber(m_start->text(), Quantity::angle).value.value_or(0);
     result.arc = enteredNumber(m_way->text(), Quantity::angle).value.value_or(0);
+    result.answers = m_answers;
     return result;
+}
+
+void ArcDialog::answer(const QString &id, const QString &word) {
+    const std::string key = id.toStdString();
+    const auto asked = std::ranges::find(m_questions, key, &Question::id);
+    if (asked != m_questions.end() && !asked->proposal.empty() && asked->proposal != word.toStdString())
+        m_answers.clear(); // the numbers become others
+    const bool chosen = key == "layout"        ? choose(m_content, layouts, word.toStdString())
+                        : key == "unit"        ? choose(m_unit, units, word.toStdString())
+                        : key == "decimalMark" ? choose(m_mark, marks, word.toStdString())
+                                               : false;
+    if (!chosen)
+        m_answers[key] = word.toStdString();
+    read();
+    // The button that was pressed goes, and those that come are shown in the next turn.
+    QTimer::singleShot(0, this, [this] {
+        if (m_add->isEnabled())
+            return m_add->setFocus();
+        const QList<QPushButton *> buttons = m_remarks->findChildren<QPushButton *>();
+        const auto next =
+            std::ranges::find_if(buttons, [](const auto *button) { return button->isVisible(); });
+        if (next != buttons.end())
+            (*next)->setFocus();
+    });
+}
+
+/// An answer may raise the next question, which has to be read before it is confirmed: once is enough.
+void ArcDialog::confirmAll() {
+    const std::vector<Question> asked = m_questions;
+    for (const Question &question : asked) {
+        if (canBeConfirmed(question))
+            answer(QString::fromStdString(question.id), QString::fromStdString(question.proposal));
+    }
 }
 
 void ArcDialog::read() {
     m_arcs.clear();
+    m_questions.clear();
     const QString text = m_text->toPlainText();
     if (text.trimmed().isEmpty()) {
         showProblem({});
@@ -204,6 +264,7 @@ void ArcDialog::read() {
     try {
         ArcTable table = readArcTable(text.toStdString(), m_circle, asked);
         m_arcs = std::move(table.arcs);
+        m_questions = table.questions;
         showTable(table);
     } catch (const Error &error) {
         QString problem = m_language.sentence(error.message);
@@ -217,8 +278,13 @@ void ArcDialog::showTable(const ArcTable &table) {
     const bool alone = table.content.value == ArcContent::deviations;
     m_start->setEnabled(alone);
     m_way->setEnabled(alone);
-    m_problem->hide();
-    QStringList paths;
+    const auto questions = static_cast<int>(m_questions.size());
+    m_problem->setText(tr("%n question(s) to answer", nullptr, questions));
+    m_problem->setVisible(questions > 0);
+    const Unit *unit = unitOf(table.unit.value);
+    QStringList paths{tr("read as %1, in %2", "columns, unit")
+                          .arg(m_content->itemText(static_cast<int>(table.content.value) + 1),
+                               unit ? QString::fromUtf8(unit->sign) : QString())};
     for (const Arc &arc : m_arcs)
         paths << tr("%1, %2 points: %3 … %4", "sense of a path")
                      .arg(senseWord(arc.sense),
@@ -227,25 +293,23 @@ void ArcDialog::showTable(const ArcTable &table) {
                           m_language.quantity(arc.angles.back(), Quantity::angle, 1));
     m_paths->setText(paths.join(u'\n'));
     m_paths->show();
-    QStringList remarks;
-    for (const Remark &remark : table.remarks) {
-        QString line = gradeMark(remark.grade) + m_language.sentence(remark.message);
-        if (remark.line > 0)
-            line += QStringLiteral(" (") + tr("line %1").arg(remark.line) + u')';
-        remarks << line;
-    }
-    m_remarks->setText(remarks.join(u'\n'));
-    m_remarks->setVisible(!remarks.isEmpty());
+    Imported shown;
+    shown.questions = table.questions;
+    shown.remarks = table.remarks;
+    m_remarks->showRemarks(shown, std::nullopt, [](std::size_t) { return false; });
+    m_remarksPlace->setVisible(!shown.questions.empty() || !shown.remarks.empty());
+    m_confirmAll->setVisible(std::ranges::count_if(m_questions, canBeConfirmed) > 1);
     const auto points = static_cast<int>(table.points);
     m_add->setText(withGroups(tr("&Add %n point(s)", nullptr, points), points));
-    m_add->setEnabled(true);
+    m_add->setEnabled(m_questions.empty());
 }
 
 void ArcDialog::showProblem(const QString &problem) {
     m_problem->setText(problem);
     m_problem->setVisible(!problem.isEmpty());
     m_paths->hide();
-    m_remarks->hide();
+    m_remarksPlace->hide();
+    m_confirmAll->hide();
     m_add->setText(tr("&Add"));
     m_add->setEnabled(false);
 }

@@ -14,11 +14,15 @@ class QLabel;
 class QLineEdit;
 class QPlainTextEdit;
 class QPushButton;
+class QScrollArea;
 
 namespace palmer::ui {
 
+class RemarkList;
+
 /// "New arc…": a table of points typed or pasted, what was understood of it beside it, and what the user may
-/// decide. Nothing is taken before it is accepted.
+/// decide. Nothing is taken before it is accepted, and nothing is accepted before what was guessed, or looks
+/// wrong, is answered.
 class ArcDialog : public QDialog {
     Q_OBJECT
 
@@ -40,11 +44,15 @@ private:
     void read();
     void showTable(const ArcTable &table);
     void showProblem(const QString &problem);
+    void answer(const QString &id, const QString &word);
+    void confirmAll();
     [[nodiscard]] ArcTableChoices choices() const;
 
     CircularMeasurement m_circle;
     Language m_language;
     std::vector<Arc> m_arcs;
+    std::vector<Question> m_questions; ///< that keep the arcs from being added
+    ImportOptions m_answers;           ///< beside the choices; they hold for the numbers as they were read
     QPlainTextEdit *m_text;
     QComboBox *m_content = nullptr;
     QComboBox *m_unit = nullptr;
@@ -55,7 +63,9 @@ private:
     QLineEdit *m_way = nullptr;
     QLabel *m_problem;
     QLabel *m_paths;
-    QLabel *m_remarks;
+    RemarkList *m_remarks;
+    QScrollArea *m_remarksPlace;
+    QPushButton *m_confirmAll;
     QPushButton *m_add;
 };
 

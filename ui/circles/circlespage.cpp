@@ -31,6 +31,7 @@
 #include <QSignalBlocker>
 #include <QTableView>
 #include <QToolButton>
+#include <QUndoStack>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <array>
@@ -141,6 +142,7 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     layout->addWidget(m_emptyPlace, 1);
     connect(m_curves, &ArcCurvesView::rangeWanted, this,
             [this](std::size_t arc, const Interval &range) { setRange(arc, range); });
+    connect(m_model.undoStack(), &QUndoStack::indexChanged, this, [this] { m_refusedPoint = QModelIndex(); });
     connect(&selection, &Selection::hoveredChanged, this, &CirclesPage::showHovered);
     connect(&selection, &Selection::readingChanged, this, &CirclesPage::showCurrent);
     retranslate();
@@ -471,6 +473,7 @@ void CirclesPage::typePoint(const QModelIndex &index, const QString &text) {
     if (entry.refusal) {
         m_pointReason = m_language.text(*entry.refusal);
         m_pointsModel.refuse(index, text, m_pointReason);
+        m_refusedPoint = index;
     } else {
         m_pointReason = entry.value ? QString() : tr("a point needs a number");
         m_pointsModel.accept(index);
@@ -485,6 +488,17 @@ void CirclesPage::typePoint(const QModelIndex &index, const QString &text) {
         Arc &arc = m.arcs[place->run];
         (angle ? arc.angles : arc.radialDeviations)[place->target] = value;
     });
+}
+
+bool CirclesPage::undoRefused() {
+    const QModelIndex cell = m_refusedPoint;
+    if (!cell.isValid() || !cell.data(QuietDelegate::refusedRole).toBool())
+        return false;
+    m_refusedPoint = QModelIndex();
+    m_pointReason.clear();
+    m_pointsModel.accept(cell);
+    showReason();
+    return true;
 }
 
 void CirclesPage::deleteArc() {
@@ -731,7 +745,12 @@ void CirclesPage::showPoint(const ReadingPlace &point) {
 
 void CirclesPage::showParts() {
     const bool any = m_pointsModel.rowCount() > 0;
-    m_points->setVisible(any && height() >= leastHeightForPoints);
+    const bool points = any && height() >= leastHeightForPoints;
+    QWidget *main = points ? m_points : any ? m_arcs : static_cast<QWidget *>(m_newArc);
+    setFocusProxy(main);
+    if (m_points->hasFocus() && !points) // else the focus would leave the page, and its keys be dead
+        main->setFocus();
+    m_points->setVisible(points);
     m_curves->setVisible(any);
     m_emptyPlace->setVisible(!any);
 }

@@ -11,6 +11,7 @@
 #include "ui/model/documentmodel.h"
 #include "ui/model/selection.h"
 
+#include <QPersistentModelIndex>
 #include <QWidget>
 #include <functional>
 #include <vector>
@@ -52,6 +53,8 @@ public:
 
     /// Makes a point the current one, with the keyboard in its table where that has room.
     void showPoint(const ReadingPlace &point);
+    /// Takes back what was typed last for a point and cannot be taken; false: nothing was.
+    bool undoRefused();
     /// Asks for the points of an arc, beginning with that text, and adds what is accepted.
     void askForArc(const QString &text);
     /// Puts arcs behind the others, as one step.
@@ -119,8 +122,9 @@ private:
     int m_visit = 0;                ///< counts the numbers the focus came to
     std::vector<Field *> m_numbers; ///< and the text of an arc
     RefusedFields m_refused;
-    QString m_pointReason;  ///< why the point typed last is not taken
-    std::string m_curvesOf; ///< id of the test the curves show
+    QPersistentModelIndex m_refusedPoint; ///< typed since the last step
+    QString m_pointReason;                ///< why the point typed last is not taken
+    std::string m_curvesOf;               ///< id of the test the curves show
     bool m_filling = false;
     ArcsModel m_arcsModel;
     PointsModel m_pointsModel;

@@ -35,7 +35,6 @@ constexpr int diagnosisBarHeight = 38;
 constexpr int tickWidth = 26;
 constexpr int leastBar = 90;
 constexpr int chartHeight = 150;
-constexpr double micrometres = 1000; ///< of a millimetre
 
 enum TableColumn { ticks, source, value, u, unit, bar, part, columns };
 
@@ -328,8 +327,7 @@ void DiagnosisPage::fillTable() {
             picture->setData(RowTable::firstRole, ticked);
         }
         m_table->setCell(
-            at, part,
-            row.contribution ? m_language.number(*row.contribution * micrometres, Quantity::number, 1) : dash,
+            at, part, row.contribution ? m_language.number(*row.contribution, Quantity::deviation, 1) : dash,
             true);
         for (int column = 0; column < TableColumn::columns; ++column) {
             m_table->item(at, column)->setToolTip(row.meaning);
@@ -342,7 +340,8 @@ void DiagnosisPage::fillTable() {
     m_table->setHead(value, tr("value"), true);
     m_table->setHead(TableColumn::u, QStringLiteral("± u"), true);
     m_table->setHead(unit, QString(), false);
-    m_table->setHead(TableColumn::bar, tr("part of G(b), µm"), false);
+    m_table->setHead(TableColumn::bar, tr("part of G(b), %1").arg(m_language.unit(Quantity::deviation)),
+                     false);
     m_table->setHead(part, QString(), true);
     m_table->setColumnHidden(ticks, isOfFeeds());
     m_table->item(0, ticks)->setText(QStringLiteral("      ")); // the room of a box
@@ -442,7 +441,9 @@ void DiagnosisPage::fillChart() {
         if (perTurn)
             text += QStringLiteral("  ") + language.number(at.x() * *perTurn, Quantity::number, 2) +
                     QStringLiteral("\u00A0Hz");
-        return text + QStringLiteral("  ") + language.quantity(at.y(), Quantity::micrometres, 3);
+        return text + QStringLiteral("  ") +
+               language.quantity(at.y() / unitScale(Quantity::deviation, language.units()),
+                                 Quantity::deviation, 3);
     });
     m_chart->setFigure(shown->spectrum, m_language);
 }

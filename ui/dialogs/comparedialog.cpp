@@ -105,9 +105,14 @@ QTableWidgetItem *cell(const QString &text, bool number) {
     return item;
 }
 
+/// A dash where there is none.
+QTableWidgetItem *numberCell(const QString &number) {
+    return cell(number.isEmpty() ? QStringLiteral("–") : number, true);
+}
+
 /// A value; `first`: what it is compared with.
 QTableWidgetItem *valueCell(const QString &value, const QString &first) {
-    QTableWidgetItem *item = cell(value, true);
+    QTableWidgetItem *item = numberCell(value);
     if (value.isEmpty() || first.isEmpty() || value == first)
         return item;
     QFont bold = QApplication::font();
@@ -130,6 +135,31 @@ QString notesOf(const ComparisonRow &row, QStringList &footnotes) {
     for (const qsizetype number : numbers)
         words << QString::number(number);
     return words.join(QStringLiteral(", "));
+}
+
+int columnContents(const QTableWidget &table, int column) {
+    int widest = 0;
+    QStyleOptionViewItem option;
+    option.font = table.font();
+    option.fontMetrics = table.fontMetrics();
+    for (int r = 0; r < table.rowCount(); ++r)
+        widest =
+            std::max(widest, table.itemDelegate()->sizeHint(option, table.model()->index(r, column)).width());
+    return widest;
+}
+
+/// As wide as the names where there is room; they break into lines where there is none.
+void fitNames(QTableWidget &table) {
+    if (table.columnCount() <= nameColumn)
+        return;
+    int others = 0;
+    for (int c = 0; c < table.columnCount(); ++c) {
+        if (c != nameColumn)
+            others += std::max(table.horizontalHeader()->sectionSizeHint(c), columnContents(table, c));
+    }
+    const int least = nameLetters * table.fontMetrics().averageCharWidth();
+    const int wanted = std::max(least, columnContents(table, nameColumn));
+    table.setColumnWidth(nameColumn, std::clamp(table.viewport()->width() - others, least, wanted));
 }
 
 /// Fills a table; `differences`: a column beside every value but the first; else the numbers of the reasons
@@ -156,7 +186,7 @@ QStringList fill(QTableWidget &table, const ResultComparison &comparison, const 
         for (qsizetype i = 0; i < row.values.size(); ++i) {
             table.setItem(r, column++, valueCell(row.values[i], row.values[0]));
             if (differences && i > 0)
-                table.setItem(r, column++, cell(row.differences[i], true));
+                table.setItem(r, column++, numberCell(row.differences[i]));
         }
         if (!differences) {
             QTableWidgetItem *notes = cell(notesOf(row, footnotes), false);
@@ -164,9 +194,9 @@ QStringList fill(QTableWidget &table, const ResultComparison &comparison, const 
             table.setItem(r, column, notes);
         }
     }
+    table.horizontalHeader()->setStretchLastSection(false); // its own width
     table.resizeColumnsToContents();
-    if (table.columnCount() > nameColumn)
-        table.setColumnWidth(nameColumn, nameLetters * table.fontMetrics().averageCharWidth());
+    fitNames(table);
     table.horizontalHeader()->setStretchLastSection(!differences); // the rules end where the table does
     table.resizeRowsToContents();
     return footnotes;
@@ -299,6 +329,8 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
     connect(m_copy, &QPushButton::clicked, this, &CompareDialog::copy);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);
     retranslate();
+    for (QTableWidget *table : {m_editionTable, m_testTable})
+        table->viewport()->installEventFilter(this);
 }
 
 /// The tests of a document that can be compared with the one in view; those of its own axis are chosen.
@@ -419,6 +451,14 @@ void CompareDialog::chooseFile() {
 void CompareDialog::copy() {
     QApplication::clipboard()->setText(
         asTabSeparated(m_tabs->currentIndex() == 0 ? m_ofEditions : m_ofTests));
+}
+
+bool CompareDialog::eventFilter(QObject *watched, QEvent *event) {
+    for (QTableWidget *table : {m_editionTable, m_testTable}) {
+        if (watched == table->viewport() && event->type() == QEvent::Resize)
+            fitNames(*table);
+    }
+    return QDialog::eventFilter(watched, event);
 }
 
 void CompareDialog::changeEvent(QEvent *event) {

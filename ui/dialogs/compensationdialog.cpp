@@ -221,7 +221,7 @@ CompensationOptions CompensationDialog::optionsFor(CompensationFormat kind) cons
     const bool csv = kind == CompensationFormat::csv;
     const bool siemens = kind == CompensationFormat::siemens;
     CompensationOptions options = m_options;
-    options.perDirection = options.perDirection && !siemens;
+    options.perDirection = options.perDirection && !siemens && measuredBothWays(*m_evaluated.tests[m_test]);
     options.incremental = options.incremental && csv;
     options.deviations = (csv || kind == CompensationFormat::weihong) && m_sign->choice() == 1;
     options.decimalMark = csv && m_mark->choice() == 1 ? ',' : '.';
@@ -235,7 +235,7 @@ void CompensationDialog::compute() {
     const CompensationFormat kind = format();
     const bool csv = kind == CompensationFormat::csv;
     const bool siemens = kind == CompensationFormat::siemens;
-    m_perDirection->setEnabled(!siemens);
+    m_perDirection->setEnabled(!siemens && measuredBothWays(*m_evaluated.tests[m_test]));
     m_sign->setEnabled(csv || kind == CompensationFormat::weihong);
     m_mark->setEnabled(csv);
     m_incremental->setEnabled(csv);

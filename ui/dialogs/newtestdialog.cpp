@@ -24,6 +24,7 @@
 #include <QRandomGenerator>
 #include <QRegularExpression>
 #include <QSignalBlocker>
+#include <QTextCursor>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -179,6 +180,7 @@ void NewTestDialog::connectFields() {
     connect(m_both, &QCheckBox::toggled, this, &NewTestDialog::check);
     connect(m_list, &QPlainTextEdit::textChanged, this, [this] {
         m_listed = true;
+        m_proposed = false;
         check();
     });
 }
@@ -215,6 +217,7 @@ TargetRequest NewTestDialog::request() const {
     result.motion = asked.motion;
     result.from = number(m_first).value_or(0);
     result.travel = number(m_last).value_or(0) - result.from;
+    result.axisTravel = asked.travel;
     result.decimals = decimals;
     result.seed = m_seed;
     return result;
@@ -228,6 +231,7 @@ TargetPlan NewTestDialog::planned() const {
     if (!m_count->isModified() || plan.targets.size() == wanted)
         return plan;
     constexpr double metre = 1000;
+    asked.axisTravel.reset();
     asked.perMetre = (static_cast<double>(wanted) - 0.5) * metre / asked.travel; // rounded up
     plan = planTargets(asked);
     return plan.targets.size() == wanted ? plan : TargetPlan{};
@@ -263,10 +267,23 @@ void NewTestDialog::propose() {
         QStringList positions;
         for (const double target : proposed)
             positions << m_language.number(target, quantity);
-        const QSignalBlocker blocker(m_list);
-        m_list->setPlainText(positions.join(QStringLiteral("; ")));
+        writeTargets(positions.join(QStringLiteral("; ")));
     }
     check();
+}
+
+/// Ctrl+Z brings back a list that was typed, whatever was proposed since.
+void NewTestDialog::writeTargets(const QString &text) {
+    const QSignalBlocker blocker(m_list);
+    QTextCursor cursor(m_list->document());
+    if (m_proposed)
+        cursor.joinPreviousEditBlock();
+    else
+        cursor.beginEditBlock();
+    cursor.select(QTextCursor::Document);
+    cursor.insertText(text);
+    cursor.endEditBlock();
+    m_proposed = true;
 }
 
 std::optional<std::vector<double>> NewTestDialog::targets() const {

@@ -49,6 +49,7 @@ private:
     void makeForm();
     void connectFields();
     void propose();
+    void writeTargets(const QString &text);
     void check();
     [[nodiscard]] Problem problem() const;
     /// A whole number from least to most; null where the field says none.
@@ -61,9 +62,10 @@ private:
     [[nodiscard]] TargetPlan planned() const;
 
     Language m_language;
-    bool m_listed = false; ///< the list was typed, not proposed
-    std::uint64_t m_seed;  ///< of the random part
-    TargetChoice m_choice; ///< of the targets proposed last
+    bool m_proposed = false; ///< what stands in the list was proposed, not typed
+    bool m_listed = false;   ///< the list was typed, not proposed
+    std::uint64_t m_seed;    ///< of the random part
+    TargetChoice m_choice;   ///< of the targets proposed last
     QLineEdit *m_name;
     QComboBox *m_motion;
     QLineEdit *m_travel;

@@ -196,8 +196,10 @@ void PlanDialog::makeChoices(QWidget *parent) {
     };
     m_axis =
         made(Field::Kind::text, "axis", [this] { m_program.axis = m_axis->text().trimmed().toStdString(); });
-    m_motion = made(Field::Kind::choice, "motion",
-                    [this] { m_request.motion = m_motion->choice() == 0 ? Motion::linear : Motion::rotary; });
+    m_motion = made(Field::Kind::choice, "motion", [this] {
+        m_request.motion = m_motion->choice() == 0 ? Motion::linear : Motion::rotary;
+        m_request.axisTravel.reset(); // was in the other unit
+    });
     m_rule = made(Field::Kind::choice, "rule", [this] {
         m_request.rule = m_rule->choice() == 0 ? TargetRule::nominalInterval : TargetRule::pitches1988;
     });
@@ -365,6 +367,7 @@ void PlanDialog::begin(std::size_t test) {
         m_request.from = travel->from;
         m_request.travel = travel->to - travel->from;
     }
+    m_request.axisTravel = measurement->axis.travel;
     m_request.period = measurement->targetChoice.period;
     m_request.seed = static_cast<std::uint64_t>(std::max(0LL, measurement->targetChoice.seed.value_or(1)));
     m_program.cycle = measurement->cycle;
@@ -436,13 +439,18 @@ QString PlanDialog::summary() const {
     const Language &language = windowLanguage();
     const double low = turningPoint(m_program, m_program.targets.front(), Direction::positive);
     const double high = turningPoint(m_program, m_program.targets.back(), Direction::negative);
-    QString text = tr("%n target(s)", nullptr, static_cast<int>(m_plan.targets.size())) + u' ' +
-                   tr("at a nominal position + a random part: every %1, the random part at most %2. The "
-                      "axis moves from %3 to %4.")
-                       .arg(language.quantity(m_plan.interval, position, 1),
-                            language.quantity(m_plan.randomPart, position, 1),
-                            language.quantity(low, position, m_request.decimals),
-                            language.quantity(high, position, m_request.decimals));
+    const QString random = language.quantity(m_plan.randomPart, position, 1);
+    const QString from = language.quantity(low, position, m_request.decimals);
+    const QString to = language.quantity(high, position, m_request.decimals);
+    QString text = tr("%n target(s)", nullptr, static_cast<int>(m_plan.targets.size())) + u' ';
+    if (m_plan.interval)
+        text += tr("at a nominal position + a random part: every %1, the random part at most %2. The "
+                   "axis moves from %3 to %4.")
+                    .arg(language.quantity(*m_plan.interval, position, 1), random, from, to);
+    else
+        text += tr("at the multiples of 90° and, at random, one in each %1 of the travel. The axis moves "
+                   "from %2 to %3.")
+                    .arg(random, from, to);
     if (m_plan.runs == 1)
         text += u' ' +
                 tr("A long axis: once each way over the whole travel, and a full test of an agreed zone of "

@@ -35,13 +35,18 @@ QString key(QKeyCombination keys) {
     return QKeySequence(keys).toString(QKeySequence::NativeText);
 }
 
+/// Without what it would do just now: "Undo: entry of a reading".
+QString commandOf(const QAction &action) {
+    return plain(action.text()).section(u':', 0, 0).trimmed();
+}
+
 /// The actions with a shortcut, those of the menus below included.
 void listActions(QTreeWidgetItem &group, const QMenu &menu) {
     for (const QAction *action : menu.actions()) {
         if (action->menu())
             listActions(group, *action->menu());
         else if (!action->shortcut().isEmpty())
-            group.addChild(new QTreeWidgetItem({plain(action->text()), keysOf(*action)}));
+            group.addChild(new QTreeWidgetItem({commandOf(*action), keysOf(*action)}));
     }
 }
 

@@ -152,6 +152,17 @@ Qt::ItemFlags DriftModel::flags(const QModelIndex &index) const {
                : Qt::ItemFlags(Qt::NoItemFlags);
 }
 
+bool DriftModel::undoRefused() {
+    const QModelIndex cell = m_lastRefused;
+    if (!cell.isValid() || !refused(cell))
+        return false;
+    keepRefused();
+    m_refused.remove(m_id, {static_cast<std::size_t>(cell.row()), static_cast<std::size_t>(cell.column())});
+    emit dataChanged(cell, cell);
+    emit refusedText({});
+    return true;
+}
+
 bool DriftModel::setData(const QModelIndex &index, const QVariant &value, int role) {
     if (role != Qt::EditRole || !index.isValid() || !m_measurement)
         return false;
@@ -163,6 +174,7 @@ bool DriftModel::setData(const QModelIndex &index, const QVariant &value, int ro
     const NumberEntry entry = enteredNumber(typed, quantity(index.column()), m_language.units());
     if (entry.refusal) {
         m_refused.put(m_id, {row, column}, typed, m_language.text(*entry.refusal));
+        m_lastRefused = index;
         emit dataChanged(index, index);
         emit refusedText(m_language.text(*entry.refusal));
         return false;

@@ -8,6 +8,7 @@
 #include "ui/refusedtexts.h"
 
 #include <QAbstractTableModel>
+#include <QPersistentModelIndex>
 #include <array>
 #include <functional>
 #include <map>
@@ -36,6 +37,10 @@ public:
     [[nodiscard]] std::size_t readings() const;
     /// What was typed and is in no document: refused texts, and halves of new readings.
     [[nodiscard]] QStringList unfinishedTexts() const;
+    /// Takes back the text that was refused last, if no step came since; false: none was.
+    bool undoRefused();
+    /// A step was taken: what was refused before it stays.
+    void keepRefused() { m_lastRefused = QPersistentModelIndex(); }
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
@@ -65,6 +70,7 @@ private:
     std::string m_id;                               ///< of the test
     std::map<std::string, NewReading> m_beginnings; ///< of readings that are being added, by test
     RefusedTexts m_refused;
+    QPersistentModelIndex m_lastRefused;
     std::function<void(std::size_t, const std::vector<DriftReading> &)> m_write;
 };
 

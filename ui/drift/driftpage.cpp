@@ -7,6 +7,7 @@
 #include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
 #include "ui/circles/quiettable.h"
+#include "ui/currentcell.h"
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
 #include "ui/measures.h"
@@ -23,6 +24,7 @@
 #include <QScrollBar>
 #include <QTableView>
 #include <QToolButton>
+#include <QUndoStack>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <functional>
@@ -50,6 +52,7 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
     , m_remove(new QToolButton(this))
     , m_table(new QTableView(this)) {
     setObjectName(QStringLiteral("driftPage"));
+    setFocusProxy(m_table);
     m_range->setObjectName(QStringLiteral("driftRange"));
     m_taken->setObjectName(QStringLiteral("driftTakenBy"));
     m_reason->setObjectName(QStringLiteral("driftReason"));
@@ -98,6 +101,7 @@ void DriftPage::connectParts() {
         write(row, readings, QT_TRANSLATE_NOOP("edits", "change a reading"));
     });
     connect(&m_readings, &DriftModel::refusedText, this, &DriftPage::showReason);
+    connect(m_model.undoStack(), &QUndoStack::indexChanged, this, [this] { m_readings.keepRefused(); });
     connect(m_table->itemDelegate(), &QAbstractItemDelegate::closeEditor, this,
             [this](QWidget *, QAbstractItemDelegate::EndEditHint hint) {
                 if (hint == QAbstractItemDelegate::SubmitModelCache)
@@ -116,7 +120,7 @@ void DriftPage::connectParts() {
             return;
         m_following = true;
         const int column = std::max(0, m_table->currentIndex().column());
-        m_table->setCurrentIndex(m_readings.index(static_cast<int>(place->target), column));
+        makeCurrent(*m_table, m_readings.index(static_cast<int>(place->target), column));
         m_following = false;
     });
 }
@@ -152,9 +156,9 @@ void DriftPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
     m_evaluated = evaluated;
     m_test = test;
     m_readings.show(evaluated, test, m_language);
-    if (row >= 0 && row < m_readings.rowCount()) {
+    if (row >= 0 && m_readings.rowCount() > 0) {
         m_following = true;
-        m_table->setCurrentIndex(m_readings.index(row, column));
+        makeCurrent(*m_table, m_readings.index(std::min(row, m_readings.rowCount() - 1), column));
         m_following = false;
     }
     m_table->verticalScrollBar()->setValue(scrolled);
@@ -261,7 +265,7 @@ void DriftPage::goOn() {
     const QModelIndex next =
         isLast ? m_readings.index(current.row() + 1, 0) : current.siblingAtColumn(current.column() + 1);
     if (next.isValid())
-        m_table->setCurrentIndex(next);
+        makeCurrent(*m_table, next);
 }
 
 void DriftPage::showReason(const QString &reason) {

@@ -31,6 +31,9 @@ public:
     /// What was typed and is in no document.
     [[nodiscard]] QStringList refusedTexts() const { return m_readings.unfinishedTexts(); }
 
+    /// Takes back what was typed last and cannot be taken; false: nothing was.
+    bool undoRefused() { return m_readings.undoRefused(); }
+
 protected:
     void changeEvent(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;

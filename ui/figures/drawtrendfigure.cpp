@@ -25,6 +25,11 @@ constexpr double trendTickRow = 3.2 * mm;
 constexpr double thin = 0.12 * mm;
 constexpr double bandStrength = 0.13;
 
+QPolygonF triangleAt(QPointF place, double radius) {
+    return {place + QPointF(0, -radius), place + QPointF(radius, 0.8 * radius),
+            place + QPointF(-radius, 0.8 * radius)};
+}
+
 class PanelPainter {
 public:
     PanelPainter(QPainter &painter, const QRectF &area, const TrendPanel &panel, Medium medium, bool large)
@@ -162,6 +167,8 @@ private:
             const double radius = m_large ? 1.4 * markRadius : markRadius;
             if (other)
                 p.drawRect(QRectF(place.x() - radius, place.y() - radius, 2 * radius, 2 * radius));
+            else if (value.mark == TrendMark::noRole)
+                p.drawPolygon(triangleAt(place, radius));
             else
                 p.drawEllipse(place, radius, radius);
             if (value.exceeds)
@@ -272,13 +279,18 @@ void drawSample(QPainter &p, std::size_t index, QPointF place, Medium medium) {
         line(blue, 0.4);
         p.drawLine(place - QPointF(half, 0), place + QPointF(half, 0));
         break;
-    default:
+    case 5:
         line(text, 0.12, Qt::DashLine);
         p.drawLine(place - QPointF(0, 1.5 * mm), place + QPointF(0, 1.5 * mm));
+        break;
+    default:
+        line(blue, 0.25);
+        p.setBrush(ground);
+        p.drawPolygon(triangleAt(place, markRadius));
     }
 }
 
-constexpr std::size_t samples = 6;
+constexpr std::size_t samples = 7;
 
 } // namespace
 
@@ -290,7 +302,8 @@ FigureTransform drawTrendFigure(QPainter &painter, const QRectF &area, const Tre
     constexpr double cells = 4;
     const bool hasLegend = !figure.legend.empty();
     const double legendRow = 4.2 * mm;
-    const double below = large && hasLegend ? 2 * legendRow : 0;
+    const std::size_t legendRows = (figure.legend.size() + 2) / 3;
+    const double below = large && hasLegend ? static_cast<double>(legendRows) * legendRow : 0;
     const double cell = large ? area.width() : (area.width() - label - (cells - 1) * panelGap) / cells;
     FigureTransform result;
     double left = area.left() + label;

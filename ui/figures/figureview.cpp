@@ -41,6 +41,16 @@ namespace palmer::ui {
 
 namespace {
 
+/// How many readings the targets have in a direction: "5", while they come in "1 … 2".
+QString countText(const PositioningResults &results, DirectionStatistics TargetStatistics::*direction) {
+    const auto count = [direction](const TargetStatistics &target) { return (target.*direction).n; };
+    const auto [least, most] = std::ranges::minmax_element(results.targets, {}, count);
+    if (least == results.targets.end())
+        return QStringLiteral("0");
+    return count(*least) == count(*most) ? QString::number(count(*most))
+                                         : QStringLiteral("%1 … %2").arg(count(*least)).arg(count(*most));
+}
+
 constexpr int tightWidth = 520;
 constexpr int clipboardDotsPerInch = 200;
 constexpr std::size_t drawnAtOnce = 50'000; ///< readings; figures of more are made on a thread
@@ -110,6 +120,7 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     , m_detach(iconButton(this, QStringLiteral("detachFigure"), QStringLiteral("detach")))
     , m_maximise(iconButton(this, QStringLiteral("maximiseFigure"), QStringLiteral("maxi"))) {
     setObjectName(QStringLiteral("figureView"));
+    m_note->setObjectName(QStringLiteral("figureNote"));
     m_note->setProperty("secondary", true);
     m_note->setSeparator(QStringLiteral(" · "));
     m_marks->setCheckable(true);
@@ -279,9 +290,11 @@ void FigureView::showTitle() {
 
 void FigureView::showTitle(const PositioningMeasurement &measurement, const PositioningResults &results) {
     m_title->setText(m_whole->y.quantity);
-    QString note = results.positiveRuns == results.negativeRuns || results.negativeRuns == 0
-                       ? QStringLiteral("n = %1").arg(results.positiveRuns)
-                       : QStringLiteral("n = %1 ↑, %2 ↓").arg(results.positiveRuns).arg(results.negativeRuns);
+    const QString up = countText(results, &TargetStatistics::positive);
+    const QString down = countText(results, &TargetStatistics::negative);
+    QString note = up == down || !results.downward ? QStringLiteral("n = %1").arg(up)
+                   : !results.upward               ? QStringLiteral("n = %1").arg(down)
+                                                   : QStringLiteral("n = %1 ↑, %2 ↓").arg(up, down);
     if (!m_whole->bands.empty())
         note += QStringLiteral(" · ") +
                 tr("band ±%1s")

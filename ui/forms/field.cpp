@@ -308,6 +308,13 @@ void Field::finish() {
         setText(canonical);
 }
 
+bool Field::undoRefused() {
+    if (!isRefused())
+        return false;
+    restore();
+    return true;
+}
+
 /// Esc: back to what was there when the focus came.
 void Field::restore() {
     setText(m_atFocus);

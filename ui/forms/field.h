@@ -83,6 +83,8 @@ public:
     [[nodiscard]] bool isRefused() const { return !m_refusal.isEmpty(); }
     /// The sentence below a refused text.
     [[nodiscard]] QString refusal() const;
+    /// Back to what was there before a text was typed that is refused; false: none is.
+    bool undoRefused();
 
 signals:
     /// A text was typed, which valueText() tells where it can be read; or a word was chosen.

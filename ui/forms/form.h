@@ -56,7 +56,7 @@ public:
     void focusFirst();
     /// Moves the focus to the next field that is required and empty, or the one before; false: there is none
     /// between the field the focus came to last and the end of the page (or its beginning).
-    bool focusNextRequired(bool forward);
+    virtual bool focusNextRequired(bool forward);
     /// The walk begins at the first field again.
     void startOver() { m_place.reset(); }
     /// Puts the page behind that widget in the order of Tab.

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/import/importassistant.h"
 
+#include "document/filewords.h"
 #include "document/savedocument.h"
 #include "document/sha256.h"
 #include "figures/deviationfigure.h"
 #include "figures/driftfigure.h"
 #include "figures/linefigure.h"
 #include "figures/thinning.h"
+#include "kernel/evaluation/edition.h"
 #include "kernel/measurement/testfacts.h"
 #include "ui/elidedbox.h"
 #include "ui/errorbox.h"
@@ -93,6 +95,18 @@ std::optional<CurveFigure> curveOf(const EvaluatedDocument &evaluated, const Lan
         return deviationFigure(test, *evaluated.tests[0], language, options);
     }();
     return isOrdinary(figure) ? figure : thinned(figure);
+}
+
+/// A number as the remarks print it; what is none as it was typed.
+QString asRead(const QString &value) {
+    bool isNumber = false;
+    const double number = value.toDouble(&isNumber);
+    return isNumber ? windowLanguage().number(number, Quantity::number) : value;
+}
+
+/// Without the spaces and the minus that asRead has put there.
+std::string asTyped(const QString &text) {
+    return text.trimmed().remove(u'\u202F').replace(u'\u2212', u'-').toStdString();
 }
 
 QString profileSetting(const QString &fileName) {
@@ -188,7 +202,9 @@ void ImportAssistant::makeLayout() {
     m_choices->setVerticalSpacing(6);
     for (const auto &[name, words] :
          {std::pair(m_destinationName, m_destination), std::pair(m_profileName, m_profile)}) {
-        auto *column = new QVBoxLayout(new QWidget(this));
+        auto *cell = new QWidget(this);
+        cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+        auto *column = new QVBoxLayout(cell);
         column->setContentsMargins(0, 0, 0, 0);
         column->setSpacing(2);
         column->addWidget(name);
@@ -516,10 +532,13 @@ void ImportAssistant::takeRead(MeasurementFile file) {
 void ImportAssistant::takeOptions(ImportOptions options) {
     m_options = std::move(options);
     read(m_file.bytes, m_file.name, m_options, [this](std::variant<MeasurementFile, Error> outcome) {
-        if (const auto *error = std::get_if<Error>(&outcome))
+        if (const auto *error = std::get_if<Error>(&outcome)) {
             refuse(*error, {}); // nothing to show: beside what was read last
-        else
+            std::erase_if(m_file.imported.questions,
+                          [this](const Question &question) { return m_options.contains(question.id); });
+        } else {
             takeRead(std::move(std::get<MeasurementFile>(outcome)));
+        }
         settle();
         refresh();
     });
@@ -618,52 +637,98 @@ void ImportAssistant::fillSheets(QComboBox &sheets) const {
 }
 
 void ImportAssistant::makeBoxes() {
-    for (const Box &box : m_boxes)
+    for (const Box &box : m_boxes) {
+        if (!box.cell)
+            continue;
         box.cell->deleteLater(); // one of them may be what asked for this
-    for (const Box &box : m_boxes)
         box.cell->hide();
-    m_boxes.clear();
-    for (const ImportChoice &choice : shownChoices()) {
-        const ImportKey *key = findImportKey(choice.key);
-        Box box{choice.key, new QWidget(this), nullptr, nullptr, nullptr, nullptr};
-        box.name = new QLabel(windowLanguage().text(key->name), box.cell);
-        box.badge = new QLabel(tr("guessed"), box.cell);
-        box.badge->setObjectName(QStringLiteral("guessed.") + QString::fromStdString(choice.key));
-        QWidget *control = nullptr;
-        const bool isSheet = choice.key == "sheet" && !m_file.imported.sheets.empty();
-        if (key->value == ImportValue::word || isSheet) {
-            box.words = new ElidedBox(box.cell);
-            box.words->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-            box.words->setMinimumContentsLength(boxContents);
-            if (isSheet)
-                fillSheets(*box.words);
-            for (const ImportWord &word : key->words)
-                box.words->addItem(windowLanguage().text(word.name), QString::fromLatin1(word.word));
-            connect(box.words, &QComboBox::activated, this, [this, words = box.words, name = choice.key] {
-                choose(name, words->currentData().toString().toStdString());
-            });
-            control = box.words;
-        } else {
-            box.edit = new QLineEdit(box.cell);
-            connect(box.edit, &QLineEdit::editingFinished, this, [this, edit = box.edit, name = choice.key] {
-                if (edit->isModified())
-                    choose(name, edit->text().trimmed().toStdString());
-            });
-            control = box.edit;
-        }
-        control->setObjectName(QStringLiteral("import.") + QString::fromStdString(choice.key));
-        control->setAccessibleName(box.name->text());
-        auto *head = new QHBoxLayout;
-        head->addWidget(box.name, 1);
-        head->addWidget(box.badge);
-        auto *column = new QVBoxLayout(box.cell);
-        column->setContentsMargins(0, 0, 0, 0);
-        column->setSpacing(2);
-        column->addLayout(head);
-        column->addWidget(control);
-        m_boxes.push_back(box);
     }
+    m_boxes.clear();
+    for (const ImportChoice &choice : shownChoices())
+        m_boxes.push_back(makeBox(choice));
+    m_boxColumns = boxColumns();
     placeBoxes();
+}
+
+/// Those that stay keep their place and the focus; new ones come where one has gone, else behind the others.
+void ImportAssistant::changeBoxes(const std::vector<ImportChoice> &shown) {
+    for (Box &box : m_boxes) {
+        if (box.key.empty() || std::ranges::find(shown, box.key, &ImportChoice::key) != shown.end())
+            continue;
+        box.cell->hide();
+        box.cell->deleteLater(); // it may be what asked for this
+        box = Box();
+    }
+    for (const ImportChoice &choice : shown) {
+        if (std::ranges::find(m_boxes, choice.key, &Box::key) != m_boxes.end())
+            continue;
+        const auto gap = std::ranges::find(m_boxes, std::string(), &Box::key);
+        if (gap != m_boxes.end())
+            *gap = makeBox(choice);
+        else
+            m_boxes.push_back(makeBox(choice));
+    }
+    m_boxColumns = std::min(m_boxColumns, boxColumns()); // a longer name
+    placeBoxes();
+}
+
+ImportAssistant::Box ImportAssistant::makeBox(const ImportChoice &choice) {
+    const ImportKey *key = findImportKey(choice.key);
+    Box box{choice.key, new QWidget(this), nullptr, nullptr, nullptr, nullptr};
+    box.cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // columns of one width
+    box.name = new QLabel(windowLanguage().text(key->name), box.cell);
+    box.badge = new QLabel(tr("guessed"), box.cell);
+    box.badge->setObjectName(QStringLiteral("guessed.") + QString::fromStdString(choice.key));
+    QWidget *control = nullptr;
+    const bool isSheet = choice.key == "sheet" && !m_file.imported.sheets.empty();
+    if (key->value == ImportValue::word || isSheet || choice.key == "edition") {
+        box.words = new ElidedBox(box.cell);
+        box.words->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+        box.words->setMinimumContentsLength(boxContents);
+        if (isSheet)
+            fillSheets(*box.words);
+        for (const ImportWord &word : key->words)
+            box.words->addItem(windowLanguage().text(word.name), QString::fromLatin1(word.word));
+        connect(box.words, &QComboBox::activated, this, [this, words = box.words, name = choice.key] {
+            choose(name, words->currentData().toString().toStdString());
+        });
+        control = box.words;
+    } else {
+        box.edit = new QLineEdit(box.cell);
+        connect(box.edit, &QLineEdit::editingFinished, this, [this, edit = box.edit, name = choice.key] {
+            if (edit->isModified())
+                choose(name, asTyped(edit->text()));
+        });
+        control = box.edit;
+    }
+    control->setObjectName(QStringLiteral("import.") + QString::fromStdString(choice.key));
+    control->setAccessibleName(box.name->text());
+    auto *head = new QHBoxLayout;
+    head->addWidget(box.name, 1);
+    head->addWidget(box.badge);
+    auto *column = new QVBoxLayout(box.cell);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(2);
+    column->addLayout(head);
+    column->addWidget(control);
+    return box;
+}
+
+/// Those of the kind of test, as for a new one.
+void ImportAssistant::fillEditions(QComboBox &editions) const {
+    const auto kind = std::ranges::find(m_file.imported.choices, "kind", &ImportChoice::key);
+    std::optional<Kind> of;
+    if (m_file.imported.test)
+        of = kindOf(*m_file.imported.test);
+    for (const auto &row : fileWords<Kind>) {
+        if (!of && kind != m_file.imported.choices.end() && kind->value == row.word)
+            of = row.value;
+    }
+    editions.clear();
+    for (const Edition *edition : palmer::editions()) {
+        if (!of || edition->kind == *of)
+            editions.addItem(QString::fromUtf8(edition->word), QString::fromUtf8(edition->word));
+    }
 }
 
 /// As many beside one another as the dialog has room for.
@@ -671,18 +736,18 @@ int ImportAssistant::boxColumns() const {
     int least = std::max(m_destinationName->parentWidget()->minimumSizeHint().width(),
                          m_profileName->parentWidget()->minimumSizeHint().width());
     for (const Box &box : m_boxes)
-        least = std::max(least, box.cell->minimumSizeHint().width());
+        least = std::max(least, box.cell ? box.cell->minimumSizeHint().width() : 0);
     const int margins = 2 * style()->pixelMetric(QStyle::PM_LayoutLeftMargin, nullptr, this);
     return std::clamp((width() - margins + boxSpacing) / (least + boxSpacing), 2, mostBoxColumns);
 }
 
 void ImportAssistant::placeBoxes() {
-    m_boxColumns = boxColumns();
     while (QLayoutItem *item = m_choices->takeAt(0))
         delete item;
     int place = 0;
     const auto put = [&](QWidget *cell) {
-        m_choices->addWidget(cell, place / m_boxColumns, place % m_boxColumns);
+        if (cell)
+            m_choices->addWidget(cell, place / m_boxColumns, place % m_boxColumns);
         ++place;
     };
     for (const Box &box : m_boxes)
@@ -696,37 +761,53 @@ void ImportAssistant::placeBoxes() {
 void ImportAssistant::resizeEvent(QResizeEvent *event) {
     QDialog::resizeEvent(event);
     m_remarksPlace->setFixedHeight(height() < lowBelow ? lowRemarksHeight : remarksHeight);
-    if (boxColumns() != m_boxColumns)
+    if (const int columns = boxColumns(); columns != m_boxColumns) {
+        m_boxColumns = columns;
         placeBoxes();
+    }
 }
 
 void ImportAssistant::showChoices() {
     const std::vector<ImportChoice> shown = shownChoices();
-    const bool same = std::ranges::equal(shown, m_boxes, {}, &ImportChoice::key, &Box::key);
-    if (!same)
-        makeBoxes();
-    const QString unsure = token(Token::unsure, palette()).name();
-    const QString ground = token(Token::unsureGround, palette()).name();
+    const auto isShown = [&](const Box &box) {
+        return box.key.empty() || std::ranges::find(shown, box.key, &ImportChoice::key) != shown.end();
+    };
+    const auto hasBox = [&](const ImportChoice &choice) {
+        return std::ranges::find(m_boxes, choice.key, &Box::key) != m_boxes.end();
+    };
+    if (!std::ranges::all_of(m_boxes, isShown) || !std::ranges::all_of(shown, hasBox))
+        changeBoxes(shown);
     for (const Box &box : m_boxes) {
+        if (box.key.empty())
+            continue;
         const auto choice = std::ranges::find(shown, box.key, &ImportChoice::key);
         const auto chosen = m_options.find(box.key);
-        const QString value =
-            QString::fromStdString(chosen != m_options.end() ? chosen->second : choice->value);
-        const bool guessed = choice->origin == Origin::guessed && chosen == m_options.end();
-        box.badge->setVisible(guessed);
-        box.badge->setStyleSheet(
-            QStringLiteral("background: %1; color: %2; border-radius: 6px; padding: 0 6px;")
-                .arg(ground, unsure));
-        QWidget *control = box.words ? static_cast<QWidget *>(box.words) : box.edit;
-        control->setStyleSheet(guessed ? QStringLiteral("border-color: %1;").arg(unsure) : QString());
-        control->setAccessibleDescription(guessed ? tr("guessed") : QString());
-        if (box.words) {
-            box.words->setCurrentIndex(box.words->findData(value));
-            box.words->setToolTip(box.words->currentText()); // in whole, where the field is too short for it
-        } else {
-            box.edit->setText(value);
-        }
+        const bool isChosen = chosen != m_options.end();
+        showChoice(box, QString::fromStdString(isChosen ? chosen->second : choice->value),
+                   !isChosen && choice->origin == Origin::guessed);
     }
+}
+
+void ImportAssistant::showChoice(const Box &box, const QString &value, bool guessed) {
+    const QString unsure = token(Token::unsure, palette()).name();
+    box.badge->setVisible(guessed);
+    box.badge->setStyleSheet(QStringLiteral("background: %1; color: %2; border-radius: 6px; padding: 0 6px;")
+                                 .arg(token(Token::unsureGround, palette()).name(), unsure));
+    box.name->setMinimumHeight(box.badge->sizeHint().height()); // also without it: nothing moves
+    QWidget *control = box.words ? static_cast<QWidget *>(box.words) : box.edit;
+    control->setStyleSheet(guessed ? QStringLiteral("border-color: %1;").arg(unsure) : QString());
+    control->setAccessibleDescription(guessed ? tr("guessed") : QString());
+    if (!box.words) {
+        box.edit->setText(findImportKey(box.key)->value == ImportValue::number ? asRead(value) : value);
+        return;
+    }
+    if (box.key == "edition") {
+        fillEditions(*box.words);
+        if (!value.isEmpty() && box.words->findData(value) < 0)
+            box.words->addItem(value, value); // of another kind of test: the reason is said below
+    }
+    box.words->setCurrentIndex(box.words->findData(value));
+    box.words->setToolTip(box.words->currentText()); // in whole, where the field is too short for it
 }
 
 void ImportAssistant::showLine(std::size_t line) {
@@ -872,7 +953,7 @@ void ImportAssistant::showState() {
 void ImportAssistant::takeTyped() {
     for (const Box &box : m_boxes) {
         if (box.edit && box.edit->isModified()) {
-            choose(box.key, box.edit->text().trimmed().toStdString());
+            choose(box.key, asTyped(box.edit->text()));
             return; // one at most: others were left; and the boxes may be others now
         }
     }

@@ -134,9 +134,14 @@ private:
     void askProfileName();
     [[nodiscard]] std::vector<ImportChoice> shownChoices() const;
     void makeBoxes();
+    void changeBoxes(const std::vector<ImportChoice> &shown);
+    [[nodiscard]] Box makeBox(const ImportChoice &choice);
+    void fillEditions(QComboBox &editions) const;
     [[nodiscard]] int boxColumns() const;
     void placeBoxes();
     void showChoices();
+    /// The value of a choice in its box.
+    void showChoice(const Box &box, const QString &value, bool guessed);
     void fillSheets(QComboBox &sheets) const;
     void showLine(std::size_t line);
     void showAnswerOf(const QString &key);

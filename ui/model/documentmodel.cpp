@@ -53,7 +53,7 @@ DocumentModel::DocumentModel(QObject *parent)
 }
 
 DocumentModel::~DocumentModel() {
-    m_stack->disconnect(this); // its destructor clears it, which emits
+    m_stack->disconnect(); // its destructor clears it, which emits, and nobody finds a model any more
 }
 
 bool DocumentModel::isModified() const {

@@ -76,6 +76,8 @@ std::vector<NavigationModel::Row> NavigationModel::rows() const {
             row.mark = {QStringLiteral("dots"), Token::secondaryText, tr("unfinished")};
         } else if (evaluation.edition && !evaluation.view) {
             row.mark = limitsMark(evaluation.verdict, hasLimits(test));
+            if (evaluation.provisional)
+                row.mark = {QStringLiteral("dots"), Token::secondaryText, tr("provisional")};
             row.accordance = accordanceMark(evaluation.accordance());
         }
         QStringList detail;

@@ -12,6 +12,7 @@
 #include <QStyle>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 namespace palmer::ui {
 
@@ -70,6 +71,11 @@ void ReportBar::showProblem(const Message &sentence) {
     show();
 }
 
+void ReportBar::setEdited(bool edited) {
+    if (std::exchange(m_edited, edited) != edited)
+        retranslate();
+}
+
 QString ReportBar::sentence() const {
     return m_sentence->text();
 }
@@ -95,13 +101,19 @@ void ReportBar::retranslate() {
         QStringList lines = verificationText(*m_verification, language).trimmed().split(u'\n');
         const QString sign = m_verification->follows() ? QStringLiteral("✓ ") : QStringLiteral("⚠ ");
         const QString head = m_verification->follows() ? tr("Report verified.") : tr("Report NOT verified.");
-        m_sentence->setText(sign + head + u' ' + lines.takeFirst());
+        const QString result = sign + head + u' ' + lines.takeFirst();
+        m_sentence->setText(
+            m_edited ? QStringLiteral("⚠ ") +
+                           tr("Edited since: the window no longer shows what was verified in the report.")
+                     : result);
+        if (m_edited)
+            m_list->addItem(result);
         for (const QString &line : lines)
             m_list->addItem(line.trimmed());
         const int seen = std::min(m_list->count(), mostLines);
         m_list->setFixedHeight(seen * (m_list->fontMetrics().height() + 2) + 2 * m_list->frameWidth() + 4);
     }
-    const bool good = m_verification && m_verification->follows();
+    const bool good = m_verification && m_verification->follows() && !m_edited;
     setProperty("notice", good ? QStringLiteral("good") : QStringLiteral("true"));
     style()->unpolish(this); // the style sheet looks at properties once
     style()->polish(this);

@@ -24,6 +24,9 @@ public:
     void showResult(const Verification &verification);
     /// For a report whose pages cannot be read.
     void showProblem(const Message &sentence);
+    /// Whether the window still shows what was verified: otherwise it says so in place of the result, which
+    /// is left to the details.
+    void setEdited(bool edited);
 
     [[nodiscard]] QString sentence() const;
     [[nodiscard]] QStringList lines() const;
@@ -40,6 +43,7 @@ private:
     QPushButton *m_close;
     std::optional<Verification> m_verification;
     std::optional<Message> m_problem;
+    bool m_edited = false;
 };
 
 } // namespace palmer::ui

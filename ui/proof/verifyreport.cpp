@@ -285,7 +285,8 @@ private:
 std::optional<OpenedReport> openReport(const QByteArray &pdf, int threads, const std::stop_token &stop,
                                        const std::function<void(const SimulationProgress &)> &progress) {
     OpenedReport result{pdf, readReportPdf(pdf), {}};
-    result.evaluated = evaluate(std::make_shared<const Document>(attachedDocument(result.parts.testFile)));
+    result.evaluated = evaluate(std::make_shared<const Document>(attachedDocument(result.parts.testFile)),
+                                nullptr, result.parts.metadata.making.edition.toStdString());
     for (const int number : result.parts.metadata.making.simulated) {
         const std::size_t test = static_cast<std::size_t>(number) - 1;
         if (test >= result.evaluated.tests.size())
@@ -325,6 +326,13 @@ Verification verifyReport(const OpenedReport &report) {
         result.differences.push_back(differenceOf(addition));
     if (report.parts.testFileName != composed.testFileName)
         result.differences.push_back(otherFileName(report.parts.testFileName));
+    if (sameProgram) {
+        const QStringList follows = readReportPdf(buffer.data()).beside;
+        const auto [shown, expected] = std::ranges::mismatch(report.parts.beside, follows);
+        if (shown != report.parts.beside.end() || expected != follows.end())
+            result.differences.push_back(
+                otherBeside(shown != report.parts.beside.end() ? *shown : QString()));
+    }
     PageComparison(report, composed, language, buffer.data(), result).run(sameProgram);
     for (Difference &difference : compareResults(report.parts.results, results, sameProgram))
         result.differences.push_back(std::move(difference));

@@ -91,8 +91,12 @@ void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, cons
     QString summary = tr("%n reading(s) pasted", nullptr, static_cast<int>(pasted.readings));
     if (pasted.targets > 0)
         summary = tr("%1 and %n target(s)", "readings pasted", static_cast<int>(pasted.targets)).arg(summary);
-    if (pasted.erased > 0)
-        summary = tr("%1, %n erased by empty cells", "readings pasted", static_cast<int>(pasted.erased))
+    if (const std::size_t byNothing = pasted.erased - pasted.erasedByWords; byNothing > 0)
+        summary =
+            tr("%1, %n erased by empty cells", "readings pasted", static_cast<int>(byNothing)).arg(summary);
+    if (pasted.erasedByWords > 0)
+        summary = tr("%1, %n erased by cells that are no numbers", "readings pasted",
+                     static_cast<int>(pasted.erasedByWords))
                       .arg(summary);
     m_summary->setText(summary);
     m_undo->setVisible(canUndo);

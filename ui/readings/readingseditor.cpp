@@ -15,7 +15,9 @@ namespace palmer::ui {
 
 ReadingsEditor::ReadingsEditor(DocumentModel &model, QObject *parent)
     : QObject(parent)
-    , m_model(model) {}
+    , m_model(model) {
+    connect(m_model.undoStack(), &QUndoStack::indexChanged, this, &ReadingsEditor::stepped);
+}
 
 const PositioningMeasurement *ReadingsEditor::measurement() const {
     return measured<PositioningMeasurement>(*m_model.document(), m_test);
@@ -124,9 +126,11 @@ std::optional<PastedBlock> ReadingsEditor::paste(const QString &text, const Bloc
         return std::nullopt;
     PastedBlock pasted = pasteBlock(*measurement(), text.toStdString(), place, choices);
     const int before = stack.index();
-    edit(countedEdit(QT_TRANSLATE_N_NOOP("edits", "paste of %n reading(s)"),
-                     static_cast<int>(pasted.readings)),
-         [&](PositioningMeasurement &m) { m = pasted.measurement; });
+    const QByteArray name = pasted.readings > 0
+                                ? countedEdit(QT_TRANSLATE_N_NOOP("edits", "paste of %n reading(s)"),
+                                              static_cast<int>(pasted.readings))
+                                : QByteArray(QT_TRANSLATE_NOOP("edits", "paste a block"));
+    edit(name.constData(), [&](PositioningMeasurement &m) { m = pasted.measurement; });
     if (stack.index() != before)
         m_pasteIndex = stack.index();
     return pasted;

@@ -58,6 +58,10 @@ public:
     void insertRun(std::size_t before, Direction approach);
     void removeRuns(const std::vector<std::size_t> &runs);
 
+signals:
+    /// A step was made, undone or redone, here or elsewhere.
+    void stepped();
+
 private:
     [[nodiscard]] std::vector<ReadingPlace> notAside(const std::vector<ReadingPlace> &places) const;
     void makeMissing(const char *counted, const std::vector<ReadingPlace> &places);

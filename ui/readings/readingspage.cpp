@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "kernel/measurement/readingsaside.h"
+#include "ui/currentcell.h"
 #include "ui/measures.h"
 #include "ui/readings/pastebar.h"
 #include "ui/readings/readingsview.h"
@@ -18,6 +19,7 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QInputDialog>
+#include <QScopedValueRollback>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -95,6 +97,10 @@ void ReadingsPage::connectParts() {
     connect(m_view, &ReadingsView::summaryChanged, this, &ReadingsPage::summaryChanged);
     connect(m_view, &ReadingsView::summaryChanged, this, &ReadingsPage::enableActions);
     connect(m_view, &ReadingsView::typed, m_pasteBar, &QWidget::hide);
+    connect(&m_editor, &ReadingsEditor::stepped, this, [this] {
+        if (!m_editor.isPasteLast() && !m_pastingAgain)
+            m_pasteBar->hide(); // its choices would paste once more
+    });
     connect(&m_selection, &Selection::parameterChanged, this, &ReadingsPage::markRuling);
     connect(m_pasteBar, &PasteBar::decimalMarkChosen, this, [this](DecimalMark mark) {
         m_blockChoices.decimalMark = mark;
@@ -252,8 +258,18 @@ QString ReadingsPage::copied() const {
     return lines.isEmpty() ? QString() : lines.join(u'\n') + u'\n';
 }
 
+bool ReadingsPage::undoRefused() {
+    return m_view->undoRefused();
+}
+
+void ReadingsPage::showReading(const ReadingPlace &place) {
+    m_selection.setReading(place);
+    if (const QModelIndex cell = m_model.indexOf(place); cell.isValid())
+        makeCurrent(*m_view, cell); // also where it was the current one of several
+}
+
 void ReadingsPage::showTarget(std::size_t target) {
-    m_view->setCurrentIndex(m_model.index(static_cast<int>(target), ReadingsModel::positionColumn));
+    makeCurrent(*m_view, m_model.index(static_cast<int>(target), ReadingsModel::positionColumn));
 }
 
 void ReadingsPage::paste() {
@@ -286,6 +302,7 @@ void ReadingsPage::paste() {
 }
 
 void ReadingsPage::pasteAgain() {
+    const QScopedValueRollback again(m_pastingAgain, true);
     if (const auto pasted = m_editor.paste(m_block, m_blockPlace, m_blockChoices, true))
         showPasted(*pasted);
 }

@@ -41,6 +41,10 @@ public:
     /// it.
     [[nodiscard]] QStringList refusedTexts() const { return m_model.refusedTargets().texts(); }
 
+    /// Takes back a position that was typed last and cannot be taken; false: none was.
+    bool undoRefused();
+    /// Makes a reading the current cell, and alone selected.
+    void showReading(const ReadingPlace &place);
     /// Makes the position of a target the current cell.
     void showTarget(std::size_t target);
     /// Puts the text of the clipboard in, from the current cell on.
@@ -82,6 +86,7 @@ private:
     QString m_block; ///< what was pasted last
     BlockPlace m_blockPlace;
     BlockChoices m_blockChoices;
+    bool m_pastingAgain = false; ///< the paste is undone to be made under other choices
     QToolButton *m_deviations = nullptr;
     QToolButton *m_positions = nullptr;
     QToolButton *m_byRun = nullptr;

@@ -3,6 +3,7 @@
 #include "ui/readings/readingsview.h"
 
 #include "editing/measuringcycle.h"
+#include "ui/currentcell.h"
 #include "ui/formulatext.h"
 #include "ui/readings/readingseditor.h"
 #include "ui/readings/readingsheader.h"
@@ -99,6 +100,7 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
     connect(m_frozen->verticalScrollBar(), &QScrollBar::valueChanged, verticalScrollBar(),
             &QScrollBar::setValue);
     connect(&m_selection, &Selection::hoveredChanged, this, &ReadingsView::showHovered);
+    connect(&m_editor, &ReadingsEditor::stepped, this, [this] { m_refused = QModelIndex(); });
     connect(&m_selection, &Selection::readingChanged, this, &ReadingsView::showCurrent);
     connect(&model, &QAbstractItemModel::modelReset, this, [this] {
         m_typed = QModelIndex();
@@ -270,7 +272,7 @@ void ReadingsView::showCurrent() {
     const QModelIndex index = place ? m_model.indexOf(*place) : QModelIndex();
     if (index.isValid() && index != currentIndex()) {
         m_following = true;
-        setCurrentIndex(index);
+        makeCurrent(*this, index);
         m_following = false;
     }
 }
@@ -334,7 +336,7 @@ std::vector<int> ReadingsView::selectedColumns() const {
 void ReadingsView::moveTo(const QModelIndex &index) {
     if (!index.isValid())
         return;
-    setCurrentIndex(index);
+    makeCurrent(*this, index);
     scrollTo(index, EnsureVisible);
 }
 
@@ -388,10 +390,7 @@ void ReadingsView::keyPressEvent(QKeyEvent *event) {
     const bool enter = event->key() == Qt::Key_Enter || event->key() == Qt::Key_Return;
     const bool home = event->key() == Qt::Key_Home;
     if ((home || event->key() == Qt::Key_End) && event->modifiers() == Qt::ControlModifier) {
-        // With Ctrl Qt would keep what was selected before.
-        const QModelIndex cell = moveCursor(home ? MoveHome : MoveEnd, Qt::ControlModifier);
-        selectionModel()->setCurrentIndex(cell, QItemSelectionModel::ClearAndSelect);
-        scrollTo(cell, EnsureVisible);
+        moveTo(moveCursor(home ? MoveHome : MoveEnd, Qt::ControlModifier));
         return;
     }
     const bool back = event->key() == Qt::Key_Backtab;
@@ -425,19 +424,31 @@ bool ReadingsView::edit(const QModelIndex &index, EditTrigger trigger, QEvent *e
 
 void ReadingsView::take(const QModelIndex &index, const QString &text) {
     m_typed = index;
+    m_refused = QModelIndex();
     m_said.clear();
     if (const auto place = m_model.placeAt(index)) {
         m_editor.type(*place, text, m_model.unit(), m_model.language());
     } else {
         const auto target = static_cast<std::size_t>(index.row());
         const auto problem = m_editor.typeTarget(target, text, m_model.language());
-        if (problem)
+        if (problem) {
             m_model.refuseTarget(target, text, m_model.language().sentence(*problem));
-        else
+            m_refused = index;
+        } else
             m_model.acceptTarget(target);
     }
     showReason();
     emit typed();
+}
+
+bool ReadingsView::undoRefused() {
+    const QModelIndex cell = m_refused;
+    if (!cell.isValid() || cell.data(ReadingsModel::refusedRole).toString().isEmpty())
+        return false;
+    m_refused = QModelIndex();
+    m_model.acceptTarget(static_cast<std::size_t>(cell.row()));
+    moveTo(cell);
+    return true;
 }
 
 void ReadingsView::say(const QString &sentence) {

@@ -38,6 +38,8 @@ public:
 
     void step(ReadingsDelegate::Step step);
 
+    /// Takes back a position that was typed last and cannot be taken; false: none was.
+    bool undoRefused();
     /// Says something beside the current cell, until another becomes the current one.
     void say(const QString &sentence);
 
@@ -81,10 +83,11 @@ private:
     ReadingsEditor &m_editor;
     Selection &m_selection;
     QTableView *m_frozen;
-    QLabel *m_reason;              ///< why a text is no number, beside its cell
-    std::vector<int> m_contents;   ///< widths of the texts of the columns, also of those that are hidden
-    QPersistentModelIndex m_typed; ///< the cell typed last
-    QString m_said;                ///< of the current cell
+    QLabel *m_reason;                ///< why a text is no number, beside its cell
+    std::vector<int> m_contents;     ///< widths of the texts of the columns, also of those that are hidden
+    QPersistentModelIndex m_typed;   ///< the cell typed last
+    QPersistentModelIndex m_refused; ///< a position typed since the last step that cannot be taken
+    QString m_said;                  ///< of the current cell
     QModelIndex m_hovered;
     bool m_following = false; ///< the selection of the window is what moves the current cell
 };

@@ -8,6 +8,7 @@
 
 #include <QPainter>
 #include <QStringList>
+#include <algorithm>
 
 namespace palmer::ui {
 
@@ -16,6 +17,8 @@ namespace {
 constexpr int rowHeight = 24;
 constexpr int symbolWidth = 36;
 constexpr int statisticsColumnWidth = 64;
+constexpr int leastStatisticsColumn = 52;
+constexpr int betweenNumbers = 10; ///< so that neighbours do not read as one
 
 } // namespace
 
@@ -32,12 +35,24 @@ void TargetStatisticsView::setRows(const QString &unit, const QString &both, std
     update();
 }
 
+/// As wide as the longest number: the small units have many digits.
+int TargetStatisticsView::columnWidth(int least) const {
+    int widest = least - betweenNumbers;
+    for (const Row &row : m_rows) {
+        for (const QString &value : row.values)
+            widest = std::max(widest, fontMetrics().horizontalAdvance(value) + 1);
+    }
+    return widest + betweenNumbers;
+}
+
 QSize TargetStatisticsView::sizeHint() const {
-    return {symbolWidth + 3 * statisticsColumnWidth, rowHeight * (static_cast<int>(m_rows.size()) + 1)};
+    return {symbolWidth + 3 * columnWidth(statisticsColumnWidth),
+            rowHeight * (static_cast<int>(m_rows.size()) + 1)};
 }
 
 QSize TargetStatisticsView::minimumSizeHint() const {
-    return {symbolWidth + 3 * 52, rowHeight * (static_cast<int>(m_rows.size()) + 1)};
+    return {symbolWidth + 3 * columnWidth(leastStatisticsColumn),
+            rowHeight * (static_cast<int>(m_rows.size()) + 1)};
 }
 
 void TargetStatisticsView::paintEvent(QPaintEvent *) {

@@ -32,6 +32,8 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    [[nodiscard]] int columnWidth(int least) const;
+
     QString m_unit;
     QString m_both;
     std::vector<Row> m_rows;

@@ -147,7 +147,7 @@ void TargetStripView::paintEvent(QPaintEvent *) {
         painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
         // The numbers of a narrow range have many digits.
         const double half = painter.fontMetrics().horizontalAdvance(tick.label) / 2.0;
-        if (at - half < lastRight)
+        if (at - half < lastRight || at + half + 1 > width()) // a number that is cut reads as another one
             continue;
         lastRight = at + half + labelSpace;
         painter.setPen(token(Token::secondaryText, palette()));

@@ -7,6 +7,7 @@
 #include "register/machinetrend.h"
 #include "report/words/wording.h"
 #include "ui/figures/canvaslabel.h"
+#include "ui/register/numberaxis.h"
 #include "ui/register/numbertag.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -14,6 +15,7 @@
 #include <QAreaSeries>
 #include <QBuffer>
 #include <QButtonGroup>
+#include <QCategoryAxis>
 #include <QChart>
 #include <QComboBox>
 #include <QEvent>
@@ -22,14 +24,14 @@
 #include <QLabel>
 #include <QLegend>
 #include <QLineSeries>
-#include <QLocale>
 #include <QPainter>
+#include <QResizeEvent>
 #include <QScatterSeries>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QSignalBlocker>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <QValueAxis>
 #include <algorithm>
 #include <array>
 
@@ -37,15 +39,8 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int leastListHeight = 40; ///< of the curves compared
-
-/// As high as what stands in it, where there is room; that of Qt keeps the first height it had.
-class ListArea : public QScrollArea {
-public:
-    [[nodiscard]] QSize sizeHint() const override {
-        return widget() ? widget()->sizeHint() : QScrollArea::sizeHint();
-    }
-};
+constexpr QSize sampleSize(54, 18);
+constexpr int leastRows = 2; ///< of the curves compared that are in sight
 
 void clear(QChart &chart) {
     chart.removeAllSeries();
@@ -56,7 +51,8 @@ void clear(QChart &chart) {
 }
 
 /// Axes that hold all points, with round ticks.
-void addAxes(QChart &chart, const QPalette &palette, const QString &title, const QString &unit) {
+void addAxes(QChart &chart, const QPalette &palette, const QString &title, const QString &unit,
+             const QString &positionUnit) {
     double left = 0;
     double right = 1;
     double least = 0;
@@ -74,34 +70,20 @@ void addAxes(QChart &chart, const QPalette &palette, const QString &title, const
             first = false;
         }
     }
-    chart.setLocale(QLocale(windowLanguage().code()));
-    chart.setLocalizeNumbers(true);
     constexpr int parts = 6;
-    const double room = most > least ? 0.08 * (most - least) : 1;
+    const double room = most > least ? 0.08 * (most - least) : 1; // 0 lies between them
     FigureAxis x;
     FigureAxis y;
     setRange(x, left, right > left ? right : left + 1, parts, TickSteps::lengths, windowLanguage());
     setRange(y, least - room, most + room, parts, TickSteps::values, windowLanguage());
     const auto add = [&](const FigureAxis &range, Qt::Alignment side, const QString &name) {
-        auto *axis = new QValueAxis;
-        axis->setRange(range.from, range.to);
-        axis->setTickType(QValueAxis::TicksDynamic);
-        axis->setTickAnchor(0);
-        axis->setTickInterval(range.step);
-        axis->setLabelFormat(range.step < 1 ? QStringLiteral("%.1f") : QStringLiteral("%.0f"));
-        axis->setLabelsColor(token(Token::secondaryText, palette));
-        axis->setLabelsFont(themeFont(TextSize::tiny));
-        axis->setTruncateLabels(false); // "…" says nothing: in a low chart some are left out
-        axis->setTitleFont(themeFont(TextSize::tiny));
-        axis->setTitleBrush(token(Token::secondaryText, palette));
-        axis->setTitleText(name);
-        axis->setGridLineColor(token(Token::line, palette));
-        axis->setLinePenColor(token(Token::secondaryText, palette));
+        QCategoryAxis *axis = makeNumberAxis(range, palette, name);
         chart.addAxis(axis, side);
         for (QAbstractSeries *series : chart.series())
             series->attachAxis(axis);
+        QObject::connect(axis, &QValueAxis::rangeChanged, axis, [axis, range] { fillTicks(*axis, range); });
     };
-    add(x, Qt::AlignBottom, QStringLiteral("P"));
+    add(x, Qt::AlignBottom, QStringLiteral("P ") + positionUnit);
     add(y, Qt::AlignLeft, title + u' ' + unit);
 }
 
@@ -115,9 +97,37 @@ bool isFilled(std::size_t curve) {
     return markerOf(curve) == QScatterSeries::MarkerShapeCircle;
 }
 
+QString imageOf(const QPixmap &image, QSize size) {
+    QByteArray png;
+    QBuffer buffer(&png);
+    image.save(&buffer, "PNG");
+    return QStringLiteral(
+               "<img width='%1' height='%2' style='vertical-align:middle' src='data:image/png;base64,%3'>")
+        .arg(size.width())
+        .arg(size.height())
+        .arg(QString::fromLatin1(png.toBase64()));
+}
+
+QString wordsOf(const RegisteredTest &test) {
+    QStringList words;
+    for (const Text &word : {purposeText(test.purpose), roleText(test.role)}) {
+        if (!word.empty())
+            words << windowLanguage().text(word);
+    }
+    return words.join(QStringLiteral(" · "));
+}
+
+/// Nothing, as high as a sample: so the head is as high as a row.
+QString strut() {
+    constexpr QSize size(1, sampleSize.height());
+    QPixmap nothing(size);
+    nothing.fill(Qt::transparent);
+    return imageOf(nothing, size);
+}
+
 /// Number, line and marker of a curve, as they stand in the charts, as an image of a rich text.
 QString sampleOf(std::size_t curve, const QPen &pen, const QPalette &palette, double ratio) {
-    constexpr QSize size(54, 18);
+    constexpr QSize size = sampleSize;
     constexpr double half = 3.5;
     QPixmap sample(size * ratio);
     sample.setDevicePixelRatio(ratio);
@@ -138,13 +148,7 @@ QString sampleOf(std::size_t curve, const QPen &pen, const QPalette &palette, do
     if (!isFilled(curve))
         painter.drawRect(QRectF(-half, -half, 2 * half, 2 * half));
     painter.end();
-    QByteArray png;
-    QBuffer buffer(&png);
-    sample.save(&buffer, "PNG");
-    return QStringLiteral("<img width='%1' height='%2' src='data:image/png;base64,%3'>")
-        .arg(size.width())
-        .arg(size.height())
-        .arg(QString::fromLatin1(png.toBase64()));
+    return imageOf(sample, size);
 }
 
 } // namespace
@@ -160,7 +164,7 @@ TaggedChart::TaggedChart(const char *name) {
     chart()->layout()->setContentsMargins(0, 0, 0, 0);
     chart()->setMargins(QMargins(0, 4, roomForTags, 0));
     chart()->setBackgroundRoundness(0);
-    setMinimumHeight(100);                                       // room for the words of its axes
+    setMinimumHeight(80);                                        // room for the words of its axes
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // takes what the list leaves
 }
 
@@ -223,7 +227,7 @@ CurveComparison::CurveComparison(QWidget *parent)
     : QWidget(parent)
     , m_title(new QLabel)
     , m_list(new QLabel)
-    , m_listArea(new ListArea) // many curves leave room for their chart
+    , m_listArea(new QScrollArea) // many curves leave room for their chart
     , m_curves(new TaggedChart("curves"))
     , m_differences(new TaggedChart("curveDifference"))
     , m_differenceTitle(new QLabel)
@@ -273,8 +277,7 @@ CurveComparison::CurveComparison(QWidget *parent)
     QScrollArea *area = m_listArea;
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
-    area->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
-    area->setMinimumHeight(leastListHeight);
+    area->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     area->setWidget(m_list);
     area->viewport()->setAutoFillBackground(false);
     m_list->setAutoFillBackground(false);
@@ -317,6 +320,11 @@ QString CurveComparison::unit() const {
     return windowLanguage().unit(angular ? Quantity::angularDeviation : Quantity::deviation);
 }
 
+Quantity CurveComparison::positionQuantity() const {
+    const bool angular = !m_tests.empty() && m_tests.front().test.angular;
+    return angular ? Quantity::angle : Quantity::position;
+}
+
 QPen CurveComparison::penOf(std::size_t curve) const {
     QPen pen(curveColour(curve, palette()), 1.8);
     if (curve % 2 == 1)
@@ -348,6 +356,7 @@ void CurveComparison::rebuild() {
     clear(chart);
     chart.setBackgroundBrush(palette().color(QPalette::Base));
     std::vector<TaggedChart::Tag> tags;
+    const double along = unitScale(positionQuantity(), windowLanguage().units());
     for (std::size_t i = 0; i < m_tests.size(); ++i) {
         const RegisteredTest &test = m_tests[i].test;
         const QPen pen = penOf(i);
@@ -365,8 +374,8 @@ void CurveComparison::rebuild() {
                 end();
                 continue;
             }
-            line->append(value.position, *value.value * scale());
-            marks->append(value.position, *value.value * scale());
+            line->append(value.position * along, *value.value * scale());
+            marks->append(value.position * along, *value.value * scale());
         }
         end();
         delete line;
@@ -378,33 +387,46 @@ void CurveComparison::rebuild() {
             tags.push_back({static_cast<int>(i) + 1, marks->points().last()});
         chart.addSeries(marks);
     }
-    addAxes(chart, palette(), QStringLiteral("x̄"), unit());
+    addAxes(chart, palette(), QStringLiteral("x̄"), unit(), windowLanguage().unit(positionQuantity()));
     m_curves->setTags(std::move(tags));
     showList();
     rebuildDifference();
 }
 
-/// What the numbers stand for, with the main results.
+/// What the numbers stand for, with the main results; purpose and role give way to the numbers.
 void CurveComparison::showList() {
+    constexpr int unlimited = QWIDGETSIZE_MAX;
+    constexpr int leastWords = 40;
+    m_list->setText(listOf(unlimited));
+    int widest = 0;
+    for (const ListedTest &test : m_tests)
+        widest = std::max(widest, m_list->fontMetrics().horizontalAdvance(wordsOf(test.test)));
+    const QMargins margins = layout()->contentsMargins();
+    const int room =
+        width() - margins.left() - margins.right() - m_listArea->verticalScrollBar()->sizeHint().width();
+    if (const int tooWide = m_list->sizeHint().width() - room; tooWide > 0)
+        m_list->setText(listOf(std::max(leastWords, widest - tooWide)));
+    fitList();
+}
+
+QString CurveComparison::listOf(int mostWords) const {
     const std::vector<std::string> parameters = mainParametersOf(m_tests);
-    const QString cell = QStringLiteral("<td align='%1' style='padding:1px 8px 1px 0'>%2</td>");
-    QString html = QStringLiteral("<table width='100%'><tr>") + cell.arg(QStringLiteral("left"), tr("Test")) +
+    const QString cell =
+        QStringLiteral("<td align='%1' valign='middle' style='padding:1px 8px 1px 0'>%2</td>");
+    QString html = QStringLiteral("<table width='100%'><tr>") +
+                   cell.arg(QStringLiteral("left"), strut() + tr("Test")) +
                    cell.arg(QStringLiteral("left"), QString()) + cell.arg(QStringLiteral("right"), unit());
     for (const std::string &parameter : parameters)
         html += cell.arg(QStringLiteral("right"), plainSymbolOf(parameter).toHtmlEscaped());
     html += QStringLiteral("</tr>");
     for (std::size_t i = 0; i < m_tests.size(); ++i) {
         const RegisteredTest &test = m_tests[i].test;
-        QStringList words;
-        for (const Text &word : {purposeText(test.purpose), roleText(test.role)}) {
-            if (!word.empty())
-                words << windowLanguage().text(word);
-        }
+        const QString words = m_list->fontMetrics().elidedText(wordsOf(test), Qt::ElideRight, mostWords);
         html += QStringLiteral("<tr>") +
                 cell.arg(QStringLiteral("left"), sampleOf(i, penOf(i), palette(), devicePixelRatioF())) +
                 cell.arg(QStringLiteral("left"),
                          (test.date ? windowLanguage().shortDate(*test.date) : QString()).toHtmlEscaped()) +
-                cell.arg(QStringLiteral("left"), words.join(QStringLiteral(" · ")).toHtmlEscaped());
+                cell.arg(QStringLiteral("left"), words.toHtmlEscaped());
         for (const std::string &parameter : parameters) {
             const auto result = std::ranges::find(test.results, parameter, &RegisteredResult::id);
             html += cell.arg(QStringLiteral("right"),
@@ -414,8 +436,34 @@ void CurveComparison::showList() {
         }
         html += QStringLiteral("</tr>");
     }
-    m_list->setText(html + QStringLiteral("</table>"));
-    m_listArea->updateGeometry();
+    return html + QStringLiteral("</table>");
+}
+
+/// Whole rows, as many as leave the charts their height.
+void CurveComparison::fitList() {
+    const int rows = static_cast<int>(m_tests.size()) + 1;
+    const int row = (m_list->sizeHint().height() + rows - 1) / rows;
+    const int others = heightOfOthers();
+    const int least = std::min(rows, leastRows + 1);
+    m_listArea->setFixedHeight(std::clamp((height() - others) / row, least, rows) * row);
+    setMinimumHeight(others + least * row);
+}
+
+int CurveComparison::heightOfOthers() const {
+    return layout()->minimumSize().height() - m_listArea->minimumHeight();
+}
+
+int CurveComparison::wantedHeight() const {
+    constexpr int goodCharts = 110; // more than they need
+    return heightOfOthers() + m_list->sizeHint().height() + goodCharts;
+}
+
+void CurveComparison::resizeEvent(QResizeEvent *event) {
+    QWidget::resizeEvent(event);
+    if (event->size().width() != event->oldSize().width())
+        showList();
+    else
+        fitList();
 }
 
 void CurveComparison::rebuildDifference() {
@@ -454,21 +502,22 @@ void CurveComparison::rebuildDifference() {
         chart.addSeries(line);
         line = new QLineSeries;
     };
+    const double along = unitScale(positionQuantity(), windowLanguage().units());
     for (const PlacedValue &value : m_difference->values) {
         if (value.value)
-            line->append(value.position, *value.value * scale());
+            line->append(value.position * along, *value.value * scale());
         else
             end();
     }
     end();
     delete line;
-    addAxes(chart, palette(), QStringLiteral("Δx̄"), unit());
+    addAxes(chart, palette(), QStringLiteral("Δx̄"), unit(), windowLanguage().unit(positionQuantity()));
     sayDifference(pen.color());
 }
 
 void CurveComparison::sayDifference(const QColor &ink) {
     const bool angular = m_tests.front().test.angular;
-    const Quantity position = angular ? Quantity::angle : Quantity::position;
+    const Quantity position = positionQuantity();
     m_travel->setText(tr("common travel %1 to %2")
                           .arg(windowLanguage().number(m_difference->from, position, 0),
                                windowLanguage().quantity(m_difference->to, position, 0)));
@@ -478,8 +527,9 @@ void CurveComparison::sayDifference(const QColor &ink) {
             windowLanguage().quantity(*largest.value,
                                       angular ? Quantity::angularDeviation : Quantity::deviation, 1) +
             QStringLiteral(" · ") + windowLanguage().quantity(largest.position, position, 0);
-        m_differences->setBox({largest.position, *largest.value * scale()},
-                              *largest.value > 0 ? u'+' + where : where, ink);
+        m_differences->setBox(
+            {largest.position * unitScale(position, windowLanguage().units()), *largest.value * scale()},
+            *largest.value > 0 ? u'+' + where : where, ink);
     }
 }
 

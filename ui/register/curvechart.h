@@ -54,6 +54,9 @@ public:
     void setTests(std::vector<ListedTest> tests);
     [[nodiscard]] const std::optional<CurveDifference> &difference() const { return m_difference; }
 
+    /// In which all rows of the list and both charts are seen well.
+    [[nodiscard]] int wantedHeight() const;
+
     static constexpr std::size_t mostCurves = 6;
 
 signals:
@@ -61,6 +64,7 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
 
 private:
     void rebuild();
@@ -68,6 +72,10 @@ private:
     void sayDifference(const QColor &ink);
     void retranslate();
     void showList();
+    [[nodiscard]] QString listOf(int mostWords) const;
+    void fitList();
+    [[nodiscard]] int heightOfOthers() const;
+    [[nodiscard]] Quantity positionQuantity() const;
     [[nodiscard]] QPen penOf(std::size_t curve) const;
     [[nodiscard]] double scale() const;
     [[nodiscard]] QString unit() const;

@@ -32,4 +32,18 @@ void drawNumberTag(QPainter &painter, const QPointF &centre, int number, const Q
     painter.restore();
 }
 
+void drawRoleMark(QPainter &painter, const QPointF &centre, TrendMark mark, const QColor &colour,
+                  const QPalette &palette) {
+    constexpr double radius = trendMarkRadius;
+    painter.setPen(QPen(colour, 1.5));
+    painter.setBrush(mark == TrendMark::asLeft ? colour : palette.color(QPalette::Base));
+    if (mark == TrendMark::otherSeries)
+        painter.drawRect(QRectF(centre.x() - radius, centre.y() - radius, 2 * radius, 2 * radius));
+    else if (mark == TrendMark::noRole)
+        painter.drawPolygon(QPolygonF{centre + QPointF(0, -radius), centre + QPointF(radius, 0.8 * radius),
+                                      centre + QPointF(-radius, 0.8 * radius)});
+    else
+        painter.drawEllipse(centre, radius, radius);
+}
+
 } // namespace palmer::ui

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "figures/figure.h"
+
 #include <QColor>
 #include <QPalette>
 #include <QPointF>
@@ -20,5 +22,11 @@ inline constexpr double leastTagDistance = 19; ///< between the middles of two, 
 
 /// `number` from 1.
 void drawNumberTag(QPainter &painter, const QPointF &centre, int number, const QPalette &palette);
+
+/// The mark of a test of the first series by its role: as found hollow, as left filled, not stated a
+/// triangle.
+inline constexpr double trendMarkRadius = 4.2;
+void drawRoleMark(QPainter &painter, const QPointF &centre, TrendMark mark, const QColor &colour,
+                  const QPalette &palette);
 
 } // namespace palmer::ui

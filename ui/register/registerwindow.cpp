@@ -6,6 +6,7 @@
 #include "document/savedocument.h"
 #include "export/resultsjson.h"
 #include "kernel/measurement/testfacts.h"
+#include "language/rounding.h"
 #include "register/history.h"
 #include "register/listing.h"
 #include "register/reevaluate.h"
@@ -108,6 +109,15 @@ QLabel *elided(const char *name, TextSize size) {
     label->setObjectName(QString::fromLatin1(name));
     label->setFont(themeFont(size));
     return label;
+}
+
+/// A line may end behind a comma and at a "·", never within a number or between it and its unit.
+QString inPieces(QString text) {
+    const QChar joined = QChar::Nbsp;
+    return text.replace(u'/', QStringLiteral("/\u2060"))
+        .replace(u' ', joined)
+        .replace(u',' + QString(joined), QStringLiteral(", "))
+        .replace(joined + QStringLiteral("·"), QStringLiteral(" ·"));
 }
 
 struct MachinesRead {
@@ -340,6 +350,7 @@ QWidget *RegisterWindow::makeRight() {
     row->addWidget(m_due);
     connect(m_interval, &QComboBox::activated, this, &RegisterWindow::setMonths);
     auto *splitter = new ThinSplitter(Qt::Vertical);
+    m_stacked = splitter;
     m_testsPart = makeTests();
     splitter->addWidget(m_testsPart);
     splitter->addWidget(makeTrend());
@@ -360,7 +371,8 @@ void RegisterWindow::makeTable() {
     m_table = new QTableView;
     m_table->setObjectName(QStringLiteral("tests"));
     m_table->setModel(m_sorted);
-    m_table->setItemDelegate(new TestDelegate(m_table));
+    m_delegate = new TestDelegate(m_table);
+    m_table->setItemDelegate(m_delegate);
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
     m_table->setSortingEnabled(true);
@@ -562,10 +574,15 @@ void RegisterWindow::showLegend() {
     const QString secondary = token(Token::secondaryText, palette()).name();
     const QString text = palette().color(QPalette::WindowText).name();
     const QString explanation = token(Token::explanation, palette()).name();
-    const std::array<std::pair<const char *, QString>, 6> signs{
-        {{"○", accent}, {"●", accent}, {"□", secondary}, {"━", text}, {"▬", accent}, {"┊", explanation}}};
+    const std::array<std::pair<const char *, QString>, 7> signs{{{"○", accent},
+                                                                 {"●", accent},
+                                                                 {"□", secondary},
+                                                                 {"━", text},
+                                                                 {"▬", accent},
+                                                                 {"┊", explanation},
+                                                                 {"△", accent}}};
     QStringList legend;
-    for (const QString &one : trendLegend(windowLanguage())) {
+    for (const QString &one : trendLegend(windowLanguage(), {m_trend->trend()})) {
         const auto &[sign, colour] = signs.at(static_cast<std::size_t>(legend.size()));
         // It breaks between the marks alone.
         legend << QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3")
@@ -577,15 +594,26 @@ void RegisterWindow::showLegend() {
 }
 
 void RegisterWindow::filterMachines() {
-    const int before = m_machine;
+    const int before = m_machine != 0 ? m_machine : m_chosenBefore;
     m_machines->setFilter(m_search->text(), m_unidentified->isChecked() ? MachineModel::Show::unidentified
                                             : m_toDo->isChecked()       ? MachineModel::Show::toDo
                                                                         : MachineModel::Show::identified);
     const int row = m_machines->rowOf(before);
     if (row >= 0)
         m_machineList->setCurrentIndex(m_machines->index(row));
-    else if (m_unidentified->isChecked() && m_machines->rowCount() > 0)
+    else if (m_machines->rowCount() > 0) // what is shown at the right stands in the list
         m_machineList->setCurrentIndex(m_machines->index(0));
+    else
+        chooseNone();
+}
+
+/// The list is empty; what was chosen is chosen again when it is back.
+void RegisterWindow::chooseNone() {
+    m_chosenBefore = m_machine;
+    m_machine = 0;
+    m_edition.clear();
+    m_anew.clear();
+    loadTests();
 }
 
 void RegisterWindow::moveInMachines(int rows) {
@@ -918,7 +946,8 @@ void RegisterWindow::showTests() {
     const auto grouped = [](std::size_t number) {
         return windowLanguage().number(static_cast<double>(number), Quantity::count);
     };
-    m_shownCount->setText(tr("%1 of %2 tests").arg(grouped(shown.size()), grouped(m_allTests.size())));
+    m_shownCount->setText(tr("%1 of %2 test(s)", nullptr, static_cast<int>(m_allTests.size()))
+                              .arg(grouped(shown.size()), grouped(m_allTests.size())));
     m_tests->setTests(std::move(shown));
     fitColumns();
     showFilters();
@@ -927,8 +956,12 @@ void RegisterWindow::showTests() {
 }
 
 void RegisterWindow::fitColumns() {
+    constexpr int leastValue = 44;
+    const auto widthIn = [](TextSize size, const QString &text) {
+        return QFontMetrics(themeFont(size)).horizontalAdvance(text) + 1;
+    };
     constexpr int markWidth = 30;
-    constexpr int resultWidth = 80;
+    constexpr int leastResult = 80;
     constexpr int limitsWidth = 104;
     constexpr int accordanceWidth = 110;
     constexpr int padding = 10;
@@ -942,10 +975,18 @@ void RegisterWindow::fitColumns() {
     m_table->setColumnWidth(TestTableModel::markColumn, markWidth);
     const int results = static_cast<int>(m_tests->results().size());
     const bool isWide = m_table->width() >= wide;
+    std::vector<int> valueWidths;
     for (int i = 0; i < results; ++i) {
-        m_table->setColumnHidden(TestTableModel::firstResult + i, !isWide && i >= fewResults);
-        m_table->setColumnWidth(TestTableModel::firstResult + i, resultWidth);
+        const int column = TestTableModel::firstResult + i;
+        const TestTableModel::Longest longest = m_tests->longest(static_cast<std::size_t>(i));
+        const int value = std::max(leastValue, widthIn(TextSize::base, longest.value));
+        const int least = std::max(leastResult, m_table->horizontalHeader()->sectionSizeHint(column));
+        valueWidths.push_back(value);
+        m_table->setColumnHidden(column, !isWide && i >= fewResults);
+        m_table->setColumnWidth(column, std::max(least, value + valueGap + 2 * resultPadding +
+                                                            widthIn(TextSize::small, longest.uncertainty)));
     }
+    m_delegate->setValueWidths(std::move(valueWidths));
     m_table->setColumnHidden(TestTableModel::firstResult + results, false); // where another axis had a result
     m_table->setColumnHidden(TestTableModel::firstResult + results + 1, false);
     const int limits = TestTableModel::firstResult + results;
@@ -965,8 +1006,8 @@ void RegisterWindow::fitColumns() {
     }
     // A narrow window shows the first quantity; the others stand in the trend.
     for (int i = std::min(results, fewResults) - 1; i > 0 && tooWide > 0; --i) {
+        tooWide -= m_table->columnWidth(TestTableModel::firstResult + i); // which is 0 once it is hidden
         m_table->setColumnHidden(TestTableModel::firstResult + i, true);
-        tooWide -= resultWidth;
     }
 }
 
@@ -1041,6 +1082,7 @@ void RegisterWindow::showTrend() {
     }
     const MachineTrend trend = machineTrend(list, m_parameter);
     m_trend->setTrend(trend, QDate::currentDate());
+    showLegend();
     m_trendTitle->setText(m_parameter.empty()
                               ? tr("Trend")
                               : tr("Trend of %1, %2").arg(plainSymbolOf(m_parameter), axisName(list)) +
@@ -1062,17 +1104,17 @@ void RegisterWindow::showFacts(const MachineTrend &trend) {
     QString html;
     if (trend.limit)
         html += QStringLiteral("<p style='margin:0'>%1</p>")
-                    .arg(tr("Limit %1").arg(language.quantity(*trend.limit, quantity, 1)).toHtmlEscaped());
+                    .arg(tr("Limit %1")
+                             .arg(language.quantity(*trend.limit, quantity,
+                                                    limitDecimals(*trend.limit, quantity, language.units())))
+                             .toHtmlEscaped());
     html +=
         QStringLiteral(
             "<p style='margin-top:2px;margin-bottom:8px;font-size:large'><b>%1</b></p><table width='100%'>")
             .arg(trendStatement(trend, language).toHtmlEscaped());
     for (const KeyValue &fact : trendFacts(trend, language))
-        html +=
-            QStringLiteral(
-                "<tr><td style='padding:2px 8px 2px 0'>%1</td><td align='right'><nobr>%2</nobr></td></tr>")
-                .arg(fact.key.toHtmlEscaped(), // in one piece: a word joiner where a line would break
-                     fact.value.toHtmlEscaped().replace(u'/', QStringLiteral("/\u2060")));
+        html += QStringLiteral("<tr><td style='padding:2px 8px 2px 0'>%1</td><td align='right'>%2</td></tr>")
+                    .arg(fact.key.toHtmlEscaped(), inPieces(fact.value).toHtmlEscaped());
     html += QStringLiteral("</table>");
     for (std::size_t i = 1; i < trend.series.size(); ++i)
         html += QStringLiteral("<p>□ %1</p>")
@@ -1132,6 +1174,25 @@ void RegisterWindow::compareCurves(bool compare) {
     m_comparison->setVisible(compare);
     fitTrend();
     showChosen();
+    giveRoomToCurves(compare);
+}
+
+/// Two charts and a list need more height than a trend; it comes back with the trend.
+void RegisterWindow::giveRoomToCurves(bool compare) {
+    constexpr int leastTests = 150; // filters, head and some rows
+    if (!compare) {
+        if (!m_heights.isEmpty())
+            m_stacked->setSizes(m_heights);
+        m_heights.clear();
+        return;
+    }
+    const QList<int> heights = m_stacked->sizes();
+    const int all = heights[0] + heights[1];
+    const int wanted = std::min(m_comparison->wantedHeight(), all - leastTests);
+    if (wanted <= heights[1])
+        return;
+    m_heights = heights;
+    m_stacked->setSizes({all - wanted, wanted});
 }
 
 /// The trend alone, below the name of the machine; or with the tests and the machines again.
@@ -1243,7 +1304,7 @@ void RegisterWindow::showProgress(int done, int total) {
     m_progress->setVisible(done < total);
     m_stop->setVisible(done < total);
     const auto grouped = [](int number) { return windowLanguage().number(number, Quantity::count); };
-    QString said = tr("reading %1 of %2 files").arg(grouped(done), grouped(total));
+    QString said = tr("reading %1 of %2 file(s)", nullptr, total).arg(grouped(done), grouped(total));
     const double passed = m_service.secondsOfScan();
     if (done > 0 && passed >= soonest)
         said +=

@@ -36,6 +36,7 @@ class FilterChip;
 class GhostRows;
 class HelpWindow;
 class RegisterService;
+class TestDelegate;
 class TestTableModel;
 class TrendChart;
 class UnidentifiedRow;
@@ -85,6 +86,7 @@ private:
     void showLegend();
 
     void filterMachines();
+    void chooseNone();
     void moveInMachines(int rows);
     void loadMachines();
     void takeMachines(std::vector<MachineRow> rows);
@@ -117,6 +119,7 @@ private:
     void chooseByDigest(const QString &digest);
     void openChosen();
     void compareCurves(bool compare);
+    void giveRoomToCurves(bool compare);
     void maximiseTrend(bool maximise);
     void evaluateUnder(const std::string &edition);
     void chooseFolders();
@@ -147,6 +150,7 @@ private:
     TestTableModel *m_tests = nullptr;
     QSortFilterProxyModel *m_sorted = nullptr;
     QTableView *m_table = nullptr;
+    TestDelegate *m_delegate = nullptr;
     QLabel *m_trendTitle = nullptr;
     QHBoxLayout *m_parameterRow = nullptr;
     QButtonGroup *m_parameterButtons = nullptr;
@@ -160,6 +164,8 @@ private:
     QWidget *m_factsColumn = nullptr;
     CurveComparison *m_comparison = nullptr;
     QSplitter *m_parts = nullptr;
+    QSplitter *m_stacked = nullptr; ///< tests above trend
+    QList<int> m_heights;           ///< of them, before curves were compared
     QWidget *m_side = nullptr;
     QWidget *m_head = nullptr;
     QWidget *m_testsPart = nullptr;
@@ -175,6 +181,7 @@ private:
     HelpWindow *m_help = nullptr;
 
     int m_machine = 0;                  ///< id of the chosen one; 0: none
+    int m_chosenBefore = 0;             ///< while the list is empty
     std::vector<ListedTest> m_allTests; ///< of the chosen machine
     std::vector<ListedTest> m_anew;     ///< those of the axis, evaluated under m_edition
     std::string m_edition;              ///< empty: each its own

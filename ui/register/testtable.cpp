@@ -12,17 +12,23 @@
 
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 
 namespace palmer::ui {
 
 namespace {
 
 constexpr std::size_t mostResults = 5;
-constexpr int valueWidth = 44;
 
 const RegisteredResult *resultOf(const RegisteredTest &test, const std::string &id) {
     const auto found = std::ranges::find(test.results, id, &RegisteredResult::id);
     return found == test.results.end() ? nullptr : &*found;
+}
+
+TrendMark markOf(TestRole role) {
+    return role == TestRole::asLeft    ? TrendMark::asLeft
+           : role == TestRole::asFound ? TrendMark::asFound
+                                       : TrendMark::noRole;
 }
 
 QString said(const Text &text) {
@@ -78,6 +84,49 @@ QVariant TestTableModel::resultData(const RegisteredTest &test, std::size_t colu
     if (role == Qt::DisplayRole)
         return shown.value;
     return role == uncertaintyRole ? QVariant(shown.uncertainty) : QVariant();
+}
+
+TestTableModel::Longest TestTableModel::longest(std::size_t result) const {
+    // Digits are alike in width: the numbers with the most characters are the widest. Only they are made.
+    const DisplayUnits &units = windowLanguage().units();
+    const RegisteredTest *value = nullptr;
+    const RegisteredTest *expanded = nullptr;
+    int mostOfValue = -1;
+    int mostOfExpanded = -1;
+    const auto characters = [](double number, int decimals) {
+        const double size = std::abs(number);
+        const int whole = size < 10 ? 1 : static_cast<int>(std::log10(size)) + 1;
+        return whole + (whole - 1) / 3 + (number < 0 ? 1 : 0) + decimals;
+    };
+    for (const ListedTest &listed : m_tests) {
+        const RegisteredResult *found = resultOf(listed.test, m_results[result]);
+        if (!found || !found->value)
+            continue;
+        const double scale =
+            unitScale(listed.test.angular ? Quantity::angularDeviation : Quantity::deviation, units);
+        const int ofValue = characters(*found->value * scale, found->decimals.value_or(0));
+        if (ofValue > mostOfValue) {
+            mostOfValue = ofValue;
+            value = &listed.test;
+        }
+        if (!found->expandedUncertainty)
+            continue;
+        const int ofExpanded =
+            characters(*found->expandedUncertainty * scale, found->uncertaintyDecimals.value_or(0));
+        if (ofExpanded > mostOfExpanded) {
+            mostOfExpanded = ofExpanded;
+            expanded = &listed.test;
+        }
+    }
+    Longest longest;
+    if (value)
+        longest.value =
+            shownResult(*resultOf(*value, m_results[result]), value->angular, windowLanguage()).value;
+    if (expanded)
+        longest.uncertainty =
+            shownResult(*resultOf(*expanded, m_results[result]), expanded->angular, windowLanguage())
+                .uncertainty;
+    return longest;
 }
 
 QVariant TestTableModel::limitsData(const RegisteredTest &test, int role) {
@@ -149,8 +198,8 @@ QVariant TestTableModel::data(const QModelIndex &index, int role) const {
     if (column == firstResult + results + 1)
         return accordanceData(test, role);
     if (column == markColumn) {
-        if (role == asLeftRole)
-            return test.role == TestRole::asLeft;
+        if (role == markRole)
+            return static_cast<int>(markOf(test.role));
         const auto number = m_numbers.find(listed.id);
         return role == numberRole && number != m_numbers.end() ? QVariant(number->second) : QVariant();
     }
@@ -215,7 +264,7 @@ void TestDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
         painter->fillRect(option.rect, selectedGround(palette));
     painter->setPen(token(Token::line, palette));
     painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
-    const QRect area = option.rect.adjusted(4, 0, -4, 0);
+    const QRect area = option.rect.adjusted(resultPadding, 0, -resultPadding, 0);
     const QString text = plain.text;
     QFont font = themeFont(TextSize::base);
     const QString icon = index.data(TestTableModel::iconRole).toString();
@@ -226,11 +275,9 @@ void TestDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
         if (number.isValid()) {
             drawNumberTag(*painter, centre, number.toInt(), palette);
         } else {
-            const QColor accent = token(Token::accent, palette);
-            const bool asLeft = index.data(TestTableModel::asLeftRole).toBool();
-            painter->setPen(QPen(accent, 1.5));
-            painter->setBrush(asLeft ? accent : palette.color(QPalette::Base));
-            painter->drawEllipse(centre, 4.2, 4.2);
+            drawRoleMark(*painter, centre,
+                         static_cast<TrendMark>(index.data(TestTableModel::markRole).toInt()),
+                         token(Token::accent, palette), palette);
         }
     } else if (!icon.isEmpty()) {
         const auto look = static_cast<Token>(index.data(TestTableModel::tokenRole).toInt());
@@ -241,14 +288,21 @@ void TestDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
         painter->setPen(colour);
         painter->drawText(area.adjusted(20, 0, 0, 0), Qt::AlignVCenter, text);
     } else if (index.column() >= TestTableModel::firstResult) {
+        // A number that is cut would read as another one.
+        const auto draw = [&](const QRect &room, Qt::Alignment side, const QString &number) {
+            painter->drawText(room, side | Qt::AlignVCenter,
+                              painter->fontMetrics().elidedText(number, Qt::ElideRight, room.width()));
+        };
+        const auto column = static_cast<std::size_t>(index.column() - TestTableModel::firstResult);
+        const int wanted = column < m_valueWidths.size() ? m_valueWidths[column] : area.width();
+        const QRect value(area.left(), area.top(), std::min(wanted, area.width()), area.height());
         painter->setFont(font);
         painter->setPen(palette.color(QPalette::Text));
-        painter->drawText(QRect(area.left(), area.top(), valueWidth, area.height()),
-                          Qt::AlignRight | Qt::AlignVCenter, text);
+        draw(value, Qt::AlignRight, text);
         painter->setFont(themeFont(TextSize::small));
         painter->setPen(token(Token::secondaryText, palette));
-        painter->drawText(area.adjusted(valueWidth + 4, 0, 0, 0), Qt::AlignLeft | Qt::AlignVCenter,
-                          uncertainty);
+        if (const QRect rest = area.adjusted(value.width() + valueGap, 0, 0, 0); rest.width() > 0)
+            draw(rest, Qt::AlignLeft, uncertainty);
     } else {
         painter->setFont(font);
         painter->setPen(palette.color(QPalette::Text));

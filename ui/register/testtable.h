@@ -11,6 +11,9 @@
 
 namespace palmer::ui {
 
+inline constexpr int valueGap = 4;      ///< between a value and its U, px
+inline constexpr int resultPadding = 4; ///< at either side of a cell
+
 /// The tests of a machine: a row each, with the main results of the axis in view.
 class TestTableModel : public QAbstractTableModel {
     Q_OBJECT
@@ -19,13 +22,20 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     enum Column { markColumn, dateColumn, axisColumn, editionColumn, purposeColumn, roleColumn, firstResult };
-    enum Role { sortRole = Qt::UserRole + 1, uncertaintyRole, iconRole, tokenRole, numberRole, asLeftRole };
+    /// markRole: the TrendMark of its role.
+    enum Role { sortRole = Qt::UserRole + 1, uncertaintyRole, iconRole, tokenRole, numberRole, markRole };
 
     void setTests(std::vector<ListedTest> tests);
     [[nodiscard]] const ListedTest &test(int row) const { return m_tests[static_cast<std::size_t>(row)]; }
     /// The number of its curve, from 1, shown in place of the mark of the point.
     void setNumbers(std::map<int, int> numbers);
     [[nodiscard]] const std::vector<std::string> &results() const { return m_results; }
+    /// The longest texts of the column of a result: values and their U stand below each other.
+    struct Longest {
+        QString value;
+        QString uncertainty;
+    };
+    [[nodiscard]] Longest longest(std::size_t result) const;
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
@@ -50,8 +60,13 @@ class TestDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
+    /// The room of the values of each result column, px; their U stands behind it.
+    void setValueWidths(std::vector<int> widths) { m_valueWidths = std::move(widths); }
     void paint(QPainter *painter, const QStyleOptionViewItem &option,
                const QModelIndex &index) const override;
+
+private:
+    std::vector<int> m_valueWidths;
 };
 
 } // namespace palmer::ui

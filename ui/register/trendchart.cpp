@@ -6,21 +6,21 @@
 #include "register/trendfigure.h"
 #include "report/words/wording.h"
 #include "ui/figures/zoomkeys.h"
+#include "ui/register/numberaxis.h"
 #include "ui/register/numbertag.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
 #include <QAreaSeries>
+#include <QCategoryAxis>
 #include <QChart>
 #include <QEvent>
 #include <QGraphicsLayout>
 #include <QKeyEvent>
 #include <QLegend>
 #include <QLineSeries>
-#include <QLocale>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QValueAxis>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
@@ -29,7 +29,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double markRadius = 4.2;
 constexpr double chosenRadius = 8;
 constexpr double capWidth = 3;
 constexpr double hatchHeight = 6;
@@ -116,33 +115,19 @@ void TrendChart::rebuild() {
     }
     m_panel = trendPanel(m_trend, trendSpan({m_trend}, m_today), m_today, windowLanguage(), mostTicks);
     const QPalette look = palette();
-    QLocale numbers(windowLanguage().code());
-    numbers.setNumberOptions(QLocale::OmitGroupSeparator); // years
-    chart()->setLocale(numbers);
-    chart()->setLocalizeNumbers(true);
     chart()->setBackgroundBrush(look.color(QPalette::Base));
     const QColor accent = token(Token::accent, look);
     const QColor text = look.color(QPalette::Text);
-    const auto axis = [&](Qt::Alignment side, const FigureAxis &range, bool years) {
-        auto *made = new QValueAxis;
-        made->setRange(range.from, range.to);
-        made->setTickType(QValueAxis::TicksDynamic);
-        made->setTickAnchor(0);
-        made->setTickInterval(years ? std::max(1.0, range.step) : range.step);
-        made->setLabelFormat(years            ? QStringLiteral("%.0f")
-                             : range.step < 1 ? QStringLiteral("%.1f")
-                                              : QStringLiteral("%.0f"));
-        made->setLabelsColor(token(Token::secondaryText, look));
-        made->setLabelsFont(themeFont(TextSize::tiny));
-        made->setTruncateLabels(false); // "…" says nothing: in a low chart some are left out
-        made->setGridLineColor(token(Token::line, look));
+    const auto axis = [&](Qt::Alignment side, const FigureAxis &range) {
+        QCategoryAxis *made = makeNumberAxis(range, look);
         made->setLinePenColor(text);
         chart()->addAxis(made, side);
         return made;
     };
-    m_x = axis(Qt::AlignBottom, m_panel.x, true);
-    m_y = axis(Qt::AlignLeft, m_panel.y, false);
-    for (QValueAxis *one : {m_x, m_y})
+    m_x = axis(Qt::AlignBottom, m_panel.x);
+    m_y = axis(Qt::AlignLeft, m_panel.y);
+    connect(m_x, &QValueAxis::rangeChanged, this, [this] { fillTicks(*m_x, m_panel.x); });
+    for (QCategoryAxis *one : {m_x, m_y})
         one->setVisible(!m_panel.values.empty());
     if (!m_panel.band.empty())
         addBand(accent);
@@ -207,10 +192,7 @@ void TrendChart::drawForeground(QPainter *painter, const QRectF &rect) {
     if (today < plot.right()) {
         painter->setPen(QPen(token(Token::secondaryText, look), 1));
         painter->drawLine(QPointF(today, plot.top()), QPointF(today, plot.bottom()));
-        painter->setFont(themeFont(TextSize::tiny));
-        const double width = painter->fontMetrics().horizontalAdvance(tr("today"));
-        const bool fits = today + 5 + width < plot.right();
-        painter->drawText(QPointF(fits ? today + 5 : today - 5 - width, plot.top() + 14), tr("today"));
+        drawToday(*painter, plot, today);
     }
     drawInterventions(*painter, plot);
     drawInterventionNames(*painter, plot);
@@ -221,6 +203,42 @@ void TrendChart::drawForeground(QPainter *painter, const QRectF &rect) {
     drawNotBefore(*painter, plot);
     drawLabel(*painter, plot);
     painter->restore();
+}
+
+/// Beside its line, where neither a limit nor a value stands.
+void TrendChart::drawToday(QPainter &painter, const QRectF &plot, double today) const {
+    painter.setFont(themeFont(TextSize::tiny));
+    const QFontMetrics metrics = painter.fontMetrics();
+    const double width = metrics.horizontalAdvance(tr("today"));
+    const bool fits = today + 5 + width < plot.right();
+    QRectF place(fits ? today + 5 : today - 5 - width, plot.top() + 3, width, metrics.height());
+    for (const double top = place.top(); place.bottom() < plot.bottom(); place.translate(0, 4)) {
+        if (isFree(place))
+            break;
+        if (place.bottom() + 4 >= plot.bottom()) { // nowhere
+            place.moveTop(top);
+            break;
+        }
+    }
+    painter.drawText(place, Qt::AlignCenter, tr("today"));
+}
+
+bool TrendChart::isFree(const QRectF &area) const {
+    const QRectF wide = area.adjusted(-2, -hatchHeight - 1, 2, hatchHeight + 1);
+    for (const auto &limit : m_panel.limits) {
+        for (std::size_t i = 0; i + 1 < limit.size(); ++i) {
+            const QPointF from = place(limit[i]);
+            const QPointF to = place(limit[i + 1]);
+            if (wide.intersects(QRectF(from, to).normalized().adjusted(-1, -1, 1, 1)))
+                return false;
+        }
+    }
+    return std::ranges::none_of(m_panel.values, [&](const TrendValue &value) {
+        const double reach = value.expanded.value_or(0);
+        return wide.intersects(
+            QRectF(place({value.x, value.y + reach}), place({value.x, value.y - reach}))
+                .adjusted(-trendMarkRadius, -trendMarkRadius, trendMarkRadius, trendMarkRadius));
+    });
 }
 
 void TrendChart::drawInterventions(QPainter &painter, const QRectF &plot) const {
@@ -335,7 +353,6 @@ void TrendChart::drawTags(QPainter &painter, const QRectF &plot) const {
 
 void TrendChart::drawValues(QPainter &painter, const QRectF &plot) const {
     const QPalette look = palette();
-    const QColor base = look.color(QPalette::Base);
     for (std::size_t i = 0; i < m_panel.values.size(); ++i) {
         const TrendValue &value = m_panel.values[i];
         const QPointF at = place({value.x, value.y});
@@ -353,13 +370,7 @@ void TrendChart::drawValues(QPainter &painter, const QRectF &plot) const {
             painter.drawLine(QPointF(at.x() - capWidth, top), QPointF(at.x() + capWidth, top));
             painter.drawLine(QPointF(at.x() - capWidth, bottom), QPointF(at.x() + capWidth, bottom));
         }
-        painter.setPen(QPen(colour, 1.5));
-        painter.setBrush(value.mark == TrendMark::asLeft ? colour : base);
-        if (other)
-            painter.drawRect(
-                QRectF(at.x() - markRadius, at.y() - markRadius, 2 * markRadius, 2 * markRadius));
-        else
-            painter.drawEllipse(at, markRadius, markRadius);
+        drawRoleMark(painter, at, value.mark, colour, look);
         if (value.exceeds)
             drawLineIcon(painter, QRect(static_cast<int>(at.x()) - 24, static_cast<int>(at.y()) - 8, 16, 16),
                          QStringLiteral("cross"), colour);

@@ -10,9 +10,9 @@
 #include <map>
 #include <vector>
 
+class QCategoryAxis;
 class QLineSeries;
 class QScatterSeries;
-class QValueAxis;
 
 namespace palmer::ui {
 
@@ -30,6 +30,7 @@ public:
     /// What a test is called under the pointer.
     [[nodiscard]] QString label(std::size_t value) const;
     [[nodiscard]] const TrendPanel &panel() const { return m_panel; }
+    [[nodiscard]] const MachineTrend &trend() const { return m_trend; }
     void showAll();
     /// In by so many steps of the wheel about the middle, out where negative.
     void zoomBy(int steps);
@@ -54,6 +55,8 @@ private:
     void addLine(const std::vector<QPointF> &points, const QPen &pen);
     [[nodiscard]] QPointF place(const QPointF &value) const;
     [[nodiscard]] std::optional<std::size_t> valueAt(const QPointF &position) const;
+    void drawToday(QPainter &painter, const QRectF &plot, double today) const;
+    [[nodiscard]] bool isFree(const QRectF &area) const; ///< of limits and values
     void drawInterventions(QPainter &painter, const QRectF &plot) const;
     void drawInterventionNames(QPainter &painter, const QRectF &plot) const;
     void drawForbidden(QPainter &painter, const QRectF &plot) const;
@@ -70,8 +73,8 @@ private:
     std::map<QString, int> m_chosen;
     std::optional<std::size_t> m_hovered;
     QPointF m_pressed;
-    QValueAxis *m_x = nullptr;
-    QValueAxis *m_y = nullptr;
+    QCategoryAxis *m_x = nullptr;
+    QCategoryAxis *m_y = nullptr;
 };
 
 } // namespace palmer::ui

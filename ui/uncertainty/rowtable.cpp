@@ -22,6 +22,7 @@ constexpr int heightOfHead = 26;
 constexpr double barHeight = 9;
 constexpr int markSize = 16;
 constexpr double widestHistogram = 180;
+constexpr double outdatedOpacity = 0.4;
 
 /// What the mark and the words of a warning take at the right of a cell.
 int warningWidth(const QString &warning, const QFontMetrics &metrics) {
@@ -60,6 +61,8 @@ public:
             QRectF plot = inner.adjusted(0, 3, 0, -2);
             plot.setWidth(std::min(plot.width(), widestHistogram));
             painter->setRenderHint(QPainter::Antialiasing);
+            if (index.data(RowTable::outdatedRole).toBool())
+                painter->setOpacity(outdatedOpacity);
             drawHistogramBars(*painter, plot, *figure, medium, 2);
         }
         if (room > 0) {

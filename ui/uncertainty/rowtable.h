@@ -23,6 +23,7 @@ public:
         firstRole,                  ///< bool: of a bar, it is what is to be improved first
         histogramRole,              ///< index of a histogram handed over with setHistograms()
         warningRole,                ///< QString: a warning mark and these words behind the text
+        outdatedRole,               ///< bool: a histogram stands back
         keyRole,                    ///< of the first cell of a row: what the row stands for
     };
 

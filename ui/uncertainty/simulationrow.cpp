@@ -55,12 +55,17 @@ void SimulationRow::show(const EvaluatedDocument &evaluated, std::size_t test, c
     refresh();
 }
 
+void SimulationRow::focusButton() {
+    (m_start->isVisibleTo(this) ? m_start : m_cancel)->setFocus(Qt::TabFocusReason);
+}
+
 void SimulationRow::refresh() {
     if (m_test >= m_evaluated.tests.size())
         return;
     const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
     const auto trials = [this](long long count) {
-        return tr("%1 trials").arg(m_language.number(static_cast<double>(count), Quantity::count, 0));
+        return tr("%1 trial(s)", nullptr, static_cast<int>(count))
+            .arg(m_language.number(static_cast<double>(count), Quantity::count, 0));
     };
     const bool running = m_simulator.isRunning() && m_simulator.test() == m_test;
     m_text->setFont(themeFont(TextSize::small));
@@ -87,13 +92,13 @@ void SimulationRow::refresh() {
         if (progress.of)
             m_bar->setValue(static_cast<int>(percent * progress.trials / *progress.of));
     } else if (const auto &simulation = evaluation.uncertainty.simulation) {
+        if (evaluation.uncertainty.outdated) // first: what has no room goes from the end
+            parts << tr("outdated: edited since");
         parts << trials(simulation->trials) << tr("seed %1").arg(simulation->seed);
         if (simulation->stable && simulation->mayDecide())
             parts << tr("stable to half a unit of the second digit of u");
         if (!simulation->mayDecide())
             parts << tr("too few to decide");
-        if (evaluation.uncertainty.outdated)
-            parts << tr("outdated: edited since");
     } else {
         parts << (evaluation.uncertainty.wantsSimulation() ? tr("not simulated yet")
                                                            : tr("needs a complete budget"));

@@ -22,6 +22,8 @@ public:
     SimulationRow(Simulator &simulator, QWidget *parent);
 
     void show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language);
+    /// The focus to the button that starts it, or cancels what is running.
+    void focusButton();
 
 private:
     void refresh();

@@ -243,7 +243,41 @@ QString UncertaintyPage::missingText(int count) const {
         return tr("uncertainty not stated");
     if (method && *method == UncertaintyMethod::direct)
         return tr("not every uncertainty stated");
+    if (awaitsSimulation())
+        return tr("simulation not made yet");
     return tr("%n input(s) of the budget missing", nullptr, count);
+}
+
+/// Nothing is to be stated: the simulation that is to decide was not started.
+bool UncertaintyPage::awaitsSimulation() const {
+    if (!m_simulation || test() >= evaluated().tests.size())
+        return false;
+    const UncertaintyEvaluation &uncertainty = evaluated().tests[test()]->uncertainty;
+    return uncertainty.method == UncertaintyMethod::monteCarlo && uncertainty.wantsSimulation() &&
+           !uncertainty.simulation;
+}
+
+void UncertaintyPage::focusSimulation() {
+    showPart(*m_simulation);
+    m_simulation->focusButton();
+}
+
+bool UncertaintyPage::focusField(const QString &id) {
+    if (Form::focusField(id))
+        return true;
+    if (!awaitsSimulation())
+        return false;
+    focusSimulation();
+    return true;
+}
+
+bool UncertaintyPage::focusNextRequired(bool forward) {
+    if (Form::focusNextRequired(forward))
+        return true;
+    if (!awaitsSimulation() || m_simulation->isAncestorOf(QApplication::focusWidget()))
+        return false;
+    focusSimulation();
+    return true;
 }
 
 // ---- Building --------------------------------------------------------------------------------------------
@@ -782,7 +816,8 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
         if (!parameter.simulated)
             continue;
         showSimulated(row, parameter);
-        if (auto figure = histogramFigure(*shownTest(), evaluation, parameter, language())) {
+        if (auto figure = histogramFigure(*shownTest(), evaluation, parameter, language(),
+                                          finestResolution(*evaluated().document, *shownTest()))) {
             auto *distribution = m_results->setCell(row, column::distribution, {}, false);
             distribution->setData(RowTable::histogramRole, static_cast<int>(histograms.size()));
             distribution->setData(Qt::AccessibleTextRole, figure->title);
@@ -791,6 +826,8 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
         }
         if (parameter.budgetUncertainty && *parameter.budgetUncertainty > 0)
             showDifference(row, parameter);
+        if (evaluation.uncertainty.outdated)
+            showOutdated(row);
     }
     m_results->setHistograms(std::move(histograms));
     constexpr int leastHistogram = 70;
@@ -803,7 +840,10 @@ void UncertaintyPage::showResults(const TestEvaluation &evaluation) {
     const Writer write(language());
     const TestPart part{write, evaluated(), *shownTest(), evaluation, test(), 1, 1};
     m_decides->setFont(themeFont(TextSize::small));
-    m_decides->setText(tr("Bold: the U used for the verdict.") + u' ' + methodText(part));
+    QStringList said{tr("Bold: the U used for the verdict."), methodText(part)};
+    if (evaluation.uncertainty.outdated)
+        said.prepend(tr("Grey: simulated before the last edit of the test, outdated."));
+    m_decides->setText(said.join(u' '));
 }
 
 void UncertaintyPage::nameResultColumns(UncertaintyMethod method) {
@@ -896,6 +936,24 @@ void UncertaintyPage::showSimulated(int row, const Parameter &parameter) {
     }
 }
 
+/// What a simulation before the last edit gave stands back, and nothing of it is bold.
+void UncertaintyPage::showOutdated(int row) {
+    namespace column = resultColumn;
+    for (const int at :
+         {column::simulation, column::interval, column::distribution, column::shift, column::difference}) {
+        QTableWidgetItem *cell = m_results->item(row, at);
+        QFont font = cell->font();
+        font.setBold(false);
+        if (cell->data(Qt::FontRole).isValid())
+            cell->setFont(font);
+        cell->setForeground(token(Token::secondaryText, palette()));
+        cell->setData(RowTable::outdatedRole, true);
+        cell->setData(RowTable::warningRole, {});
+        const QString read = cell->data(Qt::AccessibleTextRole).toString();
+        cell->setData(Qt::AccessibleTextRole, tr("%1, outdated").arg(read.isEmpty() ? cell->text() : read));
+    }
+}
+
 /// Of the U of the simulation from that of the budget.
 void UncertaintyPage::showDifference(int row, const Parameter &parameter) {
     const double ratio = parameter.simulated->expanded() / *parameter.budgetUncertainty - 1;
@@ -920,12 +978,16 @@ void UncertaintyPage::showDistribution() {
     std::optional<HistogramFigure> figure;
     for (const Parameter &parameter : evaluation.parameters) {
         if (QString::fromStdString(parameterId(parameter)) == m_chosen)
-            figure = histogramFigure(*shownTest(), evaluation, parameter, language());
+            figure = histogramFigure(*shownTest(), evaluation, parameter, language(),
+                                     finestResolution(*evaluated().document, *shownTest()));
     }
     m_distribution->setVisible(figure.has_value());
     m_distributionTitle->setVisible(figure.has_value());
     m_distributionTitle->setFont(themeFont(TextSize::head));
-    m_distributionTitle->setText(figure ? figure->title : QString());
+    m_distributionTitle->setText(figure && evaluation.uncertainty.outdated
+                                     ? tr("%1, outdated").arg(figure->title)
+                                 : figure ? figure->title
+                                          : QString());
     m_distribution->setAccessibleName(figure ? figure->title : QString());
     m_distribution->setAccessibleDescription(
         figure ? QStringList{figure->evaluatedText, figure->meanText, figure->coverageText}.join(

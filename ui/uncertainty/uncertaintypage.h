@@ -31,6 +31,9 @@ public:
     UncertaintyPage(DocumentModel &model, Evaluator &evaluator, Selection &selection,
                     QWidget *parent = nullptr);
 
+    bool focusField(const QString &id) override;
+    bool focusNextRequired(bool forward) override;
+
 protected:
     void prepare() override;
     void refreshOthers() override;
@@ -51,6 +54,8 @@ private:
     void chooseMethod(UncertaintyMethod method);
     void fillTypical();
     void focusContribution(const QString &id);
+    [[nodiscard]] bool awaitsSimulation() const;
+    void focusSimulation();
 
     void showMethods(const TestEvaluation &evaluation);
     void showPlaceholders(const TestEvaluation &evaluation);
@@ -59,6 +64,7 @@ private:
     void nameResultColumns(UncertaintyMethod method);
     void showResult(int row, const Parameter &parameter, const TestEvaluation &evaluation);
     void showSimulated(int row, const Parameter &parameter);
+    void showOutdated(int row);
     void showDifference(int row, const Parameter &parameter);
     void showDistribution();
     [[nodiscard]] QString shortName(const Contribution &contribution) const;

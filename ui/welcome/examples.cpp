@@ -53,10 +53,11 @@ constexpr std::array rows{
 // What an example of the kind holds.
 
 QString words(const PositioningMeasurement &measurement, const Test &test) {
-    return QCoreApplication::translate("examples", "%1 · %2 targets, %3 runs")
+    const char *counted = QT_TRANSLATE_N_NOOP("examples", "%1 · %2 targets, %n run(s)");
+    return QCoreApplication::translate("examples", counted, nullptr,
+                                       static_cast<int>(measurement.runs.size()))
         .arg(QString::fromStdString(test.edition))
-        .arg(measurement.targets.size())
-        .arg(measurement.runs.size());
+        .arg(measurement.targets.size());
 }
 
 QString words(const CircularMeasurement &measurement, const Test &test) {

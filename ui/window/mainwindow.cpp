@@ -241,7 +241,11 @@ void MainWindow::connectParts() {
     connect(m_welcome, &WelcomePage::openAsked, this, &MainWindow::chooseFile);
     connect(m_welcome, &WelcomePage::importAsked, this, &MainWindow::chooseMeasurements);
     connect(m_welcome, &WelcomePage::fileChosen, this, [this](const QString &path) { openFile(path); });
-    connect(&m_model, &DocumentModel::changed, this, [this] { m_evaluator.setDocument(m_model.document()); });
+    connect(&m_model, &DocumentModel::changed, this, [this] {
+        m_evaluator.setDocument(m_model.document());
+        if (m_verified)
+            m_reportBar->setEdited(*m_model.document() != *m_verified);
+    });
     connect(&m_model, &DocumentModel::fileChanged, this, &MainWindow::showState);
     connect(&m_evaluator, &Evaluator::evaluated, this, [this](const EvaluatedDocument &evaluated) {
         workplace().show(evaluated);
@@ -511,8 +515,7 @@ MainWindow *MainWindow::take(Document document, const QString &path, bool modifi
                              const QString &reportPath) {
     if (m_open) {
         auto *other = new MainWindow;
-        other->resize(size());
-        other->move(pos() + QPoint(24, 24));
+        placeBeside(*this, *other);
         other->show();
         return other->take(std::move(document), path, modified, reportPath);
     }
@@ -533,6 +536,7 @@ MainWindow *MainWindow::take(Document document, const QString &path, bool modifi
 
 MainWindow *MainWindow::takeReport(const OpenedReport &report, const QString &path) {
     MainWindow *window = take(*report.evaluated.document, {}, false, path);
+    window->m_verified = report.evaluated.document;
     const auto verify = [window, report] {
         try {
             window->m_reportBar->showResult(verifyReport(report));
@@ -868,6 +872,9 @@ void MainWindow::setEdition(std::size_t test, const QString &edition) {
 }
 
 void MainWindow::step(bool forward) {
+    // What is no step yet, for it cannot be taken, goes before what came earlier elsewhere.
+    if (!forward && workplace().undoTyping())
+        return;
     QUndoStack *stack = m_model.undoStack();
     if (forward ? !stack->canRedo() : !stack->canUndo())
         return;

@@ -181,7 +181,8 @@ private:
     QStringList m_reading; ///< files being read
     std::shared_ptr<ReadProgress> m_progress = std::make_shared<ReadProgress>();
     Background m_reader;
-    QString m_reportPath; ///< of the report that the document was opened from; empty: it was not
+    DocumentPointer m_verified; ///< what a report that was opened holds; null: none was
+    QString m_reportPath;       ///< of the report that the document was opened from; empty: it was not
     bool m_open = false;
     bool m_rememberNext = false;
     QStringList m_toImport; ///< measurement files that wait for the assistant

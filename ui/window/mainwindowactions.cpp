@@ -273,6 +273,7 @@ void MainWindow::makeMenus() {
         return m_menus.at(static_cast<std::size_t>(menu));
     };
     QActionGroup *group = nullptr; // those that can be checked and stand together exclude each other
+    const QMenu *groupedIn = nullptr;
     for (const MenuRow &row : menuRows()) {
         QMenu *menu = menuOf(row.menu);
         QAction *action = nullptr;
@@ -282,7 +283,11 @@ void MainWindow::makeMenus() {
             action = row.name ? addAction(*menu, row) : menu->addSeparator();
         if (row.action != WindowAction::none)
             m_actions.at(static_cast<std::size_t>(row.action)) = action;
-        group = row.more.checkable ? group ? group : new QActionGroup(this) : nullptr;
+        if (!row.more.checkable)
+            group = nullptr;
+        else if (!group || groupedIn != menu)
+            group = new QActionGroup(this);
+        groupedIn = menu;
         if (group)
             group->addAction(action);
     }

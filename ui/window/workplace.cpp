@@ -14,6 +14,7 @@
 #include "ui/figures/figureview.h"
 #include "ui/forms/agreedpointspage.h"
 #include "ui/forms/conditionspage.h"
+#include "ui/forms/field.h"
 #include "ui/forms/limitspage.h"
 #include "ui/forms/reportpages.h"
 #include "ui/model/editname.h"
@@ -246,6 +247,7 @@ void Workplace::makePages(QWidget *centre) {
     m_circles->setAttribute(Qt::WA_StyledBackground);
     m_circles->setProperty("ground", QStringLiteral("base"));
     m_circlesPlace->setWidget(m_circles);
+    m_circlesPlace->setFocusProxy(m_circles);
     m_readingPages->addWidget(m_readings); // in the order of the kinds
     m_drift = new DriftPage(m_model, m_selection, m_readingPages);
     m_readingPages->addWidget(m_circlesPlace);
@@ -483,7 +485,7 @@ void Workplace::showChangedMeasurement(const Test &before, const Test &after) {
 
 void Workplace::showChanged(const PositioningMeasurement &was, const PositioningMeasurement &is) {
     if (const auto reading = changedReading(was, is))
-        m_selection.setReading(reading);
+        m_readings->showReading(*reading);
     else if (const auto target = changedTarget(was, is))
         m_readings->showTarget(*target);
 }
@@ -619,8 +621,14 @@ void Workplace::presentStatusOf(const DriftMeasurement &measurement) {
 void Workplace::presentStatusOf(const PositioningMeasurement &measurement) {
     const auto targetCount = static_cast<int>(measurement.targets.size());
     const QString targets = withGroups(tr("%n target(s)", nullptr, targetCount), targetCount);
-    const auto runCount = static_cast<int>(measurement.runs.size());
-    const QString runs = withGroups(tr("%n run(s)", nullptr, runCount), runCount);
+    // As the table counts them: a run is one way and back.
+    const auto up =
+        static_cast<int>(std::ranges::count(measurement.runs, Direction::positive, &Run::approach));
+    const auto down = static_cast<int>(measurement.runs.size()) - up;
+    const QString runs = up == down  ? withGroups(tr("%n run(s) each way", nullptr, up), up)
+                         : down == 0 ? withGroups(tr("%n run(s) ↑", nullptr, up), up)
+                         : up == 0   ? withGroups(tr("%n run(s) ↓", nullptr, down), down)
+                                     : tr("runs: %1 ↑, %2 ↓").arg(up).arg(down);
     emit contentChanged(targets + QStringLiteral(" · ") + runs);
     const auto place = m_selection.hovered() ? m_selection.hovered() : m_selection.reading();
     if (!place || place->run >= measurement.runs.size() ||
@@ -660,6 +668,18 @@ void Workplace::presentStatusOf(const CircularMeasurement &measurement) {
     const QString read = pointText(measurement, place->run, place->target, windowLanguage());
     const QString drawn = m_figure->deviationText(*place); // about another centre it is another number
     emit hintChanged(drawn.isEmpty() ? read : tr("%1 · in the figure %2").arg(read, drawn));
+}
+
+bool Workplace::undoTyping() {
+    const QWidget *focused = window()->focusWidget();
+    auto *field = focused ? qobject_cast<Field *>(focused->parentWidget()) : nullptr;
+    if (field)
+        return field->undoRefused();
+    if (m_readings->isAncestorOf(focused))
+        return m_readings->undoRefused();
+    if (m_drift->isAncestorOf(focused))
+        return m_drift->undoRefused();
+    return m_circles->isAncestorOf(focused) && m_circles->undoRefused();
 }
 
 QStringList Workplace::refusedTexts() const {

@@ -56,6 +56,8 @@ public:
     [[nodiscard]] ReadingsPage &readings() { return *m_readings; }
     /// What was typed anywhere and cannot be taken: shown in red, in no document.
     [[nodiscard]] QStringList refusedTexts() const;
+    /// Takes back what stands refused in the field or table that has the focus; false: nothing does.
+    bool undoTyping();
     [[nodiscard]] CirclesPage &circles() { return *m_circles; }
 
     /// Shows the document, keeping what is chosen where it still exists. Of a test that is pending the pages

@@ -18,6 +18,7 @@
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QTableView>
 #include <QTest>
 #include <QTimer>
@@ -395,6 +396,78 @@ private slots:
         QCOMPARE(shown.model.undoStack()->count(), 1); // one paste, one step
         shown.model.undoStack()->undo();
         QVERIFY(*shown.model.document() == before);
+    }
+
+    /// Angle and deviation without a heading: nothing comes in before the guesses are confirmed.
+    void whatIsGuessedOfAnArcIsConfirmedFirst() {
+        CircularMeasurement circle;
+        circle.nominalRadius = 150;
+        QString text;
+        for (int angle = 0; angle <= 360; angle += 5)
+            text += QString("%1\t%2\n")
+                        .arg(angle)
+                        .arg(QString::number(
+                                 3 * std::cos(angle * 0.0174533) + 1.5 * std::cos(angle * 0.0349066), 'f', 2)
+                                 .replace('.', ','));
+        ArcDialog dialog(circle, Language(Language::Id::english), text);
+        dialog.show();
+        auto *add = dialog.findChild<QPushButton *>("addArcs");
+        const auto confirm = [&](const char *id) {
+            QPushButton *found = nullptr;
+            for (auto *button : dialog.findChildren<QPushButton *>(QString("confirm.") + id))
+                found = button->isVisibleTo(&dialog) ? button : found;
+            return found;
+        };
+        const auto settle = [] { QTest::qWait(10); };
+        settle();
+        QVERIFY(!add->isEnabled());
+        QVERIFY(dialog.findChild<QLabel *>("arcProblem")->text().contains("to answer"));
+        QVERIFY(dialog.findChild<QLabel *>("arcPaths")
+                    ->text()
+                    .startsWith("read as angle, radial deviation, in µm"));
+        QVERIFY(std::abs(dialog.arcs().at(0).radialDeviations.at(0) - 0.0045) < 1e-12);
+        // Read as coordinates, as the user says: deviations of metres are asked about.
+        auto *content = dialog.findChild<QComboBox *>("arcContent");
+        content->setCurrentIndex(3);
+        settle();
+        QVERIFY(confirm("large"));
+        QVERIFY(!add->isEnabled());
+        content->setCurrentIndex(0);
+        settle();
+        QVERIFY(!confirm("large"));
+        QVERIFY(confirm("layout") && confirm("unit"));
+        confirm("layout")->click();
+        settle();
+        QCOMPARE(content->currentIndex(), 1);
+        QVERIFY(!add->isEnabled());
+        dialog.findChild<QPushButton *>("confirmAll")->click();
+        settle();
+        QStringList open;
+        for (const auto *row : dialog.findChildren<QWidget *>(QRegularExpression("^question\\.")))
+            open << (row->isVisibleTo(&dialog) ? row->objectName() : QString());
+        open.removeAll(QString());
+        QVERIFY2(add->isEnabled(),
+                 qPrintable(open.join(' ') + dialog.findChild<QLabel *>("arcProblem")->text()));
+        QCOMPARE(dialog.findChild<QComboBox *>("arcUnit")->currentText(), QString("µm"));
+        // Points without a number are left out only where that is said.
+        dialog.findChild<QPlainTextEdit *>("arcTable")->setPlainText(text + "365\tn/a\n370\t-\n");
+        dialog.findChild<QPushButton *>("confirmAll")->click();
+        settle();
+        QVERIFY(!add->isEnabled());
+        auto *leave = dialog.findChild<QPushButton *>("answer.unread.leave");
+        QVERIFY(leave);
+        leave->click();
+        settle();
+        QVERIFY(add->isEnabled());
+        // Deviations alone: their unit is a guess, too.
+        ArcDialog alone(circle, Language(Language::Id::english), "1.5\n2.5\n3.5\n");
+        QVERIFY(!alone.findChild<QPushButton *>("addArcs")->isEnabled());
+        alone.findChild<QComboBox *>("arcUnit")->setCurrentIndex(1);
+        QVERIFY(!alone.findChild<QPushButton *>("addArcs")->isEnabled()); // deviations of 3.5 mm
+        alone.findChild<QPushButton *>("confirm.large")->click();
+        QVERIFY(alone.findChild<QPushButton *>("addArcs")->isEnabled());
+        alone.findChild<QComboBox *>("arcUnit")->setCurrentIndex(2);
+        QVERIFY(alone.findChild<QPushButton *>("addArcs")->isEnabled());
     }
 
     void whatIsNoTableOfPointsCannotBeAdded() {

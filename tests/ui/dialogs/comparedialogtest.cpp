@@ -65,15 +65,34 @@ private slots:
         const auto *table = dialog.findChild<QTableWidget *>("editionTable");
         int marked = 0;
         for (int row = 0; row < table->rowCount(); ++row) {
+            const QString none = "–";
             const QString first = table->item(row, 2)->text();
+            QVERIFY(!first.isEmpty()); // a dash where an edition has no value
             for (int column = 2; column < 7; ++column) {
                 const QTableWidgetItem *item = table->item(row, column);
-                const bool differs = !first.isEmpty() && !item->text().isEmpty() && item->text() != first;
+                const bool differs = first != none && item->text() != none && item->text() != first;
                 QCOMPARE(item->font().bold(), differs);
                 marked += differs;
             }
         }
         QVERIFY(marked > 3);
+    }
+
+    /// Names are as wide as they need where there is room.
+    void namesTakeTheFreeSpace() {
+        CompareDialog dialog(evaluatedDocument(example1988("ISO 230-2:1988")), 0);
+        const auto *table = dialog.findChild<QTableWidget *>("editionTable");
+        dialog.resize(4000, 700);
+        dialog.show();
+        QCoreApplication::processEvents();
+        int widest = 0;
+        for (int row = 0; row < table->rowCount(); ++row)
+            widest = std::max(widest, table->fontMetrics().horizontalAdvance(table->item(row, 1)->text()));
+        QVERIFY2(table->columnWidth(1) >= widest,
+                 qPrintable(QString("%1 of %2").arg(table->columnWidth(1)).arg(widest)));
+        dialog.resize(700, 700);
+        QCoreApplication::processEvents();
+        QVERIFY(table->columnWidth(1) < widest);
     }
 
     void nothingIsClipped_data() {

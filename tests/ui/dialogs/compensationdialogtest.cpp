@@ -131,6 +131,25 @@ private slots:
         QCOMPARE(row(dialog, "M").value(1), QString("0.0\u00A0µm")); // whatever the sign is written with
     }
 
+    /// Columns of both directions cannot be had of one.
+    void oneDirectionHasNoOther() {
+        EvaluatedDocument both = small();
+        Test test = *both.document->tests[0];
+        std::erase_if(std::get<PositioningMeasurement>(test.measurement).runs,
+                      [](const Run &run) { return run.approach == Direction::negative; });
+        Document document;
+        document.tests.push_back(std::make_shared<const Test>(test));
+        CompensationDialog dialog(evaluate(std::make_shared<const Document>(document)), 0);
+        dialog.show();
+        for (int format = 0; format < 4; ++format) {
+            choose(dialog, "compensation.format", format);
+            QVERIFY(!dialog.findChild<QWidget *>("compensation.perDirection")->isEnabled());
+        }
+        QVERIFY(dialog.findChild<QLabel *>("compensationNote")
+                    ->text()
+                    .contains("Only the positive direction was measured"));
+    }
+
     void takesRangeAndInterval() {
         CompensationDialog dialog(small(), 0);
         dialog.show();

@@ -96,6 +96,32 @@ private slots:
         QVERIFY(dialog.findChild<QLineEdit *>("plan.perMetre")->isVisible());
     }
 
+    /// 1988: quarter turns and free targets, which have no interval.
+    void quarterTurnsAreSaidAsSuch() {
+        Document document = emptyTest();
+        Test test = *document.tests[0];
+        test.edition = "ISO 230-2:1988";
+        auto &measurement = std::get<PositioningMeasurement>(test.measurement);
+        measurement.axis.motion = Motion::rotary;
+        measurement.axis.range = Interval{-400, 400};
+        document.tests[0] = std::make_shared<const Test>(test);
+        DocumentModel model;
+        model.setDocument(document, {});
+        PlanDialog dialog(model, 0);
+        dialog.show();
+        QString summary = dialog.findChild<QLabel *>("planSummary")->text().replace(QChar(0xA0), ' ');
+        QVERIFY2(summary.contains("multiples of 90° and, at random, one in each 120.0° of the travel"),
+                 qPrintable(summary));
+        QVERIFY2(!summary.contains("nominal position"), qPrintable(summary));
+        type(dialog, "plan.travel", "720");
+        QCOMPARE(dialog.program().runs, 5);
+        summary = dialog.findChild<QLabel *>("planSummary")->text();
+        QVERIFY2(!summary.contains("2006") && !summary.contains("long axis"), qPrintable(summary));
+        button(dialog, "fillTest")->click();
+        const auto &filled = std::get<PositioningMeasurement>(model.document()->tests[0]->measurement);
+        QVERIFY(!filled.targetChoice.interval && filled.targetChoice.seed);
+    }
+
     /// Whatever the ends and the way of approach: what is proposed at first stays within the ends.
     void theFirstPlanStaysWithinTheEnds() {
         for (const Motion motion : {Motion::linear, Motion::rotary}) {

@@ -12,6 +12,7 @@
 #include <QAbstractSpinBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPlainTextEdit>
 #include <QPushButton>
 #include <QTest>
 
@@ -147,6 +148,28 @@ private slots:
             QCOMPARE(wanted.targets.size(), text.toULongLong());
         else if (field == "newRuns")
             QCOMPARE(wanted.runs, text.toInt());
+    }
+
+    /// What another first target has replaced comes back by one step.
+    void aTypedListComesBack() {
+        NewTestDialog dialog{Language(Language::Id::english)};
+        dialog.show();
+        auto *list = dialog.findChild<QPlainTextEdit *>("newTargets");
+        const QString proposed = list->toPlainText();
+        QVERIFY(!proposed.isEmpty());
+        const QString typed = "0; 7; 11";
+        list->selectAll();
+        QTest::keyClicks(list, typed);
+        QCOMPARE(list->toPlainText(), typed);
+        auto *first = dialog.findChild<QLineEdit *>("newFirst");
+        first->selectAll();
+        QTest::keyClicks(first, "123");
+        QVERIFY(list->toPlainText() != typed);
+        QVERIFY(list->toPlainText() != proposed);
+        QVERIFY(dialog.wanted().targets.front() >= 123); // its random part is another each time
+        QTest::keyClick(list, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(list->toPlainText(), typed);
+        QCOMPARE(dialog.wanted().targets, (std::vector<double>{0, 7, 11}));
     }
 };
 

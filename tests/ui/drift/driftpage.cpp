@@ -165,6 +165,25 @@ private slots:
         QVERIFY(!reason->isVisible());
     }
 
+    /// By one step, and not after another one.
+    void aRefusedTextIsTakenBack() {
+        Edited edited;
+        const QModelIndex cell = edited.table->model()->index(1, 1);
+        const QString old = cell.data().toString();
+        const auto *reason = edited.page.findChild<QLabel *>("driftReason");
+        QVERIFY(!edited.page.undoRefused());
+        QVERIFY(!edited.enter(1, 1, "much"));
+        QCOMPARE(cell.data().toString(), QString("much"));
+        QVERIFY(edited.page.undoRefused());
+        QCOMPARE(cell.data().toString(), old);
+        QVERIFY(!reason->isVisible());
+        QVERIFY(!edited.page.undoRefused());
+        QVERIFY(!edited.enter(1, 1, "much"));
+        QVERIFY(edited.enter(2, 1, "3"));
+        QVERIFY(!edited.page.undoRefused());
+        QCOMPARE(cell.data().toString(), QString("much"));
+    }
+
     void readingsArePastedAndRemoved() {
         Edited edited;
         edited.table->setCurrentIndex(edited.table->model()->index(3, 0));

@@ -5,8 +5,13 @@
 #include "ui/import/importassistant.h"
 
 #include "document/sha256.h"
+#include "import/choices.h"
+#include "import/layouts/columnrole.h"
+#include "kernel/evaluation/edition.h"
 #include "ui/elidedbox.h"
+#include "ui/import/remarklist.h"
 #include "ui/window/shownwindow.h"
+#include "ui/windowlanguage.h"
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
@@ -15,6 +20,7 @@
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -46,6 +52,15 @@ void pick(const QWidget &dialog, const QString &box, const QString &word) {
     words->setCurrentIndex(words->findData(word));
     QVERIFY2(words->currentIndex() >= 0, qPrintable(word));
     emit words->activated(words->currentIndex());
+}
+
+void type(const QWidget &dialog, const QString &field, const QString &text) {
+    auto *edit = dialog.findChild<QLineEdit *>(field);
+    QVERIFY2(edit, qPrintable(field));
+    edit->setText(text);
+    edit->setModified(true);
+    emit edit->editingFinished();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete); // what was said before
 }
 
 QPushButton *importButton(const QWidget &dialog) {
@@ -593,6 +608,118 @@ private slots:
         QVERIFY(box && box->informativeText().contains("Renishaw CARTO"));
         box->close();
         QVERIFY(!shown.window->hasDocument());
+    }
+
+    /// One rule for a plane: two different axes.
+    void anImpossiblePlaneIsRefused() {
+        ImportAssistant dialog(bytesOf("tables/circle-radius.csv"), "circle.csv", nullptr);
+        answerAll(dialog);
+        for (const char *plane : {"XX", "X", "1Y", "xX", "XYZ"}) {
+            type(dialog, "import.plane", plane);
+            QVERIFY2(!importButton(dialog)->isEnabled(), plane);
+            const QString said = dialog.findChild<QLabel *>("importRefusal")->text();
+            QVERIFY2(said.contains(plane) && said.contains("two different axes"), qPrintable(said));
+        }
+        type(dialog, "import.plane", "yz");
+        QVERIFY(importButton(dialog)->isEnabled());
+        QCOMPARE(std::get<CircularMeasurement>(dialog.imported().test->measurement).plane, (Plane{"Y", "Z"}));
+    }
+
+    /// A sentence says the name of a field, as it stands above it.
+    void aRefusalNamesTheFieldAsItsLabel() {
+        setWindowLanguage(Language::Id::french);
+        int typed = 0;
+        for (const ImportKey &key : importKeys()) {
+            if (key.value != ImportValue::number)
+                continue;
+            ++typed;
+            try {
+                demandKnown({{key.key, "abc"}});
+                QFAIL(key.key);
+            } catch (const Error &error) {
+                const QString said = windowLanguage().sentence(error.message);
+                QVERIFY2(said.startsWith(windowLanguage().text(key.name)), qPrintable(said));
+                QVERIFY2(!said.contains(key.key), qPrintable(said));
+            }
+        }
+        QVERIFY(typed > 5);
+        ImportAssistant dialog(bytesOf("tables/circle-radius.csv"), "circle.csv", nullptr);
+        answerAll(dialog);
+        type(dialog, "import.nominalRadius", "abc");
+        const QString said = dialog.findChild<QLabel *>("importRefusal")->text();
+        QVERIFY2(said.startsWith("Rayon nominal (mm) ne peut pas être abc"), qPrintable(said));
+        pick(dialog, "import.layout", "series");
+        type(dialog, "import.nominalRadius", "");
+        const QString other = dialog.findChild<QLabel *>("importRefusal")->text();
+        QVERIFY2(other.startsWith("Disposition") && !other.contains("series"), qPrintable(other));
+    }
+
+    /// Numbers stand in the fields as the remarks say them, and can be changed as they stand.
+    void numbersAreThoseOfTheLanguage() {
+        setWindowLanguage(Language::Id::french);
+        ImportAssistant dialog(bytesOf("tables/circle-radius.csv"), "circle.csv", nullptr);
+        answerAll(dialog);
+        type(dialog, "import.nominalRadius", "3067.7");
+        auto *radius = dialog.findChild<QLineEdit *>("import.nominalRadius");
+        QCOMPARE(radius->text(), windowLanguage().number(3067.7, Quantity::number));
+        QVERIFY(radius->text().contains(u','));
+        type(dialog, "import.nominalRadius", QString(radius->text()).replace(",7", ",8"));
+        QCOMPARE(std::get<CircularMeasurement>(dialog.imported().test->measurement).nominalRadius, 3067.8);
+    }
+
+    /// Another layout: its field stays where it is, and keeps the focus; the columns are what it says.
+    void nothingJumpsWithAnotherLayout() {
+        ImportAssistant dialog(bytesOf("tables/circle-radius.csv"), "circle.csv", nullptr);
+        answerAll(dialog);
+        dialog.show();
+        QCoreApplication::processEvents();
+        auto *layout = dialog.findChild<QComboBox *>("import.layout");
+        layout->setFocus();
+        for (const char *word : {"xy", "angleDeviation", "xy", "angleRadius", "series", "angleRadius"}) {
+            const QPoint before = layout->mapTo(&dialog, QPoint());
+            const int width = dialog.width();
+            pick(dialog, "import.layout", word);
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+            QCoreApplication::processEvents();
+            QCOMPARE(dialog.findChild<QComboBox *>("import.layout"), layout);
+            // The small screen of the test lets the dialog follow its longest row.
+            const QPoint after = layout->mapTo(&dialog, QPoint());
+            const double expected = double(before.x()) * dialog.width() / width;
+            QVERIFY2(std::abs(after.y() - before.y()) < 4, word); // the same row
+            QVERIFY2(std::abs(after.x() - expected) < 6,
+                     qPrintable(QString("%1: %2 to %3").arg(word).arg(before.x()).arg(after.x())));
+            QCOMPARE(dialog.focusWidget(), layout);
+            const auto roles = dialog.imported().columns;
+            const auto has = [&](ColumnRole role) {
+                return std::ranges::find(roles, role, &ImportColumn::role) != roles.end();
+            };
+            if (QString(word) != "series")
+                QVERIFY2(has(ColumnRole::x) == (QString(word) == "xy") &&
+                             has(ColumnRole::radius) == (QString(word) == "angleRadius"),
+                         word);
+        }
+    }
+
+    void theEditionIsChosenAmongThoseOfItsKind() {
+        ImportAssistant dialog(bytesOf("tables/circle-radius.csv"), "circle.csv", nullptr);
+        answerAll(dialog);
+        const auto *editions = dialog.findChild<QComboBox *>("import.edition");
+        QVERIFY(editions);
+        QCOMPARE(editions->count(), static_cast<int>(editionsOf(Kind::circular).size()));
+        QCOMPARE(editions->currentData().toString(), QString("ISO 230-4:2005"));
+        pick(dialog, "import.edition", "ISO 230-4:1996");
+        QCOMPARE(dialog.imported().test->edition, std::string("ISO 230-4:1996"));
+    }
+
+    /// What was answered beside an error is no question any more.
+    void confirmedQuestionsAreGoneBesideAnError() {
+        ImportAssistant dialog(bytesOf("tables/circle-radius.csv"), "circle.csv", nullptr);
+        QVERIFY(!openQuestions(dialog).isEmpty());
+        type(dialog, "import.nominalRadius", "abc");
+        QVERIFY(dialog.findChild<QLabel *>("importRefusal"));
+        dialog.findChild<QPushButton *>("confirmAll")->click();
+        for (const Question &question : dialog.imported().questions)
+            QVERIFY2(!canBeConfirmed(question), question.id.c_str());
     }
 
     void speaksFrench() {

@@ -84,9 +84,11 @@ private slots:
     void anotherVersionMayLayItsPagesOutOtherwise();
     void whatIsAddedIsNamed_data();
     void whatIsAddedIsNamed();
+    void whatStandsBesideThePagesFollowsToo();
     void aSignatureDoesNotDisturb();
     void aSimulationIsRunAgain();
     void whatIsNoReportIsRefused();
+    void encryptionIsSaid();
     void nothingUnpacksBeyondTheBound();
     void outcomeAsJson();
 };
@@ -294,6 +296,36 @@ void VerifyReport::whatIsAddedIsNamed() {
     QVERIFY2(english(result).contains(said.isEmpty() ? u"more.txt"_s : said), qPrintable(english(result)));
 }
 
+void VerifyReport::whatStandsBesideThePagesFollowsToo() {
+    using Change = std::function<void(QPDF &)>;
+    const Handle forged = Handle::newUnicodeString("CONFORME");
+    const auto lastBookmark = [](QPDF &pdf) { return pdf.getRoot().getKey("/Outlines").getKey("/Last"); };
+    const Change changes[]{
+        [&](QPDF &pdf) { pdf.getTrailer().getKey("/Info").replaceKey("/Title", forged); },
+        [&](QPDF &pdf) { pdf.getTrailer().getKey("/Info").replaceKey("/Author", forged); },
+        [&](QPDF &pdf) { pdf.getTrailer().getKey("/Info").replaceKey("/Keywords", forged); },
+        [&](QPDF &pdf) { lastBookmark(pdf).replaceKey("/Title", forged); },
+        [&](QPDF &pdf) { pdf.getRoot().getKey("/Outlines").getKey("/First").replaceKey("/Title", forged); },
+        [&](QPDF &pdf) { // one more
+            Handle more = pdf.makeIndirectObject(Handle::newDictionary({{"/Title", forged}}));
+            lastBookmark(pdf).replaceKey("/Next", more);
+        },
+        [&](QPDF &pdf) { // all of them
+            pdf.getRoot().removeKey("/Outlines");
+        },
+    };
+    for (const Change &change : changes) {
+        const Verification result = verified(changed(pdfOf(u"limits-2006"_s), change));
+        QCOMPARE(result.differences.size(), std::size_t(1));
+        QVERIFY2(english(result).contains(u"bookmarks"_s), qPrintable(english(result)));
+    }
+    const Verification unit = verified(changed(pdfOf(u"limits-2006"_s), [](QPDF &pdf) {
+        Handle page = pdf.getAllPages().front();
+        page.replaceKey("/UserUnit", Handle::newInteger(2));
+    }));
+    QVERIFY2(english(unit).contains(u"UserUnit"_s), qPrintable(english(unit)));
+}
+
 void VerifyReport::aSignatureDoesNotDisturb() {
     for (const QString &program : {u"certutil"_s, u"pdfsig"_s}) {
         if (QStandardPaths::findExecutable(program).isEmpty())
@@ -389,6 +421,28 @@ void VerifyReport::whatIsNoReportIsRefused() {
         replaceAttachment(document, ".palmer", "{\"format\": \"palmer test\"}");
     }));
     QVERIFY(wrong != u"it was read"_s);
+}
+
+/// Whatever opens it: only who asked for it again for being damaged would get the same.
+void VerifyReport::encryptionIsSaid() {
+    const QByteArray pdf = pdfOf(u"limits-2006"_s);
+    for (const char *user : {"", "secret"}) {
+        QPDF document;
+        document.processMemoryFile("report", pdf.constData(), static_cast<std::size_t>(pdf.size()));
+        QPDFWriter writer(document);
+        writer.setOutputMemory();
+        writer.setObjectStreamMode(qpdf_o_disable);
+        writer.setR6EncryptionParameters(user, "owner", true, true, true, true, true, true, qpdf_r3p_full,
+                                         true);
+        writer.write();
+        const auto buffer = writer.getBufferSharedPointer();
+        QByteArray closed(reinterpret_cast<const char *>(buffer->getBuffer()),
+                          static_cast<qsizetype>(buffer->getSize()));
+        QVERIFY2(refusal(closed).contains(u"is encrypted"_s), qPrintable(refusal(closed)));
+        closed.replace("/Filter /Standard", "/Filter /Stendard"); // of somebody, as certificates have
+        QVERIFY2(refusal(closed).contains(u"is encrypted"_s), qPrintable(refusal(closed)));
+        QVERIFY(!isForeignPdf(closed));
+    }
 }
 
 void VerifyReport::nothingUnpacksBeyondTheBound() {

@@ -210,6 +210,22 @@ private slots:
         QVERIFY(!card.findChild<QToolButton *>(u"nextTarget"_s)->isEnabled());
     }
 
+    /// In mm and degrees numbers have many digits: neighbours keep apart.
+    void numbersOfTheCardKeepApart() {
+        Selection selection;
+        TargetCard card(selection);
+        card.setLanguage(
+            Language(Language::Id::english).withUnits({LengthDisplay::millimetres, AngleDisplay::degrees}));
+        card.show(evaluatedDocument(example1988("ISO 230-2:1988")), 0);
+        const auto *statistics = card.findChild<QWidget *>(u"targetStatistics"_s);
+        QVERIFY(statistics->accessibleDescription().contains(u"0.00"_s));
+        constexpr int symbol = 36;
+        constexpr int between = 8;
+        const int number = statistics->fontMetrics().horizontalAdvance(u"−0.00448"_s);
+        QVERIFY(statistics->minimumSizeHint().width() >= symbol + 3 * (number + between));
+        QVERIFY(statistics->sizeHint().width() >= statistics->minimumSizeHint().width());
+    }
+
     void cardWithoutTest() {
         Selection selection;
         TargetCard card(selection);

@@ -25,6 +25,7 @@
 #include <QMenu>
 #include <QPlainTextEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
@@ -499,6 +500,7 @@ private slots:
         QTest::newRow("blanks") << "1\t\t3\n\t5\t6\n" << 2;
         QTest::newRow("dashes") << "1\t-\t3\n-\t5\t-\n" << 3;
         QTest::newRow("n/a") << "1\tn/a\t3\n" << 1;
+        QTest::newRow("question mark") << "1\t?\t3\n" << 1;
         QTest::newRow("nothing") << "1\t2\t3\n" << 0;
     }
 
@@ -512,8 +514,46 @@ private slots:
         const QString summary = typing.find<QLabel>("pasteSummary")->text();
         QCOMPARE(summary.contains(QString("%1 erased").arg(erased)), erased > 0);
         QCOMPARE(summary.contains("erased"), erased > 0);
+        // "n/a" is no empty cell.
+        QCOMPARE(summary.contains("no number"), erased > 0 && block.contains(QRegularExpression("[-?a-z]")));
+        QCOMPARE(summary.contains("empty cell"), erased > 0 && !summary.contains("no number"));
         typing.find<QToolButton>("pasteUndo")->click();
         QVERIFY(typing.measurement() == before);
+        QVERIFY(!typing.find<QWidget>("pasteBar")->isVisible());
+    }
+
+    /// Under way the figure says how many readings it is of, and the status bar counts as the table does.
+    void whatIsEnteredIsCounted() {
+        TypingWindow typing(emptyTest());
+        const auto note = [&] { return typing.find<QLabel>("figureNote")->text(); };
+        const std::size_t targets = published().targets.size();
+        QCOMPARE(typing.find<QLabel>("statusContent")->text(),
+                 QString("%1 targets · 5 runs each way").arg(targets));
+        QString block;
+        for (std::size_t target = 0; target < targets; ++target)
+            block += "1.5\t2.5\t3.5\t4.5\n";
+        typing.setCurrent(0, 0);
+        typing.paste(block);
+        QTRY_VERIFY2(note().startsWith("n = 2 ·"), qPrintable(note()));
+        typing.setCurrent(4, 0); // the third run upwards, one target
+        typing.view->setFocus();
+        typing.type("1.5");
+        typing.press(Qt::Key_Return);
+        QTRY_VERIFY2(note().startsWith("n = 2 … 3 ↑, 2 ↓ ·"), qPrintable(note()));
+    }
+
+    /// An undone paste has nothing more to choose: a choice would paste it once more.
+    void undoClosesThePasteBar() {
+        TypingWindow typing(publishedTest());
+        typing.setCurrent(0, 0);
+        typing.paste("1,5\t2,5\n3,5\t4,5\n");
+        QVERIFY(typing.find<QWidget>("pasteBar")->isVisible());
+        typing.find<QToolButton>("pastePoint")->click(); // under another choice it stays
+        QVERIFY(typing.find<QWidget>("pasteBar")->isVisible());
+        typing.find<QToolButton>("pasteComma")->click();
+        typing.view->setFocus();
+        typing.press(Qt::Key_Z, Qt::ControlModifier);
+        QVERIFY(typing.measurement() == published());
         QVERIFY(!typing.find<QWidget>("pasteBar")->isVisible());
     }
 

@@ -17,6 +17,7 @@
 #include "ui/register/trendchart.h"
 #include "ui/register/troubledfiles.h"
 #include "ui/register/unidentifiedrow.h"
+#include "ui/theme.h"
 #include "ui/window/shownwindow.h"
 
 #include <QAbstractItemModelTester>
@@ -29,10 +30,13 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QPushButton>
+#include <QScopeGuard>
+#include <QSet>
 #include <QSignalSpy>
 #include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTextDocument>
 #include <QToolButton>
 #include <QTreeWidget>
 #include <algorithm>
@@ -539,8 +543,162 @@ private slots:
         scan();
         const auto *model = find<QTableView>("tests")->model(); // sorted: through another model
         for (int row = 0; row < model->rowCount(); ++row)
-            QCOMPARE(model->index(row, TestTableModel::markColumn).data(TestTableModel::asLeftRole).toBool(),
+            QCOMPARE(model->index(row, TestTableModel::markColumn).data(TestTableModel::markRole).toInt() ==
+                         static_cast<int>(TrendMark::asLeft),
                      model->index(row, TestTableModel::roleColumn).data().toString() == "as left");
+        QVERIFY(!find<QLabel>("trendLegend")->text().contains(u'△'));
+    }
+
+    /// Neither as found nor as left: a mark of its own, in table, trend and legend.
+    void aTestWithoutRoleHasAMarkOfItsOwn() {
+        Sample sample;
+        sample.machine = sample.serial = "Machine 0";
+        sample.role = "notStated";
+        writeFile(folder() + "/alone.palmer", fileOf(sample));
+        scan();
+        QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 0"));
+        QCOMPARE(find<QTableView>("tests")
+                     ->model()
+                     ->index(0, TestTableModel::markColumn)
+                     .data(TestTableModel::markRole)
+                     .toInt(),
+                 static_cast<int>(TrendMark::noRole));
+        QCOMPARE(find<TrendChart>("trendChart")->panel().values.front().mark, TrendMark::noRole);
+        QVERIFY(find<QLabel>("trendLegend")->text().contains(u'△'));
+        QCOMPARE(find<QLabel>("shownCount")->text(), QString("1 of 1 test"));
+        setWindowLanguage(Language::Id::french);
+        QCoreApplication::processEvents();
+        QCOMPARE(find<QLabel>("shownCount")->text(), QString("1 sur 1 essai"));
+    }
+
+    /// What stands at the right is a machine of the list.
+    void theRightSideIsOfTheList() {
+        for (int i = 1; i <= m_files; ++i)
+            QFile::remove(folder() + QString("/%1.palmer").arg(i));
+        for (const auto &[machine, level] : {std::pair("Fine", 3.0), std::pair("Late", 40.0)}) {
+            Sample sample;
+            sample.machine = sample.serial = machine;
+            sample.level = level;
+            writeFile(folder() + QString("/%1.palmer").arg(machine), fileOf(sample));
+        }
+        scan();
+        auto *machines = find<QListView>("machines");
+        const auto *name = find<QLabel>("machineName");
+        QCOMPARE(name->text(), QString("Fine"));
+        find<QToolButton>("machinesToDo")->click();
+        settle();
+        QCOMPARE(machines->model()->rowCount(), 1);
+        QCOMPARE(name->text(), QString("Late"));
+        QTest::keyClicks(find<QLineEdit>("machineSearch"), "nowhere");
+        settle();
+        QCOMPARE(machines->model()->rowCount(), 0);
+        QCOMPARE(name->text(), QString());
+        QCOMPARE(find<QTableView>("tests")->model()->rowCount(), 0);
+        find<QLineEdit>("machineSearch")->clear();
+        settle();
+        QCOMPARE(name->text(), QString("Late"));
+    }
+
+    void numbersFitInAllUnits_data() {
+        QTest::addColumn<DisplayUnits>("units");
+        QTest::addColumn<bool>("rotary");
+        for (const bool rotary : {false, true}) {
+            for (const auto &[name, lengths, angles] :
+                 {std::tuple("usual", LengthDisplay::micrometres, AngleDisplay::arcSeconds),
+                  std::tuple("mm, degrees", LengthDisplay::millimetres, AngleDisplay::degrees),
+                  std::tuple("inches", LengthDisplay::inches, AngleDisplay::arcSeconds)})
+                QTest::newRow(qPrintable(QString("%1, %2").arg(name, rotary ? "rotary" : "linear")))
+                    << DisplayUnits{lengths, angles} << rotary;
+        }
+    }
+    /// A number that is cut is another number: in the table, at the axes and in the facts.
+    void numbersFitInAllUnits() {
+        QFETCH(DisplayUnits, units);
+        QFETCH(bool, rotary);
+        if (rotary)
+            QVERIFY(QFile::copy(EXAMPLES "/rotary-axis.palmer", folder() + "/rotary.palmer"));
+        setWindowUnits(units);
+        const auto restored = qScopeGuard([] { setWindowUnits({}); });
+        scan();
+        if (rotary) {
+            auto *machines = find<QListView>("machines");
+            for (int row = 0; row < machines->model()->rowCount(); ++row) {
+                machines->setCurrentIndex(machines->model()->index(row, 0));
+                settle();
+                if (find<TrendChart>("trendChart")->trend().angular)
+                    break;
+            }
+            QVERIFY(find<TrendChart>("trendChart")->trend().angular);
+        }
+        auto *tests = find<QTableView>("tests");
+        const QFontMetrics base(themeFont(palmer::ui::TextSize::base));
+        const QFontMetrics small(themeFont(palmer::ui::TextSize::small));
+        for (int column = TestTableModel::firstResult; column < tests->model()->columnCount() - 2; ++column) {
+            for (int row = 0; row < tests->model()->rowCount() && !tests->isColumnHidden(column); ++row) {
+                const QModelIndex cell = tests->model()->index(row, column);
+                const QString value = cell.data().toString();
+                const QString u = cell.data(TestTableModel::uncertaintyRole).toString();
+                const int wanted = base.horizontalAdvance(value) + small.horizontalAdvance(u);
+                QVERIFY2(wanted + valueGap + 2 * resultPadding <= tests->columnWidth(column),
+                         qPrintable(value + " ± " + u));
+            }
+        }
+        auto *chart = find<TrendChart>("trendChart");
+        chart->grab(); // lays it out
+        QStringList drawn;
+        for (const QGraphicsItem *item : chart->scene()->items()) {
+            const auto *label = qgraphicsitem_cast<const QGraphicsTextItem *>(item);
+            if (!label || !label->isVisible() || label->toPlainText().isEmpty())
+                continue;
+            drawn << label->toPlainText();
+            QVERIFY2(chart->sceneRect().contains(label->sceneBoundingRect().center()),
+                     qPrintable(label->toPlainText()));
+            QVERIFY2(label->sceneBoundingRect().left() >= -4, qPrintable(label->toPlainText()));
+        }
+        QVERIFY(!chart->panel().x.ticks.empty()); // also of a few months
+        for (const Tick &tick : chart->panel().y.ticks)
+            QVERIFY2(drawn.contains(tick.label), qPrintable(tick.label + " of " + drawn.join(' ')));
+        QCOMPARE(QSet<QString>(drawn.begin(), drawn.end()).size(), drawn.size()); // no two are alike
+        QTextDocument facts;
+        facts.setDefaultFont(find<QLabel>("trendFacts")->font());
+        facts.setHtml(find<QLabel>("trendFacts")->text());
+        facts.setTextWidth(find<QLabel>("trendFacts")->contentsRect().width());
+        QVERIFY2(facts.size().width() <= find<QLabel>("trendFacts")->contentsRect().width() + 0.5,
+                 qPrintable(QString::number(facts.size().width())));
+    }
+
+    void theAxesOfCurvesSayTheirUnits() {
+        scan();
+        m_window->resize(1366, 768);
+        auto *tests = find<QTableView>("tests");
+        QItemSelection some;
+        for (const int row : {0, 5})
+            some.select(tests->model()->index(row, 0), tests->model()->index(row, 5));
+        tests->selectionModel()->select(some,
+                                        QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+        m_window->findChild<QAction *>("compareCurves")->trigger();
+        QCoreApplication::processEvents();
+        // Whole rows of the list, all of two tests, and nothing to be scrolled aside.
+        const auto *list = find<QLabel>("curveList");
+        QVERIFY(list->parentWidget()->height() >= list->sizeHint().height());
+        QVERIFY2(
+            list->sizeHint().width() <= list->parentWidget()->width(),
+            qPrintable(QString("%1 of %2").arg(list->sizeHint().width()).arg(list->parentWidget()->width())));
+        auto *difference = find<TaggedChart>("curveDifference");
+        QCOMPARE(difference->chart()->axes(Qt::Horizontal).front()->titleText(), QString("P mm"));
+        difference->grab();
+        bool anyBelow = false;
+        for (const QGraphicsItem *item : difference->scene()->items()) {
+            const auto *label = qgraphicsitem_cast<const QGraphicsTextItem *>(item);
+            const QString text = label ? label->toPlainText() : QString();
+            QVERIFY2(!text.startsWith('-'), qPrintable(text)); // a hyphen is no minus
+            anyBelow = anyBelow || text.startsWith(u'−');
+        }
+        QVERIFY(anyBelow);
+        const int before = find<TrendChart>("trendChart")->height();
+        find<QToolButton>("closeComparison")->click();
+        QCoreApplication::processEvents();
+        QVERIFY(find<TrendChart>("trendChart")->height() <= before);
     }
 
     void theListIsWiderInAVeryWideWindow() {

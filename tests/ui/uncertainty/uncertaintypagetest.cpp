@@ -7,6 +7,7 @@
 #include "ui/forms/field.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/evaluator.h"
+#include "ui/results/chip.h"
 #include "ui/theme.h"
 #include "ui/uncertainty/figurecard.h"
 #include "ui/uncertainty/rowtable.h"
@@ -293,6 +294,63 @@ private slots:
         QVERIFY(!edited.part<QLabel>("simulationText")->text().contains(u"outdated"_s));
         edited.type(u"environmentalVariation"_s, u"2"_s);
         QVERIFY(edited.part<QLabel>("simulationText")->text().contains(u"outdated"_s));
+    }
+
+    /// Nothing that was simulated before an edit looks as if it held.
+    void whatIsOutdatedStandsBack() {
+        Document document = budgetExample(220000);
+        palmer::Test test = *document.tests[0];
+        measurement(test).uncertainty.method = UncertaintyMethod::monteCarlo;
+        test.decisionRule.rule = Rule::iso14253_1;
+        document.tests[0] = std::make_shared<const palmer::Test>(test);
+        Edited edited(document);
+        edited.simulate();
+        auto *table = edited.part<RowTable>("methods");
+        const auto isBold = [&](int row) { return table->item(row, 3)->font().bold(); };
+        int decided = 0; // of some the budget decides, for their shift is large
+        while (decided + 1 < table->rowCount() && !isBold(decided))
+            ++decided;
+        const QColor grey = token(Token::secondaryText, edited.page.palette());
+        const auto colour = [&] { return table->item(decided, 3)->foreground().color(); };
+        QVERIFY(isBold(decided));
+        QVERIFY(colour() != grey);
+        edited.type(u"environmentalVariation"_s, u"2"_s);
+        QVERIFY(edited.part<QLabel>("simulationText")->text().startsWith(u"outdated"_s));
+        QVERIFY(!isBold(decided));
+        for (int column = 3; column < table->columnCount(); ++column)
+            QVERIFY(table->item(decided, column)
+                        ->data(Qt::AccessibleTextRole)
+                        .toString()
+                        .contains(u"outdated"_s));
+        QCOMPARE(colour(), grey);
+        QVERIFY(edited.part<QLabel>("distributionTitle")->text().contains(u"outdated"_s));
+        QVERIFY(edited.part<QLabel>("decides")->text().startsWith(u"Grey"_s));
+        edited.simulate();
+        QTRY_VERIFY_WITH_TIMEOUT(!edited.evaluation().uncertainty.outdated, 60000);
+        QVERIFY(isBold(decided));
+    }
+
+    /// The budget is complete: what is missing is a press on the button.
+    void theSimulationThatWasNotMadeIsLedTo() {
+        Document document = budgetExample(220000);
+        palmer::Test test = *document.tests[0];
+        measurement(test).uncertainty.method = UncertaintyMethod::monteCarlo;
+        document.tests[0] = std::make_shared<const palmer::Test>(test);
+        Edited edited(document);
+        edited.page.resize(600, 300);
+        QCOMPARE(edited.part<Chip>("missingChip")->text(), u"simulation not made yet"_s);
+        auto *button = edited.part<QPushButton>("simulate");
+        QVERIFY(button->visibleRegion().isEmpty());
+        QVERIFY(edited.page.focusNextRequired(true));
+        QVERIFY(button->hasFocus());
+        QTRY_VERIFY(!button->visibleRegion().isEmpty());
+        QVERIFY(!edited.page.focusNextRequired(true)); // it is the last that is missing here
+        edited.part<QToolButton>("method0")->setFocus();
+        QVERIFY(edited.page.focusField(u"uncertainty"_s));
+        QVERIFY(button->hasFocus());
+        QTest::keyClick(button, Qt::Key_Space);
+        QTRY_VERIFY_WITH_TIMEOUT(edited.evaluation().uncertainty.simulation, 60000);
+        QVERIFY(!edited.part<Chip>("missingChip")->isVisible());
     }
 
     void whichMethodDecidesIsBoldAndSaid() {

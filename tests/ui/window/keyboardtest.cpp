@@ -7,6 +7,7 @@
 #include "ui/forms/sectionhead.h"
 
 #include "document/savedocument.h"
+#include "ui/circles/circlespage.h"
 #include "ui/dialogs/shortcutsdialog.h"
 #include "ui/forms/field.h"
 #include "ui/readings/readingsmodel.h"
@@ -19,6 +20,7 @@
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
+#include <QMenuBar>
 #include <QMessageBox>
 #include <QPushButton>
 #include <QTabBar>
@@ -82,13 +84,18 @@ private slots:
     void ctrlHomeClearsTheSelection();
     void tabWalksTheFieldsAsTheyStand_data();
     void tabWalksTheFieldsAsTheyStand();
+    void undoLeavesOnlyTheCurrentCellSelected_data();
+    void undoLeavesOnlyTheCurrentCellSelected();
     void undoBringsTheReadingIntoView();
+    void undoTakesBackWhatIsBeingTypedFirst();
+    void afterUndoOfTheOnlyArcItCanBePastedAgain();
     void undoBringsTheFieldIntoView();
     void undoBringsTheAgreementIntoView();
     void undoBringsThePointOfACircleIntoView();
     void undoBringsTheTargetIntoView();
     void undoBringsTheTestIntoView();
     void everyShortcutIsListed();
+    void shortcutsNameTheCommandAlone();
     void buttonsOfAgreedPointsNameTheirPoint();
     void standardButtonsHaveAKey_data();
     void standardButtonsHaveAKey();
@@ -274,6 +281,63 @@ void KeyboardTest::tabWalksTheFieldsAsTheyStand() {
     }
 }
 
+void KeyboardTest::undoLeavesOnlyTheCurrentCellSelected_data() {
+    QTest::addColumn<Qt::KeyboardModifiers>("redoKeys");
+    QTest::addColumn<Qt::Key>("redoKey");
+    QTest::newRow("redo by Ctrl+Y") << Qt::KeyboardModifiers(Qt::ControlModifier) << Qt::Key_Y;
+    QTest::newRow("redo by Ctrl+Shift+Z") << (Qt::ControlModifier | Qt::ShiftModifier) << Qt::Key_Z;
+}
+
+/// With Ctrl held a table would add each cell to what is selected, and Delete erase them all.
+void KeyboardTest::undoLeavesOnlyTheCurrentCellSelected() {
+    QFETCH(Qt::KeyboardModifiers, redoKeys);
+    QFETCH(Qt::Key, redoKey);
+    const ShownWindow shown(examplePath("rotary-axis"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    QWindow *keys = shown.window->windowHandle(); // as the desktop sends them: the modifiers are known
+    auto *view = shown.find<QTableView>("readings");
+    view->setFocus();
+    const QModelIndex first = view->model()->index(0, 2);
+    view->setCurrentIndex(first);
+    for (const QString &typed : {u"1.1"_s, u"2.2"_s, u"3.1"_s}) {
+        QTest::keyClicks(view, typed.left(1)); // opens the editor
+        QTest::keyClicks(QApplication::focusWidget(), typed.mid(1));
+        QTest::keyClick(keys, Qt::Key_Return);
+    }
+    QTRY_COMPARE(shown.window->model().undoStack()->count(), 3);
+    const auto selected = [&] { return view->selectionModel()->selectedIndexes(); };
+    for (int i = 0; i < 3; ++i) {
+        QTest::keyClick(keys, Qt::Key_Z, Qt::ControlModifier);
+        QCOMPARE(selected(), QModelIndexList{view->currentIndex()});
+    }
+    QCOMPARE(shown.window->model().undoStack()->index(), 0);
+    QCOMPARE(view->currentIndex(), first);
+    for (int i = 0; i < 3; ++i) {
+        QTest::keyClick(keys, redoKey, redoKeys);
+        QCOMPARE(selected(), QModelIndexList{view->currentIndex()});
+    }
+    QCOMPARE(shown.window->model().undoStack()->index(), 3);
+    QTest::keyClick(keys, Qt::Key_Delete);
+    QCOMPARE(shown.window->model().undoStack()->count(), 4);
+    QTest::keyClick(keys, Qt::Key_Z, Qt::ControlModifier);
+    const TestPointer before = shown.window->model().document()->tests.front();
+    QTest::keyClick(keys, Qt::Key_Y, Qt::ControlModifier);
+    const auto missing = [](const TestPointer &test) {
+        int count = 0;
+        for (const Run &run : std::get<PositioningMeasurement>(test->measurement).runs)
+            count += static_cast<int>(std::ranges::count_if(
+                run.deviations, [](const auto &reading) { return !reading.has_value(); }));
+        return count;
+    };
+    QCOMPARE(missing(shown.window->model().document()->tests.front()), missing(before) + 1);
+    // What was selected together and erased comes back with one cell selected.
+    view->setCurrentIndex(first);
+    QTest::keyClick(keys, Qt::Key_Down, Qt::ShiftModifier);
+    QTest::keyClick(keys, Qt::Key_Delete);
+    QTest::keyClick(keys, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(selected(), QModelIndexList{first});
+}
+
 void KeyboardTest::undoBringsTheReadingIntoView() {
     const ShownWindow shown(examplePath("rotary-axis"));
     QVERIFY(QTest::qWaitForWindowActive(shown.window));
@@ -297,6 +361,90 @@ void KeyboardTest::undoBringsTheReadingIntoView() {
     shown.find<QAction>("redo")->trigger();
     QCOMPARE(selection.page(), Page::readings);
     QCOMPARE(view->currentIndex(), cell);
+}
+
+/// A text that is refused is no step: undo would change another field instead.
+void KeyboardTest::undoTakesBackWhatIsBeingTypedFirst() {
+    const ShownWindow shown(examplePath("iso230-2-1988-example"));
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    QWindow *keys = shown.window->windowHandle();
+    shown.window->workplace().showPage(Page::conditions);
+    QCoreApplication::processEvents();
+    QList<Field *> fields = shown.find("conditionsPage")->findChildren<Field *>();
+    const auto editOf = [&](const QString &label) {
+        for (const Field *field : fields) {
+            if (field->edit()->accessibleName() == label)
+                return qobject_cast<QLineEdit *>(field->edit());
+        }
+        return static_cast<QLineEdit *>(nullptr);
+    };
+    QLineEdit *title = editOf(u"Title of the test"_s);
+    QLineEdit *time = editOf(u"Time"_s);
+    QVERIFY(title && time);
+    setText(title, u"AAA"_s);
+    const QString before = time->text();
+    setText(time, u"11:2x"_s);
+    const auto isRefused = [&] { return qobject_cast<Field *>(time->parentWidget())->isRefused(); };
+    QVERIFY(isRefused());
+    QTest::keyClick(keys, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(time->text(), before);
+    QVERIFY(!isRefused() && time->hasFocus());
+    QCOMPARE(title->text(), u"AAA"_s);
+    QTest::keyClick(keys, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(title->text() != u"AAA"_s);
+    // Likewise in a cell: the reading typed before stays.
+    shown.window->workplace().showPage(Page::readings);
+    auto *view = shown.find<QTableView>("readings");
+    const auto type = [&](const QModelIndex &cell, const QString &text) {
+        view->setFocus();
+        view->setCurrentIndex(cell);
+        QTest::keyClicks(view, text.left(1)); // opens the editor
+        QTest::keyClicks(QApplication::focusWidget(), text.mid(1));
+    };
+    const QModelIndex reading = view->model()->index(0, ReadingsModel::firstReadingColumn);
+    const QModelIndex position = view->model()->index(1, ReadingsModel::positionColumn);
+    const QString old = position.data().toString();
+    type(reading, u"1.5"_s);
+    QTest::keyClick(keys, Qt::Key_Return);
+    type(position, u"5x"_s);
+    QTest::keyClick(keys, Qt::Key_Return);
+    QVERIFY(!position.data(ReadingsModel::refusedRole).toString().isEmpty());
+    QTest::keyClick(keys, Qt::Key_Z, Qt::ControlModifier);
+    QCOMPARE(position.data().toString(), old);
+    QCOMPARE(reading.data().toString(), u"1.5"_s);
+    QTest::keyClick(keys, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(reading.data().toString() != u"1.5"_s);
+}
+
+void KeyboardTest::afterUndoOfTheOnlyArcItCanBePastedAgain() {
+    const ShownWindow shown(examplePath("iso230-4-full-circles-xy"), {1600, 1000});
+    QVERIFY(QTest::qWaitForWindowActive(shown.window));
+    QWindow *keys = shown.window->windowHandle();
+    const auto arcs = [&] {
+        return std::get<CircularMeasurement>(shown.window->model().document()->tests.at(0)->measurement).arcs;
+    };
+    const std::vector<Arc> all = arcs();
+    shown.window->model().edit("none", [](Document &document) {
+        auto test = std::make_shared<palmer::Test>(*document.tests[0]);
+        std::get<CircularMeasurement>(test->measurement).arcs.clear();
+        document.tests[0] = std::move(test);
+    });
+    shown.window->workplace().circles().addArcs({all.front()});
+    QTRY_VERIFY(shown.find("points")->isVisible());
+    shown.find("points")->setFocus();
+    QTest::keyClick(keys, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(arcs().empty());
+    QVERIFY2(shown.find("newArcButton")->hasFocus(), qPrintable(paneOf(shown)));
+    bool pasted = false;
+    connect(shown.find<QAction>("pasteArc"), &QAction::triggered, this, [&pasted] { pasted = true; });
+    QTimer closer; // a dialog asks for the points
+    connect(&closer, &QTimer::timeout, this, [] {
+        if (QWidget *dialog = QApplication::activeModalWidget())
+            dialog->close();
+    });
+    closer.start(20);
+    QTest::keyClick(keys, Qt::Key_V, Qt::ControlModifier);
+    QVERIFY(pasted);
 }
 
 void KeyboardTest::undoBringsTheFieldIntoView() {
@@ -430,6 +578,15 @@ void KeyboardTest::everyShortcutIsListed() {
                  qPrintable(action->text()));
     }
     QVERIFY(seen > 20);
+}
+
+/// A command, not what it would do just now.
+void KeyboardTest::shortcutsNameTheCommandAlone() {
+    QMenuBar bar;
+    QAction *undo = bar.addMenu("&Edit")->addAction(u"&Annuler\u00A0: saisie d’un relevé"_s);
+    undo->setShortcut(QKeySequence::Undo);
+    const ShortcutsDialog dialog(bar, nullptr, false);
+    QCOMPARE(dialog.findChild<QTreeWidget *>()->topLevelItem(0)->child(0)->text(0), u"Annuler"_s);
 }
 
 void KeyboardTest::buttonsOfAgreedPointsNameTheirPoint() {

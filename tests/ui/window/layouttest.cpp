@@ -23,6 +23,8 @@
 #include <QListView>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QRegularExpression>
+#include <QScopeGuard>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QTabBar>
@@ -66,6 +68,8 @@ private slots:
     void aWideWindowGivesTheFigureItsShare();
     void nothingMovesWhenAResultIsExplained();
     void noDigitOfARulingRowIsCutOff();
+    void numbersFitTheirColumnsInAllUnits_data();
+    void numbersFitTheirColumnsInAllUnits();
     void lowWindowsHaveRoomForAll_data();
     void lowWindowsHaveRoomForAll();
     void formsEndAt720();
@@ -225,6 +229,52 @@ void LayoutTest::noDigitOfARulingRowIsCutOff() {
         }
     }
     QVERIFY(seen > 10);
+}
+
+void LayoutTest::numbersFitTheirColumnsInAllUnits_data() {
+    QTest::addColumn<DisplayUnits>("units");
+    QTest::newRow("usual") << DisplayUnits{};
+    QTest::newRow("mm, degrees") << DisplayUnits{LengthDisplay::millimetres, AngleDisplay::degrees};
+    QTest::newRow("inches") << DisplayUnits{LengthDisplay::inches, AngleDisplay::arcSeconds};
+}
+
+/// A number that is cut reads as another one: in all tables of all pages.
+void LayoutTest::numbersFitTheirColumnsInAllUnits() {
+    QFETCH(const DisplayUnits, units);
+    constexpr int mostRows = 30;
+    static const QRegularExpression number(u"^[−+<\u00A0]*[0-9\u202F]+([.,][0-9]+)?$"_s);
+    int seen = 0;
+    for (const char *example : {"rotary-axis", "long-axis-with-zone", "iso230-4-full-circles-xy"}) {
+        const ShownWindow shown(examplePath(example), {1366, 768});
+        setWindowUnits(units);
+        const auto restored = qScopeGuard([] { setWindowUnits({}); });
+        for (const Page page : pages) {
+            shown.window->workplace().showPage(page);
+            QCoreApplication::processEvents();
+            for (const QTableView *table : shown.window->findChildren<QTableView *>()) {
+                const QAbstractItemModel *model = table->model();
+                for (int row = 0; table->isVisible() && row < std::min(model->rowCount(), mostRows); ++row) {
+                    for (int column = 0; column < model->columnCount(); ++column) {
+                        const QModelIndex cell = model->index(row, column);
+                        const QString text = cell.data().toString();
+                        if (table->isColumnHidden(column) || !number.match(text).hasMatch())
+                            continue;
+                        const QVariant font = cell.data(Qt::FontRole);
+                        const QFontMetrics metrics(font.isValid() ? font.value<QFont>() : table->font());
+                        ++seen;
+                        QVERIFY2(
+                            metrics.horizontalAdvance(text) + 2 <= table->columnWidth(column),
+                            qPrintable(u"%1, page %2, %3, column %4: %5"_s.arg(QLatin1StringView(example))
+                                           .arg(int(page))
+                                           .arg(table->objectName())
+                                           .arg(column)
+                                           .arg(text)));
+                    }
+                }
+            }
+        }
+    }
+    QVERIFY(seen > 300);
 }
 
 void LayoutTest::lowWindowsHaveRoomForAll_data() {

@@ -28,6 +28,7 @@
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QScreen>
 #include <QSplitter>
 #include <QTabBar>
 #include <QTemporaryDir>
@@ -40,6 +41,7 @@
 
 using namespace palmer;
 using namespace palmer::ui;
+using namespace Qt::StringLiterals;
 
 namespace {
 
@@ -78,6 +80,7 @@ class MainWindowTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void eachChoiceOfAMenuIsMarked();
     void initTestCase();
     void init();
     void everyExampleIsListed();
@@ -85,6 +88,7 @@ private slots:
     void opensEveryExample_data();
     void opensEveryExample();
     void opensASecondFileInAWindowOfItsOwn();
+    void aSecondWindowStaysWithinTheScreen();
     void bringsAnOpenFileToTheFront();
     void showsAnEditionAsAView();
     void setsTheEditionOfTheTest();
@@ -186,6 +190,35 @@ void MainWindowTest::opensASecondFileInAWindowOfItsOwn() {
     }
     QCOMPARE(others.size(), 1);
     qDeleteAll(others);
+}
+
+/// Also beside a window that fills the screen.
+void MainWindowTest::aSecondWindowStaysWithinTheScreen() {
+    for (const bool fills : {false, true}) {
+        const ShownWindow shown(examplePath("rotary-axis"));
+        const QRect room = shown.window->screen()->availableGeometry();
+        if (fills)
+            shown.window->showMaximized();
+        else
+            shown.window->setGeometry(room.adjusted(room.width() / 2, room.height() / 2, 0, 0));
+        QCoreApplication::processEvents();
+        shown.window->openFile(examplePath("one-direction"));
+        QList<QWidget *> others;
+        for (QWidget *widget : QApplication::topLevelWidgets()) {
+            if (qobject_cast<MainWindow *>(widget) && widget != shown.window)
+                others += widget;
+        }
+        QCOMPARE(others.size(), 1);
+        const QRect place(others.front()->pos(), others.front()->size());
+        qDeleteAll(others);
+        QVERIFY2(room.contains(place), qPrintable(QString("%1, %2: %3 × %4 in %5 × %6")
+                                                      .arg(place.x())
+                                                      .arg(place.y())
+                                                      .arg(place.width())
+                                                      .arg(place.height())
+                                                      .arg(room.width())
+                                                      .arg(room.height())));
+    }
 }
 
 void MainWindowTest::bringsAnOpenFileToTheFront() {
@@ -609,6 +642,38 @@ void MainWindowTest::modelsKeepTheirPromises() {
     start.setEntries({{QStringLiteral("a"), {}, QStringLiteral("a"), {}, {}, {}}});
     start.setEntries({});
     QCOMPARE(start.rowCount(), 0);
+}
+
+void MainWindowTest::eachChoiceOfAMenuIsMarked() {
+    setWindowLanguage(Language::Id::english);
+    const ShownWindow shown;
+    const auto checked = [&](std::initializer_list<const char *> names) {
+        QStringList found;
+        for (const char *name : names) {
+            if (shown.find<QAction>(name)->isChecked())
+                found << QLatin1StringView(name);
+        }
+        return found.join(u' ');
+    };
+    const auto lengths = [&] { return checked({"lengths1", "lengths2", "lengths3"}); };
+    const auto angles = [&] { return checked({"angles1", "angles2"}); };
+    const auto languages = [&] { return checked({"speakFrench", "speakEnglish"}); };
+    QCOMPARE(lengths(), u"lengths1"_s);
+    QCOMPARE(angles(), u"angles1"_s);
+    QCOMPARE(languages(), u"speakEnglish"_s);
+    shown.find<QAction>("angles2")->trigger();
+    QTRY_COMPARE(angles(), u"angles2"_s);
+    shown.find<QAction>("lengths2")->trigger();
+    QTRY_COMPARE(lengths(), u"lengths2"_s);
+    QCOMPARE(angles(), u"angles2"_s);
+    shown.find<QAction>("speakFrench")->trigger();
+    QTRY_COMPARE(languages(), u"speakFrench"_s);
+    QCOMPARE(angles(), u"angles2"_s);
+    QCOMPARE(lengths(), u"lengths2"_s);
+    shown.find<QAction>("speakEnglish")->trigger();
+    shown.find<QAction>("lengths1")->trigger();
+    shown.find<QAction>("angles1")->trigger();
+    QTRY_COMPARE(angles(), u"angles1"_s);
 }
 
 QTEST_MAIN(MainWindowTest)

@@ -49,6 +49,7 @@ private slots:
     void init() { setWindowLanguage(Language::Id::english); }
     void aReportOpensAsACopy();
     void aForgeryIsShownWithItsPlace();
+    void theResultHoldsForWhatWasVerified();
     void aReportCanBeDropped();
     void aDamagedReportIsRefused();
 
@@ -125,6 +126,26 @@ void OpenReportTest::aForgeryIsShownWithItsPlace() {
     setWindowLanguage(Language::Id::french);
     QTRY_VERIFY2(bar->lines().front().startsWith(u"page 1\u00A0: imprimé «\u00A0"_s),
                  qPrintable(bar->lines().front()));
+}
+
+/// Over edited numbers "Report verified" would be a lie; undone they are the verified ones again.
+void OpenReportTest::theResultHoldsForWhatWasVerified() {
+    const ShownWindow window(file(u"verified.pdf"_s, m_pdf));
+    auto *bar = window.find<ReportBar>("reportBar");
+    QTRY_VERIFY_WITH_TIMEOUT(bar->isVisible(), 60000);
+    const QString verified = bar->sentence();
+    QVERIFY2(verified.startsWith(u"✓ Report verified."_s), qPrintable(verified));
+    window.window->model().edit("change", [](Document &document) { document.machine.name += " 2"; });
+    QVERIFY2(bar->sentence().contains(u"no longer shows what was verified"_s), qPrintable(bar->sentence()));
+    QVERIFY(!bar->sentence().contains(u'✓'));
+    QCOMPARE(bar->lines().value(0), verified); // of the report it still holds
+    setWindowLanguage(Language::Id::french);
+    QTRY_VERIFY2(!bar->sentence().contains(u'✓'), qPrintable(bar->sentence()));
+    setWindowLanguage(Language::Id::english);
+    window.find<QAction>("undo")->trigger();
+    QTRY_COMPARE(bar->sentence(), verified);
+    window.find<QAction>("redo")->trigger();
+    QVERIFY(!bar->sentence().contains(u'✓'));
 }
 
 void OpenReportTest::aReportCanBeDropped() {

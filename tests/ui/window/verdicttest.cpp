@@ -80,6 +80,7 @@ private slots:
     void theNavigationSaysBoth();
     void aViewSaysNeither();
     void aTestUnderWayIsProvisional();
+    void anOutdatedSimulationIsNoTickInTheNavigation();
     void theWelcomePageSaysBoth_data();
     void theWelcomePageSaysBoth();
     void formerEntriesOfTheSettingsKeepTheirVerdict();
@@ -192,6 +193,24 @@ void VerdictTest::aTestUnderWayIsProvisional() {
     const QModelIndex row = model->index(model->rowCount() - 1, 0);
     QCOMPARE(row.data(NavigationModel::markRole).toString(), u"dots"_s);
     QVERIFY(row.data(NavigationModel::accordanceRole).toString().isEmpty());
+}
+
+void VerdictTest::anOutdatedSimulationIsNoTickInTheNavigation() {
+    const auto document = std::make_shared<const Document>(openDocument(examplePath("rotary-axis")));
+    EvaluatedDocument evaluated = evaluate(document);
+    NavigationModel model;
+    model.show(evaluated);
+    const auto mark = [&] {
+        return model.index(model.rowCount() - 1).data(NavigationModel::markRole).toString();
+    };
+    QCOMPARE(mark(), u"check"_s);
+    TestEvaluation provisional = *evaluated.tests.back();
+    provisional.provisional = true;
+    evaluated.tests.back() = std::make_shared<const TestEvaluation>(std::move(provisional));
+    model.show(evaluated);
+    QCOMPARE(mark(), u"dots"_s);
+    QVERIFY(
+        model.index(model.rowCount() - 1).data(Qt::AccessibleTextRole).toString().contains(u"provisional"_s));
 }
 
 void VerdictTest::theWelcomePageSaysBoth_data() {
