@@ -512,66 +512,16 @@ Meaning meaningOfLetter(std::string_view letter) {
     return statistics.find(letter) != std::string_view::npos ? Meaning::statistic : Meaning::unknown;
 }
 
-} // namespace
-
-namespace {
-
 /// The words of "gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre".
 bool isOfSense(const Token &token) {
-    constexpr std::array<std::string_view, 52> words{"cw",
-                                                     "ccw",
-                                                     "acw",
-                                                     "sh",
-                                                     "sah",
-                                                     "trigo",
-                                                     "trigonometrique",
-                                                     "trigonometrico",
-                                                     "trigonometrica",
-                                                     "linksdrehend",
-                                                     "linkslauf",
-                                                     "linksherum",
-                                                     "linkskreis",
-                                                     "rechtsdrehend",
-                                                     "rechtslauf",
-                                                     "rechtsherum",
-                                                     "rechtskreis",
-                                                     "clockwise",
-                                                     "counter",
-                                                     "anti",
-                                                     "horaire",
-                                                     "antihoraire",
-                                                     "orario",
-                                                     "antiorario",
-                                                     "horario",
-                                                     "antihorario",
-                                                     "uhrzeigersinn",
-                                                     "gegenuhrzeigersinn",
-                                                     "uhrzeigers",
-                                                     "gegen",
-                                                     "entgegen",
-                                                     "im",
-                                                     "den",
-                                                     "des",
-                                                     "sens",
-                                                     "senso",
-                                                     "sentido",
-                                                     "sinn",
-                                                     "inverse",
-                                                     "inverso",
-                                                     "contraire",
-                                                     "contrario",
-                                                     "contro",
-                                                     "contra",
-                                                     "aiguilles",
-                                                     "montre",
-                                                     "lancette",
-                                                     "agujas",
-                                                     "reloj",
-                                                     "une",
-                                                     "⟲",
-                                                     "⟳"};
-    return std::ranges::find(words, token.text) != words.end() || token.text == "counterclockwise" ||
-           token.text == "anticlockwise";
+    constexpr std::string_view words =
+        "|cw|ccw|acw|clockwise|counterclockwise|anticlockwise|counter|anti"
+        "|sh|sah|sens|trigo|trigonometrique|horaire|antihoraire|des|aiguilles|une|montre|inverse|contraire"
+        "|linksdrehend|linkslauf|linksherum|linkskreis|rechtsdrehend|rechtslauf|rechtsherum|rechtskreis"
+        "|im|den|sinn|gegen|entgegen|uhrzeigersinn|gegenuhrzeigersinn|uhrzeigers"
+        "|senso|orario|antiorario|inverso|contrario|contro|lancette|trigonometrico|trigonometrica"
+        "|sentido|horario|antihorario|contra|agujas|reloj|⟲|⟳|";
+    return words.find('|' + std::string(token.text) + '|') != std::string_view::npos;
 }
 
 } // namespace
