@@ -64,6 +64,48 @@
         <translation>Pas de valeur pour %1&#xa0;: le point visé %2 n’a pas de s.</translation>
     </message>
     <message>
+        <source>The limit of %1 cannot be evaluated: %2.</source>
+        <translation>La limite de %1 ne peut être évaluée&#xa0;: %2.</translation>
+    </message>
+    <message>
+        <source>Not evaluable: %1.</source>
+        <translation>Non évaluable&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>one run in each direction</source>
+        <translation>une seule passe par sens</translation>
+    </message>
+    <message>
+        <source>a direction was not measured</source>
+        <translation>un sens n’a pas été mesuré</translation>
+    </message>
+    <message>
+        <source>a sense was not measured</source>
+        <translation>un sens de parcours n’a pas été mesuré</translation>
+    </message>
+    <message>
+        <source>feedback signal</source>
+        <comment>why a limit cannot be evaluated</comment>
+        <translation>signal de retour</translation>
+    </message>
+    <message>
+        <source>reference length not calibrated</source>
+        <translation>longueur de référence non étalonnée</translation>
+    </message>
+    <message>
+        <source>not a parameter of this test</source>
+        <translation>grandeur étrangère à cet essai</translation>
+    </message>
+    <message>
+        <source>agreed for another edition</source>
+        <translation>convenue pour une autre édition</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <comment>why a limit cannot be evaluated</comment>
+        <translation>pas de valeur</translation>
+    </message>
+    <message>
         <source>The limit of %1 has no verdict: this test has no such parameter under %2.</source>
         <translation>La limite de %1 reste sans verdict&#xa0;: sous %2, cet essai n’a pas ce paramètre.</translation>
     </message>
@@ -4432,10 +4474,6 @@
     <message>
         <source>Results in the %1 plane</source>
         <translation>Résultats dans le plan %1</translation>
-    </message>
-    <message>
-        <source>Without a value nothing is proven for %1.</source>
-        <translation>Sans valeur, rien n’est prouvé pour %1.</translation>
     </message>
     <message>
         <source>bi-directional</source>

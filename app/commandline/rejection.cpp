@@ -4,6 +4,8 @@
 
 #include "document/testsofverdict.h"
 
+#include <algorithm>
+
 namespace palmer {
 
 namespace {
@@ -11,6 +13,9 @@ namespace {
 bool isRejected(const Test &test, const TestEvaluation &evaluation) {
     if (!evaluation.verdict)
         return false;
+    const auto notEvaluable = [](const AgreedLimit &l) { return l.state == LimitState::notEvaluable; };
+    if (std::ranges::any_of(evaluation.limits, notEvaluable))
+        return true;
     if (test.decisionRule.rule == Rule::rejectionProven)
         return *evaluation.verdict == Verdict::doesNotConform;
     return *evaluation.verdict != Verdict::conforms;

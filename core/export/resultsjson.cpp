@@ -207,6 +207,30 @@ Json zoneOf(const auto & /*measurement*/) {
 }
 
 /// What tests of all kinds have alike, before their own.
+const char *stateWord(LimitState state) {
+    constexpr std::array words{"respected", "notProven", "notEvaluable", "exceeded"};
+    return words.at(static_cast<std::size_t>(state));
+}
+
+const char *reasonWord(NotEvaluable reason) {
+    constexpr std::array words{"oneRun",        "oneDirection",    "oneSense",     "feedbackSignal",
+                               "notCalibrated", "noSuchParameter", "otherEdition", "noValue"};
+    return words.at(static_cast<std::size_t>(reason));
+}
+
+Json agreedLimits(const Test &source, const TestEvaluation &evaluation) {
+    const Axis *axis = axisOf(source);
+    Json list = Json::array();
+    for (const AgreedLimit &agreed : evaluation.limits)
+        list.push_back({{"key", agreed.key},
+                        {"value", number(agreed.limit.value)},
+                        {"unit", axis && axis->motion == Motion::rotary ? "deg" : "mm"},
+                        {"state", stateWord(agreed.state)},
+                        {"reason", agreed.reason ? Json(reasonWord(*agreed.reason)) : Json(nullptr)},
+                        {"parameters", agreed.parameters}});
+    return list;
+}
+
 Json headOf(const Test &source, const TestEvaluation &evaluation) {
     const bool isOfAxis = axisOf(source);
     const Conditions *conditions = conditionsOf(source);
@@ -231,6 +255,7 @@ Json headOf(const Test &source, const TestEvaluation &evaluation) {
         {"role", fileWord(source.role)},
         {"purpose", fileWord(source.purpose)},
         {"limits", limitsWord(evaluation.verdict)},
+        {"agreedLimits", agreedLimits(source, evaluation)},
         {"verdict", verdictWord(evaluation.verdict)},
         {"correctionTo20", fileWord(conditions ? conditions->correctionTo20 : CorrectionTo20::notStated)},
         {"decisionRule", fileWord(source.decisionRule.rule)}};

@@ -4,6 +4,7 @@
 
 #include "kernel/evaluation/conformity.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace palmer {
@@ -94,21 +95,39 @@ void add(std::string &list, const std::string &symbol) {
     list += (list.empty() ? "" : ", ") + symbol;
 }
 
-/// Why a limit has no verdict; null: it has one. `found`: the rows it is for.
-std::optional<Message> reasonForNone(const std::string &id, const Limit &limit,
-                                     const std::vector<Judged> &found, const TestEvaluation &evaluation) {
-    const std::string edition = evaluation.edition->word;
-    if (found.empty())
-        return Message{
-            REPORT_TEXT("report",
-                        "The limit of %1 has no verdict: this test has no such parameter under %2."),
-            {id, edition}};
+/// Why a limit cannot be evaluated; null if it can. `found`: the results it holds for.
+std::optional<NotEvaluable> reasonForNone(const std::string &id, const Limit &limit,
+                                          const std::vector<Judged> &found, const TestEvaluation &evaluation,
+                                          const std::function<NotEvaluable(const std::string &id)> &missing) {
     if (!holds(limit, evaluation))
-        return Message{REPORT_TEXT("report",
-                                   "The limit of %1 has no verdict: it was agreed for %2, the test is "
-                                   "evaluated under %3."),
-                       {id, *limit.edition, edition}};
+        return NotEvaluable::otherEdition;
+    const auto valueless = [](const Judged &one) { return !one.parameter->value; };
+    if (found.empty() || std::ranges::any_of(found, valueless))
+        return missing(id);
     return std::nullopt;
+}
+
+/// The sentence for a limit that holds for no result.
+Message noVerdict(const std::string &id, const Limit &limit, NotEvaluable reason, const char *edition) {
+    switch (reason) {
+    case NotEvaluable::otherEdition:
+        return {REPORT_TEXT("report", "The limit of %1 has no verdict: it was agreed for %2, the test is "
+                                      "evaluated under %3."),
+                {id, *limit.edition, std::string(edition)}};
+    case NotEvaluable::noSuchParameter:
+        return {REPORT_TEXT("report",
+                            "The limit of %1 has no verdict: this test has no such parameter under %2."),
+                {id, std::string(edition)}};
+    default:
+        return {REPORT_TEXT("report", "The limit of %1 cannot be evaluated: %2."),
+                {id, notEvaluableText(reason)}};
+    }
+}
+
+LimitState stateOf(Verdict verdict) {
+    return verdict == Verdict::conforms    ? LimitState::respected
+           : verdict == Verdict::notProven ? LimitState::notProven
+                                           : LimitState::exceeded;
 }
 
 /// Said even where the edition allows for the temperature: the decision rule does not.
@@ -146,8 +165,31 @@ void findLargeUncertainty(TestEvaluation &evaluation, const DecisionRule &rule) 
 
 } // namespace
 
+Text notEvaluableText(NotEvaluable reason) {
+    switch (reason) {
+    case NotEvaluable::oneRun:
+        return REPORT_TEXT("report", "one run in each direction");
+    case NotEvaluable::oneDirection:
+        return REPORT_TEXT("report", "a direction was not measured");
+    case NotEvaluable::oneSense:
+        return REPORT_TEXT("report", "a sense was not measured");
+    case NotEvaluable::feedbackSignal:
+        return REPORT_TEXT_FOR("report", "feedback signal", "why a limit cannot be evaluated");
+    case NotEvaluable::notCalibrated:
+        return REPORT_TEXT("report", "reference length not calibrated");
+    case NotEvaluable::noSuchParameter:
+        return REPORT_TEXT("report", "not a parameter of this test");
+    case NotEvaluable::otherEdition:
+        return REPORT_TEXT("report", "agreed for another edition");
+    case NotEvaluable::noValue:
+        return REPORT_TEXT_FOR("report", "no value", "why a limit cannot be evaluated");
+    }
+    return {};
+}
+
 void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected,
-                 const std::function<std::vector<Judged>(const std::string &id)> &judged) {
+                 const std::function<std::vector<Judged>(const std::string &id)> &judged,
+                 const std::function<NotEvaluable(const std::string &id)> &missing) {
     if (evaluation.view)
         return;
     bool uncertaintyMissing = false;
@@ -157,8 +199,18 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
         if (!limit.value)
             continue;
         const std::vector<Judged> found = judged(id);
-        if (const auto reason = reasonForNone(id, limit, found, evaluation)) {
-            note(evaluation, "limits", Source::program, *reason);
+        AgreedLimit agreed{id, limit, LimitState::respected, {}, {}};
+        for (const Judged &one : found)
+            agreed.parameters.push_back(parameterId(*one.parameter));
+        agreed.reason = reasonForNone(id, limit, found, evaluation, missing);
+        if (agreed.reason) {
+            agreed.state = LimitState::notEvaluable;
+            evaluation.verdict = worst(evaluation.verdict, Verdict::notProven);
+        }
+        if (found.empty() || agreed.reason == NotEvaluable::otherEdition) {
+            note(evaluation, "limits", Source::program,
+                 noVerdict(id, limit, *agreed.reason, evaluation.edition->word));
+            evaluation.limits.push_back(std::move(agreed));
             continue;
         }
         if (*limit.value < 0 && found.front().bound == Bound::magnitude)
@@ -179,7 +231,12 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
             }
             enter(evaluation, one, id, limit, verdict);
             evaluation.verdict = worst(evaluation.verdict, verdict);
+            if (one.parameter->value)
+                agreed.state = std::max(agreed.state, stateOf(verdict));
         }
+        if (agreed.state != LimitState::notEvaluable)
+            agreed.reason = {};
+        evaluation.limits.push_back(std::move(agreed));
     }
     if (!negative.empty())
         note(evaluation, "limits", Source::laboratory,

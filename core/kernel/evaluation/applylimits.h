@@ -17,13 +17,18 @@ struct Judged {
     Bound bound = Bound::magnitude;
 };
 
+/// Why a limit cannot be evaluated, in words: "one run in each direction".
+[[nodiscard]] Text notEvaluableText(NotEvaluable reason);
+
 /// Puts the agreed limits of the test on its parameters, decides, and sums up: limit, guard band and verdict
 /// of each, verdict of the test. `judged`: the parameters a key of `limits` is for; none: a finding says so,
-/// as it does for a limit agreed for another edition. Of two limits for one parameter its row has the one
+/// as it does for a limit agreed for another edition; `missing` says why there are none. A limit that cannot
+/// be evaluated leaves the test not proven. Of two limits for one parameter its row has the one
 /// with the worse verdict, of equal verdicts the one with less room, and a finding says which: the verdict of
 /// the test is always the worst of its rows. Away from 20 °C and not corrected, rules that ask for a proof
 /// prove nothing where the temperature matters. A view has no verdicts.
 void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected,
-                 const std::function<std::vector<Judged>(const std::string &id)> &judged);
+                 const std::function<std::vector<Judged>(const std::string &id)> &judged,
+                 const std::function<NotEvaluable(const std::string &id)> &missing);
 
 } // namespace palmer

@@ -158,6 +158,20 @@ std::vector<Judged> judged(std::vector<Parameter> &parameters, const std::string
     return result;
 }
 
+/// Why the limit of a quantity cannot be evaluated.
+NotEvaluable whyMissing(const std::string &id, const CircularCase &test) {
+    const auto &rows = test.edition.circles->rows;
+    const auto row = std::ranges::find_if(rows, [&](const CircularRow &r) { return r.term.isMeantBy(id); });
+    if (row == rows.end())
+        return NotEvaluable::noSuchParameter;
+    if (row->external == test.feedback())
+        return test.feedback() ? NotEvaluable::feedbackSignal : NotEvaluable::noSuchParameter;
+    if (row->term.of == Of::pair && !test.bothSenses())
+        return NotEvaluable::oneSense;
+    return row->dependsOnTemperature && test.notCalibrated() ? NotEvaluable::notCalibrated
+                                                             : NotEvaluable::noValue;
+}
+
 void explainMissingValues(TestEvaluation &evaluation) {
     std::string symbols;
     for (const Parameter &p : evaluation.parameters) {
@@ -196,8 +210,10 @@ TestEvaluation evaluateCircular(const Test &test, const Surroundings &surroundin
     findNotAgreed(edition, test, evaluation.findings);
     findUncertainty(evaluation, missing,
                     [&](const Parameter &p) { return reasonOfDifference(p, evaluation, measurement); });
-    applyLimits(evaluation, test, results.notCorrected,
-                [&](const std::string &id) { return judged(evaluation.parameters, id); });
+    applyLimits(
+        evaluation, test, results.notCorrected,
+        [&](const std::string &id) { return judged(evaluation.parameters, id); },
+        [&](const std::string &id) { return whyMissing(id, whole); });
     findOtherResults(evaluation, test, surroundings);
 
     evaluation.results = std::move(results);

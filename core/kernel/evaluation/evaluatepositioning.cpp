@@ -118,6 +118,17 @@ void explainMissingValues(TestEvaluation &evaluation, std::span<const TargetStat
     evaluation.findings.push_back(std::move(finding));
 }
 
+/// Why the limit of a parameter cannot be evaluated.
+NotEvaluable whyMissing(const std::string &id, const Edition &edition, unsigned offers) {
+    const auto row = std::ranges::find_if(edition.rows, [&](const Row &r) { return id == r.term.id; });
+    if (row == edition.rows.end())
+        return NotEvaluable::noSuchParameter;
+    const unsigned lacks = row->needs & ~offers;
+    return (lacks & bothWays) != 0 ? NotEvaluable::oneDirection
+           : lacks != 0            ? NotEvaluable::oneRun
+                                   : NotEvaluable::noValue;
+}
+
 /// What the readings give, before any parameter.
 PositioningResults statisticsOf(const PositioningMeasurement &measurement, const Edition &edition) {
     PositioningResults results;
@@ -177,11 +188,15 @@ TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroun
     findUncertainty(evaluation, missingInputs(budget), [&](const Parameter &p) {
         return reasonOfDifference(p, evaluation, measurement, budget, results.targets);
     });
-    applyLimits(evaluation, test, results.notCorrected, [&](const std::string &id) {
-        const auto found =
-            std::ranges::find_if(evaluation.parameters, [&](const Parameter &p) { return id == p.term.id; });
-        return found == evaluation.parameters.end() ? std::vector<Judged>{} : std::vector<Judged>{{&*found}};
-    });
+    applyLimits(
+        evaluation, test, results.notCorrected,
+        [&](const std::string &id) {
+            const auto found = std::ranges::find_if(evaluation.parameters,
+                                                    [&](const Parameter &p) { return id == p.term.id; });
+            return found == evaluation.parameters.end() ? std::vector<Judged>{}
+                                                        : std::vector<Judged>{{&*found}};
+        },
+        [&](const std::string &id) { return whyMissing(id, edition, offers); });
     findOtherResults(evaluation, test, surroundings);
 
     evaluation.results = std::move(results);

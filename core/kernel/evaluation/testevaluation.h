@@ -100,14 +100,41 @@ struct UncertaintyEvaluation {
     [[nodiscard]] bool wantsSimulation() const { return complete && usesContributions(method); }
 };
 
+/// How an agreed limit stands, from good to bad.
+enum class LimitState { respected, notProven, notEvaluable, exceeded };
+
+/// Why a limit cannot be evaluated. The first that holds is given.
+enum class NotEvaluable {
+    oneRun,          ///< needs two runs of a direction
+    oneDirection,    ///< needs runs in both directions, or in the other one
+    oneSense,        ///< needs a path of each sense
+    feedbackSignal,  ///< a quantity of an external instrument
+    notCalibrated,   ///< a length of an uncalibrated reference
+    noSuchParameter, ///< the edition has no such quantity
+    otherEdition,    ///< agreed for another edition
+    noValue          ///< the quantity has no value; a finding says why
+};
+
+/// An agreed limit of the test file and how it stands.
+struct AgreedLimit {
+    std::string key; ///< of `limits` in the file
+    Limit limit;     ///< its value is never null
+    LimitState state = LimitState::notEvaluable;
+    std::optional<NotEvaluable> reason;  ///< null unless not evaluable
+    std::vector<std::string> parameters; ///< ids of the results it holds for; empty where there are none
+};
+
 /// The evaluation of one test; total: any measurement gives one, what is missing is a finding.
 struct TestEvaluation {
     const Edition *edition = nullptr; ///< null for drift tests
     bool view = false;                ///< under another edition than the file's: no verdicts
     std::vector<Parameter> parameters;
     std::vector<Finding> findings;
-    std::optional<Verdict> verdict; ///< the worst of the parameters; null without a limit
-    bool provisional = false;       ///< a verdict rests on an outdated simulation
+    /// One entry for each limit of the file that has a value, in the order of their keys; empty for a view.
+    std::vector<AgreedLimit> limits;
+    /// The worst of the parameters; not proven where a limit is not evaluable; null without a limit.
+    std::optional<Verdict> verdict;
+    bool provisional = false; ///< a verdict rests on an outdated simulation
     UncertaintyEvaluation uncertainty;
     std::variant<PositioningResults, CircularResults, DriftResults> results;
 

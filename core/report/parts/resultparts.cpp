@@ -6,6 +6,7 @@
 #include "report/words/accordancetext.h"
 
 #include "figures/deviationfigure.h"
+#include "kernel/evaluation/applylimits.h"
 #include "kernel/evaluation/conformity.h"
 #include "language/decimals.h"
 #include "report/tables/resulttable.h"
@@ -15,6 +16,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <ranges>
 
 namespace palmer {
@@ -271,7 +273,7 @@ void addLegend(std::vector<Block> &blocks, const TestPart &part, const ResultFor
 std::vector<const PrintedResult *> resultsWith(const std::vector<PrintedResult> &results, Verdict verdict) {
     std::vector<const PrintedResult *> found;
     for (const PrintedResult &result : results) {
-        if (result.parameter->verdict == verdict)
+        if (result.parameter->verdict == verdict && result.parameter->value)
             found.push_back(&result);
     }
     return found;
@@ -346,10 +348,6 @@ QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> 
 QString notProven(const TestPart &part, const std::vector<const PrintedResult *> &results) {
     const QString symbols =
         enumerated(part.write, joinedSymbols(parametersOf(results)).split(QStringLiteral(", ")));
-    const bool withoutValue =
-        std::ranges::all_of(results, [](const PrintedResult *result) { return !result->parameter->value; });
-    if (withoutValue)
-        return part.write.say(REPORT_TEXT("report", "Without a value nothing is proven for %1."), symbols);
     const bool uncorrected =
         notCorrected(part.evaluation) && std::ranges::all_of(results, [](const PrintedResult *result) {
             return result->parameter->dependsOnTemperature;
@@ -367,6 +365,33 @@ QString notProven(const TestPart &part, const std::vector<const PrintedResult *>
             REPORT_TEXT("report", "For %1 non-conformity is not proven: no ground for rejection."), symbols);
     return part.write.say(REPORT_TEXT("report", "For %1 neither conformity nor non-conformity is proven."),
                           symbols);
+}
+
+/// "Not evaluable: A, R (one run in each direction)."; empty where every limit was evaluated.
+QString notEvaluable(const TestPart &part) {
+    std::map<NotEvaluable, QStringList> keys;
+    for (const AgreedLimit &limit : part.evaluation.limits) {
+        if (limit.reason)
+            keys[*limit.reason] << QString::fromStdString(limit.key);
+    }
+    QStringList items;
+    for (const auto &[reason, limits] : keys)
+        items << limits.join(QStringLiteral(", ")) + QStringLiteral(" (") +
+                     part.write.text(notEvaluableText(reason)) + u')';
+    return items.empty() ? QString()
+                         : part.write.say(REPORT_TEXT("report", "Not evaluable: %1."),
+                                          items.join(QStringLiteral(", ")));
+}
+
+/// Results without a limit of their own, evaluable or not.
+bool anyWithoutLimit(const TestPart &part, const std::vector<PrintedResult> &results) {
+    return std::ranges::any_of(results, [&](const PrintedResult &result) {
+        return !result.parameter->verdict &&
+               std::ranges::none_of(part.evaluation.limits, [&](const AgreedLimit &limit) {
+                   return std::ranges::find(limit.parameters, parameterId(*result.parameter)) !=
+                          limit.parameters.end();
+               });
+    });
 }
 
 QString reason(const TestPart &part, const std::vector<PrintedResult> &results) {
@@ -390,11 +415,14 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
         if (!open.empty())
             all << notProven(part, open);
         const QString met = joinedSymbols(parametersOf(good));
-        if (!good.empty() && failing.empty() && open.empty()) // the state says it
+        const QString unknown = notEvaluable(part);
+        if (!unknown.isEmpty())
+            all << unknown;
+        if (!good.empty() && failing.empty() && open.empty() && unknown.isEmpty()) // the state says it
             all << enumerated(part.write, met.split(QStringLiteral(", "))) + u'.';
         else if (!good.empty())
             all << part.write.say(REPORT_TEXT("report", "Within its limit: %1."), met);
-        if (failing.size() + open.size() + good.size() < results.size())
+        if (anyWithoutLimit(part, results))
             all << part.write.text(REPORT_TEXT("report", "Others: no limit agreed."));
         return all.join(u' ');
     };

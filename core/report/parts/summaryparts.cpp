@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/parts/summaryparts.h"
 
+#include "kernel/evaluation/applylimits.h"
+
 #include "document/testsofverdict.h"
 #include "kernel/evaluation/conformity.h"
 #include "report/parts/closingparts.h"
@@ -284,12 +286,9 @@ Whole wholeOf(const std::vector<TestPart> &parts) {
         whole.undeclared += requirements.undeclared;
         whole.asLeft |= part.test.role == TestRole::asLeft;
         whole.editions << standardName(part.write.language(), &part.edition());
-        for (const Parameter &parameter : part.evaluation.parameters) {
-            if (!isLimited(parameter, part.head()))
-                continue;
-            ++whole.limits;
-            whole.met += parameter.verdict == Verdict::conforms ? 1 : 0;
-        }
+        whole.limits += static_cast<int>(part.evaluation.limits.size());
+        whole.met += static_cast<int>(
+            std::ranges::count(part.evaluation.limits, LimitState::respected, &AgreedLimit::state));
     }
     whole.editions.removeDuplicates();
     return whole;
@@ -301,7 +300,8 @@ Phrase namedQuantities(const std::vector<TestPart> &parts, Verdict verdict) {
     qsizetype named = 0;
     for (const TestPart &part : parts) {
         for (const Parameter &parameter : part.evaluation.parameters) {
-            if (!counts(part) || !isLimited(parameter, part.head()) || parameter.verdict != verdict)
+            if (!counts(part) || !isLimited(parameter, part.head()) || parameter.verdict != verdict ||
+                !parameter.value)
                 continue;
             if (++named > mostNamed)
                 continue;
@@ -315,6 +315,22 @@ Phrase namedQuantities(const std::vector<TestPart> &parts, Verdict verdict) {
     if (named > mostNamed)
         result.spans.push_back({QStringLiteral(", …")});
     return result;
+}
+
+/// "Not evaluable: A (X axis; one run in each direction)."; empty where every limit was evaluated.
+QString notEvaluable(const std::vector<TestPart> &parts) {
+    const Writer &write = parts.front().write;
+    QStringList items;
+    for (const TestPart &part : parts) {
+        for (const AgreedLimit &limit : part.evaluation.limits) {
+            if (counts(part) && limit.reason)
+                items << QString::fromStdString(limit.key) + QStringLiteral(" (") + briefTestName(part) +
+                             write.semicolon() + write.text(notEvaluableText(*limit.reason)) + u')';
+        }
+    }
+    return items.empty()
+               ? QString()
+               : write.say(REPORT_TEXT("report", "Not evaluable: %1."), items.join(QStringLiteral(", ")));
 }
 
 Phrase limitsText(const std::vector<TestPart> &parts, const Whole &whole, const QString &rule) {
@@ -334,7 +350,9 @@ Phrase limitsText(const std::vector<TestPart> &parts, const Whole &whole, const 
         return joined({met, rule}, write.semicolon()) + u'.';
     }
     Phrase result = namedQuantities(parts, *whole.verdict);
-    QString rest(u'.');
+    QString rest = result.spans.empty() ? QString() : QStringLiteral(".");
+    if (const QString open = notEvaluable(parts); !open.isEmpty())
+        rest += (rest.isEmpty() ? QString() : QStringLiteral(" ")) + open;
     if (!one)
         rest += u' ' + write.language().sentence(
                            {REPORT_TEXT_COUNTED("report", "Met: %n of %1 limits."), {limits}, whole.met});

@@ -67,11 +67,12 @@ void ResultsJsonTest::hasTheKeysOfTheFormat() {
     QCOMPARE(file["file"].toString(), "x.palmer");
     QVERIFY(file["program"].toString().startsWith("Palmer "));
     const QJsonObject test = file["tests"][0].toObject();
-    QCOMPARE(test.keys(),
-             QStringList({"accordance", "axis",    "correctionTo20", "date",    "decisionRule", "edition",
-                          "findings",   "id",      "inAccordance",   "kind",    "limits",       "parameters",
-                          "plane",      "purpose", "role",           "targets", "title",        "uncertainty",
-                          "undeclared", "unmet",   "verdict",        "view",    "zone"}));
+    QCOMPARE(
+        test.keys(),
+        QStringList({"accordance",  "agreedLimits", "axis",    "correctionTo20", "date",    "decisionRule",
+                     "edition",     "findings",     "id",      "inAccordance",   "kind",    "limits",
+                     "parameters",  "plane",        "purpose", "role",           "targets", "title",
+                     "uncertainty", "undeclared",   "unmet",   "verdict",        "view",    "zone"}));
     QCOMPARE(parameter(test, "A").keys(),
              QStringList({"clause", "expandedUncertainty", "guardBand", "id", "limit", "limitOf",
                           "monteCarlo", "name", "quantity", "ruling", "symbol", "unit", "value", "verdict"}));

@@ -274,7 +274,7 @@ void MainWindowTest::keepsLimitsWithTheEditionTheyWereAgreedFor() {
     QVERIFY(!test.limits.empty());
     for (const auto &[id, limit] : test.limits)
         QCOMPARE(limit.edition, std::optional<std::string>("ISO 230-2:2014"));
-    QVERIFY(!shown.window->evaluator().current().tests[0]->verdict);
+    QVERIFY(shown.window->evaluator().current().tests[0]->verdict == Verdict::notProven);
 }
 
 /// 8.88 seconds are no such number of degrees: the last bits are nobody's.

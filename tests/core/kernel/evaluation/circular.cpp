@@ -493,7 +493,14 @@ void Circular::limitsOfF() {
     test.limits = {{"Fmin", {-0.004, {}, ""}}};
     QVERIFY(evaluated(test).verdict == Verdict::doesNotConform);
     test.limits = {{"D", {0.01, {}, ""}}};
-    QVERIFY(!evaluated(test).verdict && finding(evaluated(test), "limits"));
+    e = evaluated(test);
+    QVERIFY(e.verdict == Verdict::notProven && finding(e, "limits"));
+    QVERIFY(e.limits.at(0).reason == NotEvaluable::oneSense);
+    test.limits = {{"G(b)f", {0.01, {}, ""}}};
+    QVERIFY(evaluated(test).limits.at(0).reason == NotEvaluable::noSuchParameter);
+    measurement(test).source = SignalSource::feedback;
+    test.limits = {{"F", {0.01, {}, ""}}};
+    QVERIFY(evaluated(test).limits.at(0).reason == NotEvaluable::feedbackSignal);
 }
 
 void Circular::rowsAndTestAgreeUnderAllPairsOfLimits() {

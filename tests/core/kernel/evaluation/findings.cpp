@@ -14,6 +14,8 @@ class Findings : public QObject {
 private slots:
     void limits();
     void limitsOfOtherEditions();
+    void everyLimitHasAState_data();
+    void everyLimitHasAState();
     void proofNeedsUncertainty();
     void uncorrectedResultsProveNothing();
     void whatIsNotProvenHasAReason_data();
@@ -47,7 +49,60 @@ void Findings::limitsOfOtherEditions() {
     QVERIFY(!parameter(e, "A")->verdict);
     QVERIFY(finding(e, "limits"));
     QVERIFY(parameter(e, "E")->verdict == Verdict::conforms); // an alias counts as the edition
-    QVERIFY(e.verdict == Verdict::conforms);
+    QVERIFY(e.verdict == Verdict::notProven);                 // A was agreed, and nothing is known of it
+    QVERIFY(e.limits.at(0).reason == NotEvaluable::otherEdition);
+    QVERIFY(e.limits.at(1).state == LimitState::respected);
+}
+
+void Findings::everyLimitHasAState_data() {
+    QTest::addColumn<bool>("downward");
+    QTest::addColumn<int>("runs"); // each way
+    QTest::addColumn<QString>("key");
+    QTest::addColumn<int>("state");
+    QTest::addColumn<int>("reason"); // -1: none
+    const auto row = [](const char *name, bool down, int runs, const char *key, LimitState state,
+                        std::optional<NotEvaluable> reason) {
+        QTest::newRow(name) << down << runs << key << static_cast<int>(state)
+                            << (reason ? static_cast<int>(*reason) : -1);
+    };
+    row("A of five runs", true, 5, "A", LimitState::respected, {});
+    row("A of one run", true, 1, "A", LimitState::notEvaluable, NotEvaluable::oneRun);
+    row("B of one run", true, 1, "B", LimitState::respected, {});
+    row("A of one direction", false, 5, "A", LimitState::notEvaluable, NotEvaluable::oneDirection);
+    row("R- of one direction", false, 5, "R-", LimitState::notEvaluable, NotEvaluable::oneDirection);
+    row("R+ of one direction", false, 5, "R+", LimitState::respected, {});
+    row("r is of 1988", true, 5, "r", LimitState::notEvaluable, NotEvaluable::noSuchParameter);
+}
+
+/// No limit vanishes: two limits, and one that cannot be evaluated leaves the test not proven.
+void Findings::everyLimitHasAState() {
+    QFETCH(bool, downward);
+    QFETCH(int, runs);
+    QFETCH(QString, key);
+    QFETCH(int, state);
+    QFETCH(int, reason);
+    Test test = exactHand("ISO 230-2:2006");
+    std::vector<Run> kept;
+    int up = 0;
+    int down = 0;
+    for (const Run &run : measurement(test).runs) {
+        const bool isUp = run.approach == Direction::positive;
+        if (isUp ? up++ < runs : downward && down++ < runs)
+            kept.push_back(run);
+    }
+    measurement(test).runs = kept;
+    test.limits = {{"E+", {1.0, {}, ""}}, {key.toStdString(), {1.0, {}, ""}}};
+    const auto e = evaluated(test);
+    QCOMPARE(e.limits.size(), std::size_t(2));
+    for (const AgreedLimit &limit : e.limits) {
+        if (limit.key != key.toStdString()) {
+            QVERIFY(limit.state == LimitState::respected);
+            continue;
+        }
+        QCOMPARE(static_cast<int>(limit.state), state);
+        QCOMPARE(limit.reason ? static_cast<int>(*limit.reason) : -1, reason);
+    }
+    QVERIFY(e.verdict == (reason < 0 ? Verdict::conforms : Verdict::notProven));
 }
 
 void Findings::proofNeedsUncertainty() {
