@@ -7136,6 +7136,14 @@
         <translation>«&#xa0;%1&#xa0;» n’est pas un chemin d’un fichier d’essai, comme machine.name ou tests[0].limits.A.value</translation>
     </message>
     <message>
+        <source>%1 of what? Write %2 or %3</source>
+        <translation>%1 de quoi&#x202f;? Écrivez %2 ou %3</translation>
+    </message>
+    <message>
+        <source>the unit of “%1” does not fit here; write %2 or %3</source>
+        <translation>l’unité de «&#xa0;%1&#xa0;» ne convient pas ici&#x202f;; écrivez %2 ou %3</translation>
+    </message>
+    <message>
         <source>Role</source>
         <translation>Rôle</translation>
     </message>
@@ -8004,8 +8012,8 @@
         <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
-        <source>Every other key is the path of a field of the test file, as its schema has it: machine.name, limits.A.value (of every test), tests[0].title.</source>
-        <translation>Toute autre clé est le chemin d’un champ du fichier d’essai, tel que le schéma le donne&#xa0;: machine.name, limits.A.value (de chaque essai), tests[0].title.</translation>
+        <source>Every other key is the path of a field of the test file, as its schema has it: machine.name, limits.A.value (of every test), tests[0].title. Limits, deviations and resolutions say their unit: 20um, 5arcsec.</source>
+        <translation>Toute autre clé est le chemin d’un champ du fichier d’essai, tel que le schéma le donne&#xa0;: machine.name, limits.A.value (de chaque essai), tests[0].title. Limites, écarts et résolutions disent leur unité&#xa0;: 20um, 5arcsec.</translation>
     </message>
     <message>
         <source>there is no report in the folder</source>

@@ -138,7 +138,8 @@ QString filesSentence(const Language &language) {
 QString fieldsSentence(const Language &language) {
     return language.text(REPORT_TEXT(
         "report", "Every other key is the path of a field of the test file, as its schema has it: "
-                  "machine.name, limits.A.value (of every test), tests[0].title."));
+                  "machine.name, limits.A.value (of every test), tests[0].title. Limits, deviations and "
+                  "resolutions say their unit: 20um, 5arcsec."));
 }
 
 QString programHelp(const Language &language) {

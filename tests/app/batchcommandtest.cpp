@@ -320,8 +320,8 @@ void BatchCommandTest::fieldsAreSetByTheirPath_data() {
     QTest::newRow("with an equals sign")
         << QStringList{"report.remarks=a=b"} << "report.remarks" << QJsonValue("a=b");
     QTest::newRow("a limit of every test")
-        << QStringList{"limits.A.value=0.020"} << "tests[0].limits.A.value" << QJsonValue(0.020);
-    QTest::newRow("with a comma") << QStringList{"limits.A.value=0,020"} << "tests[0].limits.A.value"
+        << QStringList{"limits.A.value=20 um"} << "tests[0].limits.A.value" << QJsonValue(0.020);
+    QTest::newRow("with a comma") << QStringList{"limits.A.value=0,020 mm"} << "tests[0].limits.A.value"
                                   << QJsonValue(0.020);
     QTest::newRow("of one test") << QStringList{"tests[0].title=Axe X"} << "tests[0].title"
                                  << QJsonValue("Axe X");
@@ -368,6 +368,8 @@ void BatchCommandTest::unknownFieldsAreRefused_data() {
                                 "machine..name=X", "machine=X", "nonsense=1", "limits.A.value=", "axis=Y",
                                 "unit=um", "tests[0]=X", "machine.name[0]=X", "[0]=1", "targets[0]=1e999"})
         QTest::newRow(setting) << setting;
+    for (const char *setting : {"limits.A.value=20", "limits.A.value=5arcsec"}) // µm or mm?
+        QTest::newRow(setting) << setting;
 }
 
 void BatchCommandTest::unknownFieldsAreRefused() {
@@ -388,7 +390,7 @@ void BatchCommandTest::aTableBecomesASignedOffReport() {
                        "(µm)\n0;1,0;2,1;1,2;2,0\n50;2,0;3,1;2,2;3,2\n100;1,5;2,4;1,6;2,7\n");
     const CliResult one =
         runCli({"report", at("x.csv"), "--accept", "-o", at("x.pdf"), "--language", "fr", "--set",
-                "limits.A.value=0.020", "--set", "machine.name=DMU 50", "--set", "axis=X"});
+                "limits.A.value=20um", "--set", "machine.name=DMU 50", "--set", "axis=X"});
     QVERIFY2(one.code == 0, one.err);
     const QJsonObject results = object(runCli({"evaluate", at("x.pdf"), "--json"}).out);
     QCOMPARE(results["machine"].toObject()["name"].toString(), QString("DMU 50"));

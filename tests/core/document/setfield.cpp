@@ -60,11 +60,73 @@ private slots:
             QCOMPARE(test->date, std::optional<std::string>("2026-01-02"));
     }
 
-    void aNumberMayHaveAComma() {
-        for (const char *value : {"0.02", "0,02", "2e-2"}) {
-            const Document changed = withField(ofEachKind(), "tests[0].limits.A.value", value);
-            QCOMPARE(changed.tests[0]->limits.at("A").value, std::optional(0.02));
+    void aLimitSaysItsUnit_data() {
+        QTest::addColumn<bool>("rotary");
+        QTest::addColumn<double>("limit"); // mm, degrees
+        const auto row = [](const char *value, bool rotary, double limit) {
+            QTest::newRow(value) << rotary << limit;
+        };
+        row("20 um", false, 0.02);
+        row("20um", false, 0.02);
+        row("20 µm", false, 0.02);
+        row("20 μm", false, 0.02); // the Greek letter
+        row("2,1 um", false, 0.0021);
+        row("0.02 mm", false, 0.02);
+        row("0,02mm", false, 0.02);
+        row("2e-2 mm", false, 0.02);
+        row("0", false, 0);
+        row("5 arcsec", true, 5.0 / 3600);
+        row("5″", true, 5.0 / 3600);
+        row("0.001 deg", true, 0.001);
+    }
+    void aLimitSaysItsUnit() {
+        QFETCH(const bool, rotary);
+        QFETCH(const double, limit);
+        const Document document =
+            rotary ? withField(ofEachKind(), "tests[0].axis.motion", "rotary") : ofEachKind();
+        const Document changed = withField(document, "tests[0].limits.A.value", QTest::currentDataTag());
+        QCOMPARE(changed.tests[0]->limits.at("A").value.value(), limit);
+    }
+
+    void aBareLengthIsAskedForItsUnit_data() {
+        QTest::addColumn<QString>("value");
+        QTest::addColumn<bool>("rotary");
+        QTest::addColumn<QStringList>("words");
+        const auto row = [](const char *path, const char *value, bool rotary, const QStringList &words) {
+            QTest::addRow("%s=%s", path, value) << QString(value) << rotary << words;
+        };
+        row("tests[0].limits.A.value", "20", false, {"20", "20um", "20mm"});
+        row("tests[0].limits.A.value", "0,02", false, {"0,02", "0,02um", "0,02mm"});
+        row("tests[0].limits.A.value", "5", true, {"5", "5arcsec", "5deg"});
+        row("tests[0].limits.A.value", "5 um", true, {"5 um", "5arcsec", "5deg"});
+        row("tests[0].limits.A.value", "5 parsec", false, {"5 parsec", "5um", "5mm"});
+        row("tests[1].limits.G.value", "8", false, {"8", "8um", "8mm"});
+        row("instruments[0].resolution", "1", false, {"1", "1um", "1mm"});
+        row("tests[0].excluded[0].value", "3", false, {"3", "3um", "3mm"});
+    }
+    void aBareLengthIsAskedForItsUnit() {
+        QFETCH(const QString, value);
+        QFETCH(const bool, rotary);
+        QFETCH(const QStringList, words);
+        const std::string path = QString(QTest::currentDataTag()).section('=', 0, 0).toStdString();
+        const Document document =
+            rotary ? withField(ofEachKind(), "tests[0].axis.motion", "rotary") : ofEachKind();
+        try {
+            (void)withField(document, path, value.toStdString());
+            QFAIL("taken");
+        } catch (const Error &error) {
+            QStringList said;
+            for (const auto &word : error.message.arguments)
+                said << QString::fromStdString(std::get<std::string>(word));
+            QCOMPARE(said, words);
         }
+    }
+
+    void otherNumbersNeedNoUnit() {
+        const Document changed = withField(ofEachKind(), "tests[1].nominalRadius", "150,5");
+        QCOMPARE(std::get<CircularMeasurement>(changed.tests[1]->measurement).nominalRadius, 150.5);
+        const Document given = withField(ofEachKind(), "tests[0].limits.A.value", "20um");
+        QVERIFY(!withField(given, "tests[0].limits.A.value", "null").tests[0]->limits.at("A").value);
     }
 
     void anElementBehindTheLastIsAdded() {
