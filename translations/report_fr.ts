@@ -68,6 +68,10 @@
         <translation>La limite de %1 ne peut être évaluée&#xa0;: %2.</translation>
     </message>
     <message>
+        <source>Not proven:</source>
+        <translation>Non prouvé&#xa0;:</translation>
+    </message>
+    <message>
         <source>Not evaluable: %1.</source>
         <translation>Non évaluable&#xa0;: %1.</translation>
     </message>
@@ -6520,6 +6524,10 @@
     <message>
         <source>limits exceeded</source>
         <translation>limites dépassées</translation>
+    </message>
+    <message>
+        <source>test not checked</source>
+        <translation>essai non vérifié</translation>
     </message>
     <message>
         <source>limits met</source>

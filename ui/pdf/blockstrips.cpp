@@ -426,16 +426,19 @@ void drawStatement(QPainter &painter, QPointF at, const StatementBlock &statemen
                             text + QPointF(0, statement.state.empty() ? 0 : statement.state.height()));
 }
 
-/// The large word in the size that its column allows.
-TextBlock verdictWord(const VerdictLine &line, double width) {
+/// The large word, or its second line, in the size that its column allows: the same for both.
+TextBlock verdictWord(const VerdictLine &line, const QString &text, double width) {
     constexpr qsizetype longWord = 12;
     constexpr double smallest = 8;
     TextStyle style{12, true, black, 1.2};
     if (line.large)
-        style.size = line.word.size() > longWord ? 14 : 18;
-    while (style.size > smallest && TextBlock(line.word, style).width() > width)
+        style.size = std::max(line.word.size(), line.second.size()) > longWord ? 14 : 18;
+    const auto widest = [&] {
+        return std::max(TextBlock(line.word, style).width(), TextBlock(line.second, style).width());
+    };
+    while (style.size > smallest && widest() > width)
         style.size -= 0.1;
-    return {line.word, style, width};
+    return text.isEmpty() ? TextBlock() : TextBlock(text, style, width);
 }
 
 Strips verdictStrips(const VerdictLine &line, double width) {
@@ -447,13 +450,14 @@ Strips verdictStrips(const VerdictLine &line, double width) {
     const double largeMark = (line.large ? 4.8 : 3.4) * mm;
     const double wordLeft = line.mark == Mark::none ? 0 : largeMark + 1.2 * mm;
     const TextBlock label(line.label, {9, false, black, 1.28});
-    const TextBlock word = verdictWord(line, column - left - wordLeft);
+    const TextBlock word = verdictWord(line, line.word, column - left - wordLeft);
+    const TextBlock second = verdictWord(line, line.second, column - left - wordLeft);
     const TextBlock note =
         line.note.isEmpty() ? TextBlock() : TextBlock(line.note, smallStyle, column - left);
     const StatementBlock limits = statementBlock(line.limits, width - rightAt - left, line.large);
     const StatementBlock accordance = statementBlock(line.accordance, width - rightAt - left, line.large);
 
-    const double leftHeight = label.height() + word.height() + note.height();
+    const double leftHeight = label.height() + word.height() + second.height() + note.height();
     const double rightHeight = limits.height() + accordance.height() + 2 * gap;
     const double inner = std::max(leftHeight, rightHeight);
     const double height = inner + 2 * padding;
@@ -466,6 +470,9 @@ Strips verdictStrips(const VerdictLine &line, double width) {
         drawMark(painter, mark, place + QPointF(largeMark / 2, word.lineHeight() / 2), largeMark);
         word.draw(painter, place + QPointF(wordLeft, 0));
         place.ry() += word.height();
+        if (!second.empty())
+            second.draw(painter, place + QPointF(wordLeft, 0));
+        place.ry() += second.height();
         if (!note.empty())
             note.draw(painter, place);
         place = at + QPointF(rightAt, padding + (inner - rightHeight) / 2);

@@ -155,6 +155,8 @@ std::vector<PrintedRow> rowsOf(const EvaluatedDocument &evaluated, const Report 
         const auto *verdict = std::get_if<VerdictLine>(&block);
         if (verdict && !verdict->word.isEmpty())
             rows.push_back({verdict->word, {}}); // larger than its label, and so in a line of its own
+        if (verdict && !verdict->second.isEmpty())
+            rows.push_back({verdict->second, {}});
     }
     return rows;
 }

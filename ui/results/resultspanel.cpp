@@ -260,8 +260,8 @@ void ResultsPanel::showVerdict() {
         VerdictMark look = verdictMark(evaluation.verdict);
         if (largeMark(evaluation.verdict, accordance) == Mark::warning)
             look = {QStringLiteral("warn"), Token::unsure, {}};
-        m_chip->setContent(m_language.text(largeWord(evaluation.verdict, anyLimit, accordance)), look.icon,
-                           look.colour, groundOf(look.colour));
+        m_chip->setContent(m_language.text(largeWord(evaluation.verdict, anyLimit, accordance).word),
+                           look.icon, look.colour, groundOf(look.colour));
     }
     VerdictMark limits = limitsMark(evaluation.verdict, anyLimit);
     if (table.provisional)

@@ -124,6 +124,20 @@ Message noVerdict(const std::string &id, const Limit &limit, NotEvaluable reason
     }
 }
 
+/// What pages call a key of `limits`, where need be in the words of another edition.
+std::string symbolOf(const std::string &key, const Edition &edition) {
+    const std::span<const Edition *const> others = editionsOf(edition.kind);
+    std::vector<const Edition *> known{&edition};
+    known.insert(known.end(), others.begin(), others.end());
+    for (const Edition *one : known) {
+        for (const Term *term : termsOf(*one)) {
+            if (key == term->id)
+                return std::string(term->symbol.base) + term->symbol.subscript + term->symbol.arrow;
+        }
+    }
+    return key; // "F", of Fmax and Fmin
+}
+
 LimitState stateOf(Verdict verdict) {
     return verdict == Verdict::conforms    ? LimitState::respected
            : verdict == Verdict::notProven ? LimitState::notProven
@@ -199,7 +213,7 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
         if (!limit.value)
             continue;
         const std::vector<Judged> found = judged(id);
-        AgreedLimit agreed{id, limit, LimitState::respected, {}, {}};
+        AgreedLimit agreed{id, symbolOf(id, *evaluation.edition), limit, LimitState::respected, {}, {}};
         for (const Judged &one : found)
             agreed.parameters.push_back(parameterId(*one.parameter));
         agreed.reason = reasonForNone(id, limit, found, evaluation, missing);

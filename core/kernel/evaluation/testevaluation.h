@@ -117,7 +117,8 @@ enum class NotEvaluable {
 
 /// An agreed limit of the test file and how it stands.
 struct AgreedLimit {
-    std::string key; ///< of `limits` in the file
+    std::string key;    ///< of `limits` in the file
+    std::string symbol; ///< as pages write it: "A↑" for "A+"
     Limit limit;     ///< its value is never null
     LimitState state = LimitState::notEvaluable;
     std::optional<NotEvaluable> reason;  ///< null unless not evaluable

@@ -61,7 +61,7 @@ public:
         cells(texts);
     }
     void operator()(const VerdictLine &verdict) {
-        cells({verdict.label, verdict.word, verdict.note});
+        cells({verdict.label, verdict.word, verdict.second, verdict.note});
         for (const VerdictStatement &part : {verdict.limits, verdict.accordance})
             cells({part.label, part.state, part.text.plain().replace(QLatin1String("%1"), QString(dash))});
     }

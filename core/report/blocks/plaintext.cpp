@@ -238,7 +238,7 @@ public:
         }
     }
     void operator()(const VerdictLine &line) {
-        const QString first = line.label.isEmpty() ? line.word : line.label + u' ' + line.word;
+        const QString first = QStringList{line.label, line.word, line.second}.join(u' ').simplified();
         if (!first.isEmpty())
             m_lines << wrapped(first, m_width);
         int labels = 0;

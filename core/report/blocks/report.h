@@ -258,9 +258,10 @@ struct VerdictStatement {
 /// word, note, limits, accordance.
 struct VerdictLine {
     Mark mark = Mark::none;
-    QString label;     ///< "Verdict of the test"
-    QString word;      ///< in capitals; empty where only the parts are said
-    QString note = {}; ///< small, below the word
+    QString label;       ///< "Verdict of the test"
+    QString word;        ///< in capitals; empty where only the parts are said
+    QString second = {}; ///< below the word in the same size: what is not known of the test; may be empty
+    QString note = {};   ///< small, below the word
     VerdictStatement limits;
     VerdictStatement accordance;
     QString anchor = {};

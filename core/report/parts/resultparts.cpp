@@ -372,7 +372,7 @@ QString notEvaluable(const TestPart &part) {
     std::map<NotEvaluable, QStringList> keys;
     for (const AgreedLimit &limit : part.evaluation.limits) {
         if (limit.reason)
-            keys[*limit.reason] << QString::fromStdString(limit.key);
+            keys[*limit.reason] << QString::fromStdString(limit.symbol);
     }
     QStringList items;
     for (const auto &[reason, limits] : keys)
@@ -436,7 +436,10 @@ VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &
     VerdictLine line;
     line.mark = largeMark(evaluation.verdict, evaluation.accordance());
     line.label = part.write.text(REPORT_TEXT("report", "Verdict of the test"));
-    line.word = part.write.text(largeWord(evaluation.verdict, limits, evaluation.accordance())).toUpper();
+    const LargeWord word = largeWord(evaluation.verdict, limits, evaluation.accordance());
+    line.word = part.write.text(word.word).toUpper();
+    if (!word.second.empty())
+        line.second = part.write.text(word.second).toUpper();
     line.limits = {part.write.text(REPORT_TEXT_FOR("report", "Limits", "part of a verdict")),
                    evaluation.verdict ? markOf(*evaluation.verdict) : Mark::none,
                    part.write.text(limitsText(evaluation.verdict, limits)),
@@ -460,27 +463,30 @@ void addResultsAs(std::vector<Block> &blocks, const TestPart &part, const Result
 
 } // namespace
 
-Text largeWord(std::optional<Verdict> verdict, bool anyLimit, Accordance accordance) {
+LargeWord largeWord(std::optional<Verdict> verdict, bool anyLimit, Accordance accordance) {
     if (!verdict)
-        return anyLimit ? REPORT_TEXT("report", "no verdict") : REPORT_TEXT("report", "no limit");
-    if (accordance != Accordance::no && accordance != Accordance::notShown)
-        return verdictText(*verdict);
+        return {anyLimit ? REPORT_TEXT("report", "no verdict") : REPORT_TEXT("report", "no limit")};
+    if (accordance == Accordance::yes || accordance == Accordance::partly)
+        return {verdictText(*verdict)};
     switch (*verdict) {
     case Verdict::conforms:
         break;
     case Verdict::notProven:
-        return REPORT_TEXT("report", "limits not proven");
+        return {REPORT_TEXT("report", "limits not proven")};
     case Verdict::doesNotConform:
-        return REPORT_TEXT("report", "limits exceeded");
+        return {REPORT_TEXT("report", "limits exceeded")};
     }
-    return accordance == Accordance::no ? REPORT_TEXT("report", "no verdict")
-                                        : REPORT_TEXT("report", "limits met");
+    if (accordance == Accordance::no)
+        return {REPORT_TEXT("report", "no verdict")};
+    return {REPORT_TEXT("report", "limits met"), accordance == Accordance::notChecked
+                                                     ? REPORT_TEXT("report", "test not checked")
+                                                     : REPORT_TEXT("report", "accordance not shown")};
 }
 
 Mark largeMark(std::optional<Verdict> verdict, Accordance accordance) {
     if (!verdict)
         return Mark::none;
-    const bool open = accordance == Accordance::no || accordance == Accordance::notShown;
+    const bool open = accordance != Accordance::yes && accordance != Accordance::partly;
     return *verdict == Verdict::conforms && open ? Mark::warning : markOf(*verdict);
 }
 

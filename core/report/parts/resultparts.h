@@ -6,10 +6,16 @@
 
 namespace palmer {
 
-/// The large word of a verdict line. "Conforms" and its likes stand only where no requirement is known to be
-/// unmet or was not declared; there the word is of the limits alone, and with an unmet requirement there is
-/// no verdict on limits that are respected.
-[[nodiscard]] Text largeWord(std::optional<Verdict> verdict, bool anyLimit, Accordance accordance);
+/// The large word of a verdict line, and the line below it where limits are respected by a test of which not
+/// all is known.
+struct LargeWord {
+    Text word;
+    Text second = {}; ///< may be empty
+};
+
+/// "Conforms" and its likes are for tests whose requirements were all read, declared and met. Otherwise the
+/// word is of the limits alone, and with an unmet requirement there is no verdict on respected limits.
+[[nodiscard]] LargeWord largeWord(std::optional<Verdict> verdict, bool anyLimit, Accordance accordance);
 
 /// The mark beside the large word; none where it has none.
 [[nodiscard]] Mark largeMark(std::optional<Verdict> verdict, Accordance accordance);

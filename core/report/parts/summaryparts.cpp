@@ -324,7 +324,7 @@ QString notEvaluable(const std::vector<TestPart> &parts) {
     for (const TestPart &part : parts) {
         for (const AgreedLimit &limit : part.evaluation.limits) {
             if (counts(part) && limit.reason)
-                items << QString::fromStdString(limit.key) + QStringLiteral(" (") + briefTestName(part) +
+                items << QString::fromStdString(limit.symbol) + QStringLiteral(" (") + briefTestName(part) +
                              write.semicolon() + write.text(notEvaluableText(*limit.reason)) + u')';
         }
     }
@@ -350,6 +350,14 @@ Phrase limitsText(const std::vector<TestPart> &parts, const Whole &whole, const 
         return joined({met, rule}, write.semicolon()) + u'.';
     }
     Phrase result = namedQuantities(parts, *whole.verdict);
+    if (*whole.verdict == Verdict::doesNotConform) {
+        const Phrase open = namedQuantities(parts, Verdict::notProven);
+        if (!open.spans.empty()) {
+            result.spans.push_back(
+                {QStringLiteral(". ") + write.text(REPORT_TEXT("report", "Not proven:")) + u' '});
+            result.spans.insert(result.spans.end(), open.spans.begin(), open.spans.end());
+        }
+    }
     QString rest = result.spans.empty() ? QString() : QStringLiteral(".");
     if (const QString open = notEvaluable(parts); !open.isEmpty())
         rest += (rest.isEmpty() ? QString() : QStringLiteral(" ")) + open;
@@ -367,7 +375,10 @@ VerdictLine verdictLine(const std::vector<TestPart> &parts, const Whole &whole, 
     line.large = true;
     line.mark = largeMark(whole.verdict, weakest);
     line.label = write.text(REPORT_TEXT("report", "Verdict of the report"));
-    line.word = write.text(largeWord(whole.verdict, whole.anyLimit, weakest)).toUpper();
+    const LargeWord word = largeWord(whole.verdict, whole.anyLimit, weakest);
+    line.word = write.text(word.word).toUpper();
+    if (!word.second.empty())
+        line.second = write.text(word.second).toUpper();
     if (whole.asLeft)
         line.note = write.text(REPORT_TEXT("report", "machine in its final condition, as left"));
     line.limits = {write.text(REPORT_TEXT_FOR("report", "Limits", "part of a verdict")),
