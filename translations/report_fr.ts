@@ -5914,6 +5914,14 @@
         <translation>Aucune limite du gradient n’a été convenue.</translation>
     </message>
     <message>
+        <source>Feed %1, agreed %2.</source>
+        <translation>Avance %1, convenue %2.</translation>
+    </message>
+    <message>
+        <source>ends of the axis</source>
+        <translation>extrémités de l’axe</translation>
+    </message>
+    <message>
         <source>Gradient %1, agreed limit %2.</source>
         <translation>Gradient %1, limite convenue %2.</translation>
     </message>

@@ -30,6 +30,7 @@ Sentence otherTest(const PositioningCase &test);       ///< long axis: whole tra
 Sentence zoneLength(const PositioningCase &test);      ///< the zone is 2 000 mm (360°) long
 Judgement zone(const PositioningCase &test);           ///< and agreed
 Sentence ends(const PositioningCase &test);            ///< first and last target approached from both sides
+Judgement endsOf2006(const PositioningCase &test);     ///< the same; undeclared without the ends of the axis
 Sentence endsUnknown(const PositioningCase &test);     ///< ends of the axis not stated: not checked
 Judgement choiceOf1988(const PositioningCase &test);   ///< targets do not share a phase of the cyclic pitch
 Sentence spacing(const PositioningCase &test);         ///< steps within two periods (60 %) of the mean step

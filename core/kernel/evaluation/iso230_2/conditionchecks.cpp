@@ -6,6 +6,7 @@
 #include "kernel/evaluation/iso230_2/checks.h"
 #include "kernel/evaluation/iso230_2/correction.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
+#include "kernel/measurement/testfacts.h"
 #include "kernel/words/blank.h"
 
 #include <algorithm>
@@ -83,11 +84,13 @@ Judgement feedAsAgreed(const PositioningCase &test) {
     const auto &feed = test.conditions().feed;
     if (agreed && !isAgreedState(*agreed))
         return Judgement::unmet();
-    if (!agreed)
+    if (!agreed || !agreed->value)
         return Judgement::undeclared();
-    const bool contradicted = agreed->value && feed &&
-                              std::abs(*feed - *agreed->value) > roundingOfWriting * std::abs(*agreed->value);
-    return contradicted ? Judgement::unmet() : Judgement::met();
+    if (!feed || std::abs(*feed - *agreed->value) <= roundingOfWriting * std::abs(*agreed->value))
+        return Judgement::met();
+    const Quantity quantity = feedQuantity(test.test);
+    return Judgement::unmet({REPORT_TEXT("report", "Feed %1, agreed %2."),
+                             {Number{*feed, quantity, -1}, Number{*agreed->value, quantity, -1}}});
 }
 
 Judgement feedOrRapid(const PositioningCase &test) {

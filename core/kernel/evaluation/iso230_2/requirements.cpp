@@ -200,7 +200,8 @@ constexpr std::array text2006{
     Demand{"uncertainty", text, "Foreword (7)", shall, uncertainty, nullptr, uncertaintyStated,
         REPORT_TEXT("report", "measurement uncertainty"), {}, {"uncertainty"}, Explains::missingUncertainty},
     Demand{"cycle", text, "1", should, conditions, notShortLinear, unless<stepCycle>, {}, {}, {"cycle", "agreedPoints.stepCycle"}},
-    Demand{"ends", text, "2.2", shall, conditions, approachedBothWays, unless<ends>, {}, {}, {"axis.range"}},
+    Demand{"ends", text, "2.2", shall, conditions, approachedBothWays, endsOf2006,
+        REPORT_TEXT("report", "ends of the axis"), {}, {"axis.range"}},
     Demand{"sensors", text, "3.1", shall, conditions, nullptr, temperaturesOf2006,
         REPORT_TEXT("report", "temperatures of machine and instrument"), {}, {"conditions.sensors"}},
     Demand{"correctionTo20", text, "3.1", shall, conditions, linear, correction,
@@ -408,7 +409,7 @@ std::vector<Demand> practiceOf2006(std::initializer_list<std::string_view> witho
     const std::vector<Demand> rows = asPractice(Rows(text2006), without);
     return table({rows, laboratory::rows<PositioningCase>(), laboratoryRows,
                   laboratory::instrumentRows<PositioningCase>(), laboratory::checks<PositioningCase>(),
-                  programRows, longRows, endUnknownRows});
+                  programRows, longRows});
 }
 
 } // namespace
@@ -434,7 +435,7 @@ std::span<const Requirement> requirements2006() {
     static const std::vector<Demand> rows =
         table({text2006, laboratory::rows<PositioningCase>(), laboratoryRows,
                laboratory::instrumentRows<PositioningCase>(), laboratory::checks<PositioningCase>(),
-               programRows, longRows, endUnknownRows, moreThanFive2006});
+               programRows, longRows, moreThanFive2006});
     return rows;
 }
 std::span<const Requirement> requirements2014() {

@@ -237,6 +237,10 @@ Sentence ends(const PositioningCase &test) {
                    {along(test, below), along(test, above)}};
 }
 
+Judgement endsOf2006(const PositioningCase &test) {
+    return test.measurement.axis.range ? Judgement::of(ends(test)) : Judgement::undeclared();
+}
+
 Sentence endsUnknown(const PositioningCase &test) {
     if (test.measurement.axis.range)
         return std::nullopt;

@@ -56,8 +56,10 @@ inline Setup complete(const char *edition, std::vector<double> targets, int runs
     setup.test.instruments = {"laser"};
     for (const AgreementPoint &point : findEdition(edition)->points)
         setup.test.agreedPoints.push_back({point.point, AgreementState::agreed, "as agreed", {}});
-    if (!setup.test.agreedPoints.empty()) // VDI has none
+    if (!setup.test.agreedPoints.empty()) { // VDI has none
         agreed(setup.test, "gradient").value = 0.5;
+        agreed(setup.test, "feed").value = 5000;
+    }
     setup.test.purpose = Purpose::acceptance;
     PositioningMeasurement &p = setup.m();
     p.axis = {"X", Motion::linear, last + 20, Interval{-10, last + 10}, "linear scale", 0.0};

@@ -271,6 +271,9 @@ void Requirements::rows_data() {
         row(
             "another feed than agreed", edition, shortAxis,
             [](Setup &s) { agreed(s.test, "feed").value = 4999; }, "feed", "4.1", "unmet");
+        row(
+            "feed agreed without a number", edition, shortAxis,
+            [](Setup &s) { agreed(s.test, "feed").value.reset(); }, "feed", "4.1", "undeclared");
         // ---- 4.3.1 ----
         row(
             "instrument located by words", edition, shortAxis,
@@ -753,7 +756,13 @@ void Requirements::rows_data() {
         "approach distance beyond the end", of2006, shortAxis,
         [](Setup &s) { s.m().conditions.approachDistance = 15; }, "ends", "2.2", "unmet");
     row(
-        "ends not stated", of2006, shortAxis, [](Setup &s) { s.m().axis.range.reset(); }, "ends", "",
+        "ends not stated", of2006, shortAxis, [](Setup &s) { s.m().axis.range.reset(); }, "ends", "2.2",
+        "undeclared");
+    row(
+        "ends not stated", of2014, shortAxis, [](Setup &s) { s.m().axis.range.reset(); }, "ends", "",
+        "practice undeclared");
+    row(
+        "ends not stated", of1988, shortAxis, [](Setup &s) { s.m().axis.range.reset(); }, "ends", "",
         "program note");
     row(
         "first target at the end", of1988, shortAxis, [](Setup &s) { s.m().axis.range->from = 3; }, "ends",

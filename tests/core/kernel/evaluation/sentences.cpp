@@ -236,6 +236,10 @@ void Sentences::numbers_data() {
     row(
         "gradient", of2006, shortAxis, "gradientPerHour",
         [](Setup &s) { s.m().conditions.gradientPerHour = -0.51; }, "-0.51 °C/h; 0.5 °C/h");
+    for (const char *edition : {of1988, of2006})
+        row(
+            "another feed than agreed", edition, shortAxis, "feed",
+            [](Setup &s) { agreed(s.test, "feed").value = 4000; }, "5000 feed; 4000 feed");
     row("machine not at 20 °C", of2006, shortAxis, "correctionTo20", sensor(0, 22, 23), "22.5 °C.1");
     row("instrument not at 20 °C", of2006, shortAxis, "correctionTo20", sensor(1, 18, 19), "18.5 °C.1");
     row(
