@@ -1,0 +1,369 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "laws/generator.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+namespace palmer::laws {
+
+namespace {
+
+/// Made by code, or tied to other fields of the file.
+const std::set<std::string> made{"kind",     "id",      "instruments", "targets",   "runs",       "excluded",
+                                 "arcs",     "times",   "deviations",  "zone",      "logo",       "mark",
+                                 "data",     "series",  "extensions",  "limits",    "expanded",   "driftTest",
+                                 "imports",  "editions", "languages",  "format",    "version",    "tests",
+                                 "agreedPoints", "nominalRadius", "trials", "seed", "method", "plane"};
+
+/// Exempt from the law of silence: what is measured and what is asked, and what only shapes the report.
+/// `motion` and `source` say what was measured, `calibrated` false refuses a value that null gives with an
+/// open question.
+const std::set<std::string> exempt{"targets",      "runs",       "arcs",          "excluded", "zone",
+                                   "limits",       "decisionRule", "requiredResults", "edition",
+                                   "kind",         "id",         "nominalRadius", "times",    "deviations",
+                                   "motion",       "source",     "report",        "imports",  "extensions",
+                                   "standardDeviation", "centring", "referenceCircle", "plane"};
+
+/// How large numbers are, by key; the schema has no such facts.
+struct Size {
+    const char *key;
+    double least;
+    double most;
+};
+constexpr std::array sizes{Size{"start", 17, 24},        Size{"end", 17, 24},       Size{"machine", 0, 14},
+                           Size{"instrument", 0, 14},    Size{"travel", 100, 3000}, Size{"feed", 100, 20000},
+                           Size{"airPressure", 950, 1040}, Size{"airHumidity", 10, 90},
+                           Size{"gradientPerHour", 0, 3}, Size{"gradientHoursBefore", 0, 20},
+                           Size{"fixed", 0, 2},          Size{"perMetre", 0, 3},    Size{"coverageFactor", 1, 3},
+                           Size{"guardFactor", 0, 1.5},  Size{"period", 1, 40},     Size{"interval", 10, 200},
+                           Size{"approachDistance", 0, 20}, Size{"dwell", 0, 10},   Size{"faces", 1, 12},
+                           Size{"resolution", 0.00001, 0.001}, Size{"length", 100, 2000}, Size{"year", 1980, 2026},
+                           Size{"calibrated", 0, 1}};
+
+double rounded(double value, int digits) {
+    const double scale = std::pow(10.0, digits);
+    return std::round(value * scale) / scale;
+}
+
+} // namespace
+
+std::string joined(const Path &path) {
+    std::string result;
+    for (const std::string &key : path)
+        result += (result.empty() ? "" : ".") + key;
+    return result;
+}
+
+Generator::Generator(Json schema, std::uint64_t seed)
+    : m_schema(std::move(schema))
+    , m_random(seed) {}
+
+const Json &Generator::resolved(const Json &schema) const {
+    const auto found = schema.find("$ref");
+    if (found == schema.end())
+        return schema;
+    return resolved(m_schema.at(Json::json_pointer(found->get<std::string>().substr(1))));
+}
+
+Json Generator::text(std::size_t most) {
+    static constexpr std::array ends{"", " é", " Ω", " (a)", " & co", " %1", " <b>", " =x"};
+    const std::string body = "Text" + std::to_string(1000 + m_texts++) + anyOf(ends);
+    return body.substr(0, most);
+}
+
+double Generator::number(const std::string &key) {
+    const auto size = std::ranges::find_if(sizes, [&](const Size &s) { return key == s.key; });
+    const double value = size == sizes.end() ? between(0, 10) : between(size->least, size->most);
+    return rounded(value, std::abs(value) < 0.01 ? 6 : 1 + below(3));
+}
+
+Json Generator::value(const Json &given, const std::string &key) {
+    const Json &schema = resolved(given);
+    if (const auto words = schema.find("enum"); words != schema.end())
+        return anyOf(*words);
+    if (const auto only = schema.find("const"); only != schema.end())
+        return *only;
+    if (const auto some = schema.find("anyOf"); some != schema.end())
+        return value(anyOf(*some), key);
+    const Json &types = schema.contains("type") ? schema.at("type") : Json("null");
+    const std::string type = types.is_array() ? types.at(0).get<std::string>() : types.get<std::string>();
+    if (type == "boolean")
+        return chance(0.7);
+    if (type == "integer")
+        return static_cast<int>(number(key)) + 1;
+    if (type == "number") {
+        const double made = number(key);
+        return schema.contains("exclusiveMinimum") && made <= 0 ? Json(0.5) : Json(made);
+    }
+    if (type == "string") {
+        if (schema.contains("pattern")) {
+            const std::string pattern = schema.at("pattern");
+            if (pattern.find("[0-9]{4}") != std::string::npos)
+                return "20" + std::to_string(20 + below(7)) + "-0" + std::to_string(1 + below(9)) + "-1" +
+                       std::to_string(below(10));
+            return "1" + std::to_string(below(10)) + ":3" + std::to_string(below(10));
+        }
+        return text(schema.value("maxLength", 4096));
+    }
+    if (type == "array") {
+        Json list = Json::array();
+        const int least = schema.value("minItems", 0);
+        const int count = least > 0 ? least : below(4);
+        for (int i = 0; i < count; ++i) {
+            Json one = value(schema.at("items"), key);
+            if (schema.value("uniqueItems", false) && std::ranges::find(list, one) != list.end())
+                continue;
+            list.push_back(std::move(one));
+        }
+        return list;
+    }
+    if (type == "object")
+        return object(schema);
+    return nullptr;
+}
+
+Json Generator::object(const Json &schema) {
+    Json result = Json::object();
+    if (!schema.contains("properties"))
+        return result;
+    for (const auto &[key, property] : schema.at("properties").items()) {
+        const Json needed = schema.value("required", Json::array());
+        const bool required = std::ranges::find(needed, Json(key)) != needed.end();
+        if (made.contains(key) || (!required && chance(0.25)))
+            continue;
+        const Json &own = resolved(property);
+        const bool nullable = own.contains("type") && own.at("type").is_array();
+        if (nullable && !required && chance(0.1)) {
+            result[key] = nullptr;
+            continue;
+        }
+        result[key] = value(property, key);
+    }
+    if (result.contains("from") && result.contains("to") && !(result["from"] < result["to"]))
+        result["to"] = result["from"].get<double>() + 700;
+    return result;
+}
+
+Json Generator::agreedPoints(const Json &schema) {
+    Json list = Json::array();
+    const Json &item = resolved(schema).at("items");
+    for (const Json &point : item.at("properties").at("point").at("enum")) {
+        if (chance(0.4))
+            continue;
+        Json one = Json::object({{"point", point}, {"state", value(item.at("properties").at("state"), "state")}});
+        if (chance(0.6))
+            one["text"] = text(4096);
+        if ((point == "gradient" || point == "feed") && chance(0.7))
+            one["value"] = number(point == "feed" ? "feed" : "gradientPerHour");
+        list.push_back(std::move(one));
+    }
+    return list;
+}
+
+Json Generator::limits(const Json &schema, double scale) {
+    Json result = Json::object();
+    const double stated = std::array{0.0, 0.15, 0.5}[static_cast<std::size_t>(below(3))];
+    for (const Json &id : resolved(resolved(schema).at("propertyNames")).at("enum")) {
+        if (!chance(stated))
+            continue;
+        Json limit{{"value", rounded(scale * between(0.2, 4), 4)}};
+        if (id == "Fmin")
+            limit["value"] = -limit["value"].get<double>();
+        if (chance(0.1))
+            limit["edition"] = value(m_schema.at("$defs").at("edition"), "edition");
+        if (chance(0.3))
+            limit["source"] = text(4096);
+        result[id.get<std::string>()] = std::move(limit);
+    }
+    return result;
+}
+
+void Generator::measureAxis(Json &test) {
+    const bool rotary = test.contains("axis") && test["axis"].value("motion", "linear") == "rotary";
+    const double length = rotary ? 270 : chance(0.2) ? between(2100, 2900) : between(5, 1500);
+    const int count = 1 + below(8);
+    Json targets = Json::array();
+    for (int i = 0; i < count; ++i)
+        targets.push_back(rounded(length * i / count + between(0, 0.4) * length / count, below(4)));
+    std::sort(targets.begin(), targets.end());
+    targets.erase(std::unique(targets.begin(), targets.end()), targets.end());
+    test["targets"] = targets;
+    const double unit = rotary ? 0.0003 : 0.001;
+    const int n = std::array{1, 2, 5}[static_cast<std::size_t>(below(3))];
+    const int directions = 1 + below(3); // 1 up, 2 down, 3 both
+    const bool alternating = chance(0.7);
+    Json runs = Json::array();
+    const auto add = [&](const char *approach) {
+        Json deviations = Json::array();
+        for (std::size_t i = 0; i < targets.size(); ++i)
+            deviations.push_back(chance(0.02) ? Json(nullptr) : Json(rounded(unit * between(-5, 5), 5)));
+        runs.push_back({{"approach", approach}, {"deviations", std::move(deviations)}});
+    };
+    for (int pass = 0; pass < (alternating ? n : 1); ++pass) {
+        for (const auto &[bit, approach] : {std::pair{1, "positive"}, std::pair{2, "negative"}}) {
+            for (int k = 0; k < (alternating ? 1 : n) && (directions & bit) != 0; ++k)
+                add(approach);
+        }
+    }
+    test["runs"] = std::move(runs);
+    if (chance(0.2))
+        test["zone"] = {{"from", -1}, {"to", rotary ? 360 : 1999}};
+}
+
+void Generator::measurePaths(Json &test) {
+    test["nominalRadius"] = rounded(between(50, 200), 2);
+    const int senses = 1 + below(3);
+    const double extent = chance(0.7) ? 360 : between(60, 300);
+    const int repeats = chance(0.2) ? 2 : 1;
+    Json arcs = Json::array();
+    for (int k = 0; k < repeats; ++k) {
+        for (const auto &[bit, sense] :
+             {std::pair{1, "counterclockwise"}, std::pair{2, "clockwise"}}) {
+            if ((senses & bit) == 0)
+                continue;
+            constexpr int points = 36;
+            Json angles = Json::array();
+            Json radial = Json::array();
+            for (int i = 0; i <= points; ++i) {
+                const double angle = extent * i / points;
+                angles.push_back(bit == 1 ? angle : -angle);
+                radial.push_back(rounded(0.004 * std::cos(angle / 57) + 0.001 * between(-1, 1), 5));
+            }
+            Json arc{{"sense", sense}, {"angles", angles}, {"radialDeviations", radial}};
+            if (chance(0.3))
+                arc["cutOff"] = text(4096);
+            arcs.push_back(std::move(arc));
+        }
+    }
+    test["arcs"] = std::move(arcs);
+}
+
+Json Generator::positioning() {
+    const Json &schema = m_schema.at("$defs").at("positioningTest");
+    Json test = object(schema);
+    test["kind"] = "positioning";
+    test["edition"] = value(schema.at("properties").at("edition"), "edition");
+    measureAxis(test);
+    test["limits"] = limits(schema.at("properties").at("limits"), 0.01);
+    if (chance(0.7))
+        test["agreedPoints"] = agreedPoints(schema.at("properties").at("agreedPoints"));
+    // Simulations take long, and their numbers are tested elsewhere.
+    test["uncertainty"]["method"] = std::array{"none", "budget", "direct"}[static_cast<std::size_t>(below(3))];
+    if (chance(0.5))
+        test["uncertainty"]["expanded"] = {{"A", 1.25}, {"R", 0.8}, {"E", 1.5}};
+    return test;
+}
+
+Json Generator::circular() {
+    const Json &schema = m_schema.at("$defs").at("circularTest");
+    Json test = object(schema);
+    test["kind"] = "circular";
+    test["edition"] = value(schema.at("properties").at("edition"), "edition");
+    test["plane"] = {{"first", "X"}, {"second", "Y"}};
+    measurePaths(test);
+    test["limits"] = limits(schema.at("properties").at("limits"), 0.005);
+    if (chance(0.7))
+        test["agreedPoints"] = agreedPoints(schema.at("properties").at("agreedPoints"));
+    test["uncertainty"]["method"] = std::array{"none", "budget", "direct"}[static_cast<std::size_t>(below(3))];
+    if (chance(0.5))
+        test["uncertainty"]["expanded"] = {{"G", 0.5}, {"F", 0.7}};
+    return test;
+}
+
+Json Generator::drift() {
+    Json test = object(m_schema.at("$defs").at("driftTest"));
+    test["kind"] = "drift";
+    test["times"] = {0, 60, 120.5};
+    test["deviations"] = {0.0, 0.0004, 0.0011};
+    return test;
+}
+
+Json Generator::file() {
+    m_texts = 0;
+    const Json &root = m_schema.at("properties");
+    Json file{{"format", root.at("format").at("const")}, {"version", root.at("version").at("const")}};
+    file["report"] = value(root.at("report"), "report");
+    file["machine"] = value(root.at("machine"), "machine");
+    file["tests"] = Json::array();
+    const int count = chance(0.7) ? 1 : 2 + below(2);
+    for (int i = 0; i < count; ++i) {
+        const double kind = between(0, 1);
+        Json test = kind < 0.6 ? positioning() : kind < 0.95 ? circular() : drift();
+        test["id"] = "t" + std::to_string(i + 1);
+        file["tests"].push_back(std::move(test));
+    }
+    if (chance(0.8)) {
+        Json instrument = value(m_schema.at("$defs").at("instrument"), "instrument");
+        instrument["id"] = "laser";
+        file["instruments"] = Json::array({std::move(instrument)});
+        for (Json &test : file["tests"]) {
+            if (chance(0.8))
+                test["instruments"] = Json::array({"laser"});
+        }
+    }
+    return file;
+}
+
+const Json *Generator::schemaAt(const Path &path, const Json &file) const {
+    const Json *schema = &m_schema;
+    const Json *at = &file;
+    for (const std::string &key : path) {
+        schema = &resolved(*schema);
+        if (at->is_array()) {
+            at = &at->at(std::stoul(key));
+            if (schema == nullptr || !schema->contains("items"))
+                return nullptr;
+            schema = &schema->at("items");
+            if (at->is_object() && at->contains("kind") && schema->contains("allOf"))
+                schema = &m_schema.at("$defs").at(at->at("kind").get<std::string>() + "Test");
+            continue;
+        }
+        if (!schema->contains("properties") || !schema->at("properties").contains(key))
+            return nullptr;
+        schema = &schema->at("properties").at(key);
+        at = &at->at(key);
+    }
+    return &resolved(*schema);
+}
+
+std::vector<Path> Generator::statements(const Json &file) const {
+    std::vector<Path> result;
+    const auto walk = [&](const auto &self, const Json &at, const Path &path) -> void {
+        if (at.is_object()) {
+            for (const auto &[key, below] : at.items()) {
+                const bool shapesOnly = path.empty() && (key == "format" || key == "version" || key == "report");
+                if (shapesOnly || exempt.contains(key))
+                    continue;
+                Path inner = path;
+                inner.push_back(key);
+                if (key != "tests")
+                    result.push_back(inner);
+                self(self, below, inner);
+            }
+        } else if (at.is_array()) {
+            for (std::size_t i = 0; i < at.size(); ++i) {
+                Path inner = path;
+                inner.push_back(std::to_string(i));
+                if (at[i].is_object())
+                    self(self, at[i], inner);
+            }
+        }
+    };
+    walk(walk, file, {});
+    return result;
+}
+
+bool Generator::mayBeNull(const Path &path, const Json &file) const {
+    const Json *schema = schemaAt(path, file);
+    if (!schema)
+        return false;
+    if (const auto some = schema->find("anyOf"); some != schema->end())
+        return std::ranges::any_of(*some, [](const Json &one) { return one.value("type", "") == "null"; });
+    const auto type = schema->find("type");
+    return type != schema->end() && type->is_array() && std::ranges::find(*type, Json("null")) != type->end();
+}
+
+} // namespace palmer::laws

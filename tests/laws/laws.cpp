@@ -1,0 +1,389 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "laws/laws.h"
+
+#include "commandline/rejection.h"
+#include "report/composereport.h"
+#include "report/results.h"
+#include "document/evaluateddocument.h"
+#include "document/json.h"
+#include "document/readdocument.h"
+#include "document/testsofverdict.h"
+#include "export/findingtext.h"
+#include "export/readingscsv.h"
+#include "export/resultsjson.h"
+#include "kernel/evaluation/accordance.h"
+#include "register/registeredtest.h"
+#include "report/blocks/pagetext.h"
+#include "report/blocks/plaintext.h"
+#include "report/words/wording.h"
+#include "ui/pdf/writepdf.h"
+#include "ui/proof/verifyreport.h"
+
+#include <QBuffer>
+#include <QRegularExpression>
+#include <algorithm>
+#include <set>
+
+namespace palmer::laws {
+
+namespace {
+
+/// A file read and evaluated.
+struct Followed {
+    EvaluatedDocument evaluated;
+
+    explicit Followed(const Json &file)
+        : evaluated(evaluate(std::make_shared<const Document>(
+              readDocument(QByteArray::fromStdString(file.dump()))))) {}
+};
+
+/// Letters and digits alone: lines break, symbols get a comma before an index, numbers their thin blanks.
+QString plain(const QString &text) {
+    QString result;
+    for (const QChar c : text) {
+        if (c.isLetterOrNumber())
+            result += c;
+    }
+    return result;
+}
+
+/// What is open or unmet in a test: row → where it stands.
+std::set<std::string> openRows(const TestEvaluation &evaluation) {
+    std::set<std::string> rows;
+    for (const Finding &finding : evaluation.findings) {
+        if (finding.state && (finding.source == Source::text || finding.source == Source::practice))
+            rows.insert(finding.id);
+    }
+    return rows;
+}
+
+int openNames(const TestEvaluation &evaluation) {
+    return static_cast<int>(
+        std::ranges::count_if(evaluation.findings, [](const Finding &f) { return f.state.has_value(); }));
+}
+
+bool isGood(Accordance accordance) {
+    return accordance == Accordance::yes || accordance == Accordance::partly;
+}
+
+/// What gets better when a statement is taken away; null: nothing.
+std::optional<std::string> better(const Followed &before, const Followed &after) {
+    const auto &tests = before.evaluated.tests;
+    if (after.evaluated.tests.size() != tests.size())
+        return "another number of tests";
+    for (std::size_t i = 0; i < tests.size(); ++i) {
+        const TestEvaluation &a = *tests[i];
+        const TestEvaluation &b = *after.evaluated.tests[i];
+        const std::set<std::string> rowsBefore = openRows(a);
+        const std::set<std::string> rowsAfter = openRows(b);
+        std::string gone;
+        for (const std::string &row : rowsBefore)
+            gone += rowsAfter.contains(row) ? "" : " " + row;
+        // A row may give way to another that asks what is no longer said.
+        const bool asked = std::ranges::any_of(
+            rowsAfter, [&](const std::string &row) { return !rowsBefore.contains(row); });
+        if (!gone.empty() && !asked && openNames(b) < openNames(a))
+            return "requirement met:" + gone;
+        for (const AgreedLimit &limit : a.limits) {
+            const auto now = std::ranges::find(b.limits, limit.key, &AgreedLimit::key);
+            if (limit.state != LimitState::respected && now != b.limits.end() &&
+                now->state == LimitState::respected)
+                return "limit respected: " + limit.key;
+        }
+        if (!isGood(a.accordance()) && isGood(b.accordance()))
+            return "accordance shown";
+    }
+    if (hasRejection(before.evaluated) && !hasRejection(after.evaluated))
+        return "exit 1 becomes 0";
+    return std::nullopt;
+}
+
+/// Takes a statement away: null, or the key removed. The null file is only made where the schema allows it.
+Json without(const Json &file, const Path &path, bool asNull) {
+    Json changed = file;
+    Json *at = &changed;
+    for (std::size_t i = 0; i + 1 < path.size(); ++i)
+        at = at->is_array() ? &(*at)[std::stoul(path[i])] : &(*at)[path[i]];
+    if (asNull)
+        (*at)[path.back()] = nullptr;
+    else
+        at->erase(path.back());
+    return changed;
+}
+
+/// What gets better without a statement. What a file needs to be one is no statement: the reader says so.
+std::optional<std::string> whenSilent(const Followed &before, const Json &file, Counts &counts) {
+    try {
+        const Followed after(file);
+        ++counts.statements;
+        return better(before, after);
+    } catch (const Error &) {
+        return std::nullopt;
+    }
+}
+
+QStringList numbersIn(const QString &text) {
+    static const QRegularExpression number(QStringLiteral("[0-9]+"));
+    QStringList found;
+    for (auto it = number.globalMatch(text); it.hasNext();)
+        found << it.next().captured();
+    return found;
+}
+
+/// Follows one file.
+class Follower {
+public:
+    Follower(const Json &file, Counts &counts)
+        : m_file(file)
+        , m_followed(file)
+        , m_counts(counts)
+        , m_json(parseJson(resultsJson(m_followed.evaluated, QStringLiteral("x.palmer"),
+                                       Language(Language::Id::english), JsonForm::oneLine)
+                               .toStdString())) {}
+
+    [[nodiscard]] const Followed &followed() const { return m_followed; }
+    [[nodiscard]] std::vector<Violation> &violations() { return m_violations; }
+
+    void follow(bool asPdf) {
+        for (const Language::Id id : {Language::Id::english, Language::Id::french}) {
+            const Language language(id);
+            const Report report = composeReport(m_followed.evaluated, language, {QStringLiteral("Palmer")});
+            const QString page = plain(pageText(report));
+            limitsOnPages(report, language);
+            textsOnPages(page);
+            oneVoice(page, language);
+            for (std::size_t i = 0; i < m_followed.evaluated.tests.size(); ++i) {
+                if (document().tests[i]->edition.empty())
+                    continue;
+                if (readingsCsv(*document().tests[i], *m_followed.evaluated.tests[i], language, ',').isEmpty())
+                    violated("nothing lost", "an empty CSV");
+            }
+            if (asPdf && id == Language::Id::english)
+                verifies(report);
+        }
+        limits();
+        counts();
+        registered();
+    }
+
+private:
+    [[nodiscard]] const Document &document() const { return *m_followed.evaluated.document; }
+    void violated(const char *law, std::string what) { m_violations.push_back({law, std::move(what)}); }
+
+    /// Each limit of the file is in JSON in exactly one state, and "conforms" needs all of them respected.
+    void limits() {
+        for (std::size_t i = 0; i < document().tests.size(); ++i) {
+            const TestEvaluation &evaluation = *m_followed.evaluated.tests[i];
+            std::set<std::string> stated;
+            const Json &limits = m_file["tests"][i].value("limits", Json::object());
+            for (const auto &[key, limit] : limits.items()) {
+                if (limit.contains("value") && !limit["value"].is_null())
+                    stated.insert(key);
+            }
+            m_counts.limits += static_cast<int>(stated.size());
+            if (!evaluation.edition)
+                continue;
+            bool all = !stated.empty();
+            std::set<std::string> listed;
+            for (const Json &limit : m_json["tests"][i]["agreedLimits"]) {
+                if (!listed.insert(limit["key"]).second)
+                    violated("limits", "twice: " + limit["key"].get<std::string>());
+                all = all && limit["state"] == "respected";
+                if ((limit["state"] == "notEvaluable") != !limit["reason"].is_null())
+                    violated("limits", "a reason without need, or none: " + limit["key"].get<std::string>());
+            }
+            if (listed != stated)
+                violated("limits", "listed are others than those of the file");
+            const Json &verdict = m_json["tests"][i]["verdict"];
+            if ((verdict == "conforms") != all)
+                violated("limits", "verdict " + verdict.dump() + " with all respected: " + (all ? "yes" : "no"));
+            if (stated.empty() != verdict.is_null())
+                violated("limits", "a verdict without a limit, or none with one");
+            if (!stated.empty() && !all && countsForVerdict(document(), i) &&
+                document().tests[i]->decisionRule.rule != Rule::rejectionProven &&
+                !hasRejection(m_followed.evaluated))
+                violated("limits", "exit 0 with a limit that is not respected");
+        }
+    }
+
+    /// Page 1 names every limit of its test, the summary counts all of them.
+    void limitsOnPages(const Report &report, const Language &language) {
+        std::vector<const VerdictLine *> lines;
+        for (const Block &block : report.blocks) {
+            if (const auto *line = std::get_if<VerdictLine>(&block))
+                lines.push_back(line);
+        }
+        std::vector<std::size_t> tests;
+        for (std::size_t i = 0; i < document().tests.size(); ++i) {
+            if (m_followed.evaluated.tests[i]->edition)
+                tests.push_back(i);
+        }
+        const bool summary = lines.size() == tests.size() + 1;
+        if (!summary && lines.size() != tests.size()) {
+            violated("limits", "verdict lines: " + std::to_string(lines.size()));
+            return;
+        }
+        std::size_t counted = 0;
+        for (std::size_t k = 0; k < tests.size(); ++k) {
+            const TestEvaluation &evaluation = *m_followed.evaluated.tests[tests[k]];
+            const QString text = lines[k + (summary ? 1 : 0)]->limits.text.plain();
+            if (countsForVerdict(document(), tests[k]))
+                counted += evaluation.limits.size();
+            for (const AgreedLimit &limit : evaluation.limits) {
+                bool named = text.contains(QString::fromStdString(limit.symbol));
+                for (const Parameter &parameter : evaluation.parameters) {
+                    if (std::ranges::find(limit.parameters, parameterId(parameter)) != limit.parameters.end())
+                        named = named || text.contains(QString::fromStdString(plainSymbol(parameter)));
+                }
+                if (!named)
+                    violated("limits", "page 1 does not name " + limit.key + " in " +
+                                           language.code().toStdString() + ": " + text.toStdString());
+            }
+        }
+        if (!summary || counted < 2) // one is named, not counted
+            return;
+        const QString text = lines[0]->limits.text.plain();
+        if (!numbersIn(text).contains(QString::number(counted)))
+            violated("limits", "the summary counts others than " + std::to_string(counted) + ": " +
+                                   text.toStdString());
+    }
+
+    /// Every text of the file stands on a page.
+    void textsOnPages(const QString &page) {
+        const std::set<std::string> elsewhere{"source"}; // of a limit that has no value
+        const auto walk = [&](const auto &self, const Json &at, const std::string &key) -> void {
+            if (at.is_string()) {
+                const QString text = QString::fromStdString(at.get<std::string>());
+                if (!text.startsWith(QLatin1String("Text1")))
+                    return;
+                ++m_counts.texts;
+                if (!page.contains(plain(text)))
+                    violated("nothing lost", key);
+                return;
+            }
+            if (at.is_object()) {
+                for (const auto &[inner, below] : at.items())
+                    self(self, below, key + "." + inner);
+            } else if (at.is_array()) {
+                for (const Json &below : at)
+                    self(self, below, key);
+            }
+        };
+        walk(walk, m_file, "");
+    }
+
+    /// A number is the length of the list it names.
+    void counts() {
+        for (const Json &test : m_json["tests"]) {
+            if (!test.contains("unmet"))
+                continue;
+            int unmet = 0;
+            int undeclared = 0;
+            for (const Json &finding : test["findings"]) {
+                const bool counted = finding["source"] == "text" && finding["grade"] == "requirement";
+                unmet += counted && finding["state"] == "unmet" ? 1 : 0;
+                undeclared += counted && finding["state"] == "undeclared" ? 1 : 0;
+            }
+            if (test["unmet"] != unmet || test["undeclared"] != undeclared)
+                violated("one count", "unmet or undeclared");
+            const std::string accordance = test["accordance"];
+            if ((accordance == "no") != (unmet > 0) && accordance != "notChecked")
+                violated("one count", "accordance " + accordance + " with " + std::to_string(unmet) + " unmet");
+        }
+    }
+
+    /// Terminal, report and JSON give the same findings and verdicts.
+    void oneVoice(const QString &page, const Language &language) {
+        const QString terminal = plain(plainText(composeResults(m_followed.evaluated, language), 100'000));
+        const QString findings = plain(plainText(composeFindings(m_followed.evaluated, language), 100'000));
+        const auto &leftOut = document().report.leaveOut;
+        const bool printed = std::ranges::find(leftOut, ReportPart::findings) == leftOut.end();
+        for (const TestEvaluationPointer &test : m_followed.evaluated.tests) {
+            for (const Finding &finding : test->findings) {
+                const QString said = plain(finding.name.empty() ? findingText(finding, language)
+                                                                : findingName(finding, language));
+                for (const auto &[exit, text] : {std::pair{"terminal", &terminal}, std::pair{"check", &findings},
+                                                 std::pair{"report", &page}}) {
+                    if (text == &page && !printed)
+                        continue;
+                    if (!text->contains(said))
+                        violated("one voice",
+                                 std::string(exit) + " lacks the finding " + finding.id + ": " + said.toStdString());
+                }
+            }
+        }
+    }
+
+    void registered() {
+        const auto entries = registeredTests(m_followed.evaluated, QStringLiteral("Palmer"));
+        std::size_t entry = 0;
+        for (std::size_t i = 0; i < document().tests.size(); ++i) {
+            const TestEvaluation &evaluation = *m_followed.evaluated.tests[i];
+            if (entry >= entries.size()) {
+                violated("one voice", "the register lacks a test");
+                return;
+            }
+            const RegisteredTest &test = entries[entry++];
+            if (test.verdict != evaluation.verdict || test.accordance != evaluation.accordance())
+                violated("one voice", "the register says another verdict");
+        }
+    }
+
+    /// What is printed follows from the data that the PDF carries.
+    void verifies(const Report &report) {
+        QBuffer buffer;
+        buffer.open(QIODevice::WriteOnly);
+        ui::writePdf(report, buffer);
+        ++m_counts.reports;
+        const auto opened = ui::openReport(buffer.data(), 1);
+        if (!opened || !ui::verifyReport(*opened).follows())
+            violated("one voice", "the PDF does not follow from its data");
+    }
+
+    const Json &m_file;
+    Followed m_followed;
+    Counts &m_counts;
+    Json m_json;
+    std::vector<Violation> m_violations;
+};
+
+} // namespace
+
+Laws::Laws(const Generator &generator, std::size_t mostStatements, std::uint64_t seed)
+    : m_generator(generator)
+    , m_mostStatements(mostStatements)
+    , m_random(seed) {}
+
+std::vector<Violation> Laws::follow(const Json &file, bool asPdf) {
+    ++m_counts.files;
+    try {
+        Follower follower(file, m_counts);
+        m_counts.tests += static_cast<int>(file["tests"].size());
+        follower.follow(asPdf);
+        std::vector<Path> statements = m_generator.statements(file);
+        if (m_mostStatements > 0 && statements.size() > m_mostStatements) {
+            std::ranges::shuffle(statements, m_random);
+            statements.resize(m_mostStatements);
+        }
+        for (const Path &path : statements) {
+            for (const bool asNull : {false, true}) {
+                if (asNull && !m_generator.mayBeNull(path, file))
+                    continue;
+                const auto what = whenSilent(follower.followed(), without(file, path, asNull), m_counts);
+                if (what)
+                    follower.violations().push_back(
+                        {"silence", joined(path) + (asNull ? " = null: " : " removed: ") + *what});
+            }
+        }
+        for (const Violation &violation : follower.violations())
+            ++m_counts.violations[violation.law];
+        return std::move(follower.violations());
+    } catch (const Error &error) {
+        ++m_counts.refused;
+        return {{"the schema is the reader's",
+                 Language(Language::Id::english).sentence(error.message).toStdString() + " " + error.place}};
+    }
+}
+
+} // namespace palmer::laws
