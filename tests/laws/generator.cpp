@@ -12,20 +12,27 @@ namespace palmer::laws {
 namespace {
 
 /// Made by code, or tied to other fields of the file.
-const std::set<std::string> made{"kind",     "id",      "instruments", "targets",   "runs",       "excluded",
-                                 "arcs",     "times",   "deviations",  "zone",      "logo",       "mark",
-                                 "data",     "series",  "extensions",  "limits",    "expanded",   "driftTest",
-                                 "imports",  "editions", "languages",  "format",    "version",    "tests",
-                                 "agreedPoints", "nominalRadius", "trials", "seed", "method", "plane"};
+const std::set<std::string> made{"kind",          "id",       "instruments", "targets",    "runs",
+                                 "excluded",      "arcs",     "times",       "deviations", "zone",
+                                 "logo",          "mark",     "data",        "series",     "extensions",
+                                 "limits",        "expanded", "driftTest",   "imports",    "editions",
+                                 "languages",     "format",   "version",     "tests",      "agreedPoints",
+                                 "nominalRadius", "trials",   "seed",        "method",     "plane"};
 
 /// Exempt from the law of silence: what is measured and what is asked, and what only shapes the report.
-/// `motion` and `source` say what was measured, `calibrated` false refuses a value that null gives with an
-/// open question.
-const std::set<std::string> exempt{"targets",      "runs",       "arcs",          "excluded", "zone",
-                                   "limits",       "decisionRule", "requiredResults", "edition",
-                                   "kind",         "id",         "nominalRadius", "times",    "deviations",
-                                   "motion",       "source",     "report",        "imports",  "extensions",
-                                   "standardDeviation", "centring", "referenceCircle", "plane"};
+/// `motion` and `source` say what was measured, `role` which tests the verdict rests on.
+const std::set<std::string> exempt{"targets",      "runs",
+                                   "arcs",         "excluded",
+                                   "zone",         "limits",
+                                   "decisionRule", "requiredResults",
+                                   "edition",      "kind",
+                                   "id",           "nominalRadius",
+                                   "times",        "deviations",
+                                   "motion",       "source",
+                                   "report",       "imports",
+                                   "extensions",   "standardDeviation",
+                                   "centring",     "referenceCircle",
+                                   "plane",        "role"};
 
 /// How large numbers are, by key; the schema has no such facts.
 struct Size {
@@ -33,14 +40,28 @@ struct Size {
     double least;
     double most;
 };
-constexpr std::array sizes{Size{"start", 17, 24},        Size{"end", 17, 24},       Size{"machine", 0, 14},
-                           Size{"instrument", 0, 14},    Size{"travel", 100, 3000}, Size{"feed", 100, 20000},
-                           Size{"airPressure", 950, 1040}, Size{"airHumidity", 10, 90},
-                           Size{"gradientPerHour", 0, 3}, Size{"gradientHoursBefore", 0, 20},
-                           Size{"fixed", 0, 2},          Size{"perMetre", 0, 3},    Size{"coverageFactor", 1, 3},
-                           Size{"guardFactor", 0, 1.5},  Size{"period", 1, 40},     Size{"interval", 10, 200},
-                           Size{"approachDistance", 0, 20}, Size{"dwell", 0, 10},   Size{"faces", 1, 12},
-                           Size{"resolution", 0.00001, 0.001}, Size{"length", 100, 2000}, Size{"year", 1980, 2026},
+constexpr std::array sizes{Size{"start", 17, 24},
+                           Size{"end", 17, 24},
+                           Size{"machine", 0, 14},
+                           Size{"instrument", 0, 14},
+                           Size{"travel", 100, 3000},
+                           Size{"feed", 100, 20000},
+                           Size{"airPressure", 950, 1040},
+                           Size{"airHumidity", 10, 90},
+                           Size{"gradientPerHour", 0, 3},
+                           Size{"gradientHoursBefore", 0, 20},
+                           Size{"fixed", 0, 2},
+                           Size{"perMetre", 0, 3},
+                           Size{"coverageFactor", 1, 3},
+                           Size{"guardFactor", 0, 1.5},
+                           Size{"period", 1, 40},
+                           Size{"interval", 10, 200},
+                           Size{"approachDistance", 0, 20},
+                           Size{"dwell", 0, 10},
+                           Size{"faces", 1, 12},
+                           Size{"resolution", 0.00001, 0.001},
+                           Size{"length", 100, 2000},
+                           Size{"year", 1980, 2026},
                            Size{"calibrated", 0, 1}};
 
 double rounded(double value, int digits) {
@@ -153,7 +174,8 @@ Json Generator::agreedPoints(const Json &schema) {
     for (const Json &point : item.at("properties").at("point").at("enum")) {
         if (chance(0.4))
             continue;
-        Json one = Json::object({{"point", point}, {"state", value(item.at("properties").at("state"), "state")}});
+        Json one =
+            Json::object({{"point", point}, {"state", value(item.at("properties").at("state"), "state")}});
         if (chance(0.6))
             one["text"] = text(4096);
         if ((point == "gradient" || point == "feed") && chance(0.7))
@@ -220,8 +242,7 @@ void Generator::measurePaths(Json &test) {
     const int repeats = chance(0.2) ? 2 : 1;
     Json arcs = Json::array();
     for (int k = 0; k < repeats; ++k) {
-        for (const auto &[bit, sense] :
-             {std::pair{1, "counterclockwise"}, std::pair{2, "clockwise"}}) {
+        for (const auto &[bit, sense] : {std::pair{1, "counterclockwise"}, std::pair{2, "clockwise"}}) {
             if ((senses & bit) == 0)
                 continue;
             constexpr int points = 36;
@@ -251,7 +272,8 @@ Json Generator::positioning() {
     if (chance(0.7))
         test["agreedPoints"] = agreedPoints(schema.at("properties").at("agreedPoints"));
     // Simulations take long, and their numbers are tested elsewhere.
-    test["uncertainty"]["method"] = std::array{"none", "budget", "direct"}[static_cast<std::size_t>(below(3))];
+    test["uncertainty"]["method"] =
+        std::array{"none", "budget", "direct"}[static_cast<std::size_t>(below(3))];
     if (chance(0.5))
         test["uncertainty"]["expanded"] = {{"A", 1.25}, {"R", 0.8}, {"E", 1.5}};
     return test;
@@ -267,7 +289,8 @@ Json Generator::circular() {
     test["limits"] = limits(schema.at("properties").at("limits"), 0.005);
     if (chance(0.7))
         test["agreedPoints"] = agreedPoints(schema.at("properties").at("agreedPoints"));
-    test["uncertainty"]["method"] = std::array{"none", "budget", "direct"}[static_cast<std::size_t>(below(3))];
+    test["uncertainty"]["method"] =
+        std::array{"none", "budget", "direct"}[static_cast<std::size_t>(below(3))];
     if (chance(0.5))
         test["uncertainty"]["expanded"] = {{"G", 0.5}, {"F", 0.7}};
     return test;
@@ -334,7 +357,8 @@ std::vector<Path> Generator::statements(const Json &file) const {
     const auto walk = [&](const auto &self, const Json &at, const Path &path) -> void {
         if (at.is_object()) {
             for (const auto &[key, below] : at.items()) {
-                const bool shapesOnly = path.empty() && (key == "format" || key == "version" || key == "report");
+                const bool shapesOnly =
+                    path.empty() && (key == "format" || key == "version" || key == "report");
                 if (shapesOnly || exempt.contains(key))
                     continue;
                 Path inner = path;

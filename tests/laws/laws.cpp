@@ -3,8 +3,6 @@
 #include "laws/laws.h"
 
 #include "commandline/rejection.h"
-#include "report/composereport.h"
-#include "report/results.h"
 #include "document/evaluateddocument.h"
 #include "document/json.h"
 #include "document/readdocument.h"
@@ -16,6 +14,8 @@
 #include "register/registeredtest.h"
 #include "report/blocks/pagetext.h"
 #include "report/blocks/plaintext.h"
+#include "report/composereport.h"
+#include "report/results.h"
 #include "report/words/wording.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/proof/verifyreport.h"
@@ -34,8 +34,8 @@ struct Followed {
     EvaluatedDocument evaluated;
 
     explicit Followed(const Json &file)
-        : evaluated(evaluate(std::make_shared<const Document>(
-              readDocument(QByteArray::fromStdString(file.dump()))))) {}
+        : evaluated(evaluate(
+              std::make_shared<const Document>(readDocument(QByteArray::fromStdString(file.dump()))))) {}
 };
 
 /// Letters and digits alone: lines break, symbols get a comma before an index, numbers their thin blanks.
@@ -63,6 +63,17 @@ int openNames(const TestEvaluation &evaluation) {
         std::ranges::count_if(evaluation.findings, [](const Finding &f) { return f.state.has_value(); }));
 }
 
+/// A correction that is no longer stated gives other numbers, and a verdict on those.
+bool sameValues(const AgreedLimit &limit, const TestEvaluation &a, const TestEvaluation &b) {
+    return std::ranges::all_of(a.parameters, [&](const Parameter &parameter) {
+        if (!parameter.value ||
+            std::ranges::find(limit.parameters, parameterId(parameter)) == limit.parameters.end())
+            return true;
+        const auto same = std::ranges::find(b.parameters, parameterId(parameter), parameterId);
+        return same == b.parameters.end() || same->value == parameter.value;
+    });
+}
+
 bool isGood(Accordance accordance) {
     return accordance == Accordance::yes || accordance == Accordance::partly;
 }
@@ -81,14 +92,14 @@ std::optional<std::string> better(const Followed &before, const Followed &after)
         for (const std::string &row : rowsBefore)
             gone += rowsAfter.contains(row) ? "" : " " + row;
         // A row may give way to another that asks what is no longer said.
-        const bool asked = std::ranges::any_of(
-            rowsAfter, [&](const std::string &row) { return !rowsBefore.contains(row); });
+        const bool asked =
+            std::ranges::any_of(rowsAfter, [&](const std::string &row) { return !rowsBefore.contains(row); });
         if (!gone.empty() && !asked && openNames(b) < openNames(a))
             return "requirement met:" + gone;
         for (const AgreedLimit &limit : a.limits) {
             const auto now = std::ranges::find(b.limits, limit.key, &AgreedLimit::key);
             if (limit.state != LimitState::respected && now != b.limits.end() &&
-                now->state == LimitState::respected)
+                now->state == LimitState::respected && sameValues(limit, a, b))
                 return "limit respected: " + limit.key;
         }
         if (!isGood(a.accordance()) && isGood(b.accordance()))
@@ -156,7 +167,8 @@ public:
             for (std::size_t i = 0; i < m_followed.evaluated.tests.size(); ++i) {
                 if (document().tests[i]->edition.empty())
                     continue;
-                if (readingsCsv(*document().tests[i], *m_followed.evaluated.tests[i], language, ',').isEmpty())
+                if (readingsCsv(*document().tests[i], *m_followed.evaluated.tests[i], language, ',')
+                        .isEmpty())
                     violated("nothing lost", "an empty CSV");
             }
             if (asPdf && id == Language::Id::english)
@@ -197,7 +209,8 @@ private:
                 violated("limits", "listed are others than those of the file");
             const Json &verdict = m_json["tests"][i]["verdict"];
             if ((verdict == "conforms") != all)
-                violated("limits", "verdict " + verdict.dump() + " with all respected: " + (all ? "yes" : "no"));
+                violated("limits",
+                         "verdict " + verdict.dump() + " with all respected: " + (all ? "yes" : "no"));
             if (stated.empty() != verdict.is_null())
                 violated("limits", "a verdict without a limit, or none with one");
             if (!stated.empty() && !all && countsForVerdict(document(), i) &&
@@ -245,8 +258,8 @@ private:
             return;
         const QString text = lines[0]->limits.text.plain();
         if (!numbersIn(text).contains(QString::number(counted)))
-            violated("limits", "the summary counts others than " + std::to_string(counted) + ": " +
-                                   text.toStdString());
+            violated("limits",
+                     "the summary counts others than " + std::to_string(counted) + ": " + text.toStdString());
     }
 
     /// Every text of the file stands on a page.
@@ -289,7 +302,8 @@ private:
                 violated("one count", "unmet or undeclared");
             const std::string accordance = test["accordance"];
             if ((accordance == "no") != (unmet > 0) && accordance != "notChecked")
-                violated("one count", "accordance " + accordance + " with " + std::to_string(unmet) + " unmet");
+                violated("one count",
+                         "accordance " + accordance + " with " + std::to_string(unmet) + " unmet");
         }
     }
 
@@ -303,13 +317,13 @@ private:
             for (const Finding &finding : test->findings) {
                 const QString said = plain(finding.name.empty() ? findingText(finding, language)
                                                                 : findingName(finding, language));
-                for (const auto &[exit, text] : {std::pair{"terminal", &terminal}, std::pair{"check", &findings},
-                                                 std::pair{"report", &page}}) {
+                for (const auto &[exit, text] : {std::pair{"terminal", &terminal},
+                                                 std::pair{"check", &findings}, std::pair{"report", &page}}) {
                     if (text == &page && !printed)
                         continue;
                     if (!text->contains(said))
-                        violated("one voice",
-                                 std::string(exit) + " lacks the finding " + finding.id + ": " + said.toStdString());
+                        violated("one voice", std::string(exit) + " lacks the finding " + finding.id + ": " +
+                                                  said.toStdString());
                 }
             }
         }
