@@ -72,6 +72,14 @@
         <translation>Non prouvé&#xa0;:</translation>
     </message>
     <message>
+        <source>Declared by the laboratory</source>
+        <translation>Déclaré par le laboratoire</translation>
+    </message>
+    <message>
+        <source>(named by no test)</source>
+        <translation>(cité par aucun essai)</translation>
+    </message>
+    <message>
         <source>Not evaluable: %1.</source>
         <translation>Non évaluable&#xa0;: %1.</translation>
     </message>

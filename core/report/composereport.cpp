@@ -307,9 +307,12 @@ Report composeReport(const EvaluatedDocument &evaluated, const Language &languag
         addTests(report.blocks, parts);
     else if (!parts.empty())
         addTest(report.blocks, parts.front());
-    else if (!head.remarks.empty()) {
-        addHeading(report.blocks, write.text(REPORT_TEXT("report", "Remarks")));
-        report.blocks.emplace_back(Paragraph{QString::fromStdString(head.remarks)});
+    else {
+        report.blocks.emplace_back(driftHead(write, document));
+        if (!head.remarks.empty()) {
+            addHeading(report.blocks, write.text(REPORT_TEXT("report", "Remarks")));
+            report.blocks.emplace_back(Paragraph{QString::fromStdString(head.remarks)});
+        }
     }
     if (!several) {
         addDriftTests(report.blocks, write, evaluated);

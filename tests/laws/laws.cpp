@@ -12,6 +12,7 @@
 #include "export/resultsjson.h"
 #include "kernel/evaluation/accordance.h"
 #include "register/registeredtest.h"
+#include "report/attachedfile.h"
 #include "report/blocks/pagetext.h"
 #include "report/blocks/plaintext.h"
 #include "report/composereport.h"
@@ -21,6 +22,7 @@
 #include "ui/proof/verifyreport.h"
 
 #include <QBuffer>
+#include <QLocale>
 #include <QRegularExpression>
 #include <algorithm>
 #include <set>
@@ -134,6 +136,18 @@ std::optional<std::string> whenSilent(const Followed &before, const Json &file, 
     }
 }
 
+/// Readings are drawn and tabulated, which other tests look at; seeds and trials are of a simulation that these
+/// files do not ask for.
+const std::set<std::string> drawn{"runs", "arcs", "times", "deviations", "series", "seed", "trials", "version"};
+
+/// "123" of 0.0123, which may be printed as 12.3 µm.
+QString significantDigits(const Json &number) {
+    static const QRegularExpression zeros(QStringLiteral("^0+|0+$"));
+    QString digits = QString::number(std::abs(number.get<double>()), 'f', QLocale::FloatingPointShortest);
+    digits.remove(u'.').remove(zeros);
+    return digits;
+}
+
 QStringList numbersIn(const QString &text) {
     static const QRegularExpression number(QStringLiteral("[0-9]+"));
     QStringList found;
@@ -159,10 +173,11 @@ public:
     void follow(bool asPdf) {
         for (const Language::Id id : {Language::Id::english, Language::Id::french}) {
             const Language language(id);
-            const Report report = composeReport(m_followed.evaluated, language, {QStringLiteral("Palmer")});
+            const Report report =
+                composeReport(m_followed.evaluated, language, {QStringLiteral("Palmer " PALMER_VERSION)});
             const QString page = plain(pageText(report));
             limitsOnPages(report, language);
-            textsOnPages(page);
+            statementsOnPages(page);
             oneVoice(page, language);
             for (std::size_t i = 0; i < m_followed.evaluated.tests.size(); ++i) {
                 if (document().tests[i]->edition.empty())
@@ -262,28 +277,32 @@ private:
                      "the summary counts others than " + std::to_string(counted) + ": " + text.toStdString());
     }
 
-    /// Every text of the file stands on a page.
-    void textsOnPages(const QString &page) {
-        const std::set<std::string> elsewhere{"source"}; // of a limit that has no value
-        const auto walk = [&](const auto &self, const Json &at, const std::string &key) -> void {
+    /// Every text and every number of the file stands on a page, numbers with all their digits.
+    void statementsOnPages(const QString &page) {
+        const auto walk = [&](const auto &self, const Json &at, const std::string &place,
+                              const std::string &key) -> void {
             if (at.is_string()) {
                 const QString text = QString::fromStdString(at.get<std::string>());
                 if (!text.startsWith(QLatin1String("Text1")))
                     return;
                 ++m_counts.texts;
                 if (!page.contains(plain(text)))
-                    violated("nothing lost", key);
-                return;
-            }
-            if (at.is_object()) {
-                for (const auto &[inner, below] : at.items())
-                    self(self, below, key + "." + inner);
+                    violated("nothing lost", place);
+            } else if (at.is_number()) {
+                ++m_counts.numbers;
+                if (!page.contains(significantDigits(at)))
+                    violated("nothing lost", place + " " + at.dump());
+            } else if (at.is_object()) {
+                for (const auto &[inner, below] : at.items()) {
+                    if (!drawn.contains(inner))
+                        self(self, below, place + "." + inner, inner);
+                }
             } else if (at.is_array()) {
                 for (const Json &below : at)
-                    self(self, below, key);
+                    self(self, below, place, key);
             }
         };
-        walk(walk, m_file, "");
+        walk(walk, m_file, "", "");
     }
 
     /// A number is the length of the list it names.
@@ -348,11 +367,20 @@ private:
     void verifies(const Report &report) {
         QBuffer buffer;
         buffer.open(QIODevice::WriteOnly);
-        ui::writePdf(report, buffer);
+        ui::writePdf(report, buffer, attachedResults(m_followed.evaluated));
         ++m_counts.reports;
         const auto opened = ui::openReport(buffer.data(), 1);
-        if (!opened || !ui::verifyReport(*opened).follows())
-            violated("one voice", "the PDF does not follow from its data");
+        const Verification verification = opened ? ui::verifyReport(*opened) : Verification();
+        const Language english(Language::Id::english);
+        if (!opened)
+            violated("one voice", "the PDF cannot be opened");
+        for (const Difference &difference : verification.differences)
+            violated("one voice",
+                     "the PDF: " +
+                         (difference.what ? english.sentence(*difference.what)
+                                          : difference.printed + QStringLiteral(" for ") + difference.follows)
+                             .toStdString() +
+                         " in " + difference.context.toStdString());
     }
 
     const Json &m_file;

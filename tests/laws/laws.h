@@ -25,6 +25,7 @@ struct Counts {
     int limits = 0;
     int statements = 0; ///< set to null or removed, one at a time
     int texts = 0;
+    int numbers = 0;
     int reports = 0;                       ///< as PDF
     std::map<std::string, int> violations; ///< by law
 };

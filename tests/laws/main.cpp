@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palmer-laws FILES [SEED]: follows so many generated test files through every exit of the program and prints
-// what does not hold, each kind of violation once with the seed of its file, and the counts.
+// palmer-laws FILES [SEED [OUT.palmer]]: follows so many generated test files through every exit of the
+// program and prints what does not hold, each kind of violation once with the seed of its file, and the
+// counts; OUT.palmer is the last of the files.
 #include "laws/laws.h"
 
 #include "document/savedocument.h"
@@ -23,6 +24,8 @@ int main(int argc, char **argv) {
     for (int seed = first; seed < first + files; ++seed) {
         Generator generator(schema, static_cast<std::uint64_t>(seed));
         const Json file = generator.file();
+        if (argc > 3 && seed == first + files - 1)
+            palmer::saveBytes(QByteArray::fromStdString(file.dump(2)), QString::fromLocal8Bit(argv[3]));
         Laws laws(generator, 0, static_cast<std::uint64_t>(seed));
         for (const Violation &violation : laws.follow(file, seed % 20 == 0)) {
             std::string kind = violation.law + ": " + violation.what;
@@ -40,14 +43,15 @@ int main(int argc, char **argv) {
         all.limits += counts.limits;
         all.statements += counts.statements;
         all.texts += counts.texts;
+        all.numbers += counts.numbers;
         all.reports += counts.reports;
         for (const auto &[law, count] : counts.violations)
             all.violations[law] += count;
     }
     int violations = all.refused;
-    std::printf(
-        "files %d, refused %d, tests %d, limits %d, statements taken away %d, texts looked for %d, PDF %d\n",
-        all.files, all.refused, all.tests, all.limits, all.statements, all.texts, all.reports);
+    std::printf("files %d, refused %d, tests %d, limits %d, statements taken away %d, texts looked for %d, "
+                "numbers %d, PDF %d\n",
+                all.files, all.refused, all.tests, all.limits, all.statements, all.texts, all.numbers, all.reports);
     for (const auto &[law, count] : all.violations) {
         std::printf("%s: %d violations\n", law.c_str(), count);
         violations += count;

@@ -624,7 +624,7 @@ void ConditionsPage::addAxis(const PositioningMeasurement &measurement) {
         false, 3);
     addNumber("travel", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis travel"), position,
               positioning<&Measurement::axis, &Axis::travel>(), 3, Allowed::positive);
-    addInterval("ends", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Ends of the axis"), position,
+    addInterval("range", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Ends of the axis"), position,
                 positioning<&Measurement::axis, &Axis::range>(), 4);
     beginColumns();
     addText("positionFeedback",

@@ -18,6 +18,22 @@ bool isAgreed(const Test &test, std::string_view point) {
     return found && found->state == AgreementState::agreed;
 }
 
+std::vector<const AgreementPoint *> furtherPoints(const Edition &edition, const Test &test) {
+    std::vector<const AgreementPoint *> result;
+    for (const AgreedPoint &stated : test.agreedPoints) {
+        if (std::ranges::find(edition.points, stated.point, &AgreementPoint::point) != edition.points.end())
+            continue;
+        for (const Edition *other : editionsOf(edition.kind)) {
+            const auto found = std::ranges::find(other->points, stated.point, &AgreementPoint::point);
+            if (found == other->points.end())
+                continue;
+            result.push_back(&*found);
+            break;
+        }
+    }
+    return result;
+}
+
 PointRole roleOf(const AgreementPoint &point, const Test &test) {
     const AgreedPoint *stated = agreedPoint(test, point.point);
     if (point.role && point.role(test) == PointRole::notApplicable)

@@ -16,6 +16,9 @@ namespace palmer {
 /// The parties agreed on the point.
 [[nodiscard]] bool isAgreed(const Test &test, std::string_view point);
 
+/// Points that the test states and its edition does not list, as other editions of the kind name them.
+[[nodiscard]] std::vector<const AgreementPoint *> furtherPoints(const Edition &edition, const Test &test);
+
 /// Whether the point is one of those listed for the test, is asked for by a row of the requirements, or does
 /// not apply, by its rule or as stated.
 [[nodiscard]] PointRole roleOf(const AgreementPoint &point, const Test &test);

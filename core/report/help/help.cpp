@@ -33,7 +33,7 @@ constexpr std::array fieldHelps{
     FieldHelp{"certificate", REPORT_TEXT("report", "Calibration certificate"), REPORT_TEXT("report", "Number of the certificate that makes the readings traceable.")},
     FieldHelp{"calibrationDate", REPORT_TEXT("report", "Calibrated on"), REPORT_TEXT("report", "The day of the calibration, not of its end of validity.")},
     FieldHelp{"travel", REPORT_TEXT("report", "Axis travel"), REPORT_TEXT("report", "The whole travel of the axis, not that between the first and the last target: the number of targets and the kind of test follow from it.")},
-    FieldHelp{"ends", REPORT_TEXT("report", "Ends of the axis"), REPORT_TEXT("report", "Both ends of the travel in coordinates of the axis, as “0 … 1800”: shows whether the first and the last target can be approached from both sides.")},
+    FieldHelp{"range", REPORT_TEXT("report", "Ends of the axis"), REPORT_TEXT("report", "Both ends of the travel in coordinates of the axis, as “0 … 1800”: shows whether the first and the last target can be approached from both sides.")},
     FieldHelp{"zone", REPORT_TEXT("report", "Agreed working zone"), REPORT_TEXT("report", "The 2 000 mm (360°) of a long axis that were agreed for the full test. A test whose targets lie inside is judged as that of a short axis.")},
     FieldHelp{"positionFeedback", REPORT_TEXT("report", "Measuring system of the axis"), REPORT_TEXT("report", "How the axis knows its position: linear scale, rotary encoder at the screw, …")},
     FieldHelp{"targetChoice", REPORT_TEXT("report", "Choice of targets"), REPORT_TEXT("report", "Freely chosen targets have a random part, so that periodic errors do not stay hidden; the plan proposes them.")},

@@ -16,17 +16,12 @@ constexpr double statementLabels = 44;  ///< mm
 constexpr double labelsBeside = 36;     ///< of two columns of statements
 constexpr qsizetype longestBeside = 26; ///< characters of a statement that finds room on a line there
 
-/// In the order of the file, those any test names.
-std::vector<const Instrument *> usedInstruments(const Document &document) {
+/// Ids of the instruments that a test names.
+std::set<std::string> usedInstruments(const Document &document) {
     std::set<std::string> used;
     for (const TestPointer &test : document.tests)
         used.insert(test->instruments.begin(), test->instruments.end());
-    std::vector<const Instrument *> result;
-    for (const Instrument &instrument : document.instruments) {
-        if (used.contains(instrument.id))
-            result.push_back(&instrument);
-    }
-    return result;
+    return used;
 }
 
 QString machineDetails(const Writer &write, const Machine &machine) {
@@ -90,9 +85,10 @@ QString knownName(Signer signer, const ReportHead &head) {
 } // namespace
 
 void addTraceability(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated) {
-    const auto instruments = usedInstruments(*evaluated.document);
+    const std::vector<Instrument> &instruments = evaluated.document->instruments;
     if (instruments.empty())
         return;
+    const std::set<std::string> used = usedInstruments(*evaluated.document);
     Table table;
     table.columns = {{write.text(REPORT_TEXT("report", "Instrument")), {}, Alignment::left, true, 41},
                      {write.text(REPORT_TEXT("report", "Serial number")), {}, Alignment::left, false, 20},
@@ -104,16 +100,17 @@ void addTraceability(std::vector<Block> &blocks, const Writer &write, const Eval
     const auto shortDate = [&](const std::optional<std::string> &date) {
         return date && !date->empty() ? write.language().shortDate(*date) : QString();
     };
-    for (const Instrument *instrument : instruments)
+    for (const Instrument &instrument : instruments)
         table.rows.push_back(
-            {joined({QString::fromStdString(instrument->description),
-                     QString::fromStdString(instrument->manufacturer),
-                     QString::fromStdString(instrument->model)}),
-             QString::fromStdString(instrument->serialNumber),
-             QString::fromStdString(instrument->certificate),
-             QString::fromStdString(instrument->calibratedBy), shortDate(instrument->calibrationDate),
-             shortDate(instrument->calibrationDue),
-             write.quantity(instrument->resolution, resolutionQuantity(*evaluated.document, *instrument))});
+            {joined({QString::fromStdString(instrument.description),
+                     QString::fromStdString(instrument.manufacturer),
+                     QString::fromStdString(instrument.model),
+                     used.contains(instrument.id) ? QString()
+                                                  : write.text(REPORT_TEXT("report", "(named by no test)"))}),
+             QString::fromStdString(instrument.serialNumber), QString::fromStdString(instrument.certificate),
+             QString::fromStdString(instrument.calibratedBy), shortDate(instrument.calibrationDate),
+             shortDate(instrument.calibrationDue),
+             write.quantity(instrument.resolution, resolutionQuantity(*evaluated.document, instrument))});
     addHeading(blocks, write.text(REPORT_TEXT("report", "Traceability of the instruments")));
     blocks.emplace_back(std::move(table));
 }
@@ -126,10 +123,11 @@ void addDriftTests(std::vector<Block> &blocks, const Writer &write, const Evalua
         if (isJudged(test))
             continue;
         const auto range = rangeAtRest(test);
+        const QString found = range ? write.say(REPORT_TEXT("report", "range of the deviations %1"),
+                                                {Number{*range, deviationQuantity(test), 1}})
+                                    : QString();
         values.rows.push_back({joined({testName(write, test), QString::fromStdString(test.title)}),
-                               range ? write.say(REPORT_TEXT("report", "range of the deviations %1"),
-                                                 {Number{*range, deviationQuantity(test), 1}})
-                                     : QString()});
+                               joined({found, QString::fromStdString(test.remarks)}, QStringLiteral("\n"))});
     }
     if (values.rows.empty())
         return;

@@ -171,6 +171,11 @@ void addPurpose(ConditionRows &rows, const TestPart &part) {
                       role.empty() ? QString() : part.write.text(role)};
     texts.removeAll(QString());
     rows.addStated(REPORT_TEXT("report", "Purpose of the test"), texts.join(QStringLiteral(", ")));
+    const DeclaredAccordance &declared = part.test.declaredAccordance;
+    rows.addStated(REPORT_TEXT("report", "Declared by the laboratory"),
+                   joined({joined({QString::fromStdString(declared.by), dateText(part.write, declared.date)}),
+                           QString::fromStdString(declared.text)},
+                          QStringLiteral("\n")));
 }
 
 void addThermalPreparation(ConditionRows &rows, const Writer &write, const Conditions &conditions) {
@@ -244,8 +249,8 @@ QString specifiedCircle(const CircularPart &part) {
 /// What the evaluated ranges leave out, as stated of each arc.
 QString leftOut(const CircularPart &part) {
     QStringList texts;
-    for (const EvaluatedPath &path : part.results.paths) {
-        const QString text = QString::fromStdString(part.measurement.arcs[path.arc].cutOff);
+    for (const Arc &arc : part.measurement.arcs) {
+        const QString text = QString::fromStdString(arc.cutOff);
         if (!text.isEmpty() && !texts.contains(text))
             texts << text;
     }
@@ -495,7 +500,8 @@ QString agreedText(const TestPart &part, const AgreedPoint &agreed) {
 
 std::optional<AgreedPoints> agreedPointsOf(const TestPart &part) {
     const Edition &edition = part.edition();
-    if (edition.points.empty())
+    const std::vector<const AgreementPoint *> further = furtherPoints(edition, part.test);
+    if (edition.points.empty() && further.empty())
         return std::nullopt;
     const Writer &write = part.write;
     QString note = write.text(edition.agreedBetween);
@@ -516,11 +522,12 @@ std::optional<AgreedPoints> agreedPointsOf(const TestPart &part) {
                              Alignment::left,
                              false,
                              letters ? 55.0 : 63.0});
-    for (const AgreementPoint &point : edition.points) {
+    const auto add = [&](const AgreementPoint &point, bool asked) {
         const auto found = std::ranges::find(part.test.agreedPoints, point.point, &AgreedPoint::point);
         const bool listed = found != part.test.agreedPoints.end();
         Cell agreement;
-        if (roleOf(point, part.test) == PointRole::notApplicable) {
+        if (asked ? roleOf(point, part.test) == PointRole::notApplicable
+                  : found->state == AgreementState::notApplicable) {
             agreement = write.text(REPORT_TEXT("report", "not applicable"));
         } else if (!listed) {
             agreement = write.text(REPORT_TEXT("report", "not declared"));
@@ -534,12 +541,16 @@ std::optional<AgreedPoints> agreedPointsOf(const TestPart &part) {
         }
         std::vector<Cell> row;
         if (letters)
-            row.emplace_back(QString::fromUtf8(point.letter) + u')');
+            row.emplace_back(asked ? QString::fromUtf8(point.letter) + u')' : QString());
         row.emplace_back(write.text(point.name));
         row.push_back(agreement);
         row.emplace_back(listed ? agreedText(part, *found) : QString());
         table.rows.push_back(std::move(row));
-    }
+    };
+    for (const AgreementPoint &point : edition.points)
+        add(point, true);
+    for (const AgreementPoint *point : further) // stated, though this edition does not ask for it
+        add(*point, false);
     return AgreedPoints{note, std::move(table), letters ? std::size_t(2) : std::size_t(1)};
 }
 

@@ -252,6 +252,18 @@ TestHead positioningHead(const PositioningPart &part) {
     return head;
 }
 
+TestHead driftHead(const Writer &write, const Document &document) {
+    TestHead head = letterHead(write, document.report);
+    head.left =
+        partiesAndDates(write, document.report,
+                        periodText(write, document.report.performedFrom, document.report.performedTo));
+    Rows rows(write, rightLabels);
+    rows.add(REPORT_TEXT("report", "Machine"), machineText(document.machine));
+    rows.add(REPORT_TEXT("report", "Serial number"), document.machine.serialNumber);
+    head.right = rows.take();
+    return head;
+}
+
 TestHead circularHead(const CircularPart &part) {
     const Writer &write = part.write;
     const CircularMeasurement &measurement = part.measurement;

@@ -18,6 +18,9 @@ namespace palmer {
 /// The head of a circular test.
 [[nodiscard]] TestHead circularHead(const CircularPart &part);
 
+/// The head of a report whose tests have no page of their own.
+[[nodiscard]] TestHead driftHead(const Writer &write, const Document &document);
+
 /// The head of the first page of a report over several tests.
 [[nodiscard]] TestHead summaryHead(const std::vector<TestPart> &parts);
 

@@ -274,11 +274,11 @@ struct Whole {
 Whole wholeOf(const std::vector<TestPart> &parts) {
     Whole whole;
     for (const TestPart &part : parts) {
-        whole.anyLimit |= hasLimits(part.test);
         if (!counts(part)) {
             whole.asFound << QString::number(part.number);
             continue;
         }
+        whole.anyLimit |= hasLimits(part.test);
         whole.verdict = worst(whole.verdict, part.evaluation.verdict);
         whole.accordances.push_back(part.evaluation.accordance());
         const RequirementCounts requirements = countRequirements(part.evaluation.findings);

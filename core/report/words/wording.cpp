@@ -324,6 +324,8 @@ bool guardsSimulated(const TestEvaluation &evaluation) {
 }
 
 bool isPrinted(const Parameter &parameter, const ReportHead &head) {
+    if (parameter.limit) // an agreed limit is a question that has to be answered
+        return true;
     if (!parameter.required)
         return false;
     return parameter.term.printed == Printed::always ||

@@ -1017,6 +1017,8 @@ private slots:
             return result.join(' ');
         };
         QCOMPARE(symbols({}), "G(b)XY GXY GYX DXY Fmax,XY Fmin,XY Fmax,YX Fmin,YX");
+        QCOMPARE(symbols({"D"}), "G(b)XY GXY GYX DXY"); // and what a limit was agreed on
+        test.limits = {};
         QCOMPARE(symbols({"G(b)", "D"}), "G(b)XY DXY");
         QCOMPARE(symbols({"F"}), "Fmax,XY Fmin,XY Fmax,YX Fmin,YX");
         // What needs no length needs no temperatures either.
