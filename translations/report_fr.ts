@@ -8872,5 +8872,25 @@
         <source>mdeg</source>
         <translation>mdeg</translation>
     </message>
+    <message>
+        <source>Further statements</source>
+        <translation>Autres indications</translation>
+    </message>
+    <message>
+        <source>factor of the guard band</source>
+        <translation>facteur de la bande de garde</translation>
+    </message>
+    <message>
+        <source>coverage factor of the calibration of displacement</source>
+        <translation>facteur d’élargissement de l’étalonnage du déplacement</translation>
+    </message>
+    <message>
+        <source>coverage factor of the reference length</source>
+        <translation>facteur d’élargissement de la longueur de référence</translation>
+    </message>
+    <message>
+        <source>length L</source>
+        <translation>longueur L</translation>
+    </message>
 </context>
 </TS>

@@ -33,6 +33,11 @@ int decimalsOf(double value, Quantity quantity) {
     return point == std::string::npos || last <= point ? 0 : static_cast<int>(last - point);
 }
 
+int statedDecimals(double value, Quantity quantity, int least) {
+    const int own = decimalsOf(value, quantity);
+    return own < finest - 1 ? std::max(own, least) : least + 1;
+}
+
 double certain(double value) {
     constexpr int certainDigits = 15; // every decimal of 15 digits survives the way through a double
     std::array<char, 32> buffer{};

@@ -12,6 +12,10 @@ namespace palmer {
 /// Digits after the point that a number has, at most 9: 5.4/1000 mm is 5.4 µm, whatever the last bits say.
 [[nodiscard]] int decimalsOf(double value, Quantity quantity);
 
+/// At least so many; more where a statement has more. A mean that has no end of its own keeps one digit
+/// beyond.
+[[nodiscard]] int statedDecimals(double value, Quantity quantity, int least);
+
 /// The number without what no decimal of 15 digits has: 0.30000000000000004 is 0.3. What a report says of a
 /// stated number; readings and files keep theirs.
 [[nodiscard]] double certain(double value);

@@ -136,14 +136,17 @@ std::optional<std::string> whenSilent(const Followed &before, const Json &file, 
     }
 }
 
-/// Readings are drawn and tabulated, which other tests look at; seeds and trials are of a simulation that these
-/// files do not ask for.
-const std::set<std::string> drawn{"runs", "arcs", "times", "deviations", "series", "seed", "trials", "version"};
+/// Readings are drawn and tabulated, which other tests look at; seeds and trials are of a simulation that
+/// these files do not ask for.
+const std::set<std::string> drawn{"runs",   "arcs", "times",  "deviations",
+                                  "series", "seed", "trials", "version"};
 
 /// "123" of 0.0123, which may be printed as 12.3 µm.
-QString significantDigits(const Json &number) {
+QString significantDigits(double number) {
     static const QRegularExpression zeros(QStringLiteral("^0+|0+$"));
-    QString digits = QString::number(std::abs(number.get<double>()), 'f', QLocale::FloatingPointShortest);
+    QString digits = QString::number(std::abs(number), 'g', 15);
+    if (digits.contains(u'e'))
+        digits = QString::number(std::abs(number), 'f', QLocale::FloatingPointShortest);
     digits.remove(u'.').remove(zeros);
     return digits;
 }
@@ -290,7 +293,12 @@ private:
                     violated("nothing lost", place);
             } else if (at.is_number()) {
                 ++m_counts.numbers;
-                if (!page.contains(significantDigits(at)))
+                const auto number = at.get<double>();
+                // Degrees are printed in arc seconds, a radius as a diameter.
+                const auto isPrinted = [&](double factor) {
+                    return page.contains(significantDigits(factor * number));
+                };
+                if (!isPrinted(1) && !isPrinted(3600) && !(key == "nominalRadius" && isPrinted(2)))
                     violated("nothing lost", place + " " + at.dump());
             } else if (at.is_object()) {
                 for (const auto &[inner, below] : at.items()) {

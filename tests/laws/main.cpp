@@ -51,7 +51,8 @@ int main(int argc, char **argv) {
     int violations = all.refused;
     std::printf("files %d, refused %d, tests %d, limits %d, statements taken away %d, texts looked for %d, "
                 "numbers %d, PDF %d\n",
-                all.files, all.refused, all.tests, all.limits, all.statements, all.texts, all.numbers, all.reports);
+                all.files, all.refused, all.tests, all.limits, all.statements, all.texts, all.numbers,
+                all.reports);
     for (const auto &[law, count] : all.violations) {
         std::printf("%s: %d violations\n", law.c_str(), count);
         violations += count;

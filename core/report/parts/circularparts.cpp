@@ -92,7 +92,9 @@ QString temperatureText(const CircularPart &part, SensorMeasures what, std::opti
     QStringList texts{part.write.quantity(temperature, Quantity::temperature, temperatureDecimals)};
     if (alpha)
         texts << QStringLiteral("α\u00A0=\u00A0") +
-                     part.write.language().number(*alpha, Quantity::expansion, expansionDecimals);
+                     part.write.language().number(
+                         *alpha, Quantity::expansion,
+                         statedDecimals(*alpha, Quantity::expansion, expansionDecimals));
     texts.removeAll(QString());
     return texts.join(part.write.semicolon());
 }

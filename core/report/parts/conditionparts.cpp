@@ -4,8 +4,11 @@
 
 #include "figures/linefigure.h"
 #include "kernel/evaluation/agreedpoints.h"
+#include "kernel/measurement/testfacts.h"
+#include "kernel/uncertainty/statedinputs.h"
 #include "language/decimals.h"
 #include "report/parts/pagefacts.h"
+#include "report/parts/resultparts.h"
 #include "report/parts/uncertaintyparts.h"
 #include "report/words/wording.h"
 
@@ -18,7 +21,6 @@ namespace {
 
 constexpr double conditionsWidth = 98; ///< mm, beside the environment of 68
 constexpr double conditionLabels = 30; ///< mm
-constexpr int mostTemperatureDecimals = 3;
 constexpr int correctionDecimals = 2;
 
 QString yesNo(const Writer &write, std::optional<bool> value) {
@@ -67,7 +69,7 @@ QString targetChoiceText(const PositioningPart &part) {
     QStringList texts;
     switch (choice.kind) {
     case TargetChoiceKind::notStated:
-        return {};
+        break;
     case TargetChoiceKind::free:
         texts << write.text(REPORT_TEXT("report", "chosen freely"));
         break;
@@ -135,6 +137,52 @@ private:
     const Writer &m_write;
     KeyValues m_values;
 };
+
+/// Whether a contribution of the printed budget is computed from the number; a 0 needs no place in a formula.
+bool isInBudget(const TestPart &part, double value) {
+    if (part.leavesOut(ReportPart::uncertainty) || !usesBudget(part.evaluation))
+        return false;
+    const auto isValue = [value](const Argument &argument) {
+        const auto *number = std::get_if<Number>(&argument);
+        return number && number->value == value;
+    };
+    const auto &contributions = part.evaluation.uncertainty.contributions;
+    return value == 0 || std::ranges::any_of(contributions, [&](const Contribution &contribution) {
+               return contribution.expanded && std::ranges::any_of(contribution.inputs.arguments, isValue);
+           });
+}
+
+/// What the file states of uncertainty and decision and no other part of the report shows.
+QString furtherStatements(const TestPart &part) {
+    const Writer &write = part.write;
+    QStringList texts;
+    const auto add = [&](const QString &name, const Number &value) {
+        texts << name + QStringLiteral("\u00A0") + write.quantity(value.value, value.quantity);
+    };
+    for (const StatedInput &input : statedInputs(part.test)) {
+        if (!isInBudget(part, input.value.value))
+            add(write.text(input.name), input.value);
+    }
+    const Quantity quantity =
+        motionOf(part.test) == Motion::rotary ? Quantity::arcSeconds : Quantity::micrometres;
+    withUncertainty(part.test, [&](const auto &inputs) {
+        for (const auto &[id, expanded] : inputs.expanded) {
+            const bool decides =
+                std::ranges::any_of(part.evaluation.parameters, [&, &id = id](const Parameter &parameter) {
+                    return parameter.decidedBy == UncertaintyMethod::direct &&
+                           (parameter.term.id == id || parameter.term.also == id);
+                });
+            if (!decides)
+                add(QStringLiteral("U(%1)").arg(QString::fromStdString(id)), {expanded, quantity});
+        }
+    });
+    const DecisionRule &decision = part.test.decisionRule;
+    if ((decision.rule == Rule::simpleAcceptance || !hasLimits(part.test)) &&
+        decision.guardFactor != DecisionRule().guardFactor)
+        add(write.text(REPORT_TEXT("report", "factor of the guard band")),
+            {decision.guardFactor, Quantity::number});
+    return texts.join(write.semicolon());
+}
 
 void addLoadAndState(ConditionRows &rows, const TestPart &part, const Conditions &conditions) {
     const Writer &write = part.write;
@@ -216,6 +264,10 @@ KeyValues rowsOf(const PositioningPart &part) {
     rows.add(REPORT_TEXT("report", "Choice of targets"), targetChoiceText(part));
     if (part.leavesOut(ReportPart::targetTable) && part.leavesOut(ReportPart::readings))
         rows.add(REPORT_TEXT("report", "Target positions"), targetList(part)); // in the tables otherwise
+    if (const auto &ends = part.measurement.axis.range)
+        rows.add(REPORT_TEXT("report", "Ends of the axis"),
+                 write.say(REPORT_TEXT("report", "%1 to %2"),
+                           {Number{ends->from, part.along()}, Number{ends->to, part.along()}}));
     const auto &element = part.measurement.axis.scaleElement;
     if (element)
         rows.add(REPORT_TEXT("report", "Element of the scale"),
@@ -230,6 +282,7 @@ KeyValues rowsOf(const PositioningPart &part) {
         rows.add(REPORT_TEXT("report", "Temperature gradient"),
                  write.say(REPORT_TEXT("report", "over the %1 h before the test and during it"),
                            {Number{*conditions.gradientHoursBefore, Quantity::number, -1}}));
+    rows.addStated(REPORT_TEXT("report", "Further statements"), furtherStatements(part));
     return rows.take();
 }
 
@@ -288,6 +341,7 @@ KeyValues rowsOf(const CircularPart &part) {
                         REPORT_TEXT("report", "instrument re-centred"),
                         REPORT_TEXT("report", "measured consecutively, without re-centring")));
     addThermalPreparation(rows, write, common);
+    rows.addStated(REPORT_TEXT("report", "Further statements"), furtherStatements(part));
     return rows.take();
 }
 
@@ -304,25 +358,32 @@ public:
             addTemperatures(what, temperaturesOf(conditions, what));
     }
 
-    void add(const Text &name, std::optional<double> value, Quantity quantity, int decimals = -1) {
-        m_table.rows.push_back({label(name, quantity), shown(value, quantity, decimals), blankCell()});
+    void add(const Text &name, std::optional<double> value, Quantity quantity) {
+        m_table.rows.push_back({label(name, quantity), shown(value, quantity, -1), blankCell()});
     }
     void addExpansion(const Expansion &expansion) {
         m_table.rulesAfter.push_back(m_table.rows.size() - 1);
-        add(REPORT_TEXT("report", "α machine"), expansion.machine, Quantity::expansion, expansionDecimals);
-        add(REPORT_TEXT("report", "α instrument"), expansion.instrument, Quantity::expansion,
-            expansionDecimals);
+        addCoefficient(REPORT_TEXT("report", "α machine"), expansion.machine);
+        addCoefficient(REPORT_TEXT("report", "α instrument"), expansion.instrument);
     }
     [[nodiscard]] Table take() { return std::move(m_table); }
 
 private:
+    void addCoefficient(const Text &name, std::optional<double> alpha) {
+        m_table.rows.push_back({label(name, Quantity::expansion),
+                                statedCell(alpha, Quantity::expansion, expansionDecimals), blankCell()});
+    }
     void addTemperatures(SensorMeasures what, const Temperatures &temperatures) {
         m_table.rows.push_back({label(sensorText(what), Quantity::temperature),
-                                shown(temperatures.start, Quantity::temperature, temperatureDecimals),
-                                shown(temperatures.end, Quantity::temperature, temperatureDecimals)});
+                                statedCell(temperatures.start, Quantity::temperature, temperatureDecimals),
+                                statedCell(temperatures.end, Quantity::temperature, temperatureDecimals)});
     }
     [[nodiscard]] Cell shown(std::optional<double> value, Quantity quantity, int decimals) const {
         return {value ? m_write.language().number(certain(*value), quantity, decimals) : QString()};
+    }
+    /// With the decimals it was stated with.
+    [[nodiscard]] Cell statedCell(std::optional<double> value, Quantity quantity, int least) const {
+        return shown(value, quantity, value ? statedDecimals(*value, quantity, least) : least);
     }
     [[nodiscard]] Phrase label(const Text &name, Quantity quantity) const {
         return Phrase({{m_write.text(name) + QStringLiteral("\u00A0\u00A0")},
@@ -339,8 +400,9 @@ Table environment(const PositioningPart &part) {
     table.add(REPORT_TEXT("report", "Air pressure"), conditions.airPressure, Quantity::pressure);
     table.add(REPORT_TEXT("report", "Relative humidity"), conditions.airHumidity, Quantity::percent);
     table.add(REPORT_TEXT("report", "Temperature gradient"), conditions.gradientPerHour, Quantity::gradient);
-    if (part.measurement.axis.motion == Motion::linear)
-        table.addExpansion(conditions.common.expansion);
+    const Expansion &expansion = conditions.common.expansion;
+    if (part.measurement.axis.motion == Motion::linear || expansion.machine || expansion.instrument)
+        table.addExpansion(expansion);
     return table.take();
 }
 
@@ -419,7 +481,6 @@ std::optional<Table> sensorTable(const TestPart &part) {
                 decimals = std::max(decimals, decimalsOf(*value, Quantity::temperature));
         }
     }
-    decimals = std::min(decimals, mostTemperatureDecimals);
     const auto shown = [&](std::optional<double> value) {
         return Cell(value ? write.language().number(*value, Quantity::temperature, decimals) : QString());
     };

@@ -170,15 +170,14 @@ public:
         std::vector<Cell> row{QString::number(part.number)};
         for (const SensorMeasures what : measured) {
             const Temperatures temperatures = temperaturesOf(conditions, what);
-            row.push_back(shown(temperatures.start, Quantity::temperature, temperatureDecimals));
-            row.push_back(shown(temperatures.end, Quantity::temperature, temperatureDecimals));
+            row.push_back(shownAtLeast(temperatures.start, Quantity::temperature, temperatureDecimals));
+            row.push_back(shownAtLeast(temperatures.end, Quantity::temperature, temperatureDecimals));
         }
         withKind(part, [&](const auto &own) { addAir(row, own.measurement.conditions); });
         const bool expands = motionOf(part.test) == Motion::linear;
-        row.push_back(expands ? shown(conditions.expansion.machine, Quantity::expansion, expansionDecimals)
-                              : blankCell());
-        row.push_back(expands ? shown(conditions.expansion.instrument, Quantity::expansion, expansionDecimals)
-                              : blankCell());
+        for (const auto &alpha : {conditions.expansion.machine, conditions.expansion.instrument})
+            row.push_back(expands || alpha ? shownAtLeast(alpha, Quantity::expansion, expansionDecimals)
+                                           : blankCell());
         m_table.rows.push_back(std::move(row));
     }
 
@@ -214,6 +213,10 @@ private:
         return {value ? m_write.language().number(certain(*value), quantity, decimals) : QString()};
     }
 
+    [[nodiscard]] Cell shownAtLeast(std::optional<double> value, Quantity quantity, int least) const {
+        return shown(value, quantity, value ? statedDecimals(*value, quantity, least) : least);
+    }
+
     const Writer &m_write;
     Table m_table;
 };
@@ -221,12 +224,8 @@ private:
 /// Whether the row of a test in the table of the environment holds all that its sensors measured.
 bool environmentSaysAll(const TestPart &part) {
     std::array<int, 3> counts{};
-    const auto more = [](const std::optional<double> &value) {
-        return value && decimalsOf(*value, Quantity::temperature) > temperatureDecimals;
-    };
     return std::ranges::none_of(conditionsOf(part.test)->sensors, [&](const Sensor &sensor) {
-        return ++counts.at(static_cast<std::size_t>(sensor.measures)) > 1 || more(startTemperature(sensor)) ||
-               more(endTemperature(sensor));
+        return ++counts.at(static_cast<std::size_t>(sensor.measures)) > 1;
     });
 }
 
