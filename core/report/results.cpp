@@ -258,9 +258,12 @@ private:
         QString limits = text(limitsText(evaluation.verdict, hasLimits(test)));
         if (evaluation.verdict)
             limits += QStringLiteral(" (") + ruleOf(test) + u')';
+        const QString unknown = notEvaluableSentence(evaluation, m_language);
+        if (!unknown.isEmpty())
+            limits += u'.';
         VerdictLine line;
-        line.limits = {
-            text(REPORT_TEXT_FOR("report", "Limits", "part of a verdict")), Mark::none, limits, {}};
+        line.limits = {text(REPORT_TEXT_FOR("report", "Limits", "part of a verdict")), Mark::none, limits,
+                       withSymbols(unknown, evaluation.parameters)};
         line.accordance = accordanceStatement(test, evaluation, m_language, false);
         return line;
     }

@@ -20,6 +20,7 @@
 #include "report/words/wording.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/proof/verifyreport.h"
+#include "ui/results/findingsmodel.h"
 
 #include <QBuffer>
 #include <QLocale>
@@ -182,15 +183,12 @@ public:
             limitsOnPages(report, language);
             statementsOnPages(page);
             oneVoice(page, language);
-            for (std::size_t i = 0; i < m_followed.evaluated.tests.size(); ++i) {
-                if (document().tests[i]->edition.empty())
-                    continue;
-                if (readingsCsv(*document().tests[i], *m_followed.evaluated.tests[i], language, ',')
-                        .isEmpty())
-                    violated("nothing lost", "an empty CSV");
-            }
             if (asPdf && id == Language::Id::english)
                 verifies(report);
+        }
+        for (std::size_t i = 0; i < document().tests.size(); ++i) {
+            csv(i);
+            window(i);
         }
         limits();
         counts();
@@ -354,6 +352,72 @@ private:
                 }
             }
         }
+    }
+
+    /// Every target and every reading stands in the CSV as the number it is.
+    void csv(std::size_t i) {
+        const QByteArray bytes = readingsCsv(*document().tests[i], *m_followed.evaluated.tests[i],
+                                             Language(Language::Id::english), '.');
+        std::set<double> found;
+        for (const QByteArray &line : bytes.split('\n')) {
+            for (const QByteArray &cell : line.split(',')) {
+                bool isNumber = false;
+                const double number = cell.trimmed().toDouble(&isNumber);
+                if (isNumber)
+                    found.insert(number);
+            }
+        }
+        const auto walk = [&](const auto &self, const Json &at) -> void {
+            if (at.is_number() && !found.contains(at.get<double>()))
+                violated("nothing lost", "the CSV lacks " + at.dump());
+            if (at.is_structured()) {
+                for (const Json &below : at)
+                    self(self, below);
+            }
+        };
+        const Json &test = m_file["tests"][i];
+        for (const char *list : {"targets", "times", "deviations"})
+            walk(walk, test.value(list, Json()));
+        for (const Json &run : test.value("runs", Json::array()))
+            walk(walk, run["deviations"]);
+        for (const Json &arc : test.value("arcs", Json::array())) {
+            walk(walk, arc["angles"]);
+            walk(walk, arc["radialDeviations"]);
+        }
+    }
+
+    /// The window lists each finding on one page, counts those of the others, and sums up what there is.
+    void window(std::size_t i) {
+        const Language english(Language::Id::english);
+        const std::vector<Finding> &findings = m_followed.evaluated.tests[i]->findings;
+        const auto sum = [](const QString &text) {
+            int result = 0;
+            for (const QString &number : numbersIn(text))
+                result += number.toInt();
+            return result;
+        };
+        ui::FindingsModel model;
+        std::multiset<QString> listed;
+        for (int place = 0; place <= static_cast<int>(ui::Page::diagnosis); ++place) {
+            const auto page = static_cast<ui::Page>(place);
+            model.show(m_followed.evaluated, i, page, english);
+            for (int row = 0; row < model.rowCount(); ++row) {
+                const ui::FindingsModel::Line &line = model.line(row);
+                if (line.page == page)
+                    listed.insert(line.sentence);
+                else if (sum(line.text) != std::ranges::count_if(findings, [&](const Finding &finding) {
+                             return ui::pageOf(finding, document()) == line.page;
+                         }))
+                    violated("one count", "the window: " + line.text.toStdString());
+            }
+        }
+        std::multiset<QString> said;
+        for (const Finding &finding : findings)
+            said.insert(findingText(finding, english));
+        if (listed != said)
+            violated("one voice", "the window lists other findings");
+        if (sum(model.summary()) != static_cast<int>(findings.size()))
+            violated("one count", "the window sums up: " + model.summary().toStdString());
     }
 
     void registered() {

@@ -367,22 +367,6 @@ QString notProven(const TestPart &part, const std::vector<const PrintedResult *>
                           symbols);
 }
 
-/// "Not evaluable: A, R (one run in each direction)."; empty where every limit was evaluated.
-QString notEvaluable(const TestPart &part) {
-    std::map<NotEvaluable, QStringList> keys;
-    for (const AgreedLimit &limit : part.evaluation.limits) {
-        if (limit.reason)
-            keys[*limit.reason] << QString::fromStdString(limit.symbol);
-    }
-    QStringList items;
-    for (const auto &[reason, limits] : keys)
-        items << limits.join(QStringLiteral(", ")) + QStringLiteral(" (") +
-                     part.write.text(notEvaluableText(reason)) + u')';
-    return items.empty() ? QString()
-                         : part.write.say(REPORT_TEXT("report", "Not evaluable: %1."),
-                                          items.join(QStringLiteral(", ")));
-}
-
 /// Results without a limit of their own, evaluable or not.
 bool anyWithoutLimit(const TestPart &part, const std::vector<PrintedResult> &results) {
     return std::ranges::any_of(results, [&](const PrintedResult &result) {
@@ -415,7 +399,7 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
         if (!open.empty())
             all << notProven(part, open);
         const QString met = joinedSymbols(parametersOf(good));
-        const QString unknown = notEvaluable(part);
+        const QString unknown = notEvaluableSentence(part.evaluation, part.write.language());
         if (!unknown.isEmpty())
             all << unknown;
         if (!good.empty() && failing.empty() && open.empty() && unknown.isEmpty()) // the state says it

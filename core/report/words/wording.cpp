@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/words/wording.h"
 
+#include "kernel/evaluation/applylimits.h"
 #include "kernel/measurement/testfacts.h"
-#include "report/words/formula.h"
-
 #include "language/rounding.h"
+#include "report/words/formula.h"
 
 #include <QStringList>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace palmer {
 
@@ -321,6 +322,22 @@ bool guardsSimulated(const TestEvaluation &evaluation) {
     return std::ranges::any_of(evaluation.parameters, [](const Parameter &p) {
         return p.guardBand && p.decidedBy == UncertaintyMethod::monteCarlo;
     });
+}
+
+QString notEvaluableSentence(const TestEvaluation &evaluation, const Language &language) {
+    std::map<NotEvaluable, QStringList> symbols;
+    for (const AgreedLimit &limit : evaluation.limits) {
+        if (limit.reason)
+            symbols[*limit.reason] << QString::fromStdString(limit.symbol);
+    }
+    QStringList items;
+    for (const auto &[reason, limits] : symbols)
+        items << limits.join(QStringLiteral(", ")) + QStringLiteral(" (") +
+                     language.text(notEvaluableText(reason)) + u')';
+    if (items.empty())
+        return {};
+    const std::string all = items.join(QStringLiteral(", ")).toStdString();
+    return language.sentence({REPORT_TEXT("report", "Not evaluable: %1."), {all}});
 }
 
 bool isPrinted(const Parameter &parameter, const ReportHead &head) {

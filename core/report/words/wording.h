@@ -83,6 +83,9 @@ struct RuleWords {
 /// The finest step any instrument of the test shows, in mm or degrees; null where none is stated.
 [[nodiscard]] std::optional<double> finestResolution(const Document &document, const Test &test);
 
+/// "Not evaluable: A, R (one run in each direction)."; empty where every limit was evaluated.
+[[nodiscard]] QString notEvaluableSentence(const TestEvaluation &evaluation, const Language &language);
+
 /// Whether the parameter stands on the report: those on request only if asked for.
 [[nodiscard]] bool isPrinted(const Parameter &parameter, const ReportHead &head);
 
