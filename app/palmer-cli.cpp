@@ -47,7 +47,7 @@ int runCommand(const Command &command, const QStringList &words, const Language 
 int runProgram(const QStringList &words, const Language &language) {
     // For the shell and for packages: not in the help.
     if (words.value(0) == QLatin1StringView("--complete")) {
-        printOut(completion(words.mid(1), language));
+        printOut(completion(words.mid(1), language).toUtf8()); // a table of tabulators
         return done;
     }
     if (words.value(0) == QLatin1StringView("--manual-page")) {

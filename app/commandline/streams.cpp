@@ -10,6 +10,7 @@
 #include "document/testfile.h"
 #include "import/importmeasurement.h"
 #include "import/profiles.h"
+#include "language/visibletext.h"
 #include "proof/readreportpdf.h"
 
 #include <QFile>
@@ -40,9 +41,8 @@ QByteArray standardInput() {
 
 QString oneLine(QString text) {
     std::ranges::replace_if(
-        text, [](QChar c) { return c.category() == QChar::Other_Control || c == QChar::LineSeparator; },
-        u' ');
-    return text;
+        text, [](QChar c) { return c == u'\n' || c == u'\r' || c == QChar::LineSeparator; }, u' ');
+    return visibleText(text);
 }
 
 } // namespace
@@ -55,7 +55,7 @@ void printOut(const QByteArray &bytes) {
 }
 
 void printOut(const QString &text) {
-    printOut(text.toUtf8());
+    printOut(visibleText(text).toUtf8());
 }
 
 std::optional<JsonForm> jsonForm(const Invocation &invocation, bool several) {

@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "document/largepages.h"
+#include "language/visibletext.h"
 
 #include <nlohmann/json.hpp>
 
@@ -85,7 +86,8 @@ void JsonPrinter::text(std::string_view utf8) {
     const bool isPlain =
         std::ranges::all_of(utf8, [](char c) { return c >= ' ' && c < '\x7F' && c != '"' && c != '\\'; });
     if (!isPlain) {
-        append(nlohmann::json(utf8).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+        append(withJsonEscapes(
+            nlohmann::json(utf8).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)));
         return;
     }
     append('"');

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "language/visibletext.h"
+
 #include <QByteArray>
 #include <algorithm>
 #include <array>
@@ -21,23 +23,18 @@ public:
         , m_delimiter(mark == ',' ? ';' : ',') {}
 
     void comment(const std::string &text) {
-        std::string line = text;
-        std::ranges::replace_if(
-            line, [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
+        std::string line;
+        for (const char c : onOneLine(text)) {
+            const bool beginsCell = line.ends_with(',') || line.ends_with(';');
+            line += beginsCell && looksLikeFormula({c}) ? std::string{'\'', c} : std::string{c};
+        }
         if (!line.empty())
             m_text += "# " + line + '\n';
     }
+    /// A text that a spreadsheet would take for a formula gets an apostrophe in front.
     void text(const std::string &cell) {
         begin();
-        const bool quote = cell.find_first_of("\"\r\n;,") != std::string::npos;
-        if (!quote) {
-            m_text += cell;
-            return;
-        }
-        m_text += '"';
-        for (const char c : cell)
-            m_text += c == '"' ? std::string("\"\"") : std::string(1, c == '\n' || c == '\r' ? ' ' : c);
-        m_text += '"';
+        m_text += quoted(looksLikeFormula(cell) ? '\'' + cell : cell);
     }
     void number(std::optional<double> value) {
         begin();
@@ -60,6 +57,29 @@ public:
     [[nodiscard]] QByteArray bytes() const { return QByteArray::fromStdString(m_text); }
 
 private:
+    static bool looksLikeFormula(const std::string &cell) {
+        double number = 0;
+        const char *const end = cell.data() + cell.size();
+        if (std::from_chars(cell.data(), end, number).ptr == end)
+            return false; // a text that is a number stays one
+        return cell.starts_with("\u2212") || cell.find_first_of("=+-@\t") == 0;
+    }
+
+    static std::string onOneLine(const std::string &text) {
+        return visibleText(QString::fromStdString(text)).replace(u'\n', u' ').toStdString();
+    }
+
+    /// On one line, in quotation marks where it has to be.
+    static std::string quoted(const std::string &cell) {
+        const std::string line = onOneLine(cell);
+        if (line.find_first_of("\";,") == std::string::npos)
+            return line;
+        std::string result = "\"";
+        for (const char c : line)
+            result += c == '"' ? std::string("\"\"") : std::string(1, c);
+        return result + '"';
+    }
+
     void begin() {
         if (!m_first)
             m_text += m_delimiter;

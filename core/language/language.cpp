@@ -4,6 +4,7 @@
 
 #include "language/decimals.h"
 #include "language/rounding.h"
+#include "language/visibletext.h"
 
 #include <QDate>
 #include <QFile>
@@ -133,7 +134,7 @@ QString Language::argument(const Argument &argument) const {
         return text(*word);
     if (const auto *day = std::get_if<Date>(&argument))
         return date(day->iso);
-    return QString::fromStdString(std::get<std::string>(argument));
+    return visibleText(QString::fromStdString(std::get<std::string>(argument)));
 }
 
 QString Language::number(double value, Quantity quantity, int decimals) const {

@@ -10,6 +10,7 @@
 #include "kernel/measurement/testfacts.h"
 #include "kernel/numerics/fullturn.h"
 #include "language/decimals.h"
+#include "language/visibletext.h"
 #include "report/words/wording.h"
 
 #include <algorithm>
@@ -424,8 +425,11 @@ QString asTabSeparated(const ResultComparison &comparison) {
     const auto plain = [](QString text) {
         text.replace(u'\u2212', u'-');
         text.remove(u'\u202f');
-        text.replace(u'\t', u' ');
-        return text;
+        text = visibleText(text.replace(u'\t', u' ')).replace(u'\n', u' ');
+        bool isNumber = false;
+        text.toDouble(&isNumber);
+        return !isNumber && text.size() > 1 && QStringView(u"=+-@").contains(text.front()) ? u'\'' + text
+                                                                                           : text;
     };
     const bool hasReasons =
         std::ranges::any_of(comparison.rows, [](const ComparisonRow &row) { return !row.reasons.isEmpty(); });

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/composereport.h"
 
+#include "document/visibletexts.h"
+#include "document/writedocument.h"
 #include "figures/thinning.h"
 #include "language/papercharacters.h"
 #include "report/blocks/pagetext.h"
@@ -275,14 +277,20 @@ QString viewedEdition(const EvaluatedDocument &evaluated) {
 
 } // namespace
 
-Report composeReport(const EvaluatedDocument &evaluated, const Language &language,
-                     const ReportOptions &options) {
+Report composeReport(const EvaluatedDocument &given, const Language &language, const ReportOptions &options) {
+    Report report;
+    report.testFile =
+        options.testFile.isEmpty() ? attachedFile(*given.document, options.originals) : options.testFile;
+    report.testFileName = attachedFileName(*given.document);
+    report.fingerprint = fingerprint(report.testFile);
+    EvaluatedDocument evaluated = given;
+    evaluated.document = withVisibleTexts(
+        given.document, options.testFile.isEmpty() ? report.testFile : writeDocument(*given.document));
     const Document &document = *evaluated.document;
     const ReportHead &head = document.report;
     const Writer write(language);
     const std::string number = head.number.empty() ? "–" : head.number;
 
-    Report report;
     report.language = language.code();
     report.paper = head.paper;
     report.title =
@@ -291,10 +299,6 @@ Report composeReport(const EvaluatedDocument &evaluated, const Language &languag
     report.date = QString::fromStdString(head.date.value_or(std::string()));
     report.making = {options.program, options.selfTestPassed, simulatedTests(evaluated),
                      viewedEdition(evaluated)};
-    report.testFile =
-        options.testFile.isEmpty() ? attachedFile(document, options.originals) : options.testFile;
-    report.testFileName = attachedFileName(document);
-    report.fingerprint = fingerprint(report.testFile);
     report.footerLeft = write.say(REPORT_TEXT("report", "Report %1"), {number});
     report.footerCentre =
         write.say(REPORT_TEXT("report", "Fingerprint SHA-256 %1"), shortFingerprint(report.fingerprint));

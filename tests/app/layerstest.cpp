@@ -43,8 +43,8 @@ constexpr Layer layers[]{
     {"core/kernel/diagnosis", "kernel/words kernel/numerics kernel/measurement kernel/uncertainty "
                               "kernel/evaluation kernel/simulation"},
     {"core/kernel/trend", "kernel/numerics"},
-    {"core/document", "kernel"},
     {"core/language", "kernel/words kernel/measurement"},
+    {"core/document", "kernel language"},
     {"core/tables", "kernel/words kernel/numerics document"},
     {"core/import", "kernel document tables"},
     {"core/validation", "kernel document tables import"},

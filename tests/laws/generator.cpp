@@ -90,7 +90,8 @@ const Json &Generator::resolved(const Json &schema) const {
 }
 
 Json Generator::text(std::size_t most) {
-    static constexpr std::array ends{"", " é", " Ω", " (a)", " & co", " %1", " <b>", " =x"};
+    static constexpr std::array ends{"",    " é",   " Ω",        " (a)",          " & co",
+                                     " %1", " <b>", "\x1b[31m!", "\u202e\u2066 ", "\tx\u0085"};
     const std::string body = "Text" + std::to_string(1000 + m_texts++) + anyOf(ends);
     return body.substr(0, most);
 }

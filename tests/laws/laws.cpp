@@ -11,6 +11,7 @@
 #include "export/readingscsv.h"
 #include "export/resultsjson.h"
 #include "kernel/evaluation/accordance.h"
+#include "language/visibletext.h"
 #include "register/registeredtest.h"
 #include "report/attachedfile.h"
 #include "report/blocks/pagetext.h"
@@ -26,6 +27,7 @@
 #include <QLocale>
 #include <QRegularExpression>
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace palmer::laws {
@@ -169,7 +171,10 @@ public:
         , m_counts(counts)
         , m_json(parseJson(resultsJson(m_followed.evaluated, QStringLiteral("x.palmer"),
                                        Language(Language::Id::english), JsonForm::oneLine)
-                               .toStdString())) {}
+                               .toStdString())) {
+        harmless("JSON", QString::fromUtf8(resultsJson(m_followed.evaluated, QStringLiteral("x.palmer"),
+                                                       Language(Language::Id::english), JsonForm::oneLine)));
+    }
 
     [[nodiscard]] const Followed &followed() const { return m_followed; }
     [[nodiscard]] std::vector<Violation> &violations() { return m_violations; }
@@ -180,6 +185,7 @@ public:
             const Report report =
                 composeReport(m_followed.evaluated, language, {QStringLiteral("Palmer " PALMER_VERSION)});
             const QString page = plain(pageText(report));
+            harmless("the report", pageText(report));
             limitsOnPages(report, language);
             statementsOnPages(page);
             oneVoice(page, language);
@@ -287,7 +293,7 @@ private:
                 if (!text.startsWith(QLatin1String("Text1")))
                     return;
                 ++m_counts.texts;
-                if (!page.contains(plain(text)))
+                if (!page.contains(plain(visibleText(text))))
                     violated("nothing lost", place);
             } else if (at.is_number()) {
                 ++m_counts.numbers;
@@ -296,7 +302,12 @@ private:
                 const auto isPrinted = [&](double factor) {
                     return page.contains(significantDigits(factor * number));
                 };
-                if (!isPrinted(1) && !isPrinted(3600) && !(key == "nominalRadius" && isPrinted(2)))
+                // An uncertainty that decides is printed with two digits, rounded up.
+                const double unit = std::pow(10, std::floor(std::log10(std::abs(number))) - 1);
+                const bool asUncertainty = place.find(".expanded.") != std::string::npos &&
+                                           page.contains(significantDigits(std::ceil(number / unit) * unit));
+                if (!isPrinted(1) && !isPrinted(3600) && !asUncertainty &&
+                    !(key == "nominalRadius" && isPrinted(2)))
                     violated("nothing lost", place + " " + at.dump());
             } else if (at.is_object()) {
                 for (const auto &[inner, below] : at.items()) {
@@ -334,17 +345,20 @@ private:
 
     /// Terminal, report and JSON give the same findings and verdicts.
     void oneVoice(const QString &page, const Language &language) {
-        const QString terminal = plain(plainText(composeResults(m_followed.evaluated, language), 100'000));
-        const QString findings = plain(plainText(composeFindings(m_followed.evaluated, language), 100'000));
+        const auto printed = [&](const Report &report) {
+            return plain(visibleText(plainText(report, 100'000)));
+        };
+        const QString terminal = printed(composeResults(m_followed.evaluated, language));
+        const QString findings = printed(composeFindings(m_followed.evaluated, language));
         const auto &leftOut = document().report.leaveOut;
-        const bool printed = std::ranges::find(leftOut, ReportPart::findings) == leftOut.end();
+        const bool onPage = std::ranges::find(leftOut, ReportPart::findings) == leftOut.end();
         for (const TestEvaluationPointer &test : m_followed.evaluated.tests) {
             for (const Finding &finding : test->findings) {
                 const QString said = plain(finding.name.empty() ? findingText(finding, language)
                                                                 : findingName(finding, language));
                 for (const auto &[exit, text] : {std::pair{"terminal", &terminal},
                                                  std::pair{"check", &findings}, std::pair{"report", &page}}) {
-                    if (text == &page && !printed)
+                    if (text == &page && !onPage)
                         continue;
                     if (!text->contains(said))
                         violated("one voice", std::string(exit) + " lacks the finding " + finding.id + ": " +
@@ -354,13 +368,22 @@ private:
         }
     }
 
+    /// Nothing that steers a terminal or turns the order of characters is left raw.
+    void harmless(const char *exit, const QString &text) {
+        if (QString(text).remove(u'\r') != visibleText(text))
+            violated("harmless", std::string(exit) + " has raw control characters");
+    }
+
     /// Every target and every reading stands in the CSV as the number it is.
     void csv(std::size_t i) {
         const QByteArray bytes = readingsCsv(*document().tests[i], *m_followed.evaluated.tests[i],
                                              Language(Language::Id::english), '.');
+        harmless("the CSV", QString::fromUtf8(bytes));
         std::set<double> found;
         for (const QByteArray &line : bytes.split('\n')) {
             for (const QByteArray &cell : line.split(',')) {
+                if (cell.startsWith('=') || cell.startsWith('@'))
+                    violated("harmless", "a cell is a formula: " + cell.toStdString());
                 bool isNumber = false;
                 const double number = cell.trimmed().toDouble(&isNumber);
                 if (isNumber)

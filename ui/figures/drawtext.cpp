@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figures/drawtext.h"
 
+#include "language/visibletext.h"
 #include "ui/fonts.h"
 
 #include <QFontMetricsF>
@@ -20,7 +21,7 @@ QFont fontOf(const TextPiece &piece, bool bold) {
 }
 
 double widthOf(const TextPiece &piece, bool bold) {
-    return QFontMetricsF(fontOf(piece, bold)).horizontalAdvance(piece.text);
+    return QFontMetricsF(fontOf(piece, bold)).horizontalAdvance(visibleText(piece.text));
 }
 
 } // namespace
@@ -42,7 +43,8 @@ void drawText(QPainter &painter, QPointF leftCentre, const TextLine &line, const
     const double baseline = leftCentre.y() + halfCapital;
     for (const TextPiece &piece : line) {
         painter.setFont(fontOf(piece, bold));
-        painter.drawText(QPointF(x, baseline + (piece.subscript ? subscriptDrop : 0)), piece.text);
+        painter.drawText(QPointF(x, baseline + (piece.subscript ? subscriptDrop : 0)),
+                         visibleText(piece.text));
         x += widthOf(piece, bold);
     }
 }

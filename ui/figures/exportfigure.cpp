@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figures/exportfigure.h"
 
+#include "language/visibletext.h"
 #include "ui/figures/drawfigure.h"
 
 #include <QBuffer>
@@ -127,7 +128,7 @@ QByteArray figureAsSvg(const Figure &figure, const QString &title) {
     begin(painter, &generator);
     drawFigure(painter, page, figure, Medium::paper);
     painter.end();
-    return withShortPaths(withTrueDashes(buffer.data()));
+    return visibleText(withShortPaths(withTrueDashes(buffer.data())));
 }
 
 QByteArray figureAsPdf(const Figure &figure, const QString &title) {
