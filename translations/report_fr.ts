@@ -126,6 +126,10 @@
         <translation>La limite de %1 reste sans verdict&#xa0;: elle a été convenue pour %2, l’essai est évalué selon %3.</translation>
     </message>
     <message>
+        <source>Nothing is proven for %1: results that depend on the temperature are not shown to hold at 20 °C.</source>
+        <translation>Rien n’est prouvé pour %1&#xa0;: la validité à 20&#xa0;°C des résultats qui dépendent de la température n’est pas établie.</translation>
+    </message>
+    <message>
         <source>Nothing is proven for %1: results that depend on the temperature are not corrected to 20 °C.</source>
         <translation>Rien n’est prouvé pour %1&#xa0;: les résultats qui dépendent de la température ne sont pas corrigés à 20&#xa0;°C.</translation>
     </message>
@@ -134,8 +138,8 @@
         <translation>La règle de décision exige l’incertitude de mesure&#xa0;: sans elle, rien n’est prouvé.</translation>
     </message>
     <message>
-        <source>The correction to 20 °C cannot be applied: it needs the temperatures at start and end and the coefficients of thermal expansion of machine and instrument (0 for a laser whose compensation covers the air only).</source>
-        <translation>La correction à 20&#xa0;°C ne peut pas être appliquée&#xa0;: il y faut les températures au début et à la fin ainsi que les coefficients de dilatation thermique de la machine et de l’instrument (0 pour un laser dont la compensation ne porte que sur l’air).</translation>
+        <source>The correction to 20 °C cannot be applied: it needs the temperatures and the coefficients of thermal expansion of machine and instrument (0 for a laser whose compensation covers the air only).</source>
+        <translation>La correction à 20&#xa0;°C ne peut pas être appliquée&#xa0;: il y faut les températures ainsi que les coefficients de dilatation thermique de la machine et de l’instrument (0 pour un laser dont la compensation ne porte que sur l’air).</translation>
     </message>
     <message>
         <source>A rotary axis has no correction to 20 °C: none was applied.</source>
@@ -1236,8 +1240,8 @@
         <translation>F et D ne sont pas ramenés à 20&#xa0;°C, et l’essai a été fait à une autre température.</translation>
     </message>
     <message>
-        <source>F and D cannot be corrected to 20 °C: temperatures at start and end and the coefficients of thermal expansion of machine and instrument are needed.</source>
-        <translation>F et D ne peuvent pas être ramenés à 20&#xa0;°C&#xa0;: il y faut les températures au début et à la fin et les coefficients de dilatation thermique de la machine et de l’instrument.</translation>
+        <source>F and D cannot be corrected to 20 °C: temperatures and coefficients of thermal expansion of machine and instrument are needed.</source>
+        <translation>F et D ne peuvent pas être ramenés à 20&#xa0;°C&#xa0;: il y faut les températures et les coefficients de dilatation thermique de la machine et de l’instrument.</translation>
     </message>
     <message>
         <source>Feedback signal: the annex speaks of machines with linear scales; what lies between scale and tool is not seen.</source>
@@ -2055,6 +2059,10 @@
     <message>
         <source>%1 exceeds its limit by more than the guard band: %2 against %3 + %4 = %5.</source>
         <translation>%1 dépasse sa limite d’une valeur supérieure à la bande de garde&#xa0;: %2 pour %3 + %4 = %5.</translation>
+    </message>
+    <message>
+        <source>Not shown to hold at 20 °C, nothing is proven for %1.</source>
+        <translation>Validité à 20&#xa0;°C non établie, rien n’est prouvé pour %1.</translation>
     </message>
     <message>
         <source>Not corrected to 20 °C, nothing is proven for %1.</source>
@@ -3990,8 +3998,8 @@
         <translation>F et D à 20&#xa0;°C&#xa0;: correction %1.</translation>
     </message>
     <message>
-        <source>Made here for F and D; temperatures are means of start and end.</source>
-        <translation>Faite ici pour F et D&#x202f;; températures moyennes du début et de la fin.</translation>
+        <source>Made here for F and D; temperatures are means of those stated.</source>
+        <translation>Faite ici pour F et D&#x202f;; moyennes des températures indiquées.</translation>
     </message>
     <message>
         <source>not calibrated</source>

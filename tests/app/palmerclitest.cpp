@@ -129,6 +129,7 @@ void PalmerCliTest::endsWithItsCode_data() {
         << QStringList{"evaluate", "--language", "de", "-"} << smallTest("") << 2;
     const QByteArray budget =
         smallTest(R"(, "limits": {"A": {"value": 0.006}}, "decisionRule": {"rule": "ISO 14253-1"},
+        "conditions": {"correctionTo20": "applied by the instrument"},
         "uncertainty": {"method": "direct", "expanded": {"A": 0.1}, "device": {"fixed": 1.0, "perMetre": 0.0},
         "misalignmentRange": 0.0, "temperatureRange": {"machine": 0.0, "instrument": 0.0},
         "expansionRange": {"machine": 0.0, "instrument": 0.0}, "environmentalVariation": 0.0})");

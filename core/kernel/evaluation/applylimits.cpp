@@ -145,12 +145,15 @@ LimitState stateOf(Verdict verdict) {
 }
 
 /// Said even where the edition allows for the temperature: the decision rule does not.
-void findUncorrected(TestEvaluation &evaluation, const std::string &symbols) {
+void findUncorrected(TestEvaluation &evaluation, At20 at20, const std::string &symbols) {
     if (symbols.empty())
         return;
     note(evaluation, "decisionRule", Source::laboratory,
-         {REPORT_TEXT("report", "Nothing is proven for %1: results that depend on the temperature are not "
-                                "corrected to 20 °C."),
+         {at20 == At20::wrong
+              ? REPORT_TEXT("report", "Nothing is proven for %1: results that depend on the temperature are "
+                                      "not corrected to 20 °C.")
+              : REPORT_TEXT("report", "Nothing is proven for %1: results that depend on the temperature are "
+                                      "not shown to hold at 20 °C."),
           {symbols}});
 }
 
@@ -201,7 +204,7 @@ Text notEvaluableText(NotEvaluable reason) {
     return {};
 }
 
-void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected,
+void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
                  const std::function<std::vector<Judged>(const std::string &id)> &judged,
                  const std::function<NotEvaluable(const std::string &id)> &missing) {
     if (evaluation.view)
@@ -238,7 +241,10 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
                 evaluation.provisional |= evaluation.uncertainty.outdated &&
                                           evaluation.uncertainty.method == UncertaintyMethod::monteCarlo;
                 uncertaintyMissing |= !p.expandedUncertainty;
-                if (notCorrected && p.dependsOnTemperature) {
+                // What is not known proves nothing, and takes no rejection back.
+                const bool proves =
+                    at20 == At20::hold || (at20 == At20::open && verdict != Verdict::conforms);
+                if (!proves && p.dependsOnTemperature) {
                     verdict = Verdict::notProven;
                     add(uncorrected, plainSymbol(p));
                 }
@@ -255,7 +261,7 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected
     if (!negative.empty())
         note(evaluation, "limits", Source::laboratory,
              {REPORT_TEXT("report", "The limit of %1 is negative; nothing can conform."), {negative}});
-    findUncorrected(evaluation, uncorrected);
+    findUncorrected(evaluation, at20, uncorrected);
     if (uncertaintyMissing)
         note(evaluation, "decisionRule", Source::laboratory,
              {REPORT_TEXT("report", "The decision rule needs the measurement uncertainty: without it "

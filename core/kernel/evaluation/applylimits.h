@@ -27,7 +27,7 @@ struct Judged {
 /// with the worse verdict, of equal verdicts the one with less room, and a finding says which: the verdict of
 /// the test is always the worst of its rows. Away from 20 °C and not corrected, rules that ask for a proof
 /// prove nothing where the temperature matters. A view has no verdicts.
-void applyLimits(TestEvaluation &evaluation, const Test &test, bool notCorrected,
+void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
                  const std::function<std::vector<Judged>(const std::string &id)> &judged,
                  const std::function<NotEvaluable(const std::string &id)> &missing);
 

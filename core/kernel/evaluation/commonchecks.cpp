@@ -17,17 +17,6 @@ namespace {
 constexpr double margin = 0.5;    ///< °C
 constexpr double rounding = 1e-9; ///< of differences of temperatures
 
-/// Every value of a sensor, of a series all of them.
-template <class Take>
-void eachTemperature(const Sensor &sensor, Take take) {
-    for (const auto value : {sensor.start, sensor.end}) {
-        if (value)
-            take(*value);
-    }
-    if (sensor.series)
-        std::ranges::for_each(sensor.series->temperatures, take);
-}
-
 bool specified(const Conditions &conditions, const Test &test) {
     return conditions.warmUp.specifiedBy != SpecifiedBy::notStated || isAgreed(test, "warmUp");
 }
@@ -39,23 +28,23 @@ bool mayBeControlled(const Conditions &conditions) {
 }
 
 Judgement temperature(const Conditions &conditions, Text outside) {
-    std::optional<double> worst;
-    for (const Sensor &sensor : conditions.sensors) {
-        if (sensor.measures != SensorMeasures::air)
-            continue;
-        eachTemperature(sensor, [&](double value) {
-            if (!worst ||
-                !(std::abs(value - referenceTemperature) <= std::abs(*worst - referenceTemperature)))
-                worst = value;
-        });
-    }
-    if (!worst)
-        return Judgement::undeclared();
-    if (std::abs(*worst - referenceTemperature) <= margin + rounding)
-        return Judgement::met();
+    const TemperatureSpan air = temperatureSpan(conditions, SensorMeasures::air);
+    const auto worst = air.farthest();
+    if (!worst || std::abs(*worst - referenceTemperature) <= margin + rounding)
+        return air.complete ? Judgement::met() : Judgement::undeclared();
     if (!conditions.temperatureControlled)
         return Judgement::undeclared();
     return Judgement::unmet({outside, {Number{*worst, Quantity::temperature, -1}}});
+}
+
+Judgement correction(const Conditions &conditions, At20 lengths,
+                     Message (*notCorrected)(const OtherTemperature &away)) {
+    if (lengths == At20::hold)
+        return Judgement::met();
+    const auto away = awayFrom20(conditions);
+    if (!away || conditions.correctionTo20 == CorrectionTo20::notStated)
+        return Judgement::undeclared();
+    return Judgement::unmet(notCorrected(*away));
 }
 
 Judgement stabilised(const Conditions &conditions) {
@@ -123,12 +112,7 @@ bool machineSensorsPlaced(const Conditions &conditions) {
 }
 
 bool anyTemperature(const Conditions &conditions, SensorMeasures what) {
-    return std::ranges::any_of(conditions.sensors, [&](const Sensor &sensor) {
-        bool any = false;
-        if (sensor.measures == what)
-            eachTemperature(sensor, [&](double) { any = true; });
-        return any;
-    });
+    return temperatureSpan(conditions, what).lowest.has_value();
 }
 
 Judgement temperaturesAtStartAndEnd(const Conditions &conditions) {

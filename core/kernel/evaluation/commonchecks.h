@@ -2,15 +2,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/evaluation/correctionto20.h"
 #include "kernel/evaluation/requirement.h"
 #include "kernel/measurement/test.h"
 
 /// What editions ask of positioning and circular tests alike: of their conditions, and of what was agreed.
 namespace palmer::common {
 
-/// The air within 20 ± 0.5 °C where the room can be controlled: every value of its sensors. The tolerance is
-/// that of ISO 230-2:1988, 3.1; ISO 230-4 has none in its text.
+/// The air within 20 ± 0.5 °C where the room can be controlled: every value of its sensors, of which each has
+/// start and end. The tolerance is that of ISO 230-2:1988, 3.1; ISO 230-4 has none in its text.
 [[nodiscard]] Judgement temperature(const Conditions &conditions, Text outside);
+/// Corrected to 20 °C where the test was made at another temperature.
+[[nodiscard]] Judgement correction(const Conditions &conditions, At20 lengths,
+                                   Message (*notCorrected)(const OtherTemperature &away));
 [[nodiscard]] bool mayBeControlled(const Conditions &conditions);
 
 [[nodiscard]] Judgement

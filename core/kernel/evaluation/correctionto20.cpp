@@ -4,6 +4,8 @@
 
 #include "kernel/measurement/referencetemperature.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palmer {
@@ -11,44 +13,46 @@ namespace palmer {
 namespace {
 
 constexpr double negligible = 0.05e-3; ///< mm
+constexpr double margin = 0.05;        ///< °C: what does not round to 20.0
+constexpr double rounding = 1e-9;      ///< of differences of temperatures
 
-/// α·(θ − 20) in parts of one.
-std::optional<double> expansion(const Conditions &conditions, std::optional<double> alpha,
-                                SensorMeasures what) {
-    if (!alpha)
-        return std::nullopt;
-    if (*alpha == 0)
-        return 0.0;
-    const auto theta = meanTemperature(conditions, what);
-    if (!theta)
-        return std::nullopt;
-    return 1e-6 * *alpha * (*theta - referenceTemperature);
+/// θ of machine or instrument: its mean, or at some time of the test.
+using Theta = std::optional<double> (*)(const Conditions &, SensorMeasures);
+
+std::optional<double> mean(const Conditions &conditions, SensorMeasures what) {
+    return meanTemperature(conditions, what);
 }
 
-/// The mean of what is known: a start or an end alone says, too, that it was not at 20 °C.
-std::optional<double> knownMean(const Conditions &conditions, SensorMeasures what) {
-    double sum = 0;
-    int count = 0;
-    for (const Sensor &sensor : conditions.sensors) {
-        const auto start = startTemperature(sensor);
-        const auto end = endTemperature(sensor);
-        if (sensor.measures != what || (!start && !end))
-            continue;
-        sum += start && end ? (*start + *end) / 2 : start.value_or(end.value_or(0));
-        ++count;
-    }
-    return count ? std::optional(sum / count) : std::nullopt;
+constexpr std::array<Theta, 4> times{
+    [](const Conditions &c, SensorMeasures what) { return meanTemperature(c, what, startTemperature); },
+    [](const Conditions &c, SensorMeasures what) { return meanTemperature(c, what, endTemperature); },
+    [](const Conditions &c, SensorMeasures what) { return temperatureSpan(c, what).lowest; },
+    [](const Conditions &c, SensorMeasures what) { return temperatureSpan(c, what).highest; }};
+
+std::optional<double> differenceAt(const Conditions &conditions, Theta theta) {
+    const auto expansion = [&](std::optional<double> alpha, SensorMeasures what) -> std::optional<double> {
+        if (!alpha || *alpha == 0)
+            return alpha;
+        const auto value = theta(conditions, what);
+        return value ? std::optional(1e-6 * *alpha * (*value - referenceTemperature)) : std::nullopt;
+    };
+    const auto machine = expansion(conditions.expansion.machine, SensorMeasures::machine);
+    const auto instrument = expansion(conditions.expansion.instrument, SensorMeasures::instrument);
+    return machine && instrument ? std::optional(*machine - *instrument) : std::nullopt;
+}
+
+/// A correction would be nil, at every temperature of the test.
+bool needsNoCorrection(const Conditions &conditions, double length) {
+    return std::ranges::all_of(times, [&](Theta theta) {
+        const auto difference = differenceAt(conditions, theta);
+        return difference && std::abs(*difference) * length < negligible;
+    });
 }
 
 } // namespace
 
 std::optional<double> differentialExpansion(const Conditions &conditions) {
-    const auto machine = expansion(conditions, conditions.expansion.machine, SensorMeasures::machine);
-    const auto instrument =
-        expansion(conditions, conditions.expansion.instrument, SensorMeasures::instrument);
-    if (!machine || !instrument)
-        return std::nullopt;
-    return *machine - *instrument;
+    return differenceAt(conditions, mean);
 }
 
 bool isCorrectedTo20(const Conditions &conditions) {
@@ -64,27 +68,25 @@ bool isCorrectedTo20(const Conditions &conditions) {
     return false;
 }
 
-std::optional<MeanTemperature> awayFrom20(const Conditions &conditions, double margin) {
-    constexpr double rounding = 1e-9; // of means and differences of temperatures
+std::optional<OtherTemperature> awayFrom20(const Conditions &conditions) {
     for (const SensorMeasures what : {SensorMeasures::machine, SensorMeasures::instrument}) {
         if (what == SensorMeasures::instrument && conditions.expansion.instrument == 0.0)
             continue;
-        const auto theta = knownMean(conditions, what);
+        const auto theta = temperatureSpan(conditions, what).farthest();
         if (theta && std::abs(*theta - referenceTemperature) > margin + rounding)
-            return MeanTemperature{what, *theta};
+            return OtherTemperature{what, *theta};
     }
     return std::nullopt;
 }
 
-bool isWrongAwayFrom20(const Conditions &conditions, double length) {
-    if (isCorrectedTo20(conditions))
-        return false;
-    if (conditions.correctionTo20 == CorrectionTo20::appliedHere)
-        return true;
-    if (!awayFrom20(conditions))
-        return false;
-    const auto difference = differentialExpansion(conditions);
-    return !difference || !(std::abs(*difference) * length < negligible);
+At20 lengthsAt20(const Conditions &conditions, double length) {
+    const auto isKnown = [&](SensorMeasures what) { return temperatureSpan(conditions, what).complete; };
+    const bool away = awayFrom20(conditions).has_value();
+    const bool known = isKnown(SensorMeasures::machine) &&
+                       (conditions.expansion.instrument == 0.0 || isKnown(SensorMeasures::instrument));
+    if (isCorrectedTo20(conditions) || (known && !away) || needsNoCorrection(conditions, length))
+        return At20::hold;
+    return away || conditions.correctionTo20 == CorrectionTo20::appliedHere ? At20::wrong : At20::open;
 }
 
 } // namespace palmer

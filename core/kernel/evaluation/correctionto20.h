@@ -9,26 +9,29 @@
 /// Whether lengths hold at 20 °C: the same rule for axes and circles. Rotary axes are none of its business.
 namespace palmer {
 
-/// α_M·(θ_M − 20) − α_D·(θ_D − 20) in parts of one: machine against instrument; α in µm/(m·°C), θ the mean of
-/// start and end in °C. A coefficient of 0 needs no temperature. Null where anything else is missing.
+/// α_M·(θ_M − 20) − α_D·(θ_D − 20) in parts of one: machine against instrument; α in µm/(m·°C), θ as
+/// meanTemperature. A coefficient of 0 needs no temperature. Null where anything else is missing.
 [[nodiscard]] std::optional<double> differentialExpansion(const Conditions &conditions);
 
 /// The results hold at 20 °C: corrected by the instrument, or here, which needs all of the above.
 [[nodiscard]] bool isCorrectedTo20(const Conditions &conditions);
 
-struct MeanTemperature {
+struct OtherTemperature {
     SensorMeasures of = SensorMeasures::machine;
     double value = 0; ///< °C
 };
 
-/// What was away from 20 °C by more than `margin` (°C; 0.05 is what does not round to 20.0), in the mean of
-/// the starts and ends that are known: the machine, else the instrument unless its α is 0. Null: neither, or
-/// unknown.
-[[nodiscard]] std::optional<MeanTemperature> awayFrom20(const Conditions &conditions, double margin = 0.05);
+/// What was away from 20 °C in any of the temperatures that are stated, rounded to 0.1 °C: the machine, else
+/// the instrument unless its α is 0. Null: neither, or unknown.
+[[nodiscard]] std::optional<OtherTemperature> awayFrom20(const Conditions &conditions);
 
-/// Lengths of `length` mm are wrong: a correction here that was asked for and is impossible, or a temperature
-/// away from 20 °C without correction, unless the differential expansion is known and below 0.05 µm over the
-/// length.
-[[nodiscard]] bool isWrongAwayFrom20(const Conditions &conditions, double length);
+/// open: not corrected, and a temperature that would show that they hold is not stated.
+enum class At20 { hold, open, wrong };
+
+/// Of lengths of `length` mm. They hold where they are corrected, where start and end of machine and
+/// instrument were at 20 °C, and where the differential expansion is known and below 0.05 µm all the time.
+/// Else they are wrong where a temperature is away from 20 °C, or a correction here was asked for and is
+/// impossible.
+[[nodiscard]] At20 lengthsAt20(const Conditions &conditions, double length);
 
 } // namespace palmer

@@ -211,7 +211,7 @@ TestEvaluation evaluateCircular(const Test &test, const Surroundings &surroundin
     findUncertainty(evaluation, missing,
                     [&](const Parameter &p) { return reasonOfDifference(p, evaluation, measurement); });
     applyLimits(
-        evaluation, test, results.notCorrected,
+        evaluation, test, results.at20,
         [&](const std::string &id) { return judged(evaluation.parameters, id); },
         [&](const std::string &id) { return whyMissing(id, whole); });
     findOtherResults(evaluation, test, surroundings);

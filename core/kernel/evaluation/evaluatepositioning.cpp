@@ -140,7 +140,7 @@ PositioningResults statisticsOf(const PositioningMeasurement &measurement, const
         results.standardDeviation = measurement.standardDeviation;
     if (auto corrections = iso230_2::correctionsTo20(measurement))
         results.corrections = std::move(*corrections);
-    results.notCorrected = iso230_2::isNotCorrected(measurement);
+    results.at20 = iso230_2::lengthsAt20(measurement);
 
     const Readings table = readings(measurement, results.corrections);
     results.targets.resize(measurement.targets.size());
@@ -189,7 +189,7 @@ TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroun
         return reasonOfDifference(p, evaluation, measurement, budget, results.targets);
     });
     applyLimits(
-        evaluation, test, results.notCorrected,
+        evaluation, test, results.at20,
         [&](const std::string &id) {
             const auto found = std::ranges::find_if(evaluation.parameters,
                                                     [&](const Parameter &p) { return id == p.term.id; });

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernel/evaluation/accordance.h"
+#include "kernel/evaluation/correctionto20.h"
 #include "kernel/evaluation/drift.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/evaluation/finding.h"
@@ -32,7 +33,7 @@ struct PositioningResults {
     int negativeRuns = 0;
     DeviationMethod standardDeviation = DeviationMethod::calculation; ///< the one that was used
     std::vector<double> corrections; ///< added to each target's deviations (mm); empty: no correction here
-    bool notCorrected = false;       ///< lengths do not hold at 20 °C: E, A, M say so
+    At20 at20 = At20::hold;          ///< of lengths: E, A, M say so
     std::optional<DriftStatistic> drift;
     bool judgedAsZone = false;       ///< a zone test of a long axis, judged as a short one
     bool countByPractice = false;    ///< number of targets and approaches: not of a short linear axis
@@ -76,7 +77,7 @@ struct CircularResults {
     std::vector<CircleResult> circles;
     std::optional<double> correction;   ///< C to 20 °C, mm, added to F and D; null: not applied here
     std::optional<Point> centringError; ///< of commanded angles, mm
-    bool notCorrected = false;          ///< lengths do not hold at 20 °C: F and D say so
+    At20 at20 = At20::hold;             ///< of F and D, which say so
 
     [[nodiscard]] const CircleResult *circle(CircleOf of, ReferenceCircle kind) const;
 };
@@ -119,7 +120,7 @@ enum class NotEvaluable {
 struct AgreedLimit {
     std::string key;    ///< of `limits` in the file
     std::string symbol; ///< as pages write it: "A↑" for "A+"
-    Limit limit;     ///< its value is never null
+    Limit limit;        ///< its value is never null
     LimitState state = LimitState::notEvaluable;
     std::optional<NotEvaluable> reason;  ///< null unless not evaluable
     std::vector<std::string> parameters; ///< ids of the results it holds for; empty where there are none

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/measurement/conditions.h"
 
+#include "kernel/measurement/referencetemperature.h"
+
 #include <algorithm>
 #include <deque>
 #include <utility>
@@ -62,8 +64,36 @@ std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasur
     return meanTemperature(conditions, what, [](const Sensor &sensor) -> std::optional<double> {
         const auto start = startTemperature(sensor);
         const auto end = endTemperature(sensor);
-        return start && end ? std::optional((*start + *end) / 2) : std::nullopt;
+        return start && end ? std::optional((*start + *end) / 2) : start ? start : end;
     });
+}
+
+std::optional<double> TemperatureSpan::farthest() const {
+    if (!lowest || !highest)
+        return std::nullopt;
+    return referenceTemperature - *lowest > *highest - referenceTemperature ? lowest : highest;
+}
+
+TemperatureSpan temperatureSpan(const Conditions &conditions, SensorMeasures what) {
+    TemperatureSpan span;
+    const auto take = [&span](double value) {
+        span.lowest = std::min(span.lowest.value_or(value), value);
+        span.highest = std::max(span.highest.value_or(value), value);
+    };
+    bool open = false;
+    for (const Sensor &sensor : conditions.sensors) {
+        if (sensor.measures != what)
+            continue;
+        for (const auto value : {sensor.start, sensor.end}) {
+            if (value)
+                take(*value);
+        }
+        if (sensor.series)
+            std::ranges::for_each(sensor.series->temperatures, take);
+        open |= !startTemperature(sensor) || !endTemperature(sensor);
+    }
+    span.complete = span.lowest && !open;
+    return span;
 }
 
 std::optional<double> gradientPerHour(const TemperatureSeries &series) {

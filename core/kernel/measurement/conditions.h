@@ -113,7 +113,8 @@ struct CircularConditions {
     bool operator==(const CircularConditions &) const = default;
 };
 
-/// θ: mean of start and end over all sensors that measure it, °C. Null unless each of them has both.
+/// θ: mean over all sensors that measure it, of each the mean of start and end, or the one that is known; °C.
+/// Null unless each of them has one.
 [[nodiscard]] std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what);
 
 /// Temperature at start or end of a sensor: stated, or that at the earliest or latest time of its series.
@@ -124,6 +125,16 @@ struct CircularConditions {
 /// each of them has it.
 [[nodiscard]] std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what,
                                                     std::optional<double> (*temperature)(const Sensor &));
+
+/// Every temperature that is stated of machine, instrument or air, °C.
+struct TemperatureSpan {
+    std::optional<double> lowest;
+    std::optional<double> highest;
+    bool complete = false; ///< something measures it, and each such sensor has start and end
+
+    [[nodiscard]] std::optional<double> farthest() const; ///< from 20 °C
+};
+[[nodiscard]] TemperatureSpan temperatureSpan(const Conditions &conditions, SensorMeasures what);
 
 /// The largest change of temperature within an hour, °C/h: highest − lowest of any window of one hour, so
 /// that noise is not magnified by short steps. Null for a series shorter than an hour.

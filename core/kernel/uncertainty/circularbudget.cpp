@@ -148,8 +148,13 @@ private:
         Contribution result{correctionId, REPORT_TEXT("report", "correction to 20 °C"), {}, {}, true, {}};
         InputReader read(result);
         const Conditions &conditions = m_measurement.conditions.common;
-        auto machine = meanTemperature(conditions, SensorMeasures::machine);
-        auto instrument = meanTemperature(conditions, SensorMeasures::instrument);
+        // A start or an end alone does not say how far from 20 °C the other was.
+        const auto theta = [&](SensorMeasures what) {
+            return temperatureSpan(conditions, what).complete ? meanTemperature(conditions, what)
+                                                              : std::nullopt;
+        };
+        auto machine = theta(SensorMeasures::machine);
+        auto instrument = theta(SensorMeasures::instrument);
         const auto &[alphaMachine, alphaInstrument] = conditions.expansion;
         const auto &[uMachine, uInstrument] = m_inputs.temperatureStandardUncertainty;
         const Text alphaOfMachine = REPORT_TEXT("report", "coefficient of expansion α of the machine");

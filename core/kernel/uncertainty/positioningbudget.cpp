@@ -15,12 +15,12 @@ namespace {
 constexpr double mmPerMetre = 1000; ///< L is in mm, certificates and α speak of metres
 constexpr double arcSecondsPerDegree = 3600;
 
-/// Of the temperatures at start and end the one farther from 20 °C.
+/// Of the temperatures at start and end the one farther from 20 °C; one alone does not say.
 std::optional<double> fartherTemperature(const Conditions &conditions, SensorMeasures what) {
     const auto start = meanTemperature(conditions, what, startTemperature);
     const auto end = meanTemperature(conditions, what, endTemperature);
     if (!start || !end)
-        return start ? start : end;
+        return std::nullopt;
     const auto distance = [](double theta) { return std::abs(theta - referenceTemperature); };
     return distance(*end) > distance(*start) ? end : start;
 }

@@ -269,7 +269,7 @@ private:
             result << say(REPORT_TEXT("report", "Nearest to the centre at %1."), {inner.toStdString()});
         if (m_correction)
             result << say(REPORT_TEXT("report", "With the correction to 20 °C applied here."));
-        else if (m_results.notCorrected && m_parameter.dependsOnTemperature)
+        else if (m_results.at20 == At20::wrong && m_parameter.dependsOnTemperature)
             result << say(REPORT_TEXT("report", "Not corrected to 20 °C."));
         return result;
     }

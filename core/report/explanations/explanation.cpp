@@ -288,7 +288,7 @@ private:
             result << say(REPORT_TEXT("report", "s by the range method: s = W / k(n)."), {});
         if (!m_results.corrections.empty())
             result << say(REPORT_TEXT("report", "With the correction to 20 °C applied here."), {});
-        else if (m_results.notCorrected && m_parameter.dependsOnTemperature)
+        else if (m_results.at20 == At20::wrong && m_parameter.dependsOnTemperature)
             result << say(REPORT_TEXT("report", "Not corrected to 20 °C."), {});
         return result;
     }

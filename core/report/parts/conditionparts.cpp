@@ -742,7 +742,7 @@ void addCorrection(std::vector<Block> &blocks, const CircularPart &part) {
     const std::optional<double> &correction = part.results.correction;
     const QString words = write.text(
         correction
-            ? REPORT_TEXT("report", "Made here for F and D; temperatures are means of start and end.")
+            ? REPORT_TEXT("report", "Made here for F and D; temperatures are means of those stated.")
             : REPORT_TEXT("report", "The correction was to be made here, but temperatures or coefficients of "
                                     "expansion are missing: nothing is corrected."));
     addHeading(blocks, write.text(REPORT_TEXT("report", "Correction to 20 °C")),

@@ -349,12 +349,15 @@ QString notProven(const TestPart &part, const std::vector<const PrintedResult *>
     const QString symbols =
         enumerated(part.write, joinedSymbols(parametersOf(results)).split(QStringLiteral(", ")));
     const bool uncorrected =
-        notCorrected(part.evaluation) && std::ranges::all_of(results, [](const PrintedResult *result) {
+        at20(part.evaluation) != At20::hold && std::ranges::all_of(results, [](const PrintedResult *result) {
             return result->parameter->dependsOnTemperature;
         });
     if (uncorrected)
-        return part.write.say(REPORT_TEXT("report", "Not corrected to 20 °C, nothing is proven for %1."),
-                              symbols);
+        return part.write.say(
+            notCorrected(part.evaluation)
+                ? REPORT_TEXT("report", "Not corrected to 20 °C, nothing is proven for %1.")
+                : REPORT_TEXT("report", "Not shown to hold at 20 °C, nothing is proven for %1."),
+            symbols);
     const bool withoutUncertainty = std::ranges::all_of(
         results, [](const PrintedResult *result) { return !result->parameter->expandedUncertainty; });
     if (withoutUncertainty)

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/parts/testpart.h"
 
-#include "kernel/evaluation/correctionto20.h"
 #include "report/words/kindwords.h"
 #include "report/words/wording.h"
 
@@ -41,10 +40,7 @@ bool CircularPart::needsLength() const {
 }
 
 bool CircularPart::holdsAt20() const {
-    const Conditions &conditions = measurement.conditions.common;
-    const auto isKnown = [&](SensorMeasures what) { return meanTemperature(conditions, what).has_value(); };
-    return isCorrectedTo20(conditions) ||
-           (!results.notCorrected && isKnown(SensorMeasures::machine) && isKnown(SensorMeasures::instrument));
+    return results.at20 == At20::hold;
 }
 
 QString CircularPart::plane() const {

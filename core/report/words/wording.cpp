@@ -164,9 +164,13 @@ Text shortSenseText(Sense sense) {
                                             : REPORT_TEXT_FOR("report", "clockwise", "short");
 }
 
+At20 at20(const TestEvaluation &evaluation) {
+    return partOr(At20::hold, evaluation.results,
+                  [](auto &results) -> decltype(results.at20) { return results.at20; });
+}
+
 bool notCorrected(const TestEvaluation &evaluation) {
-    return partOr(false, evaluation.results,
-                  [](auto &results) -> decltype(results.notCorrected) { return results.notCorrected; });
+    return at20(evaluation) == At20::wrong;
 }
 
 DeviationMethod deviationMethod(const TestEvaluation &evaluation) {

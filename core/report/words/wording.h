@@ -44,6 +44,7 @@ namespace palmer {
 [[nodiscard]] Text shortSenseText(Sense sense);
 
 /// Results that depend on the temperature do not hold at 20 °C.
+[[nodiscard]] At20 at20(const TestEvaluation &evaluation);
 [[nodiscard]] bool notCorrected(const TestEvaluation &evaluation);
 
 /// How s was computed; by calculation where there is none.

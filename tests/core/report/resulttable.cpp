@@ -33,6 +33,7 @@ Test decided() {
     test.limits["R"].value = 0.010;
     test.limits["B"].value = 0.009;
     test.decisionRule.rule = Rule::iso14253_1;
+    measurement(test).conditions.common.correctionTo20 = CorrectionTo20::appliedByInstrument;
     auto &uncertainty = measurement(test).uncertainty;
     uncertainty.method = UncertaintyMethod::direct;
     for (const char *id : {"A", "R", "B"})

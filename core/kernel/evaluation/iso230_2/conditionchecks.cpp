@@ -101,27 +101,24 @@ Judgement feedOrRapid(const PositioningCase &test) {
 }
 
 Judgement correction(const PositioningCase &test) {
-    const auto away = awayFrom20(test.common());
-    if (!away || !isNotCorrected(test.measurement))
-        return Judgement::met();
-    if (test.common().correctionTo20 == CorrectionTo20::notStated)
-        return Judgement::undeclared();
-    return Judgement::unmet({away->of == SensorMeasures::machine
-                                 ? REPORT_TEXT("report", "Machine at %1, results not corrected to 20 °C.")
-                                 : REPORT_TEXT("report", "Instrument at %1, results not corrected to 20 °C."),
-                             {Number{away->value, Quantity::temperature, 1}}});
+    return common::correction(
+        test.common(), lengthsAt20(test.measurement), [](const OtherTemperature &away) -> Message {
+            return {away.of == SensorMeasures::machine
+                        ? REPORT_TEXT("report", "Machine at %1, results not corrected to 20 °C.")
+                        : REPORT_TEXT("report", "Instrument at %1, results not corrected to 20 °C."),
+                    {Number{away.value, Quantity::temperature, 1}}};
+        });
 }
 
 Sentence correctionImpossible(const PositioningCase &test) {
     if (!test.linear() || test.common().correctionTo20 != CorrectionTo20::appliedHere ||
         isCorrectedTo20(test.common()))
         return std::nullopt;
-    return Message{
-        REPORT_TEXT("report",
-                    "The correction to 20 °C cannot be applied: it needs the temperatures at start and end "
-                    "and the coefficients of thermal expansion of machine and instrument (0 for a "
-                    "laser whose compensation covers the air only)."),
-        {}};
+    return Message{REPORT_TEXT("report",
+                               "The correction to 20 °C cannot be applied: it needs the temperatures and the "
+                               "coefficients of thermal expansion of machine and instrument (0 for a "
+                               "laser whose compensation covers the air only)."),
+                   {}};
 }
 
 Sentence correctionOfRotary(const PositioningCase &test) {

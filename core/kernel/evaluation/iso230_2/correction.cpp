@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/iso230_2/correction.h"
 
-#include "kernel/evaluation/correctionto20.h"
-
 namespace palmer::iso230_2 {
 
 std::optional<std::vector<double>> correctionsTo20(const PositioningMeasurement &measurement) {
@@ -22,9 +20,10 @@ std::optional<std::vector<double>> correctionsTo20(const PositioningMeasurement 
     return result;
 }
 
-bool isNotCorrected(const PositioningMeasurement &measurement) {
-    return measurement.axis.motion == Motion::linear &&
-           isWrongAwayFrom20(measurement.conditions.common, measurementTravel(measurement));
+At20 lengthsAt20(const PositioningMeasurement &measurement) {
+    return measurement.axis.motion == Motion::linear
+               ? palmer::lengthsAt20(measurement.conditions.common, measurementTravel(measurement))
+               : At20::hold;
 }
 
 } // namespace palmer::iso230_2

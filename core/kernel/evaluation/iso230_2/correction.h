@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/evaluation/correctionto20.h"
 #include "kernel/measurement/positioning.h"
 
 #include <optional>
@@ -15,7 +16,7 @@ namespace palmer::iso230_2 {
 /// nothing is asked for, for rotary axes, and where θ or α is missing.
 [[nodiscard]] std::optional<std::vector<double>> correctionsTo20(const PositioningMeasurement &measurement);
 
-/// The lengths of a linear axis do not hold at 20 °C, over its measurement travel.
-[[nodiscard]] bool isNotCorrected(const PositioningMeasurement &measurement);
+/// Whether the lengths of a linear axis hold at 20 °C, over its measurement travel; of a rotary one they do.
+[[nodiscard]] At20 lengthsAt20(const PositioningMeasurement &measurement);
 
 } // namespace palmer::iso230_2

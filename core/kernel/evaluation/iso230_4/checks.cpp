@@ -223,12 +223,12 @@ Judgement temperature(const CircularCase &test) {
 }
 
 Judgement correction(const CircularCase &test) {
-    if (!awayFrom20(test.common()) || !test.results.notCorrected)
-        return Judgement::met();
-    if (test.common().correctionTo20 == CorrectionTo20::notStated)
-        return Judgement::undeclared();
-    return Judgement::unmet({REPORT_TEXT(
-        "report", "F and D are not corrected to 20 °C, and the test was made at another temperature.")});
+    return common::correction(
+        test.common(), test.results.at20, [](const OtherTemperature & /*away*/) -> Message {
+            return {REPORT_TEXT(
+                "report",
+                "F and D are not corrected to 20 °C, and the test was made at another temperature.")};
+        });
 }
 
 Sentence correctionImpossible(const CircularCase &test) {
@@ -236,7 +236,7 @@ Sentence correctionImpossible(const CircularCase &test) {
         test.results.correction)
         return std::nullopt;
     return plain(REPORT_TEXT("report",
-                             "F and D cannot be corrected to 20 °C: temperatures at start and end and the "
+                             "F and D cannot be corrected to 20 °C: temperatures and "
                              "coefficients of thermal expansion of machine and instrument are needed."));
 }
 

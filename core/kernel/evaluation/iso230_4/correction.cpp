@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/iso230_4/correction.h"
 
-#include "kernel/evaluation/correctionto20.h"
-
 namespace palmer::iso230_4 {
 
 std::optional<double> correctionTo20(const CircularMeasurement &measurement) {
@@ -16,8 +14,8 @@ std::optional<double> correctionTo20(const CircularMeasurement &measurement) {
     return -measurement.nominalRadius * *expansion;
 }
 
-bool isNotCorrected(const CircularMeasurement &measurement) {
-    return isWrongAwayFrom20(measurement.conditions.common, measurement.nominalRadius);
+At20 lengthsAt20(const CircularMeasurement &measurement) {
+    return palmer::lengthsAt20(measurement.conditions.common, measurement.nominalRadius);
 }
 
 } // namespace palmer::iso230_4

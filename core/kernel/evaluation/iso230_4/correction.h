@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/evaluation/correctionto20.h"
 #include "kernel/measurement/circular.h"
 
 #include <optional>
@@ -13,7 +14,7 @@ namespace palmer::iso230_4 {
 /// stated.
 [[nodiscard]] std::optional<double> correctionTo20(const CircularMeasurement &measurement);
 
-/// F and D do not hold at 20 °C, over the nominal radius.
-[[nodiscard]] bool isNotCorrected(const CircularMeasurement &measurement);
+/// Whether F and D hold at 20 °C, over the nominal radius.
+[[nodiscard]] At20 lengthsAt20(const CircularMeasurement &measurement);
 
 } // namespace palmer::iso230_4

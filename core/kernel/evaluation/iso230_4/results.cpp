@@ -81,7 +81,7 @@ CircularResults circularResults(const CircularMeasurement &measurement) {
     results.centringError = paths.centringError;
     results.circles = circles(results.paths);
     results.correction = correctionTo20(measurement);
-    results.notCorrected = isNotCorrected(measurement);
+    results.at20 = lengthsAt20(measurement);
     return results;
 }
 

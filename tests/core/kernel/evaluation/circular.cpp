@@ -243,7 +243,7 @@ void Circular::lengthsChangeByTheCorrection() {
     for (const char *id : {"G_XY", "G_YX", "G(b)_XY"})
         QCOMPARE(value(corrected, id), value(raw, id));
     conditions.correctionTo20 = CorrectionTo20::notApplied;
-    QVERIFY(std::get<CircularResults>(evaluated(test).results).notCorrected);
+    QVERIFY(std::get<CircularResults>(evaluated(test).results).at20 == At20::wrong);
     QVERIFY(finding(evaluated(test), "correctionTo20"));
 }
 
@@ -514,6 +514,7 @@ void Circular::rowsAndTestAgreeUnderAllPairsOfLimits() {
             return theta < 1 ? most : theta < 2 ? least : (most + least) / 2;
         })});
         measurement(test).centring = Centring::instrument;
+        measurement(test).conditions.common.correctionTo20 = CorrectionTo20::appliedByInstrument;
         const bool proof = round % 3 == 0;
         test.decisionRule = {proof ? Rule::iso14253_1 : Rule::simpleAcceptance, 1.0};
         if (proof && round % 2) {
@@ -754,7 +755,7 @@ void Circular::nilExpansionNeedsNoCorrection() {
         conditions.sensors = {{SensorMeasures::machine, "", machine, machine, {}},
                               {SensorMeasures::instrument, "", instrument, instrument, {}}};
         const auto e = evaluated(test);
-        const bool result = std::get<CircularResults>(e.results).notCorrected;
+        const bool result = std::get<CircularResults>(e.results).at20 == At20::wrong;
         if (result != (finding(e, "correctionTo20") != nullptr))
             qFatal("finding and result differ");
         return result;
@@ -770,12 +771,15 @@ void Circular::nilExpansionNeedsNoCorrection() {
     QVERIFY(!isMissing(30, 30));
     conditions.expansion = {11, 11 + 0.034};
     QVERIFY(isMissing(30, 30));
-    // Asked for and impossible: whatever is known of the temperature.
+    // Asked for and impossible: at 20 °C nothing is missing.
     conditions.correctionTo20 = CorrectionTo20::appliedHere;
     conditions.expansion = {};
-    QVERIFY(isMissing(20, 20));
+    QVERIFY(isMissing(24, 20));
+    conditions.sensors = {{SensorMeasures::machine, "", 20.0, 20.0, {}},
+                          {SensorMeasures::instrument, "", 20.0, 20.0, {}}};
+    QVERIFY(std::get<CircularResults>(evaluated(test).results).at20 == At20::hold);
     conditions.sensors.clear();
-    QVERIFY(std::get<CircularResults>(evaluated(test).results).notCorrected);
+    QVERIFY(std::get<CircularResults>(evaluated(test).results).at20 == At20::wrong);
 }
 
 void Circular::hysteresis() {

@@ -113,6 +113,7 @@ void Findings::proofNeedsUncertainty() {
     QVERIFY(finding(evaluated(test), "decisionRule"));
     measurement(test).uncertainty.method = UncertaintyMethod::direct;
     measurement(test).uncertainty.expanded = {{"A", 5.0}}; // µm
+    measurement(test).conditions.common.correctionTo20 = CorrectionTo20::appliedByInstrument;
     const auto e = evaluated(test);
     QVERIFY(parameter(e, "A")->verdict == Verdict::conforms);
     QCOMPARE(*parameter(e, "A")->guardBand, 0.005);
@@ -128,7 +129,7 @@ void Findings::uncorrectedResultsProveNothing() {
     QVERIFY(parameter(evaluated(test), "A")->verdict == Verdict::conforms); // simple acceptance
     test.decisionRule = {Rule::iso14253_1, 1.0};
     const auto e = evaluated(test);
-    QVERIFY(std::get<PositioningResults>(e.results).notCorrected);
+    QVERIFY(std::get<PositioningResults>(e.results).at20 == At20::wrong);
     QVERIFY(parameter(e, "A")->verdict == Verdict::notProven);
     QVERIFY(parameter(e, "R")->verdict == Verdict::conforms); // repeatability does not depend on it
 }
@@ -158,6 +159,7 @@ void Findings::whatIsNotProvenHasAReason() {
                 Conditions &conditions = measurement(test).conditions.common;
                 const double temperature = 20 + step * 0.051; // 0.05 °C rounds to 20
                 conditions.sensors = {{SensorMeasures::machine, "", temperature, temperature, {}}};
+                conditions.expansion.instrument = 0;
                 conditions.correctionTo20 = correction;
                 test.decisionRule = {rule, 1.0};
                 const auto e = evaluated(test);
@@ -212,7 +214,8 @@ void Findings::temperaturesOfMachineAndInstrument_data() {
         row(named("difference of 0.049 µm"), none, 30, 30, 11, 11.049, true, false);
         row(named("difference of 0.051 µm"), none, 30, 30, 11, 11.051, false, true);
         row(named("difference of −0.051 µm"), none, 30, 30, 11.051, 11, false, true);
-        row(named("no temperature"), none, 0, 0, 11, 11, true, false);
+        row(named("no temperature"), none, 0, 0, 11, 11, false, true);
+        row(named("no temperature of the scale"), none, 20, 0, 11, 11, false, true);
     }
     constexpr auto here = CorrectionTo20::appliedHere;
     row("here, all known", here, 24, 24, 11, 8, true, false);
@@ -248,7 +251,7 @@ void Findings::temperaturesOfMachineAndInstrument() {
     if (alphaInstrument >= 0)
         conditions.expansion.instrument = alphaInstrument;
     const auto e = evaluated(test);
-    QCOMPARE(std::get<PositioningResults>(e.results).notCorrected, !proves);
+    QCOMPARE(std::get<PositioningResults>(e.results).at20 == At20::hold, proves);
     QVERIFY(parameter(e, "A")->verdict == (proves ? Verdict::conforms : Verdict::notProven));
     QVERIFY(parameter(e, "R")->verdict == Verdict::conforms);
     const bool found =
@@ -256,7 +259,7 @@ void Findings::temperaturesOfMachineAndInstrument() {
     if (correction != static_cast<int>(CorrectionTo20::notStated) || finds)
         QCOMPARE(found, finds);
     measurement(test).axis.motion = Motion::rotary;
-    QVERIFY(!std::get<PositioningResults>(evaluated(test).results).notCorrected);
+    QVERIFY(std::get<PositioningResults>(evaluated(test).results).at20 == At20::hold);
 }
 
 void Findings::workedExampleIsRecognised() {

@@ -151,6 +151,9 @@ void Requirements::rows_data() {
         },
         "temperature", "3.1", "unmet");
     row(
+        "end of the air not stated", of1988, shortAxis, [](Setup &s) { s.common().sensors[2].end.reset(); },
+        "temperature", "3.1", "undeclared");
+    row(
         "no temperature of the air", of1988, shortAxis, [](Setup &s) { s.common().sensors.pop_back(); },
         "temperature", "3.1", "undeclared");
     row(
@@ -791,8 +794,50 @@ void Requirements::rows_data() {
         partly(true, CorrectionTo20::notApplied), "correctionTo20", "3.1", "unmet");
     row("machine at 25 °C at the end, not stated", of2006, shortAxis,
         partly(false, CorrectionTo20::notStated), "correctionTo20", "3.1", "undeclared");
-    row("machine at 25 °C at the start, correction impossible", of2006, shortAxis,
-        partly(true, CorrectionTo20::appliedHere), "correctionTo20", "3.1", "unmet");
+    row("machine at 25 °C at the start, corrected here", of2006, shortAxis,
+        partly(true, CorrectionTo20::appliedHere), "correctionTo20", "3.1", "met");
+    row(
+        "machine at 25 °C at the start, correction impossible", of2006, shortAxis,
+        [=](Setup &s) {
+            partly(true, CorrectionTo20::appliedHere)(s);
+            s.common().expansion.machine.reset();
+        },
+        "correctionTo20", "3.1", "unmet");
+    using Course = std::array<std::optional<double>, 2>; // start and end
+    const auto courses = [](Course thetaMachine, Course thetaInstrument) -> Change {
+        return [=](Setup &s) {
+            for (const auto &[k, course] : {std::pair{0U, thetaMachine}, std::pair{1U, thetaInstrument}}) {
+                s.common().sensors[k].start = course[0];
+                s.common().sensors[k].end = course[1];
+            }
+            s.common().expansion = {11.5, 11.5};
+            s.common().correctionTo20 = CorrectionTo20::notApplied;
+        };
+    };
+    const auto corrected = [&](const char *name, const Change &change, const char *state) {
+        row(name, of2006, shortAxis, change, "correctionTo20", "3.1", state);
+    };
+    corrected("machine from 19 to 21 °C", courses({19, 21}, {20, 20}), "unmet");
+    corrected("both from 22 to 24 °C", courses({22, 24}, {22, 24}), "met");
+    corrected("one rises while the other falls", courses({22, 24}, {24, 22}), "unmet");
+    corrected("machine at 20 °C at the start", courses({20, std::nullopt}, {20, 20}), "undeclared");
+    corrected("instrument at 20 °C at the end", courses({20, 20}, {std::nullopt, 20}), "undeclared");
+    corrected("both at 24 °C at the start", courses({24, std::nullopt}, {24, std::nullopt}), "unmet");
+    corrected("no temperature", courses(Course(), Course()), "undeclared");
+    corrected(
+        "two sensors about 20 °C",
+        [=](Setup &s) {
+            courses({19, 19}, {20, 20})(s);
+            s.common().sensors.push_back({SensorMeasures::machine, "nut", 21.0, 21.0, {}});
+        },
+        "unmet");
+    corrected(
+        "warmer in between",
+        [=](Setup &s) {
+            courses({20, 20}, {20, 20})(s);
+            s.common().sensors[0].series = TemperatureSeries{{0, 60, 120}, {20, 23, 20}};
+        },
+        "unmet");
     row("machine at 25 °C at the start, corrected", of2006, shortAxis,
         partly(true, CorrectionTo20::appliedByInstrument), "correctionTo20", "3.1", "met");
     row("machine at 20.05 °C", of2006, shortAxis, warm(20.05, CorrectionTo20::notApplied, 0),
@@ -1084,6 +1129,16 @@ void Requirements::circularRows_data() {
             c.common().sensors[0].end.reset();
         },
         "correctionTo20", "4.1, 6 d", "unmet");
+    row(
+        "machine from 19 to 21 °C, F not corrected",
+        [](Circle &c) {
+            c.common().sensors[0].start = 19;
+            c.common().sensors[0].end = 21;
+        },
+        "correctionTo20", "4.1, 6 d", "unmet");
+    row(
+        "end of the machine not stated", [](Circle &c) { c.common().sensors[0].end.reset(); },
+        "correctionTo20", "4.1, 6 d", "undeclared");
     row("G needs no correction", warm(CorrectionTo20::notApplied, {"G"}), "correctionTo20", "4.1, 6 d",
         "met");
     row(

@@ -240,8 +240,8 @@ void Sentences::numbers_data() {
         row(
             "another feed than agreed", edition, shortAxis, "feed",
             [](Setup &s) { agreed(s.test, "feed").value = 4000; }, "5000 feed; 4000 feed");
-    row("machine not at 20 °C", of2006, shortAxis, "correctionTo20", sensor(0, 22, 23), "22.5 °C.1");
-    row("instrument not at 20 °C", of2006, shortAxis, "correctionTo20", sensor(1, 18, 19), "18.5 °C.1");
+    row("machine not at 20 °C", of2006, shortAxis, "correctionTo20", sensor(0, 22, 23), "23 °C.1");
+    row("instrument not at 20 °C", of2006, shortAxis, "correctionTo20", sensor(1, 18, 19), "18 °C.1");
     row(
         "expansion known too well", of2006, shortAxis, "expansionRange",
         [](Setup &s) { s.m().uncertainty.expansionRange.machine = 3.3; }, "1.98 α.2; 2 α");

@@ -53,8 +53,25 @@ private slots:
         // (20.5 + 24)/2; the air is none of them
         QCOMPARE(meanOf({sensor(20, 21), sensor(30, 31, SensorMeasures::air), sensor(22, 26)}),
                  OptionalNumber(22.25));
-        QVERIFY(!meanOf({sensor(20, 21), sensor({}, 26)}));
-        QVERIFY(!meanOf({sensor(20, 21), sensor(22, {})}));
+        QCOMPARE(meanOf({sensor(20, 21), sensor({}, 26)}), OptionalNumber(23.25)); // one is enough
+        QCOMPARE(meanOf({sensor(22, {})}), OptionalNumber(22));
+        QVERIFY(!meanOf({sensor(20, 21), sensor({}, {})}));
+    }
+
+    void everyTemperatureOfTheTest() {
+        Conditions conditions;
+        QVERIFY(!temperatureSpan(conditions, machine).complete);
+        QVERIFY(!temperatureSpan(conditions, machine).farthest());
+        conditions.sensors = {sensor(20, 21), sensor(19.5, 20), sensor(30, 31, SensorMeasures::air)};
+        const TemperatureSpan span = temperatureSpan(conditions, machine);
+        QVERIFY(span.complete);
+        QCOMPARE(span.lowest, OptionalNumber(19.5));
+        QCOMPARE(span.highest, OptionalNumber(21));
+        QCOMPARE(span.farthest(), OptionalNumber(21));
+        conditions.sensors[1].series = TemperatureSeries{{0, 60, 120}, {20, 18, 20}};
+        QCOMPARE(temperatureSpan(conditions, machine).farthest(), OptionalNumber(18));
+        conditions.sensors.push_back(sensor(20, {}));
+        QVERIFY(!temperatureSpan(conditions, machine).complete);
     }
 
     void gradient_data() {
