@@ -5698,6 +5698,14 @@
         <translation>attendu&#xa0;: un relevé compris entre −%1 et %1&#xa0;mm (axe rotatif&#xa0;: degrés)</translation>
     </message>
     <message>
+        <source>expected a temperature of −273.15 °C or more</source>
+        <translation>attendu&#xa0;: une température d’au moins −273,15&#xa0;°C</translation>
+    </message>
+    <message>
+        <source>expected a coefficient of expansion between −%1 and %1 µm/(m·°C)</source>
+        <translation>attendu&#xa0;: un coefficient de dilatation compris entre −%1 et %1&#xa0;µm/(m·°C)</translation>
+    </message>
+    <message>
         <source>a reading beyond any machine</source>
         <translation>un relevé hors de portée de toute machine</translation>
     </message>

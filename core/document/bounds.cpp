@@ -8,7 +8,8 @@
 #include "document/refuse.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
+#include <limits>
 
 namespace palmer {
 
@@ -28,19 +29,31 @@ void demandLength(const std::string &text, const Place &place, unsigned demands)
                  {countOf(length), countOf(most)});
 }
 
-bool isReading(double value) {
-    return std::abs(value) <= mostOfReading;
+struct Bounds {
+    unsigned demand = nothing;
+    double least = 0;
+    double most = 0;
+    Text expected; ///< %1: the most
+};
+constexpr std::array<Bounds, 3> allBounds{{
+    {reading, -mostOfReading, mostOfReading,
+     REPORT_TEXT("report", "expected a reading between −%1 and %1 mm (rotary axis: degrees)")},
+    {celsius, leastTemperature, std::numeric_limits<double>::infinity(),
+     REPORT_TEXT("report", "expected a temperature of −273.15 °C or more")},
+    {coefficient, -mostOfExpansion, mostOfExpansion,
+     REPORT_TEXT("report", "expected a coefficient of expansion between −%1 and %1 µm/(m·°C)")},
+}};
+
+/// Null: the value keeps to the bounds.
+const Bounds *brokenBounds(double value, unsigned demands) {
+    const auto broken = std::ranges::find_if(allBounds, [&](const Bounds &bounds) {
+        return (demands & bounds.demand) != 0 && !(bounds.least <= value && value <= bounds.most);
+    });
+    return broken == allBounds.end() ? nullptr : &*broken;
 }
 
-bool isReading(const std::optional<double> &value) {
-    return !value || isReading(*value);
-}
-
-void demandReading(double value, const Place &place, unsigned demands) {
-    if ((demands & reading) != 0 && !isReading(value))
-        refuseAt(place,
-                 REPORT_TEXT("report", "expected a reading between −%1 and %1 mm (rotary axis: degrees)"),
-                 {Number{mostOfReading, Quantity::count, 0}});
+bool isWithin(const std::optional<double> &value, unsigned demands) {
+    return !value || !brokenBounds(*value, demands);
 }
 
 /// Visits the fields of a struct; the functions for values are members, for they call each other.
@@ -66,7 +79,8 @@ public:
             BoundsVisitor visitor(place);
             fields(visitor, value);
         } else if constexpr (std::is_same_v<T, double>) {
-            demandReading(value, place, demands);
+            if (const auto message = beyondBounds(value, demands))
+                refuseAt(place, message->text, message->arguments);
         }
     }
 
@@ -87,7 +101,7 @@ private:
     static void check(const std::vector<T> &values, const Place &place, unsigned demands) {
         // Of millions of readings that keep to the bounds none needs its place.
         if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>>) {
-            if (std::ranges::all_of(values, [](const T &value) { return isReading(value); }))
+            if (std::ranges::all_of(values, [&](const T &value) { return isWithin(value, demands); }))
                 return;
         }
         for (std::size_t i = 0; i < values.size(); ++i)
@@ -107,6 +121,12 @@ private:
 std::size_t lengthOf(QStringView text) {
     return static_cast<std::size_t>(
         std::count_if(text.begin(), text.end(), [](QChar c) { return !c.isLowSurrogate(); }));
+}
+
+std::optional<Message> beyondBounds(double value, unsigned demands) {
+    const Bounds *broken = brokenBounds(value, demands);
+    return broken ? std::optional(Message{broken->expected, {Number{broken->most, Quantity::count, 0}}, {}})
+                  : std::nullopt;
 }
 
 void demandBounds(const Document &document) {

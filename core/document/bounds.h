@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/words/message.h"
+
 #include <QByteArray>
 #include <QStringView>
 #include <cstddef>
+#include <optional>
 
 namespace palmer {
 
@@ -16,6 +19,11 @@ struct Document;
 inline constexpr std::size_t mostOfLine = 4096;  ///< characters of a text of one line
 inline constexpr std::size_t mostOfText = 65536; ///< characters of remarks, of what is agreed, of an address
 inline constexpr double mostOfReading = 1e6;     ///< size of a reading, mm (rotary: degrees)
+inline constexpr double leastTemperature = -273.15; ///< °C
+inline constexpr double mostOfExpansion = 100;      ///< size of a coefficient, µm/(m·°C)
+
+/// Why a number is beyond what these bits of Demand allow; nothing: it is not.
+[[nodiscard]] std::optional<Message> beyondBounds(double value, unsigned demands);
 
 /// Characters as JSON Schema counts them: code points.
 [[nodiscard]] std::size_t lengthOf(QStringView text);

@@ -19,10 +19,12 @@ enum Demand : unsigned {
     date = 1U << 3U,        ///< YYYY-MM-DD, a day that exists
     timeOfDay = 1U << 4U,   ///< HH:MM
     base64 = 1U << 5U,
-    longText = 1U << 6U,   ///< remarks, what is agreed, addresses: `mostOfText` instead of `mostOfLine`
-    reading = 1U << 7U,    ///< within ± `mostOfReading`
-    trialCount = 1U << 8U, ///< 1 … mostTrialsStated
-    added = 1U << 9U,      ///< of version 2: written only where it says something
+    longText = 1U << 6U,     ///< remarks, what is agreed, addresses: `mostOfText` instead of `mostOfLine`
+    reading = 1U << 7U,      ///< within ± `mostOfReading`
+    trialCount = 1U << 8U,   ///< 1 … mostTrialsStated
+    added = 1U << 9U,        ///< of version 2: written only where it says something
+    celsius = 1U << 10U,     ///< a temperature, no less than `leastTemperature`
+    coefficient = 1U << 11U, ///< of expansion, within ± `mostOfExpansion`
 };
 
 // The fields of the test file: one function for each struct, used by reader and writer alike, so a key exists
@@ -156,22 +158,22 @@ void fields(Visit &visit, T &warmUp) {
 template <class Visit, Like<TemperatureSeries> T>
 void fields(Visit &visit, T &series) {
     visit("times", series.times, obligatory);
-    visit("temperatures", series.temperatures, obligatory);
+    visit("temperatures", series.temperatures, obligatory | celsius);
 }
 
 template <class Visit, Like<Sensor> T>
 void fields(Visit &visit, T &sensor) {
     visit("measures", sensor.measures);
     visit("position", sensor.position);
-    visit("start", sensor.start);
-    visit("end", sensor.end);
+    visit("start", sensor.start, celsius);
+    visit("end", sensor.end, celsius);
     visit("series", sensor.series);
 }
 
 template <class Visit, Like<Expansion> T>
 void fields(Visit &visit, T &expansion) {
-    visit("machine", expansion.machine);
-    visit("instrument", expansion.instrument);
+    visit("machine", expansion.machine, coefficient);
+    visit("instrument", expansion.instrument, coefficient);
 }
 
 template <class Visit, Like<Conditions> T>
@@ -222,7 +224,7 @@ void fields(Visit &visit, T &conditions) {
     visit("recentredBetweenRuns", conditions.recentredBetweenRuns);
 }
 
-// Uncertainties may be anything: what makes no sense, such as a negative range, is a finding of the
+// Inputs of uncertainties may be anything: what makes no sense, such as a negative range, is a finding of the
 // evaluation.
 
 template <class Visit, Like<DeviceUncertainty> T>
@@ -252,7 +254,7 @@ void fields(Visit &visit, T &uncertainty) {
     visit("length", uncertainty.length);
     visit("trials", uncertainty.trials, trialCount);
     visit("seed", uncertainty.seed);
-    visit("expanded", uncertainty.expanded);
+    visit("expanded", uncertainty.expanded, notNegative);
 }
 
 template <class Visit, Like<ExpandedValue> T>
@@ -276,7 +278,7 @@ void fields(Visit &visit, T &uncertainty) {
     visit("expansionStandardUncertainty", uncertainty.expansionStandardUncertainty);
     visit("trials", uncertainty.trials, trialCount);
     visit("seed", uncertainty.seed);
-    visit("expanded", uncertainty.expanded);
+    visit("expanded", uncertainty.expanded, notNegative);
 }
 
 template <class Visit, Like<AgreedPoint> T>

@@ -188,6 +188,9 @@ void demandStorable(const Imported &imported) {
         document.instruments.push_back(*imported.instrument);
     if (imported.test) // looked at, not kept
         document.tests.push_back(std::shared_ptr<const Test>(std::shared_ptr<const Test>(), &*imported.test));
+    Test measured = testOf(Kind::positioning);
+    conditionsOf(measured)->sensors = imported.sensors;
+    document.tests.push_back(std::make_shared<const Test>(std::move(measured)));
     demandBounds(document);
 }
 

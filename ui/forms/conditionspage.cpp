@@ -254,9 +254,10 @@ void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal) {
     beginColumns();
     const SensorLabels labels = labelsOf(what, ordinal > 0);
     const QString argument = ordinal > 0 ? QString::number(ordinal + 1) : QString();
-    Field *start = addNumber("sensors", labels.start, Quantity::temperature, startOf(what, ordinal), 3);
+    Field *start = addNumber("sensors", labels.start, Quantity::temperature, startOf(what, ordinal), 3,
+                             Allowed::celsius);
     start->setLabelArgument(argument);
-    addNumber("sensors", labels.end, Quantity::temperature, endOf(what, ordinal), 3)
+    addNumber("sensors", labels.end, Quantity::temperature, endOf(what, ordinal), 3, Allowed::celsius)
         ->setLabelArgument(argument);
     addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Sensor position"),
             ofSensor<&Sensor::position>(what, ordinal),
@@ -284,11 +285,12 @@ void ConditionsPage::addTemperatures(const Conditions &conditions) {
                     3);
             } else if (what == SensorMeasures::machine) {
                 addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"),
-                          Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::machine>(), 3);
+                          Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::machine>(), 3,
+                          Allowed::coefficient);
             } else if (what == SensorMeasures::instrument) {
                 addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"),
                           Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::instrument>(),
-                          3);
+                          3, Allowed::coefficient);
             }
         }
     }

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/forms/form.h"
 
+#include "document/bounds.h"
+#include "document/fields.h"
 #include "ui/forms/columnslayout.h"
 #include "ui/forms/sectionhead.h"
 #include "ui/measures.h"
@@ -247,6 +249,11 @@ Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Me
         if (entry.value && (allowed == Allowed::whole || allowed == Allowed::counting) &&
             (std::trunc(*entry.value) != *entry.value || std::abs(*entry.value) > 1e9))
             return {{}, tr("not a whole number")};
+        const unsigned demands = allowed == Allowed::celsius       ? celsius
+                                 : allowed == Allowed::coefficient ? coefficient
+                                                                   : nothing;
+        if (const auto beyond = entry.value ? beyondBounds(*entry.value, demands) : std::nullopt)
+            return {{}, m_language.sentence(*beyond)};
         return {shown(entry.value), {}};
     });
     last().value = [read = member.read, shown](const FormSource &source) { return shown(read(source)); };

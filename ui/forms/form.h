@@ -74,7 +74,7 @@ protected:
     using Amount = std::optional<double>;
     using Moment = std::optional<std::string>;
     /// What the file format demands of a number.
-    enum class Allowed { any, notNegative, positive, whole, counting };
+    enum class Allowed { any, notNegative, positive, whole, counting, celsius, coefficient };
 
     // Building, in the constructor or in prepare(). Labels are marked for translation with QT_TRANSLATE_NOOP
     // of the context.

@@ -367,7 +367,7 @@ private slots:
                         return value.isString() ? QJsonValue(one.repeated(characters)) : value;
                     });
                 }
-                for (const double size : {1e6, 1000000.001, 1e15}) {
+                for (const double size : {100.0, 100.001, 273.15, 273.151, 1e6, 1000000.001, 1e15}) {
                     for (const double number : {size, -size})
                         addIfOther("replaced by " + QByteArray::number(number, 'g', 17),
                                    [&](const QJsonValue &value) {

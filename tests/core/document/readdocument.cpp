@@ -463,6 +463,24 @@ private slots:
         row("negative guard factor",
             positioningFile(noReadings + R"(, "decisionRule": {"guardFactor": -0.5})"), content,
             "tests[0].decisionRule.guardFactor", "expected a number that is not negative");
+        row("negative expanded uncertainty",
+            positioningFile(noReadings + R"(, "uncertainty": {"expanded": {"A": -1}})"), content,
+            "tests[0].uncertainty.expanded.A", "expected a number that is not negative");
+        const char *temperature = "expected a temperature of −273.15 °C or more";
+        row("colder than can be",
+            positioningFile(noReadings + R"(, "conditions": {"sensors": [{"start": -300}]})"), content,
+            "tests[0].conditions.sensors[0].start", temperature);
+        row("colder than can be at the end",
+            positioningFile(noReadings + R"(, "conditions": {"sensors": [{"end": -273.16}]})"), content,
+            "tests[0].conditions.sensors[0].end", temperature);
+        row("colder than can be in a series",
+            positioningFile(noReadings + R"(, "conditions": {"sensors": [{"series": {"times": [0, 1],
+                "temperatures": [20, -9999]}}]})"),
+            content, "tests[0].conditions.sensors[0].series.temperatures[1]", temperature);
+        row("expansion beyond any material",
+            positioningFile(noReadings + R"(, "conditions": {"expansion": {"machine": 100.1}})"), content,
+            "tests[0].conditions.expansion.machine",
+            "expected a coefficient of expansion between −%1 and %1 µm/(m·°C)");
         row("missing approach", positioningFile(R"("targets": [], "runs": [{"deviations": []}])"), content,
             "tests[0].runs[0]", "the key “%1” is missing");
         row("a day that does not exist", positioningFile(noReadings + R"(, "date": "2023-02-29")"), content,

@@ -138,6 +138,9 @@ private slots:
 
     void whatTheFileDoesNotKnowIsRefused() {
         QVERIFY(throws("machine.year", "old"));
+        QVERIFY(throws("tests[0].uncertainty.expanded.A", "-1"));
+        QVERIFY(throws("tests[0].conditions.sensors[0].start", "-300"));
+        QVERIFY(throws("tests[0].conditions.expansion.machine", "-100,5"));
         QVERIFY(throws("tests[0].nominalRadius", "100")); // of a circle alone
         QVERIFY(throws("machine.name.first", "a"));
         QVERIFY(throws("report.paper", "A5"));

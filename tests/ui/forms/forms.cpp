@@ -443,6 +443,19 @@ private slots:
         QCOMPARE(pressure->text(), u"1\u202f013,5"_s);
     }
 
+    void whatIsBeyondItsBoundsStaysInRed() {
+        Edited<ConditionsPage> edited(documentOf(example1988("ISO 230-2:2006")));
+        edited.page.setLanguage(Language(Language::Id::english));
+        const auto refusalOf = [&](const QString &field, const QString &typed) {
+            Field *entered = edited.enter(field);
+            QTest::keyClicks(entered->edit(), typed);
+            return entered->refusal();
+        };
+        QCOMPARE(refusalOf(u"sensors"_s, u"-300"_s), u"Expected a temperature of −273.15 °C or more."_s);
+        QCOMPARE(refusalOf(u"expansion"_s, u"117"_s),
+                 u"Expected a coefficient of expansion between −100 and 100 µm/(m·°C)."_s);
+    }
+
     void noNumberStaysInRed() {
         Test test = example1988("ISO 230-2:2006");
         measurement(test).conditions.airPressure = 1013;
