@@ -4131,8 +4131,8 @@
         <translation>Cycle d’essai</translation>
     </message>
     <message>
-        <source>Standard: all targets up, all down, again. Step: all approaches at one target, then the next; only by written agreement.</source>
-        <translation>Normal&#xa0;: tous les points en montant, tous en descendant, et ainsi de suite. En pas&#xa0;: toutes les approches d’un point, puis le suivant&#x202f;; seulement par accord écrit.</translation>
+        <source>Standard: all targets up, all down, again. Step: all approaches at one target, then the next; only by written agreement. Not stated: the report says so.</source>
+        <translation>Normal&#xa0;: tous les points en montant, tous en descendant, et ainsi de suite. En pas&#xa0;: toutes les approches d’un point, puis le suivant&#x202f;; seulement par accord écrit. Non indiqué&#xa0;: le rapport le dit.</translation>
     </message>
     <message>
         <source>Feed rate</source>
@@ -6167,6 +6167,26 @@
     <message>
         <source>Steps between targets from %1 to %2.</source>
         <translation>Intervalles de %1 à %2 entre points visés.</translation>
+    </message>
+    <message>
+        <source>The axis goes on for %1 before the first target and %2 behind the last, more than two mean steps of %3.</source>
+        <translation>L’axe continue sur %1 avant le premier point visé et sur %2 après le dernier, plus de deux intervalles moyens de %3.</translation>
+    </message>
+    <message>
+        <source>The axis goes on for %1 beyond the first and the last target, more than four mean steps of %2.</source>
+        <translation>L’axe continue sur %1 au-delà du premier et du dernier point visé, plus de quatre intervalles moyens de %2.</translation>
+    </message>
+    <message>
+        <source>even spacing of the targets up to the ends of the axis</source>
+        <translation>répartition régulière des points visés jusqu’aux extrémités de l’axe</translation>
+    </message>
+    <message>
+        <source>The test covers %1 % of the travel of the axis.</source>
+        <translation>L’essai couvre %1&#xa0;% de la course de l’axe.</translation>
+    </message>
+    <message>
+        <source>%1: the limit is %2 times the value; is its unit right?</source>
+        <translation>%1&#xa0;: la limite vaut %2 fois la valeur&#x202f;; l’unité est-elle bonne&#x202f;?</translation>
     </message>
     <message>
         <source>The air was at %1; 20 °C is asked for where it can be controlled.</source>
@@ -8907,6 +8927,23 @@
     <message>
         <source>length L</source>
         <translation>longueur L</translation>
+    </message>
+    <message>
+        <source>expected null or one of the words: %1</source>
+        <translation>attendu&#xa0;: null ou l’un des mots suivants&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>Order of the runs: nothing in the table says it; ↑ and ↓ are put in turn, the cycle stays not stated.</source>
+        <translation>Ordre des séries&#xa0;: rien dans le tableau ne l’indique&#x202f;; ↑ et ↓ sont lues en alternance, le cycle reste non indiqué.</translation>
+    </message>
+    <message>
+        <source>Runs %1 and %2 were made in the same direction, one after the other: the stated cycle alternates.</source>
+        <translation>Séries %1 et %2 effectuées l’une après l’autre dans le même sens&#xa0;: le cycle indiqué les alterne.</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <comment>cycle</comment>
+        <translation>non indiqué</translation>
     </message>
 </context>
 </TS>

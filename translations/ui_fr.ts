@@ -3815,6 +3815,10 @@
         <source>A new test has %1 readings at most: fewer targets or runs.</source>
         <translation>Un nouvel essai a au plus %1 relevés&#xa0;: moins de points visés ou de passes.</translation>
     </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::PasteBar</name>
@@ -5561,6 +5565,10 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>&amp;Set as edition</source>
         <translation>Défi&amp;nir comme édition</translation>
+    </message>
+    <message>
+        <source>cycle not stated</source>
+        <translation>cycle non indiqué</translation>
     </message>
 </context>
 <context>

@@ -25,6 +25,7 @@ enum Demand : unsigned {
     added = 1U << 9U,        ///< of version 2: written only where it says something
     celsius = 1U << 10U,     ///< a temperature, no less than `leastTemperature`
     coefficient = 1U << 11U, ///< of expansion, within ± `mostOfExpansion`
+    leftOut = 1U << 12U,     ///< written only where it says something, for older programs know no null
 };
 
 // The fields of the test file: one function for each struct, used by reader and writer alike, so a key exists
@@ -358,7 +359,7 @@ template <class Visit, Like<PositioningMeasurement> T>
 void fields(Visit &visit, T &measurement) {
     visit("standardDeviation", measurement.standardDeviation);
     visit("axis", measurement.axis);
-    visit("cycle", measurement.cycle);
+    visit("cycle", measurement.cycle, leftOut);
     visit("zone", measurement.zone);
     visit("targets", measurement.targets, obligatory);
     visit("targetChoice", measurement.targetChoice);

@@ -347,22 +347,27 @@ public:
     requires std::is_enum_v<Enumeration>
     static void read(const json &value, Enumeration &member, const Place &place, unsigned = nothing) {
         const auto *const text = value.get_ptr<const std::string *>();
-        std::string words;
-        for (const auto &row : fileWords<Enumeration>) {
-            if (text && *text == row.word) {
-                member = row.value;
-                return;
-            }
-            if (isOffered(row.value))
-                words += (words.empty() ? "" : " · ") + std::string(row.word);
-        }
         if (!text)
-            refuseAt(place, REPORT_TEXT("report", "expected one of the words: %1"), {words});
-        refuseAt(place, REPORT_TEXT("report", "unknown word “%1”; expected one of: %2"),
-                 {excerpt(*text), words});
+            refuseAt(place, REPORT_TEXT("report", "expected one of the words: %1"), {words<Enumeration>()});
+        const auto row = std::ranges::find_if(fileWords<Enumeration>,
+                                              [text](const auto &known) { return *text == known.word; });
+        if (row == fileWords<Enumeration>.end())
+            refuseAt(place, REPORT_TEXT("report", "unknown word “%1”; expected one of: %2"),
+                     {excerpt(*text), words<Enumeration>()});
+        member = row->value;
     }
 
 private:
+    template <class Enumeration>
+    static std::string words() {
+        std::string result;
+        for (const auto &row : fileWords<Enumeration>) {
+            if (isOffered(row.value))
+                result += (result.empty() ? "" : " · ") + std::string(row.word);
+        }
+        return result;
+    }
+
     /// Whether a sentence that lists the words names this one: not what is refused of the others.
     template <class Enumeration>
     static bool isOffered(Enumeration value) {
@@ -476,6 +481,13 @@ private:
     static void demandTypeOrNull(const json &value, const std::optional<std::string> &, const Place &place) {
         if (!value.is_string())
             refuseAt(place, REPORT_TEXT("report", "expected a text, in quotation marks, or null"));
+    }
+    template <class Enumeration>
+    requires std::is_enum_v<Enumeration>
+    static void demandTypeOrNull(const json &value, const std::optional<Enumeration> &, const Place &place) {
+        if (!value.is_string())
+            refuseAt(place, REPORT_TEXT("report", "expected null or one of the words: %1"),
+                     {words<Enumeration>()});
     }
     template <class Struct>
     requires(std::is_class_v<Struct> && !std::is_same_v<Struct, std::string>) static void demandTypeOrNull(

@@ -35,7 +35,7 @@ class ObjectWriter {
 public:
     template <class T>
     void operator()(std::string_view key, const T &member, unsigned demands = nothing) {
-        if ((demands & added) != 0 && member == T{})
+        if ((demands & (added | leftOut)) != 0 && member == T{})
             return; // older programs read what they can
         m_members.push_back({key, isSmall(member), [&member](JsonPrinter &printer, const Place &place) {
                                  print(printer, member, place);

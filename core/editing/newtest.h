@@ -16,7 +16,7 @@ namespace palmer {
 struct NewPositioningTest {
     Axis axis;
     std::string edition = defaultEdition(Kind::positioning).word;
-    Cycle cycle = Cycle::standard;
+    std::optional<Cycle> cycle;  ///< null: not stated
     std::vector<double> targets; ///< mm, rotary: degrees; strictly ascending
     TargetChoice targetChoice;   ///< how they came about
     int runs = 5;                ///< a direction

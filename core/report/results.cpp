@@ -132,8 +132,7 @@ private:
         add(REPORT_TEXT("report", "Axis"), axisText(m));
         if (results.judgedAsZone)
             add(REPORT_TEXT("report", "Working zone"), zoneText(m));
-        add(REPORT_TEXT("report", "Cycle"),
-            text(m.cycle == Cycle::standard ? edition.standardCycle : edition.stepCycle));
+        add(REPORT_TEXT("report", "Cycle"), text(cycleText(m.cycle, edition)));
         add(REPORT_TEXT("report", "Targets"), countsText(m, results));
         if (edition.rangeMethod)
             add(REPORT_TEXT("report", "Standard deviation"),

@@ -101,6 +101,7 @@ void NewTestDialog::fillFields(const Test *like) {
     m_motion->addItem(tr("rotary"), static_cast<int>(Motion::rotary));
     for (const Edition *edition : editionsOf(Kind::positioning))
         m_edition->addItem(QString::fromUtf8(edition->word), QString::fromUtf8(edition->word));
+    m_cycle->addItem(tr("not stated"));
     m_cycle->addItem(tr("standard cycle"), static_cast<int>(Cycle::standard));
     m_cycle->addItem(tr("step cycle"), static_cast<int>(Cycle::step));
     m_runs->setText(QStringLiteral("5"));
@@ -366,7 +367,8 @@ NewPositioningTest NewTestDialog::wanted() const {
     NewPositioningTest result;
     result.axis = axis();
     result.edition = m_edition->currentData().toString().toStdString();
-    result.cycle = static_cast<Cycle>(m_cycle->currentData().toInt());
+    if (const QVariant cycle = m_cycle->currentData(); cycle.isValid())
+        result.cycle = static_cast<Cycle>(cycle.toInt());
     result.targets = targets().value_or(std::vector<double>());
     if (!m_listed)
         result.targetChoice = m_choice;

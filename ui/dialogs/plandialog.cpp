@@ -370,7 +370,7 @@ void PlanDialog::begin(std::size_t test) {
     m_request.axisTravel = measurement->axis.travel;
     m_request.period = measurement->targetChoice.period;
     m_request.seed = static_cast<std::uint64_t>(std::max(0LL, measurement->targetChoice.seed.value_or(1)));
-    m_program.cycle = measurement->cycle;
+    m_program.cycle = measurement->cycle.value_or(m_program.cycle);
     m_program.feed = measurement->conditions.feed;
     if (measurement->conditions.dwell && *measurement->conditions.dwell > 0)
         m_program.dwell = *measurement->conditions.dwell;

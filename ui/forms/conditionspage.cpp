@@ -666,9 +666,12 @@ void ConditionsPage::addTargets(const PositioningMeasurement &measurement) {
                   position, positioning<&Measurement::axis, &Axis::scaleElement>(), 6);
     beginColumns();
     addChoice("cycle", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test cycle"),
-              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "standard test cycle"),
+              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "standard test cycle"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "step cycle")},
-              choiceOf<Cycle>(positioning<&Measurement::cycle>(), {Cycle::standard, Cycle::step}), false, 6);
+              choiceOf<std::optional<Cycle>>(positioning<&Measurement::cycle>(),
+                                             {std::nullopt, Cycle::standard, Cycle::step}),
+              true, 6);
     if (m_built.contains(QStringLiteral(" range"))) {
         addChoice("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Standard deviation"),
                   {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by calculation"),

@@ -31,6 +31,8 @@ QString headText(const char *text) {
 // What the tests of one kind have of their own.
 
 QStringList ownWords(const PositioningMeasurement &measurement) {
+    if (!measurement.cycle)
+        return {headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "cycle not stated"))};
     return {measurement.cycle == Cycle::standard
                 ? headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "standard cycle"))
                 : headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "step cycle"))};

@@ -110,31 +110,36 @@ void settleDirections(FoundPasses &found, TableReading &reading) {
                        "directions");
 }
 
-std::vector<Pass> inOrder(std::vector<PlacedPass> placed) {
-    std::set<std::pair<unsigned, Direction>> numbers;
-    for (const PlacedPass &each : placed) {
-        if (each.number > 0)
-            numbers.insert({each.number, *each.direction});
+std::vector<Pass> inOrder(std::vector<PlacedPass> placed, TableReading &reading) {
+    std::set<unsigned> numbers;
+    std::set<std::pair<unsigned, Direction>> numbersOfDirections;
+    bool both = false;
+    bool inTurn = true;
+    for (std::size_t j = 0; j < placed.size(); ++j) {
+        PlacedPass &each = placed[j];
+        each.pass.direction = *each.direction;
+        if (each.number > 0) {
+            numbers.insert(each.number);
+            numbersOfDirections.insert({each.number, *each.direction});
+        }
+        const bool same = j > 0 && placed[j - 1].direction == each.direction;
+        inTurn &= !same;
+        both |= j > 0 && !same;
     }
-    if (numbers.size() == placed.size())
+    const bool isStated = numbers.size() == placed.size();
+    if (numbersOfDirections.size() == placed.size())
         std::ranges::stable_sort(placed, {}, [](const PlacedPass &each) {
             return std::pair(each.number, *each.direction == Direction::negative);
         });
     std::vector<Pass> passes;
-    bool ordered = true;
-    bool both = false;
-    for (PlacedPass &each : placed) {
-        each.pass.direction = *each.direction;
-        if (!passes.empty()) {
-            const bool same = passes.back().direction == each.pass.direction;
-            ordered &= !same;
-            both |= !same;
-        }
+    for (PlacedPass &each : placed)
         passes.push_back(std::move(each.pass));
-    }
-    if (both && !ordered)
-        return inCycles(std::move(passes));
-    return passes;
+    if (isStated || !both || inTurn)
+        return passes;
+    reading.remark(RemarkGrade::note,
+                   {REPORT_TEXT("report", "Order of the runs: nothing in the table says it; ↑ and ↓ are put "
+                                          "in turn, the cycle stays not stated.")});
+    return inCycles(std::move(passes));
 }
 
 BlockDirection directionOfBlock(const TableReading &reading, const TableBlock &block) {

@@ -46,8 +46,9 @@ struct FoundPasses {
 /// The directions of all passes: what the table says, else the user's choice or a guess with its question.
 void settleDirections(FoundPasses &found, TableReading &reading);
 
-/// ↑1 ↓1 ↑2 ↓2 … where the table numbers the runs; else the order of the table, directions in turn.
-[[nodiscard]] std::vector<Pass> inOrder(std::vector<PlacedPass> placed);
+/// The order of numbers that count the runs of both directions; else directions in turn, with a remark where
+/// the table does not have them so.
+[[nodiscard]] std::vector<Pass> inOrder(std::vector<PlacedPass> placed, TableReading &reading);
 
 /// What the titles above a block say of the direction.
 struct BlockDirection {

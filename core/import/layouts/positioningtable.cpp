@@ -194,7 +194,7 @@ void readPositioning(TableReading &reading) {
     askForOtherQuantity(reading);
     settleDirections(found, reading);
     colour(found.passes, reading);
-    std::vector<Pass> passes = inOrder(std::move(found.passes));
+    std::vector<Pass> passes = inOrder(std::move(found.passes), reading);
     // "Unit: µm" above positions is that of something else: asked.
     const SaidUnit &noted = reading.notes.unit;
     const bool isTooSmall = noted.unit && noted.unit->toBase(1) < 1 && arePositions(passes);

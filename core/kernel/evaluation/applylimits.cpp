@@ -204,6 +204,21 @@ Text notEvaluableText(NotEvaluable reason) {
     return {};
 }
 
+namespace {
+
+/// A limit in millimetres beside results in micrometres.
+void findScale(TestEvaluation &evaluation, const Parameter &p, double limit) {
+    constexpr double suspicious = 1000;
+    if (!p.value || !(*p.value > 0) || !(limit > suspicious * *p.value))
+        return;
+    note(evaluation, "limits", Source::program,
+         {REPORT_TEXT("report", "%1: the limit is %2 times the value; is its unit right?"),
+          {plainSymbol(p), Number{std::floor(limit / *p.value), Quantity::count, 0}}});
+    evaluation.findings.back().id = "limitScale";
+}
+
+} // namespace
+
 void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
                  const std::function<std::vector<Judged>(const std::string &id)> &judged,
                  const std::function<NotEvaluable(const std::string &id)> &missing) {
@@ -250,6 +265,7 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
                 }
             }
             enter(evaluation, one, id, limit, verdict);
+            findScale(evaluation, p, *limit.value);
             evaluation.verdict = worst(evaluation.verdict, verdict);
             if (one.parameter->value)
                 agreed.state = std::max(agreed.state, stateOf(verdict));

@@ -63,7 +63,7 @@ struct RefusedReading {
 struct PositioningMeasurement {
     Axis axis;
     DeviationMethod standardDeviation = DeviationMethod::calculation;
-    Cycle cycle = Cycle::standard;
+    std::optional<Cycle> cycle;   ///< null: not stated
     std::optional<Interval> zone; ///< agreed working zone of a long axis
     std::vector<double> targets;  ///< P_i, strictly ascending, mm or degrees
     TargetChoice targetChoice;

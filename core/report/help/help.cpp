@@ -37,7 +37,7 @@ constexpr std::array fieldHelps{
     FieldHelp{"zone", REPORT_TEXT("report", "Agreed working zone"), REPORT_TEXT("report", "The 2 000 mm (360°) of a long axis that were agreed for the full test. A test whose targets lie inside is judged as that of a short axis.")},
     FieldHelp{"positionFeedback", REPORT_TEXT("report", "Measuring system of the axis"), REPORT_TEXT("report", "How the axis knows its position: linear scale, rotary encoder at the screw, …")},
     FieldHelp{"targetChoice", REPORT_TEXT("report", "Choice of targets"), REPORT_TEXT("report", "Freely chosen targets have a random part, so that periodic errors do not stay hidden; the plan proposes them.")},
-    FieldHelp{"cycle", REPORT_TEXT("report", "Test cycle"), REPORT_TEXT("report", "Standard: all targets up, all down, again. Step: all approaches at one target, then the next; only by written agreement.")},
+    FieldHelp{"cycle", REPORT_TEXT("report", "Test cycle"), REPORT_TEXT("report", "Standard: all targets up, all down, again. Step: all approaches at one target, then the next; only by written agreement. Not stated: the report says so.")},
     FieldHelp{"feed", REPORT_TEXT("report", "Feed rate"), REPORT_TEXT("report", "The feed between the targets, as programmed; or rapid.")},
     FieldHelp{"dwell", REPORT_TEXT("report", "Dwell at the target"), REPORT_TEXT("report", "How long the axis rests before the reading is taken.")},
     FieldHelp{"sensors", REPORT_TEXT("report", "Temperatures"), REPORT_TEXT("report", "Start and end of the test for each sensor, and where it was. The mean of machine and instrument is what the correction to 20 °C uses.")},

@@ -229,13 +229,11 @@ TestHead positioningHead(const PositioningPart &part) {
     if (part.results.stepCycleNotAgreed)
         head.notice =
             part.write.text(REPORT_TEXT("report", "step cycle – not an ISO 230-2 acceptance result"));
-    const Edition &edition = part.edition();
     const auto addLeft = [&](const Text &label, const QString &value) {
         head.left.rows.push_back({part.write.text(label), value});
     };
     addLeft(REPORT_TEXT("report", "Cycle"),
-            part.write.text(part.measurement.cycle == Cycle::standard ? edition.standardCycle
-                                                                      : edition.stepCycle));
+            part.write.text(cycleText(part.measurement.cycle, part.edition())));
     addLeft(REPORT_TEXT("report", "Target positions"), countsText(part));
 
     Rows rows(part.write, rightLabels);

@@ -110,6 +110,12 @@ Text purposeText(Purpose purpose) {
     return {};
 }
 
+Text cycleText(std::optional<Cycle> cycle, const Edition &edition) {
+    if (!cycle)
+        return REPORT_TEXT_FOR("report", "not stated", "cycle");
+    return cycle == Cycle::standard ? edition.standardCycle : edition.stepCycle;
+}
+
 Text correctionText(CorrectionTo20 correction) {
     switch (correction) {
     case CorrectionTo20::notStated:

@@ -22,6 +22,7 @@ namespace palmer {
 [[nodiscard]] Text limitsText(std::optional<Verdict> verdict, bool anyLimit);
 [[nodiscard]] Text gradeText(Grade grade);
 [[nodiscard]] Text correctionText(CorrectionTo20 correction);
+[[nodiscard]] Text cycleText(std::optional<Cycle> cycle, const Edition &edition);
 [[nodiscard]] QString arrow(Direction direction);
 
 /// "as found", "as left"; empty where it is not stated.

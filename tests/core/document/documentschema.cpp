@@ -234,12 +234,17 @@ void compareDefaults(const Schema &schema, const QJsonObject &reference, const Q
     const QJsonObject part = schema.resolved(reference);
     const QJsonObject properties = part.value(QStringLiteral("properties")).toObject();
     const QJsonArray required = part.value(QStringLiteral("required")).toArray();
-    if (properties.keys() != written.keys())
-        differences += place + QStringLiteral(": other keys");
+    for (const QString &key : written.keys()) {
+        if (!properties.contains(key))
+            differences += place + QStringLiteral(": unknown key ") + key;
+    }
     for (auto property = properties.begin(); property != properties.end(); ++property) {
         const QString inner = place + QLatin1Char('.') + property.key();
         const QJsonObject member = schema.resolved(property.value().toObject());
+        // What is not stated may be left out, for older programs know no null there.
         const QJsonValue value = written.value(property.key());
+        if (value.isUndefined() && member.value(QStringLiteral("default")).isNull())
+            continue;
         if (member.contains(QStringLiteral("default"))) {
             if (member.value(QStringLiteral("default")) != value)
                 differences += inner + QStringLiteral(": another default");

@@ -3,6 +3,7 @@
 #include "document/writedocument.h"
 
 #include "core/document/completefile.h"
+#include "document/edits.h"
 #include "document/fields.h"
 #include "document/filewords.h"
 #include "document/json.h"
@@ -147,6 +148,16 @@ private slots:
         const QByteArray written = writeDocument(document);
         QVERIFY(written.contains("\"version\": 2"));
         QVERIFY(written.contains("\"allReadings\", \"diagnosis\""));
+        QVERIFY(readDocument(written) == document);
+    }
+
+    /// Older programs take no null for a word: the key is left out.
+    void aCycleThatIsNotStatedIsLeftOut() {
+        Document document = readDocument(completeFile());
+        editTest(document, 0,
+                 [](Test &test) { std::get<PositioningMeasurement>(test.measurement).cycle.reset(); });
+        const QByteArray written = writeDocument(document);
+        QVERIFY(!written.contains("\"cycle\":"));
         QVERIFY(readDocument(written) == document);
     }
 

@@ -385,7 +385,9 @@ private slots:
             const TypingWindow other(emptyTest());
             other.view->setCurrentIndex(other.view->model()->index(0, 1));
             other.paste(copied);
-            QVERIFY(other.measurement() == published());
+            PositioningMeasurement expected = published();
+            expected.cycle = Cycle::standard; // of the empty test: a block of readings does not say it
+            QVERIFY(other.measurement() == expected);
             // Cutting leaves the same on the clipboard and takes it back in one step.
             other.view->selectionModel()->select(
                 QItemSelection(other.view->model()->index(0, 2), other.view->model()->index(1, 3)),
@@ -395,7 +397,7 @@ private slots:
             QVERIFY(!readingAt(other.measurement(), {0, 0}) && !readingAt(other.measurement(), {1, 1}));
             QCOMPARE(readingAt(other.measurement(), {0, 2}), readingAt(published(), {0, 2}));
             other.window->model().undoStack()->undo();
-            QVERIFY(other.measurement() == published());
+            QVERIFY(other.measurement() == expected);
         }
     }
 

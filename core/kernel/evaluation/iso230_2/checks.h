@@ -33,9 +33,11 @@ Sentence ends(const PositioningCase &test);            ///< first and last targe
 Judgement endsOf2006(const PositioningCase &test);     ///< the same; undeclared without the ends of the axis
 Sentence endsUnknown(const PositioningCase &test);     ///< ends of the axis not stated: not checked
 Judgement choiceOf1988(const PositioningCase &test);   ///< targets do not share a phase of the cyclic pitch
-Sentence spacing(const PositioningCase &test);         ///< steps within two periods (60 %) of the mean step
-Judgement choiceOf2006(const PositioningCase &test);   ///< random part within ± the period, or ±30 % of p
-Sentence evenSpacing(const PositioningCase &test);     ///< all steps alike, the period not known
+Judgement
+spacing(const PositioningCase &test); ///< steps within two periods (60 %) of the mean step, up to the ends
+Sentence coverage(const PositioningCase &test);      ///< at least half of the axis
+Judgement choiceOf2006(const PositioningCase &test); ///< random part within ± the period, or ±30 % of p
+Sentence evenSpacing(const PositioningCase &test);   ///< all steps alike, the period not known
 
 // Runs and readings
 Sentence fiveApproaches(const PositioningCase &test); ///< ≥ 5 each way
@@ -52,7 +54,8 @@ Sentence rangeMethodElsewhere(const PositioningCase &test); ///< range method ou
 Sentence rangeMethodRuns(const PositioningCase &test);      ///< range method: 2 … 10 readings
 Sentence drift(const PositioningCase &test);           ///< no steady progression from approach to approach
 bool stepCycleInWriting(const PositioningCase &test);  ///< agreed, with a text that names the document
-Sentence stepCycle(const PositioningCase &test);       ///< step cycle by written agreement only
+Judgement cycleStated(const PositioningCase &test);    ///< stated, and not contradicted by the runs
+Judgement cycleOf2006(const PositioningCase &test);    ///< and the step cycle by written agreement only
 Sentence stepCycleAgreed(const PositioningCase &test); ///< there is one
 Sentence workedExample(const PositioningCase &test);   ///< the readings are those of the 1988 example
 

@@ -227,13 +227,35 @@ bool stepCycleInWriting(const PositioningCase &test) {
     return point && point->state == AgreementState::agreed && !isBlank(point->text);
 }
 
-Sentence stepCycle(const PositioningCase &test) {
+Judgement cycleStated(const PositioningCase &test) {
+    if (!test.measurement.cycle)
+        return Judgement::undeclared();
+    if (test.measurement.cycle == Cycle::step)
+        return Judgement::met(); // its runs have no order of their own
+    // Unequal numbers of runs cannot all alternate.
+    const auto &runs = test.measurement.runs;
+    const int allowed = std::max(std::abs(test.positiveRuns - test.negativeRuns) - 1, 0);
+    const auto same = [](const Run &a, const Run &b) { return a.approach == b.approach; };
+    const auto first = std::ranges::adjacent_find(runs, same);
+    int found = 0;
+    for (std::size_t j = 1; j < runs.size(); ++j)
+        found += same(runs[j - 1], runs[j]) ? 1 : 0;
+    if (eachWay(test) == 0 || found <= allowed)
+        return Judgement::met();
+    const auto run = static_cast<std::size_t>(first - runs.begin()) + 1;
+    return Judgement::unmet(
+        {REPORT_TEXT("report", "Runs %1 and %2 were made in the same direction, one after the other: the "
+                               "stated cycle alternates."),
+         {count(run), count(run + 1)}});
+}
+
+Judgement cycleOf2006(const PositioningCase &test) {
     if (test.measurement.cycle != Cycle::step || stepCycleInWriting(test))
-        return std::nullopt;
+        return cycleStated(test);
     if (test.test.purpose == Purpose::acceptance)
-        return Message{REPORT_TEXT("report", "Step cycle without written agreement; strict reference for "
-                                             "acceptance is the standard cycle.")};
-    return Message{REPORT_TEXT("report", "Step cycle without written agreement.")};
+        return Judgement::unmet({REPORT_TEXT("report", "Step cycle without written agreement; strict "
+                                                       "reference for acceptance is the standard cycle.")});
+    return Judgement::unmet({REPORT_TEXT("report", "Step cycle without written agreement.")});
 }
 
 Sentence stepCycleAgreed(const PositioningCase &test) {

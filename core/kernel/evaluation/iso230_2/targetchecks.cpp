@@ -302,13 +302,73 @@ Judgement choiceOf1988(const PositioningCase &test) {
                              {along(test, *choice.period)}});
 }
 
-Sentence spacing(const PositioningCase &test) {
-    if (spacedAsOf1988(test.measurement.targets, test.measurement.targetChoice.period))
-        return std::nullopt;
+namespace {
+
+/// What the test is to cover: the agreed zone of a long axis, else the whole of it between its ends.
+std::optional<Interval> covered(const PositioningCase &test) {
+    return test.longAxis() ? test.measurement.zone : test.measurement.axis.range;
+}
+
+/// First and last target within two mean steps of the ends of the axis; of ends that are not stated only
+/// their distance is known.
+Judgement reachesEnds(const PositioningCase &test) {
+    const auto &targets = test.measurement.targets;
+    const double most = 2 * meanStep(targets) * (1 + 1e-9);
+    if (const auto &reach = covered(test)) {
+        const double before = targets.front() - reach->from;
+        const double behind = reach->to - targets.back();
+        if (before <= most && behind <= most)
+            return Judgement::met();
+        return Judgement::unmet(
+            {REPORT_TEXT("report", "The axis goes on for %1 before the first target and %2 behind the last, "
+                                   "more than two mean steps of %3."),
+             {along(test, before), along(test, behind), along(test, meanStep(targets), 2)}});
+    }
+    const auto &travel = test.measurement.axis.travel;
+    if (!travel || test.longAxis())
+        return Judgement::met(); // rows of their own ask for travel and zone
+    const double rest = *travel - measurementTravel(test.measurement);
+    if (rest > 2 * most)
+        return Judgement::unmet(
+            {REPORT_TEXT("report", "The axis goes on for %1 beyond the first and the last target, more than "
+                                   "four mean steps of %2."),
+             {along(test, rest), along(test, meanStep(targets), 2)}});
+    return rest > most ? Judgement::undeclared() : Judgement::met();
+}
+
+} // namespace
+
+Judgement spacing(const PositioningCase &test) {
+    const auto &targets = test.measurement.targets;
+    if (targets.size() < 2)
+        return Judgement::met();
+    const auto &period = test.measurement.targetChoice.period;
     const std::vector<double> all = steps(test);
-    const auto [least, largest] = std::ranges::minmax(all);
-    return Message{REPORT_TEXT("report", "Steps between targets from %1 to %2."),
-                   {along(test, least), along(test, largest)}};
+    if (!spacedAsOf1988(targets, period)) {
+        const auto [least, largest] = std::ranges::minmax(all);
+        return Judgement::unmet({REPORT_TEXT("report", "Steps between targets from %1 to %2."),
+                                 {along(test, least), along(test, largest)}});
+    }
+    Judgement ends = reachesEnds(test);
+    if (ends.state == State::unmet)
+        return ends;
+    // Of what period nobody knows, unequal steps may leave it by more than two.
+    const bool anyPeriod = (period && *period > 0) || evenlySpaced(targets);
+    return anyPeriod ? ends : Judgement::undeclared();
+}
+
+Sentence coverage(const PositioningCase &test) {
+    const Axis &axis = test.measurement.axis;
+    std::optional<double> travel = axis.travel;
+    if (!travel && axis.range)
+        travel = axis.range->to - axis.range->from;
+    if (!travel && !test.linear())
+        travel = 360;
+    constexpr double half = 0.5;
+    if (!travel || test.measurement.zone || !(measurementTravel(test.measurement) < half * *travel))
+        return std::nullopt;
+    return Message{REPORT_TEXT("report", "The test covers %1 % of the travel of the axis."),
+                   {Number{100 * measurementTravel(test.measurement) / *travel, Quantity::number, 0}}};
 }
 
 Judgement choiceOf2006(const PositioningCase &test) {

@@ -52,6 +52,8 @@ private slots:
     void answersAreTaken_data();
     void answersAreTaken();
     void namesAllColumnsLeftOut();
+    void anOrderThatIsNotStatedIsInTurn_data();
+    void anOrderThatIsNotStatedIsInTurn();
 };
 
 void LayoutsTest::areReadAsPeopleReadThem_data() {
@@ -776,6 +778,33 @@ void LayoutsTest::answersAreTaken() {
     QFETCH(QString, word);
     QFETCH(QString, expected);
     QCOMPARE(outcome(text, {{key.toStdString(), word.toStdString()}}), expected);
+}
+
+void LayoutsTest::anOrderThatIsNotStatedIsInTurn_data() {
+    QTest::addColumn<QByteArray>("heads");
+    QTest::addColumn<QString>("order");
+    QTest::addColumn<bool>("remarked");
+    QTest::newRow("in turn") << QByteArray("↑1 (µm),↓1 (µm),↑2 (µm),↓2 (µm)") << "↑↓↑↓" << false;
+    QTest::newRow("all up, all down") << QByteArray("↑ (µm),↑ (µm),↓ (µm),↓ (µm)") << "↑↓↑↓" << true;
+    QTest::newRow("numbered each way") << QByteArray("↑1 (µm),↑2 (µm),↓1 (µm),↓2 (µm)") << "↑↓↑↓" << true;
+    QTest::newRow("numbered through") << QByteArray("↑1 (µm),↑2 (µm),↓3 (µm),↓4 (µm)") << "↑↑↓↓" << false;
+    QTest::newRow("one way") << QByteArray("↑1 (µm),↑2 (µm),↑3 (µm),↑4 (µm)") << "↑↑↑↑" << false;
+}
+
+/// Nobody knows the cycle of a table.
+void LayoutsTest::anOrderThatIsNotStatedIsInTurn() {
+    QFETCH(QByteArray, heads);
+    QFETCH(QString, order);
+    QFETCH(bool, remarked);
+    const Imported imported =
+        importMeasurement("P (mm)," + heads + "\n0,1,2,3,4\n100,2,1,4,3\n200,1,1,2,2\n", "x.csv", {});
+    const auto &measurement = std::get<PositioningMeasurement>(imported.test->measurement);
+    QString runs;
+    for (const Run &run : measurement.runs)
+        runs += run.approach == Direction::positive ? "↑" : "↓";
+    QCOMPARE(runs, order);
+    QVERIFY(!measurement.cycle);
+    QCOMPARE(testdata::remarks(imported).contains("Order of the runs"), remarked);
 }
 
 /// Readings that are not read are all named, in a question.

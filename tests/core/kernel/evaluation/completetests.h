@@ -63,6 +63,7 @@ inline Setup complete(const char *edition, std::vector<double> targets, int runs
     setup.test.purpose = Purpose::acceptance;
     PositioningMeasurement &p = setup.m();
     p.axis = {"X", Motion::linear, last + 20, Interval{-10, last + 10}, "linear scale", 0.0};
+    p.cycle = Cycle::standard;
     p.targetChoice.kind = TargetChoiceKind::free;
     p.targetChoice.period = 10;
     PositioningConditions &c = p.conditions;

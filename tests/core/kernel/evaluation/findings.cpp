@@ -35,6 +35,9 @@ void Findings::limits() {
     QVERIFY(!parameter(e, "E")->verdict && !parameter(e, "E")->limit);
     QVERIFY(e.verdict == Verdict::doesNotConform);
     QVERIFY(finding(e, "limits")); // r is of 1988
+    QVERIFY(!finding(e, "limitScale"));
+    test.limits = {{"A", {18.001, {}, ""}}}; // a value in µm, taken for mm
+    QVERIFY(finding(evaluated(test), "limitScale"));
     // a view has no verdicts
     const auto view = evaluated(test, "ISO 230-2:2014");
     QVERIFY(view.view && !view.verdict && !parameter(view, "A")->limit);

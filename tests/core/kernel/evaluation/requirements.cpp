@@ -444,7 +444,48 @@ void Requirements::rows_data() {
     };
     row("steps within two periods", of1988, shortAxis, stepped(120, 10), "spacing", "4.3.2", "met");
     row("steps beyond two periods", of1988, shortAxis, stepped(120.1, 10), "spacing", "4.3.2", "unmet");
-    row("steps within 60 %", of1988, shortAxis, stepped(160, {}), "spacing", "4.3.2", "met");
+    row("steps within 60 %", of1988, shortAxis, stepped(160, {}), "spacing", "4.3.2", "undeclared");
+    const auto reaching = [](double last, std::optional<Interval> range,
+                             std::optional<double> travel) -> Change {
+        return [=](Setup &s) {
+            s.m().targets = {0, last / 5, 2 * last / 5, 3 * last / 5, 4 * last / 5, last};
+            s.m().axis.range = range;
+            s.m().axis.travel = travel;
+        };
+    };
+    const Interval half{-1, 499};
+    row("six targets on the whole axis", of1988, shortAxis, reaching(480, half, {}), "spacing", "4.3.2",
+        "met");
+    row("two steps to the end", of1988, shortAxis, reaching(250, Interval{-100, 350}, {}), "spacing", "4.3.2",
+        "met");
+    row("beyond two steps", of1988, shortAxis, reaching(250, Interval{-100, 350.1}, {}), "spacing", "4.3.2",
+        "unmet");
+    row("before two steps", of1988, shortAxis, reaching(250, Interval{-100.1, 350}, {}), "spacing", "4.3.2",
+        "unmet");
+    row("six targets on 6 mm", of1988, shortAxis, reaching(6, half, {}), "spacing", "4.3.2", "unmet");
+    row("two steps beyond, at one end or both", of1988, shortAxis, reaching(250, {}, 350), "spacing", "4.3.2",
+        "met");
+    row("four steps beyond, at which end?", of1988, shortAxis, reaching(250, {}, 450), "spacing", "4.3.2",
+        "undeclared");
+    row("five steps beyond", of1988, shortAxis, reaching(250, {}, 500), "spacing", "4.3.2", "unmet");
+    row(
+        "zone of a long axis", of1988, zoneOfLongAxis, [](Setup &s) { s.m().zone->to += 400; }, "spacing",
+        "4.3.2", "unmet");
+    for (const char *edition : {"ISO 230-2:1988", "ISO 230-2:2006", "ISO 230-2:2014", "VDI/DGQ 3441:1977"}) {
+        row("half of the axis", edition, shortAxis, reaching(250, {}, 500), "coverage", "", "met");
+        row("less than half of the axis", edition, shortAxis, reaching(249, {}, 500), "coverage", "",
+            "program note");
+        row("less than half of the ends", edition, shortAxis, reaching(249, half, {}), "coverage", "",
+            "program note");
+    }
+    row(
+        "a quarter of a turn", of2006, rotary,
+        [](Setup &s) {
+            s.m().targets = {0, 20, 50, 90};
+            s.m().axis.range = {};
+            s.m().axis.travel = {};
+        },
+        "coverage", "", "program note");
     row("steps beyond 60 %", of1988, shortAxis, stepped(160.1, {}), "spacing", "4.3.2", "unmet");
     row(
         "a sensor of the machine without a place", of1988, shortAxis,
@@ -749,6 +790,29 @@ void Requirements::rows_data() {
     row(
         "step cycle", of1988, shortAxis, [](Setup &s) { s.m().cycle = Cycle::step; }, "cycle", "4.3.2",
         "met");
+    const Change noCycle = [](Setup &s) { s.m().cycle.reset(); };
+    const Change upThenDown = [](Setup &s) { std::ranges::stable_sort(s.m().runs, {}, &Run::approach); };
+    const Change oneMore = [](Setup &s) { s.m().runs.push_back(s.m().runs.front()); };
+    const Change oneTwice = [](Setup &s) { s.m().runs.insert(s.m().runs.begin(), s.m().runs.front()); };
+    for (const auto &[name, change, state] : {std::tuple("cycle not stated", noCycle, "undeclared"),
+                                              std::tuple("five up, then five down", upThenDown, "unmet"),
+                                              std::tuple("one run more, in turn", oneMore, "met"),
+                                              std::tuple("one run more, repeated", oneTwice, "unmet")}) {
+        row(name, of1988, shortAxis, change, "cycle", "4.3.2", state);
+        row(name, of2006, shortAxis, change, "cycle", "4.3.2", state);
+        row(name, of1988, zoneOfLongAxis, change, "cycle", "4.3.2", state);
+    }
+    row("cycle not stated", of1988, longAxis, noCycle, "cycle", "4.3.2", "met");
+    row("cycle not stated", of1988, rotary, noCycle, "cycle", "4.3.2", "met");
+    row("cycle not stated", of2006, rotary, noCycle, "cycle", "1", "recommendation");
+    row("cycle not stated", of2014, shortAxis, noCycle, "cycle", "", "practice undeclared");
+    row(
+        "five up, then five down by steps", of1988, shortAxis,
+        [=](Setup &s) {
+            upThenDown(s);
+            s.m().cycle = Cycle::step;
+        },
+        "cycle", "4.3.2", "met");
     row(
         "first target at the end", of2006, shortAxis, [](Setup &s) { s.m().axis.range->from = 3; }, "ends",
         "2.2", "unmet");
@@ -1519,38 +1583,16 @@ void Requirements::statementsOfCircles() {
 /// The rows of the specification, by edition: "id clause", in no order.
 std::set<std::string> citedBySpecification(std::string_view edition) {
     if (edition == "ISO 230-2:1988")
-        return {"temperature 3.1",
-                "soak 3.1",
-                "shielded 3.1",
-                "instrumentCompensation 3.1",
-                "gradientPerHour 3.1",
-                "complete 3.2",
-                "levelled 3.2",
-                "unloaded 3.2",
-                "otherAxes 3.2",
-                "warmUp 3.3",
-                "dwell 4.1",
-                "feed 4.1",
-                "targetChoice 4.2",
-                "travel 4.3.2",
-                "spacing 4.3.2",
-                "targetsPerMetre 4.3.2",
-                "numberOfTargets 4.3.2",
-                "approaches 4.3.2",
-                "missingReadings 4.3.2",
-                "approaches 5",
-                "missingReadings 5",
-                "meanInterval 4.3.3",
-                "wholeLength 4.3.3",
-                "approaches 4.3.3",
-                "otherTest 4.3.3",
-                "zone 4.3.3",
-                "quarterTurns 4.3.4",
-                "freeTargets 4.3.4",
-                "polygonFaces 4.3.4",
-                "instruments 4.3.4",
-                "instrumentPosition 4.3.1",
-                "sensors 4.3.1"};
+        return {
+            "temperature 3.1",       "soak 3.1",           "shielded 3.1",       "instrumentCompensation 3.1",
+            "gradientPerHour 3.1",   "complete 3.2",       "levelled 3.2",       "unloaded 3.2",
+            "otherAxes 3.2",         "warmUp 3.3",         "dwell 4.1",          "feed 4.1",
+            "targetChoice 4.2",      "travel 4.3.2",       "spacing 4.3.2",      "targetsPerMetre 4.3.2",
+            "numberOfTargets 4.3.2", "cycle 4.3.2",        "approaches 4.3.2",   "missingReadings 4.3.2",
+            "approaches 5",          "missingReadings 5",  "meanInterval 4.3.3", "wholeLength 4.3.3",
+            "approaches 4.3.3",      "otherTest 4.3.3",    "zone 4.3.3",         "quarterTurns 4.3.4",
+            "freeTargets 4.3.4",     "polygonFaces 4.3.4", "instruments 4.3.4",  "instrumentPosition 4.3.1",
+            "sensors 4.3.1"};
     if (edition == "ISO 230-2:2006")
         return {"cycle 4.3.2",
                 "cycle 1",
