@@ -5698,6 +5698,14 @@
         <translation>attendu&#xa0;: un relevé compris entre −%1 et %1&#xa0;mm (axe rotatif&#xa0;: degrés)</translation>
     </message>
     <message>
+        <source>the heading says “%1”, which these numbers are not read in</source>
+        <translation>l’en-tête indique «&#xa0;%1&#xa0;», unité dans laquelle ces nombres ne sont pas lus</translation>
+    </message>
+    <message>
+        <source>read in %1, as the heading says</source>
+        <translation>lu en %1, comme l’indique l’en-tête</translation>
+    </message>
+    <message>
         <source>expected a temperature of −273.15 °C or more</source>
         <translation>attendu&#xa0;: une température d’au moins −273,15&#xa0;°C</translation>
     </message>

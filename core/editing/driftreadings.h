@@ -29,8 +29,9 @@ void setDriftReadings(Test &test, std::size_t row, const std::vector<DriftReadin
 void removeDriftReadings(Test &test, std::size_t row, std::size_t count);
 
 /// Two columns as they are copied from a table: times in s and deviations in the unit shown, parted by tabs,
-/// semicolons or blanks, a reading a line; a first line without numbers is their head. Nothing where a line
-/// says anything else.
+/// semicolons or blanks, a reading a line. Lines without numbers above the first reading are their head; the
+/// units that it says are those of the columns. Nothing where a line says anything else. Throws Error for
+/// units that numbers are not converted from.
 [[nodiscard]] std::optional<std::vector<DriftReading>> driftReadingsFrom(QStringView pasted, Motion motion,
                                                                          const DisplayUnits &units = {});
 

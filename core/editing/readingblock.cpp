@@ -74,6 +74,7 @@ private:
         for (const TableRow &row : m_table.rows()) {
             if (m_lines.empty() && !hasNumber(m_table, row) && !isFirstRefused(row)) {
                 ++headings;
+                readHeading(row);
                 continue;
             }
             for (; !m_lines.empty() && next < row.line; ++next)
@@ -87,6 +88,34 @@ private:
         if (headings > 0 && !m_lines.empty())
             m_result.remarks.push_back({REPORT_TEXT("report", "lines of headings left out: %1"),
                                         {Number{static_cast<double>(headings), Quantity::count, 0}}});
+    }
+
+    void readHeading(const TableRow &row) {
+        const auto cells = m_table.cells(row);
+        m_said.resize(std::max(m_said.size(), cells.size()));
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            if (const SaidUnit said = saidUnit(m_table.text(cells[c])); said.isSaid())
+                m_said[c] = said;
+        }
+    }
+
+    /// What the headings say of the numbers in the cells of a column; null: nothing.
+    [[nodiscard]] const Unit *unitOfColumn(std::size_t cell) const {
+        const std::size_t left = firstRunOfBlock - std::min(m_place.column, firstRunOfBlock);
+        const std::size_t first = std::max(m_skipped, left); // of the readings
+        if (!m_choices.unitsOfHeading)
+            return nullptr;
+        while (cell > first && (cell >= m_said.size() || !m_said[cell].isSaid()))
+            --cell;
+        if (cell >= m_said.size() || !m_said[cell].isSaid())
+            return nullptr;
+        return &unitOfHeading(m_said[cell], unitKindOf(m_result.measurement.axis.motion));
+    }
+
+    /// The number of a cell in mm or degrees.
+    [[nodiscard]] double inBase(double value, std::size_t cell, Quantity quantity) const {
+        const Unit *unit = unitOfColumn(cell);
+        return unit ? unit->toBase(value) : palmer::inBase(value, quantity, m_choices.units);
     }
 
     /// A line of readings that happen to be no numbers is no heading when its cells look like numbers.
@@ -119,9 +148,11 @@ private:
     void leaveOutKnownColumns() {
         if (m_place.column < firstRunOfBlock)
             return;
-        const auto isTarget = [&](double value, std::size_t row) {
-            return std::abs(inBase(value, m_position, m_choices.units) - m_result.measurement.targets[row]) <
-                   sameTarget;
+        const auto isTargetIn = [this](std::size_t column) {
+            return [this, column](double value, std::size_t row) {
+                const double target = m_result.measurement.targets[row];
+                return std::abs(inBase(value, column, m_position) - target) < sameTarget;
+            };
         };
         const auto isNumber = [](double value, std::size_t row) {
             return value == static_cast<double>(row + 1);
@@ -131,9 +162,9 @@ private:
             std::ranges::all_of(m_lines, [](const BlockLine &line) { return line && line->count > 1; });
         if (m_lines.size() < 2 || !wide)
             return;
-        if (columnIs(0, isTarget))
+        if (columnIs(0, isTargetIn(0)))
             m_skipped = 1;
-        else if (columnIs(0, isNumber) && columnIs(1, isTarget))
+        else if (columnIs(0, isNumber) && columnIs(1, isTargetIn(1)))
             m_skipped = 2;
         if (m_skipped > 0)
             m_result.remarks.push_back(
@@ -162,7 +193,7 @@ private:
                     {REPORT_TEXT("report", "a target position in the block is no number: the targets stay")});
                 return;
             }
-            targets.push_back(inBase(cell->value, m_position, m_choices.units));
+            targets.push_back(inBase(cell->value, column, m_position));
         }
         const auto &old = m_result.measurement.targets;
         for (std::size_t row = targets.size(); row < old.size(); ++row)
@@ -195,12 +226,12 @@ private:
 
     void put(std::size_t row, std::size_t column, const TableCell &cell) {
         if (column - firstRunOfBlock < m_place.runs.size() && row < m_result.measurement.targets.size())
-            put({m_place.runs[column - firstRunOfBlock], row}, cell);
+            put({m_place.runs[column - firstRunOfBlock], row}, cell, column - m_place.column + m_skipped);
         else
             m_result.left += cell.kind != CellKind::empty ? 1 : 0;
     }
 
-    void put(const ReadingPlace &place, const TableCell &cell) {
+    void put(const ReadingPlace &place, const TableCell &cell, std::size_t number) {
         PositioningMeasurement &m = m_result.measurement;
         const bool none = cell.kind == CellKind::empty || cell.kind == CellKind::missing;
         if (!m_aside)
@@ -216,24 +247,26 @@ private:
             ++m_result.readings;
             m_allZero = m_allZero && cell.value == 0;
             m_largest = std::max(m_largest, std::abs(cell.value));
-            setReading(m, place, deviation(cell.value, place.target));
+            const Unit *unit = unitOfColumn(number);
+            if (unit && std::ranges::find(m_units, unit) == m_units.end())
+                m_units.push_back(unit);
+            setReading(m, place, deviation(cell.value, place.target, number));
         } else {
             ++m_result.refused;
             setRefused(m, place, std::string(m_table.text(cell)));
         }
     }
 
-    [[nodiscard]] double deviation(double shown, std::size_t target) const {
+    [[nodiscard]] double deviation(double shown, std::size_t target, std::size_t cell) const {
         switch (m_choices.content) {
         case BlockContent::deviations:
-            return inBase(shown, deviationQuantity(m_result.measurement.axis), m_choices.units);
+            return inBase(shown, cell, deviationQuantity(m_result.measurement.axis));
         case BlockContent::longDeviations:
-            return inBase(shown, m_position, m_choices.units);
+            return inBase(shown, cell, m_position);
         case BlockContent::positions:
             break;
         }
-        return deviationFrom(m_result.measurement.targets[target],
-                             inBase(shown, m_position, m_choices.units));
+        return deviationFrom(m_result.measurement.targets[target], inBase(shown, cell, m_position));
     }
 
     void remark() {
@@ -241,6 +274,11 @@ private:
             return Number{static_cast<double>(number), Quantity::count, 0};
         };
         auto &remarks = m_result.remarks;
+        for (const Unit *unit : m_units)
+            remarks.push_back(
+                {REPORT_TEXT("report", "read in %1, as the heading says"), {std::string(unit->sign)}});
+        if (m_units.size() == 1)
+            m_result.unit = m_units.front();
         if (m_result.refused > 0)
             remarks.push_back(
                 {REPORT_TEXT("report", "no numbers, kept in red: %1"), {count(m_result.refused)}});
@@ -259,8 +297,8 @@ private:
 
     /// Deviations of a machine in µm are not all below a tenth: these are mm.
     [[nodiscard]] bool looksLong() const {
-        return m_choices.content == BlockContent::deviations && m_result.readings > 3 && m_largest < 0.1 &&
-               m_choices.units.lengths != LengthDisplay::millimetres;
+        return m_choices.content == BlockContent::deviations && m_units.empty() && m_result.readings > 3 &&
+               m_largest < 0.1 && m_choices.units.lengths != LengthDisplay::millimetres;
     }
 
     BlockPlace m_place;
@@ -270,6 +308,8 @@ private:
     std::optional<ReadingsAside> m_aside; ///< of the result
     CellTable m_table;
     std::vector<BlockLine> m_lines;
+    std::vector<SaidUnit> m_said;      ///< by the headings, of each column of the block
+    std::vector<const Unit *> m_units; ///< of these the units of readings that were taken
     std::size_t m_skipped = 0; ///< cells at the beginning of each line that are the targets themselves
     bool m_allZero = true;
     double m_largest = 0;

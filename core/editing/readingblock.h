@@ -35,6 +35,7 @@ struct BlockChoices {
     std::optional<DecimalMark> decimalMark; ///< null: as the block says
     std::optional<Delimiter> delimiter;     ///< null: as the block says
     DisplayUnits units;
+    bool unitsOfHeading = true; ///< what a heading says wins over `content`
 };
 
 /// Where the block is put, and into which table.
@@ -56,17 +57,19 @@ struct PastedBlock {
     std::size_t left = 0;    ///< cells outside the table, not taken
     Choice<DecimalMark> decimalMark;
     Delimiter delimiter = Delimiter::tab;
-    bool hasMarks = false; ///< whether there is a decimal mark in the block at all
+    bool hasMarks = false;      ///< whether there is a decimal mark in the block at all
+    const Unit *unit = nullptr; ///< of the readings, as a heading says; null: as chosen, or several
     std::vector<Message> remarks;
 };
 
 /// Puts a block (lines of cells, parted by tabs, as every spreadsheet copies them; or by what readTable
 /// recognises) into a measurement. Empty cells and words for "none" make the reading missing; a reading set
-/// aside stays as it is. Lines above the first number are headings and left out. A block that begins with the
-/// target positions themselves (or with their numbers too) may be put on the first reading: these columns are
-/// recognised and left out. From the columns of number and position on, the block may bring the targets, also
-/// more than there are; they have to ascend. What has no place is counted and said, never put elsewhere.
-/// Throws what readTable throws.
+/// aside stays as it is. Lines above the first number are headings: of them the units
+/// are read, "P (mm)"; a column whose heading says none has that of the readings left of it. A block that
+/// begins with the target positions themselves (or with their numbers too) may be put on the first reading:
+/// these columns are recognised and left out. From the columns of number and position on, the block may bring
+/// the targets, also more than there are; they have to ascend. What has no place is counted and said, never
+/// put elsewhere. Throws what readTable throws, and an Error for units that numbers are not converted from.
 [[nodiscard]] PastedBlock pasteBlock(PositioningMeasurement measurement, std::string text, BlockPlace place,
                                      const BlockChoices &choices);
 

@@ -3,12 +3,22 @@
 #include "editing/typedreading.h"
 
 #include "document/bounds.h"
+#include "document/documenterror.h"
 #include "editing/editreadings.h"
 #include "language/decimals.h"
 
 #include <cmath>
 
 namespace palmer {
+
+const Unit &unitOfHeading(const SaidUnit &said, UnitKind kind) {
+    if (!said.unit || said.unit->kind != kind)
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "the heading says “%1”, which these numbers are not read in"),
+                     {said.words()},
+                     {}});
+    return *said.unit;
+}
 
 double deviationFrom(double target, double position) {
     constexpr double grid = 1e9;

@@ -5,6 +5,7 @@
 #include "kernel/measurement/positioning.h"
 #include "kernel/words/message.h"
 #include "language/entry.h"
+#include "tables/units.h"
 
 namespace palmer {
 
@@ -23,6 +24,14 @@ struct TargetEntry {
 /// Reads the position of a target, in the unit positions are shown in; it has to lie between its neighbours.
 [[nodiscard]] TargetEntry typedTarget(QStringView text, const PositioningMeasurement &measurement,
                                       std::size_t target, const DisplayUnits &units);
+
+/// The unit that a heading says, of that kind. Throws Error where numbers are not converted from it.
+[[nodiscard]] const Unit &unitOfHeading(const SaidUnit &said, UnitKind kind);
+
+/// Of the readings and the positions of an axis.
+[[nodiscard]] constexpr UnitKind unitKindOf(Motion motion) {
+    return motion == Motion::linear ? UnitKind::length : UnitKind::angle;
+}
 
 /// The deviation of an actual position from its target, without the rounding errors of the difference: to a
 /// millionth of a micrometre.

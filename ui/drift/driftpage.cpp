@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/drift/driftpage.h"
 
+#include "document/documenterror.h"
 #include "document/edits.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/testfacts.h"
@@ -229,8 +230,14 @@ void DriftPage::paste() {
     const Test *shown = test();
     if (!shown)
         return;
-    const auto readings =
-        driftReadingsFrom(QGuiApplication::clipboard()->text(), motionOf(*shown), m_language.units());
+    std::optional<std::vector<DriftReading>> readings;
+    try {
+        readings =
+            driftReadingsFrom(QGuiApplication::clipboard()->text(), motionOf(*shown), m_language.units());
+    } catch (const Error &error) {
+        showReason(m_language.sentence(error.message) + u'.');
+        return;
+    }
     if (!readings) {
         showReason(tr("Two columns are expected: time in s and deviation."));
         return;

@@ -116,7 +116,10 @@ void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, cons
     m_content->setItemText(0, tr("Deviations %1", "unit").arg(small));
     m_content->setItemText(1, tr("Deviations %1", "unit").arg(large));
     m_content->setItemText(2, tr("Positions %1", "unit").arg(large));
-    m_content->setCurrentIndex(static_cast<int>(choices.content));
+    auto content = static_cast<qsizetype>(choices.content);
+    if (pasted.unit && choices.content != BlockContent::positions)
+        content = QStringList{small, large}.indexOf(QString::fromUtf8(pasted.unit->sign));
+    m_content->setCurrentIndex(static_cast<int>(content)); // −1: in a unit that is none of the choices
     setAccessibleDescription(summary + QStringLiteral(". ") + m_remarks->text());
     QFrame::show();
 }

@@ -108,6 +108,7 @@ void ReadingsPage::connectParts() {
     });
     connect(m_pasteBar, &PasteBar::contentChosen, this, [this](BlockContent content) {
         m_blockChoices.content = content;
+        m_blockChoices.unitsOfHeading = false;
         pasteAgain();
     });
     connect(m_pasteBar, &PasteBar::undoWanted, this, [this] {
@@ -289,8 +290,17 @@ void ReadingsPage::paste() {
     m_blockChoices = {m_model.unit() == ReadingUnit::positions ? BlockContent::positions
                                                                : BlockContent::deviations,
                       std::nullopt, std::nullopt, m_model.language().units()};
+    pasteBlock(false);
+}
+
+void ReadingsPage::pasteAgain() {
+    const QScopedValueRollback again(m_pastingAgain, true);
+    pasteBlock(true);
+}
+
+void ReadingsPage::pasteBlock(bool instead) {
     try {
-        if (const auto pasted = m_editor.paste(m_block, m_blockPlace, m_blockChoices)) {
+        if (const auto pasted = m_editor.paste(m_block, m_blockPlace, m_blockChoices, instead)) {
             m_blockChoices.delimiter = pasted->delimiter; // another decimal mark does not part the cells anew
             showPasted(*pasted);
         }
@@ -299,12 +309,6 @@ void ReadingsPage::paste() {
         nothing.remarks.push_back(error.message);
         showPasted(nothing);
     }
-}
-
-void ReadingsPage::pasteAgain() {
-    const QScopedValueRollback again(m_pastingAgain, true);
-    if (const auto pasted = m_editor.paste(m_block, m_blockPlace, m_blockChoices, true))
-        showPasted(*pasted);
 }
 
 void ReadingsPage::showPasted(const PastedBlock &pasted) {

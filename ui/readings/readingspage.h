@@ -71,6 +71,7 @@ private:
     void markRuling();
     void enableActions();
     void pasteAgain();
+    void pasteBlock(bool instead);
     void showPasted(const PastedBlock &pasted);
     void fill(bool down);
     void askReason();

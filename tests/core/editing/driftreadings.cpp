@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editing/driftreadings.h"
 
+#include "document/documenterror.h"
 #include "editing/newtest.h"
 
 #include <QTest>
@@ -55,6 +56,14 @@ private slots:
         QTest::newRow("blanks") << u"  0 0\n 10   1.5"_s << 2;
         QTest::newRow("with a head") << u"t s\tx µm\n0\t0\n10\t1.5"_s << 2;
         QTest::newRow("empty lines") << u"\n0\t0\n\n10\t1.5\n\n"_s << 2;
+        QTest::newRow("minutes and mm")
+            << u"Time (min)\tDeviation (mm)\n0\t0\n0.16666666666666666\t0.0015"_s << 2;
+        QTest::newRow("units without brackets") << u"t h\tx/nm\n0\t0\n0.002777777777777778\t1500"_s << 2;
+        QTest::newRow("units in a line of their own") << u"Zeit;Drift\ns;mm\n0;0\n10;0,0015"_s << 2;
+        QTest::newRow("a head of blanks") << u"t (ms) x (mm)\n0 0\n10000 0.0015"_s << 2;
+        QTest::newRow("deviations first") << u"x (mm)\tt (s)\n0\t0\n0.0015\t10"_s << 2;
+        QTest::newRow("deviations alone with a unit") << u"t\tx (mm)\n0\t0\n10\t0.0015"_s << 2;
+        QTest::newRow("times behind, alone with a unit") << u"x\tt [s]\n0\t0\n1.5\t10"_s << 2;
         QTest::newRow("three columns") << u"0\t0\t0\n1\t1\t1"_s << -1;
         QTest::newRow("one column") << u"0\n1"_s << -1;
         QTest::newRow("words further down") << u"0\t0\nend\tof file"_s << -1;
@@ -69,9 +78,15 @@ private slots:
         const auto found = driftReadingsFrom(text, Motion::linear);
         QCOMPARE(found ? static_cast<int>(found->size()) : -1, readings);
         if (readings == 2) {
-            QCOMPARE(found->back().time, 10.0);
+            QVERIFY(qFuzzyCompare(found->back().time, 10.0));
             QCOMPARE(found->back().deviation, 0.0015); // µm become mm exactly
         }
+    }
+
+    void unitsThatAreNotReadAreRefused() {
+        for (const QString &head : {u"t\tx (1/10 µm)"_s, u"t\tx (ppm)"_s, u"t\tx (arcsec)"_s, u"t\tT (°C)"_s})
+            QVERIFY_EXCEPTION_THROWN((void)driftReadingsFrom(head + u"\n0\t0\n10\t1.5"_s, Motion::linear),
+                                     Error);
     }
 
     void anglesAreArcSeconds() {

@@ -5,6 +5,7 @@
 #include "editing/readingblock.h"
 
 #include "core/kernel/evaluation/positioningdata.h"
+#include "document/documenterror.h"
 #include "editing/editreadings.h"
 #include "editing/newtest.h"
 
@@ -123,6 +124,51 @@ private slots:
         const PastedBlock pasted = pasteBlock(m, block(u',', "\t", 1), at(0, 1, m), {});
         QVERIFY(pasted.measurement.targets == exampleMeasurement().targets);
         QVERIFY(pasted.measurement.runs == exampleMeasurement().runs);
+    }
+
+    void readsTheUnitsOfTheHeading_data() {
+        QTest::addColumn<std::string>("text");
+        QTest::addColumn<std::size_t>("column");
+        QTest::addColumn<QString>("sign"); // empty: said nowhere, or by each column another
+        const auto row = [](const char *name, const char *text, std::size_t column, const char *sign) {
+            QTest::newRow(name) << std::string(text) << column << QString(sign);
+        };
+        row("mm", "Dev (mm)\n0.0015\n-0.002", 2, "mm");
+        row("nm", "nm\n1500\n-2000", 2, "nm");
+        row("none", "Dev\n1.5\n-2", 2, "");
+        row("first column alone", "run 1 [mm]\trun 2\n0.0015\t0.003\n-0.002\t0", 2, "mm");
+        row("each its own", "mm\tµm\n0.0015\t3\n-0.002\t0", 2, "");
+        row("targets in mm", "P (mm)\tDev\n0\t1.5\n150.71\t-2", 1, "");
+        row("targets in m, put on the first reading", "P (m)\tDev (mm)\n0\t0.0015\n0.15071\t-0.002",
+            2, "mm");
+    }
+    void readsTheUnitsOfTheHeading() {
+        QFETCH(const std::string, text);
+        QFETCH(const std::size_t, column);
+        QFETCH(const QString, sign);
+        const PositioningMeasurement empty = emptyExample();
+        const PastedBlock pasted = pasteBlock(empty, text, at(0, column, empty), {});
+        QCOMPARE(readingAt(pasted.measurement, {0, 0}), std::optional(0.0015));
+        QCOMPARE(readingAt(pasted.measurement, {0, 1}), std::optional(-0.002));
+        if (const auto second = readingAt(pasted.measurement, {1, 0}))
+            QCOMPARE(*second, 0.003);
+        QCOMPARE(pasted.measurement.targets, empty.targets);
+        QCOMPARE(QString(pasted.unit ? pasted.unit->sign : ""), sign);
+    }
+
+    void whatIsChosenWinsOverTheHeading() {
+        const PositioningMeasurement empty = emptyExample();
+        BlockChoices choices;
+        choices.unitsOfHeading = false;
+        const PastedBlock pasted = pasteBlock(empty, "(mm)\n1.5", at(0, 2, empty), choices);
+        QCOMPARE(readingAt(pasted.measurement, {0, 0}), std::optional(0.0015));
+    }
+
+    void unitsThatAreNotReadAreRefused() {
+        const PositioningMeasurement empty = emptyExample();
+        for (const char *heading : {"(1/10 µm)", "ppm", "arcsec"})
+            QVERIFY_EXCEPTION_THROWN(
+                (void)pasteBlock(empty, std::string(heading) + "\n1.5", at(0, 2, empty), {}), Error);
     }
 
     void aBlockGoesWhereItIsPut() {

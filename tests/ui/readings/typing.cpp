@@ -370,6 +370,19 @@ private slots:
         QVERIFY(!typing.find<QWidget>("pasteBar")->isVisible());
     }
 
+    void theUnitOfTheHeadingIsReadAndShown() {
+        const TypingWindow typing(emptyTest());
+        typing.setCurrent(0, 0);
+        typing.paste("Deviation (mm)\n0.0015\n0.0022\n");
+        QCOMPARE(readingAt(typing.measurement(), {0, 0}), std::optional(0.0015));
+        auto *content = typing.find<QComboBox>("pasteContent");
+        QCOMPARE(content->currentText(), QString("Deviations mm"));
+        QVERIFY(typing.find<QLabel>("pasteRemarks")->text().contains("read in mm, as the heading says"));
+        emit content->activated(0);
+        QCOMPARE(readingAt(typing.measurement(), {0, 0}), std::optional(0.0000015));
+        QCOMPARE(content->currentIndex(), 0);
+    }
+
     void copiesWhatCanBePasted() {
         for (const Language::Id language : {Language::Id::english, Language::Id::french}) {
             setWindowLanguage(language);
