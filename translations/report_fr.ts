@@ -5706,8 +5706,8 @@
         <translation>lu en %1, comme l’indique l’en-tête</translation>
     </message>
     <message>
-        <source>expected a temperature of −273.15 °C or more</source>
-        <translation>attendu&#xa0;: une température d’au moins −273,15&#xa0;°C</translation>
+        <source>expected a temperature of %2 or more</source>
+        <translation>attendu&#xa0;: une température d’au moins %2</translation>
     </message>
     <message>
         <source>expected a coefficient of expansion between −%1 and %1 µm/(m·°C)</source>

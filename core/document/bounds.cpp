@@ -33,13 +33,13 @@ struct Bounds {
     unsigned demand = nothing;
     double least = 0;
     double most = 0;
-    Text expected; ///< %1: the most
+    Text expected; ///< %1: the most, %2: the least
 };
 constexpr std::array<Bounds, 3> allBounds{{
     {reading, -mostOfReading, mostOfReading,
      REPORT_TEXT("report", "expected a reading between −%1 and %1 mm (rotary axis: degrees)")},
     {celsius, leastTemperature, std::numeric_limits<double>::infinity(),
-     REPORT_TEXT("report", "expected a temperature of −273.15 °C or more")},
+     REPORT_TEXT("report", "expected a temperature of %2 or more")},
     {coefficient, -mostOfExpansion, mostOfExpansion,
      REPORT_TEXT("report", "expected a coefficient of expansion between −%1 and %1 µm/(m·°C)")},
 }};
@@ -125,7 +125,10 @@ std::size_t lengthOf(QStringView text) {
 
 std::optional<Message> beyondBounds(double value, unsigned demands) {
     const Bounds *broken = brokenBounds(value, demands);
-    return broken ? std::optional(Message{broken->expected, {Number{broken->most, Quantity::count, 0}}, {}})
+    return broken ? std::optional(Message{broken->expected,
+                                          {Number{broken->most, Quantity::count, 0},
+                                           Number{broken->least, Quantity::temperature}},
+                                          {}})
                   : std::nullopt;
 }
 

@@ -5,6 +5,7 @@
 #include "language/visibletext.h"
 
 #include <QByteArray>
+#include <QStringList>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -22,19 +23,21 @@ public:
         : m_mark(mark)
         , m_delimiter(mark == ',' ? ';' : ',') {}
 
+    /// What follows a separator in it is a cell of its own to a spreadsheet.
     void comment(const std::string &text) {
-        std::string line;
-        for (const char c : onOneLine(text)) {
-            const bool beginsCell = line.ends_with(',') || line.ends_with(';');
-            line += beginsCell && looksLikeFormula({c}) ? std::string{'\'', c} : std::string{c};
-        }
-        if (!line.empty())
-            m_text += "# " + line + '\n';
+        QStringList cells =
+            visibleText(QString::fromStdString(text)).replace(u'\n', u' ').split(QLatin1Char(m_delimiter));
+        for (qsizetype i = 1; i < cells.size(); ++i)
+            cells[i] = cellText(cells[i]);
+        if (!text.empty())
+            m_text += "# " + cells.join(QLatin1Char(m_delimiter)).toStdString() + '\n';
     }
-    /// A text that a spreadsheet would take for a formula gets an apostrophe in front.
     void text(const std::string &cell) {
         begin();
-        m_text += quoted(looksLikeFormula(cell) ? '\'' + cell : cell);
+        QString text = cellText(QString::fromStdString(cell));
+        if (text.contains(u'"') || text.contains(u',') || text.contains(u';'))
+            text = u'"' + text.replace(u'"', QStringLiteral("\"\"")) + u'"';
+        m_text += text.toStdString();
     }
     void number(std::optional<double> value) {
         begin();
@@ -57,29 +60,6 @@ public:
     [[nodiscard]] QByteArray bytes() const { return QByteArray::fromStdString(m_text); }
 
 private:
-    static bool looksLikeFormula(const std::string &cell) {
-        double number = 0;
-        const char *const end = cell.data() + cell.size();
-        if (std::from_chars(cell.data(), end, number).ptr == end)
-            return false; // a text that is a number stays one
-        return cell.starts_with("\u2212") || cell.find_first_of("=+-@\t") == 0;
-    }
-
-    static std::string onOneLine(const std::string &text) {
-        return visibleText(QString::fromStdString(text)).replace(u'\n', u' ').toStdString();
-    }
-
-    /// On one line, in quotation marks where it has to be.
-    static std::string quoted(const std::string &cell) {
-        const std::string line = onOneLine(cell);
-        if (line.find_first_of("\";,") == std::string::npos)
-            return line;
-        std::string result = "\"";
-        for (const char c : line)
-            result += c == '"' ? std::string("\"\"") : std::string(1, c);
-        return result + '"';
-    }
-
     void begin() {
         if (!m_first)
             m_text += m_delimiter;

@@ -53,6 +53,15 @@ QByteArray visibleText(const QByteArray &utf8) {
     return visibleText(QString::fromUtf8(utf8)).toUtf8();
 }
 
+QString cellText(const QString &text) {
+    const QString line = visibleText(text).replace(u'\n', u' ');
+    bool isNumber = false;
+    line.toDouble(&isNumber);
+    const bool isFormula =
+        !isNumber && !text.isEmpty() && QStringView(u"=+-\u2212@\t").contains(text.front());
+    return isFormula ? u'\'' + line : line;
+}
+
 std::string withJsonEscapes(std::string json) {
     if (std::ranges::all_of(json, isAscii))
         return json;

@@ -16,6 +16,10 @@ namespace palmer {
 /// The same of UTF-8.
 [[nodiscard]] QByteArray visibleText(const QByteArray &utf8);
 
+/// The text of a cell, seen and on one line, that no spreadsheet takes for a formula: one that begins as such
+/// gets an apostrophe in front, a number stays one.
+[[nodiscard]] QString cellText(const QString &text);
+
 /// JSON in UTF-8 with them as its escapes: "\u202e".
 [[nodiscard]] std::string withJsonEscapes(std::string json);
 

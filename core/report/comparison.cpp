@@ -425,11 +425,7 @@ QString asTabSeparated(const ResultComparison &comparison) {
     const auto plain = [](QString text) {
         text.replace(u'\u2212', u'-');
         text.remove(u'\u202f');
-        text = visibleText(text.replace(u'\t', u' ')).replace(u'\n', u' ');
-        bool isNumber = false;
-        text.toDouble(&isNumber);
-        return !isNumber && text.size() > 1 && QStringView(u"=+-@").contains(text.front()) ? u'\'' + text
-                                                                                           : text;
+        return cellText(text);
     };
     const bool hasReasons =
         std::ranges::any_of(comparison.rows, [](const ComparisonRow &row) { return !row.reasons.isEmpty(); });

@@ -368,7 +368,7 @@ private:
         }
     }
 
-    /// Nothing that steers a terminal or turns the order of characters is left raw.
+    /// No exit contains a raw control character or a mark of direction.
     void harmless(const char *exit, const QString &text) {
         if (QString(text).remove(u'\r') != visibleText(text))
             violated("harmless", std::string(exit) + " has raw control characters");

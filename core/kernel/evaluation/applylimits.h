@@ -25,8 +25,9 @@ struct Judged {
 /// as it does for a limit agreed for another edition; `missing` says why there are none. A limit that cannot
 /// be evaluated leaves the test not proven. Of two limits for one parameter its row has the one
 /// with the worse verdict, of equal verdicts the one with less room, and a finding says which: the verdict of
-/// the test is always the worst of its rows. Away from 20 °C and not corrected, rules that ask for a proof
-/// prove nothing where the temperature matters. A view has no verdicts.
+/// the test is always the worst of its rows. Where lengths do not hold at 20 °C, rules that ask for a proof
+/// prove nothing of what depends on them; where that is open, they do not prove conformity. A view has no
+/// verdicts.
 void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
                  const std::function<std::vector<Judged>(const std::string &id)> &judged,
                  const std::function<NotEvaluable(const std::string &id)> &missing);

@@ -28,10 +28,10 @@ struct OtherTemperature {
 /// open: not corrected, and a temperature that would show that they hold is not stated.
 enum class At20 { hold, open, wrong };
 
-/// Of lengths of `length` mm. They hold where they are corrected, where start and end of machine and
-/// instrument were at 20 °C, and where the differential expansion is known and below 0.05 µm all the time.
-/// Else they are wrong where a temperature is away from 20 °C, or a correction here was asked for and is
-/// impossible.
+/// Whether lengths of `length` mm hold: they do if they are corrected, if machine and instrument were at 20
+/// °C at start and end, and if the differential expansion is known and below 0.05 µm at every temperature.
+/// Otherwise they are wrong if a temperature is away from 20 °C, or if a correction was to be made here and
+/// is impossible.
 [[nodiscard]] At20 lengthsAt20(const Conditions &conditions, double length);
 
 } // namespace palmer

@@ -34,13 +34,11 @@ public:
                 REPORT_TEXT("report", "2 · %1 / √12"));
         addRepeatability();
         addSize(driftId, REPORT_TEXT("report", "environmental variation, E_VE"), m_environmentalVariation,
-                REPORT_TEXT("report", "environmental variation error E_VE"), 1 / rootOfTwelve,
-                REPORT_TEXT("report", "2 · %1 / √12"));
+                inputs::environment, 1 / rootOfTwelve, REPORT_TEXT("report", "2 · %1 / √12"));
         addReferenceLength();
         addCorrection();
         addSize(centringId, REPORT_TEXT("report", "centring of the set-up"), m_inputs.centring,
-                REPORT_TEXT("report", "standard uncertainty of the centring"), 1,
-                REPORT_TEXT("report", "2 · %1"));
+                inputs::centring, 1, REPORT_TEXT("report", "2 · %1"));
         addPointNoise();
         return std::move(m_budget);
     }
@@ -70,8 +68,7 @@ private:
         Contribution result{id, name, {}, {}, true, {}};
         InputReader read(result);
         const double size = read.size(expanded, id, input);
-        const double factor =
-            read.positive(k, id, REPORT_TEXT("report", "coverage factor of the certificate"));
+        const double factor = read.positive(k, id, inputs::certificateFactor);
         result.inputs = k == coverage ? Message{REPORT_TEXT("report", "%1"), {micrometres(size)}}
                                       : Message{REPORT_TEXT("report", "%1 · 2/%2"),
                                                 {micrometres(size), Number{factor, Quantity::number}}};
@@ -81,21 +78,20 @@ private:
     void addDisplacement() {
         addCertified(displacementId, REPORT_TEXT("report", "instrument, calibration of displacement"),
                      m_inputs.displacement.expanded, m_inputs.displacement.coverageFactor,
-                     REPORT_TEXT("report", "uncertainty of the calibration of displacement"));
+                     inputs::displacement);
     }
 
     void addReferenceLength() {
         const ReferenceLength &length = m_measurement.referenceLength;
         addCertified(referenceLengthId, REPORT_TEXT("report", "reference length"), length.expandedUncertainty,
-                     length.coverageFactor, REPORT_TEXT("report", "uncertainty of the reference length"));
+                     length.coverageFactor, inputs::referenceLength);
     }
 
     void addPointNoise() {
         const auto n = static_cast<double>(std::max<std::size_t>(m_points, 1));
         Contribution result{pointNoiseId, REPORT_TEXT("report", "noise of the points"), {}, {}, true, {}};
         InputReader read(result);
-        const double noise = read.size(m_inputs.pointNoise, pointNoiseId,
-                                       REPORT_TEXT("report", "standard uncertainty of one point"));
+        const double noise = read.size(m_inputs.pointNoise, pointNoiseId, inputs::pointNoise);
         result.inputs = {REPORT_TEXT("report", "2 · %1 / √%2"),
                          {micrometres(noise), Number{n, Quantity::count}}};
         store(std::move(result), noise / std::sqrt(n));
@@ -159,10 +155,6 @@ private:
         const auto &[uMachine, uInstrument] = m_inputs.temperatureStandardUncertainty;
         const Text alphaOfMachine = REPORT_TEXT("report", "coefficient of expansion α of the machine");
         const Text alphaOfInstrument = REPORT_TEXT("report", "coefficient of expansion α of the instrument");
-        const Text uOfMachine =
-            REPORT_TEXT("report", "standard uncertainty of the temperature of the machine");
-        const Text uOfInstrument =
-            REPORT_TEXT("report", "standard uncertainty of the temperature of the instrument");
 
         double squares = 0;
         const auto add = [&](double term) { squares += term * term; };
@@ -173,18 +165,18 @@ private:
             if (alphaMachine && alphaInstrument)
                 difference = *alphaInstrument - *alphaMachine;
             add(temperatureTerm(read, difference, uMachine ? uMachine : uInstrument,
-                                alphaMachine ? alphaOfInstrument : alphaOfMachine, uOfMachine));
+                                alphaMachine ? alphaOfInstrument : alphaOfMachine, inputs::thetaOfMachine));
         } else {
-            add(temperatureTerm(read, alphaMachine, uMachine, alphaOfMachine, uOfMachine));
-            add(temperatureTerm(read, alphaInstrument, uInstrument, alphaOfInstrument, uOfInstrument));
+            add(temperatureTerm(read, alphaMachine, uMachine, alphaOfMachine, inputs::thetaOfMachine));
+            add(temperatureTerm(read, alphaInstrument, uInstrument, alphaOfInstrument,
+                                inputs::thetaOfInstrument));
         }
         const auto &[uAlphaMachine, uAlphaInstrument] = m_inputs.expansionStandardUncertainty;
-        add(expansionTerm(
-            read, machine, uAlphaMachine, REPORT_TEXT("report", "temperature θ of the machine"),
-            REPORT_TEXT("report", "standard uncertainty of the coefficient of expansion of the machine")));
-        add(expansionTerm(
-            read, instrument, uAlphaInstrument, REPORT_TEXT("report", "temperature θ of the instrument"),
-            REPORT_TEXT("report", "standard uncertainty of the coefficient of expansion of the instrument")));
+        add(expansionTerm(read, machine, uAlphaMachine, REPORT_TEXT("report", "temperature θ of the machine"),
+                          inputs::alphaOfMachine));
+        add(expansionTerm(read, instrument, uAlphaInstrument,
+                          REPORT_TEXT("report", "temperature θ of the instrument"),
+                          inputs::alphaOfInstrument));
 
         constexpr double parts = 1e-6; // α is in µm/(m·°C)
         const double u = m_measurement.nominalRadius * parts * std::sqrt(squares) * micrometresPerMm;

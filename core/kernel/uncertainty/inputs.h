@@ -15,6 +15,35 @@ namespace palmer {
 inline constexpr double coverage = 2;            ///< k of every U here
 inline constexpr double micrometresPerMm = 1000; ///< certificates speak of µm
 
+/// What the inputs are called, by budgets and by lists of what a test states.
+namespace inputs {
+inline constexpr Text fixedPart = REPORT_TEXT("report", "fixed part of the instrument");
+inline constexpr Text perMetre = REPORT_TEXT("report", "part per metre of the instrument");
+inline constexpr Text certificateFactor = REPORT_TEXT("report", "coverage factor of the certificate");
+inline constexpr Text misalignment = REPORT_TEXT("report", "range of the misalignment");
+inline constexpr Text thetaRangeMachine =
+    REPORT_TEXT("report", "range R(θ) of the temperature of the machine");
+inline constexpr Text thetaRangeInstrument =
+    REPORT_TEXT("report", "range R(θ) of the temperature of the instrument");
+inline constexpr Text alphaRangeMachine =
+    REPORT_TEXT("report", "range R(α) of the coefficient of expansion of the machine");
+inline constexpr Text alphaRangeInstrument =
+    REPORT_TEXT("report", "range R(α) of the coefficient of expansion of the instrument");
+inline constexpr Text environment = REPORT_TEXT("report", "environmental variation error E_VE");
+inline constexpr Text displacement = REPORT_TEXT("report", "uncertainty of the calibration of displacement");
+inline constexpr Text referenceLength = REPORT_TEXT("report", "uncertainty of the reference length");
+inline constexpr Text centring = REPORT_TEXT("report", "standard uncertainty of the centring");
+inline constexpr Text pointNoise = REPORT_TEXT("report", "standard uncertainty of one point");
+inline constexpr Text thetaOfMachine =
+    REPORT_TEXT("report", "standard uncertainty of the temperature of the machine");
+inline constexpr Text thetaOfInstrument =
+    REPORT_TEXT("report", "standard uncertainty of the temperature of the instrument");
+inline constexpr Text alphaOfMachine =
+    REPORT_TEXT("report", "standard uncertainty of the coefficient of expansion of the machine");
+inline constexpr Text alphaOfInstrument =
+    REPORT_TEXT("report", "standard uncertainty of the coefficient of expansion of the instrument");
+} // namespace inputs
+
 /// The sizes (ranges, uncertainties) that a contribution is made of.
 class InputReader {
 public:

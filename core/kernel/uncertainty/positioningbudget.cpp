@@ -15,7 +15,7 @@ namespace {
 constexpr double mmPerMetre = 1000; ///< L is in mm, certificates and α speak of metres
 constexpr double arcSecondsPerDegree = 3600;
 
-/// Of the temperatures at start and end the one farther from 20 °C; one alone does not say.
+/// The temperature at start or end that is farther from 20 °C; null unless both are known.
 std::optional<double> fartherTemperature(const Conditions &conditions, SensorMeasures what) {
     const auto start = meanTemperature(conditions, what, startTemperature);
     const auto end = meanTemperature(conditions, what, endTemperature);
@@ -45,16 +45,14 @@ constexpr std::array bodies{
          REPORT_TEXT("report", "coefficient of expansion of the machine"), SensorMeasures::machine,
          &MachineAndInstrument::machine, &Expansion::machine,
          REPORT_TEXT("report", "temperature θ of the machine"),
-         REPORT_TEXT("report", "coefficient of expansion α of the machine"),
-         REPORT_TEXT("report", "range R(θ) of the temperature of the machine"),
-         REPORT_TEXT("report", "range R(α) of the coefficient of expansion of the machine")},
+         REPORT_TEXT("report", "coefficient of expansion α of the machine"), inputs::thetaRangeMachine,
+         inputs::alphaRangeMachine},
     Body{"temperatureInstrument", REPORT_TEXT("report", "temperature of the instrument"),
          "expansionInstrument", REPORT_TEXT("report", "coefficient of expansion of the instrument"),
          SensorMeasures::instrument, &MachineAndInstrument::instrument, &Expansion::instrument,
          REPORT_TEXT("report", "temperature θ of the instrument"),
-         REPORT_TEXT("report", "coefficient of expansion α of the instrument"),
-         REPORT_TEXT("report", "range R(θ) of the temperature of the instrument"),
-         REPORT_TEXT("report", "range R(α) of the coefficient of expansion of the instrument")},
+         REPORT_TEXT("report", "coefficient of expansion α of the instrument"), inputs::thetaRangeInstrument,
+         inputs::alphaRangeInstrument},
 };
 
 /// A difference of temperatures without the rounding errors of its computation.
@@ -124,10 +122,9 @@ private:
                             true,
                             {}};
         InputReader read(result);
-        const double fixed =
-            read.size(device.fixed, deviceId, REPORT_TEXT("report", "fixed part of the instrument"));
+        const double fixed = read.size(device.fixed, deviceId, inputs::fixedPart);
         double perMetre = 0;
-        const Text name = REPORT_TEXT("report", "part per metre of the instrument");
+        const Text name = inputs::perMetre;
         if (m_linear)
             perMetre = read.size(device.perMetre, deviceId, name);
         else if (device.perMetre && !isZero(device.perMetre))
@@ -137,8 +134,7 @@ private:
             lengthFor(read);
         double scale = rectangularFactor;
         if (certificate)
-            scale = coverage / read.positive(device.coverageFactor, deviceId,
-                                             REPORT_TEXT("report", "coverage factor of the certificate"));
+            scale = coverage / read.positive(device.coverageFactor, deviceId, inputs::certificateFactor);
         const double atLength = fixed + perMetre * m_length / mmPerMetre;
         result.inputs = deviceInputs(certificate, fixed, perMetre);
         m_budget.fixedDevice = scale * fixed / m_toBase;
@@ -171,8 +167,7 @@ private:
         constexpr double squareFactor = rectangularFactor / 2; // the cosine error lies between 0 and R²/2L
         Contribution result{misalignmentId, REPORT_TEXT("report", "misalignment"), {}, {}, true, {}};
         InputReader read(result);
-        const double range = read.size(m_inputs.misalignmentRange, "misalignmentRange",
-                                       REPORT_TEXT("report", "range of the misalignment"));
+        const double range = read.size(m_inputs.misalignmentRange, "misalignmentRange", inputs::misalignment);
         double expanded = 0;
         if (range > 0)
             expanded = squareFactor * range * range / lengthFor(read) * micrometresPerMm;
@@ -255,8 +250,8 @@ private:
                             true,
                             {}};
         InputReader read(result);
-        const double range = read.size(m_environmentalVariation, environmentalVariationId,
-                                       REPORT_TEXT("report", "environmental variation error E_VE"));
+        const double range =
+            read.size(m_environmentalVariation, environmentalVariationId, inputs::environment);
         result.inputs = {REPORT_TEXT("report", "%1 · %2"), {factor(rectangularFactor), size(range)}};
         store(std::move(result), rectangularFactor * range);
     }

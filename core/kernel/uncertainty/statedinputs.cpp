@@ -28,47 +28,37 @@ void addInputs(Inputs &inputs, const PositioningMeasurement &measurement) {
     const PositioningUncertaintyInputs &of = measurement.uncertainty;
     const Quantity size =
         measurement.axis.motion == Motion::linear ? Quantity::micrometres : Quantity::arcSeconds;
-    inputs.add(REPORT_TEXT("report", "fixed part of the instrument"), of.device.fixed, size);
-    inputs.add(REPORT_TEXT("report", "part per metre of the instrument"), of.device.perMetre, size);
-    inputs.addFactor(REPORT_TEXT("report", "coverage factor of the certificate"), of.device.coverageFactor);
-    inputs.add(REPORT_TEXT("report", "range of the misalignment"), of.misalignmentRange, Quantity::position);
-    inputs.add(REPORT_TEXT("report", "range R(θ) of the temperature of the machine"),
-               of.temperatureRange.machine, Quantity::temperature);
-    inputs.add(REPORT_TEXT("report", "range R(θ) of the temperature of the instrument"),
-               of.temperatureRange.instrument, Quantity::temperature);
-    inputs.add(REPORT_TEXT("report", "range R(α) of the coefficient of expansion of the machine"),
-               of.expansionRange.machine, Quantity::expansion);
-    inputs.add(REPORT_TEXT("report", "range R(α) of the coefficient of expansion of the instrument"),
-               of.expansionRange.instrument, Quantity::expansion);
-    inputs.add(REPORT_TEXT("report", "environmental variation error E_VE"), of.environmentalVariation, size);
+    inputs.add(inputs::fixedPart, of.device.fixed, size);
+    inputs.add(inputs::perMetre, of.device.perMetre, size);
+    inputs.addFactor(inputs::certificateFactor, of.device.coverageFactor);
+    inputs.add(inputs::misalignment, of.misalignmentRange, Quantity::position);
+    inputs.add(inputs::thetaRangeMachine, of.temperatureRange.machine, Quantity::temperature);
+    inputs.add(inputs::thetaRangeInstrument, of.temperatureRange.instrument, Quantity::temperature);
+    inputs.add(inputs::alphaRangeMachine, of.expansionRange.machine, Quantity::expansion);
+    inputs.add(inputs::alphaRangeInstrument, of.expansionRange.instrument, Quantity::expansion);
+    inputs.add(inputs::environment, of.environmentalVariation, size);
     inputs.add(REPORT_TEXT("report", "length L"), of.length, Quantity::position);
 }
 
 void addInputs(Inputs &inputs, const CircularMeasurement &measurement) {
     const CircularUncertaintyInputs &of = measurement.uncertainty;
     constexpr Quantity size = Quantity::micrometres;
-    inputs.add(REPORT_TEXT("report", "uncertainty of the calibration of displacement"),
-               of.displacement.expanded, size);
+    inputs.add(inputs::displacement, of.displacement.expanded, size);
     inputs.addFactor(REPORT_TEXT("report", "coverage factor of the calibration of displacement"),
                      of.displacement.coverageFactor);
     inputs.add(REPORT_TEXT("report", "resolution of the instrument"), of.resolution, size);
     inputs.add(REPORT_TEXT("report", "repeatability"), of.repeatability, size);
-    inputs.add(REPORT_TEXT("report", "environmental variation error E_VE"), of.environmentalVariation, size);
-    inputs.add(REPORT_TEXT("report", "uncertainty of the reference length"),
-               measurement.referenceLength.expandedUncertainty, size);
+    inputs.add(inputs::environment, of.environmentalVariation, size);
+    inputs.add(inputs::referenceLength, measurement.referenceLength.expandedUncertainty, size);
     inputs.addFactor(REPORT_TEXT("report", "coverage factor of the reference length"),
                      measurement.referenceLength.coverageFactor);
-    inputs.add(REPORT_TEXT("report", "standard uncertainty of the centring"), of.centring, size);
-    inputs.add(REPORT_TEXT("report", "standard uncertainty of one point"), of.pointNoise, size);
-    inputs.add(REPORT_TEXT("report", "standard uncertainty of the temperature of the machine"),
-               of.temperatureStandardUncertainty.machine, Quantity::temperature);
-    inputs.add(REPORT_TEXT("report", "standard uncertainty of the temperature of the instrument"),
-               of.temperatureStandardUncertainty.instrument, Quantity::temperature);
-    inputs.add(REPORT_TEXT("report", "standard uncertainty of the coefficient of expansion of the machine"),
-               of.expansionStandardUncertainty.machine, Quantity::expansion);
-    inputs.add(
-        REPORT_TEXT("report", "standard uncertainty of the coefficient of expansion of the instrument"),
-        of.expansionStandardUncertainty.instrument, Quantity::expansion);
+    inputs.add(inputs::centring, of.centring, size);
+    inputs.add(inputs::pointNoise, of.pointNoise, size);
+    inputs.add(inputs::thetaOfMachine, of.temperatureStandardUncertainty.machine, Quantity::temperature);
+    inputs.add(inputs::thetaOfInstrument, of.temperatureStandardUncertainty.instrument,
+               Quantity::temperature);
+    inputs.add(inputs::alphaOfMachine, of.expansionStandardUncertainty.machine, Quantity::expansion);
+    inputs.add(inputs::alphaOfInstrument, of.expansionStandardUncertainty.instrument, Quantity::expansion);
 }
 
 void addInputs(Inputs & /*inputs*/, const DriftMeasurement & /*measurement*/) {}

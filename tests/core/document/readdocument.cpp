@@ -466,7 +466,7 @@ private slots:
         row("negative expanded uncertainty",
             positioningFile(noReadings + R"(, "uncertainty": {"expanded": {"A": -1}})"), content,
             "tests[0].uncertainty.expanded.A", "expected a number that is not negative");
-        const char *temperature = "expected a temperature of −273.15 °C or more";
+        const char *temperature = "expected a temperature of %2 or more";
         row("colder than can be",
             positioningFile(noReadings + R"(, "conditions": {"sensors": [{"start": -300}]})"), content,
             "tests[0].conditions.sensors[0].start", temperature);

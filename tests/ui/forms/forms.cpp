@@ -451,7 +451,7 @@ private slots:
             QTest::keyClicks(entered->edit(), typed);
             return entered->refusal();
         };
-        QCOMPARE(refusalOf(u"sensors"_s, u"-300"_s), u"Expected a temperature of −273.15 °C or more."_s);
+        QCOMPARE(refusalOf(u"sensors"_s, u"-300"_s), u"Expected a temperature of −273.15 °C or more."_s);
         QCOMPARE(refusalOf(u"expansion"_s, u"117"_s),
                  u"Expected a coefficient of expansion between −100 and 100 µm/(m·°C)."_s);
     }

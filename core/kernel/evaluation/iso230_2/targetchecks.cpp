@@ -352,7 +352,7 @@ Judgement spacing(const PositioningCase &test) {
     Judgement ends = reachesEnds(test);
     if (ends.state == State::unmet)
         return ends;
-    // Of what period nobody knows, unequal steps may leave it by more than two.
+    // Unequal steps may differ by more than two periods if the period is not known.
     const bool anyPeriod = (period && *period > 0) || evenlySpaced(targets);
     return anyPeriod ? ends : Judgement::undeclared();
 }
