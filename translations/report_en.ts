@@ -207,6 +207,13 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>%n target(s) without any reading: %1.</source>
+        <translation>
+            <numerusform>%n target without any reading: %1.</numerusform>
+            <numerusform>%n targets without any reading: %1.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n target(s) over %1: practice asks for at least %2.</source>
         <translation>
             <numerusform>%n target over %1: practice asks for at least %2.</numerusform>

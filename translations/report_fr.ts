@@ -105,6 +105,10 @@
         <translation>longueur de référence non étalonnée</translation>
     </message>
     <message>
+        <source>calibration of the reference length not stated</source>
+        <translation>étalonnage de la longueur de référence non indiqué</translation>
+    </message>
+    <message>
         <source>not a parameter of this test</source>
         <translation>grandeur étrangère à cet essai</translation>
     </message>
@@ -1579,6 +1583,10 @@
     <message>
         <source>rapid feed</source>
         <translation>vitesse rapide</translation>
+    </message>
+    <message>
+        <source>programmed feed</source>
+        <translation>vitesse programmée</translation>
     </message>
     <message>
         <source>Feed between targets</source>
@@ -4247,6 +4255,14 @@
         <translation>Les deux axes déplacés. Le sens et l’angle vont du premier vers le second.</translation>
     </message>
     <message>
+        <source>Required results</source>
+        <translation>Résultats demandés</translation>
+    </message>
+    <message>
+        <source>The results that supplier and user ask for: G, G(b), F, D. Bi-directional ones need a path of each sense.</source>
+        <translation>Les résultats demandés par le fournisseur et l’utilisateur&#xa0;: G, G(b), F, D. Les résultats bidirectionnels exigent une trajectoire dans chaque sens.</translation>
+    </message>
+    <message>
         <source>Centre of the circle</source>
         <translation>Centre du cercle</translation>
     </message>
@@ -5922,24 +5938,32 @@
         <translation>(usage&#x202f;; texte non disponible)</translation>
     </message>
     <message>
-        <source>Laboratory practice, not stated: %1.</source>
-        <translation>Usage de laboratoire, non indiqué&#xa0;: %1.</translation>
+        <source>Laboratory practice, not stated%2: %1.</source>
+        <translation>Usage de laboratoire, non indiqué%2&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>Not declared: %1.</source>
-        <translation>Non déclaré&#xa0;: %1.</translation>
+        <source>Not declared%2: %1.</source>
+        <translation>Non déclaré%2&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>Not stated in the report: %1.</source>
-        <translation>Non indiqué dans le rapport&#xa0;: %1.</translation>
+        <source>Not stated in the report%2: %1.</source>
+        <translation>Non indiqué dans le rapport%2&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>To be agreed, not agreed: %1.</source>
-        <translation>Soumis à accord, non convenu&#xa0;: %1.</translation>
+        <source>To be agreed, not agreed%2: %1.</source>
+        <translation>Soumis à accord, non convenu%2&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>To be agreed (clause %2), not agreed: %1.</source>
-        <translation>Soumis à accord (article %2), non convenu&#xa0;: %1.</translation>
+        <source>To be agreed, not declared%2: %1.</source>
+        <translation>Soumis à accord, non déclaré%2&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>To be agreed (clause %3), not agreed%2: %1.</source>
+        <translation>Soumis à accord (article %3), non convenu%2&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>To be agreed (clause %3), not declared%2: %1.</source>
+        <translation>Soumis à accord (article %3), non déclaré%2&#xa0;: %1.</translation>
     </message>
     <message>
         <source>No limit of the gradient was agreed.</source>
@@ -5952,6 +5976,10 @@
     <message>
         <source>ends of the axis</source>
         <translation>extrémités de l’axe</translation>
+    </message>
+    <message>
+        <source>approach distance</source>
+        <translation>distance d’approche</translation>
     </message>
     <message>
         <source>Gradient %1, agreed limit %2.</source>
@@ -6263,6 +6291,10 @@
     <message>
         <source>temperatures at start and end</source>
         <translation>températures au début et à la fin</translation>
+    </message>
+    <message>
+        <source>what a temperature sensor measures</source>
+        <translation>ce que mesure un capteur de température</translation>
     </message>
     <message>
         <source>end of validity of each calibration</source>
@@ -6666,8 +6698,8 @@
         <translation>Durée de stabilisation</translation>
     </message>
     <message>
-        <source>How long machine and instruments stood in their environment before the test: 12 h. Stated, it declares that they were stable.</source>
-        <translation>Depuis combien de temps la machine et les instruments se trouvaient dans leur environnement avant l’essai&#xa0;: 12&#xa0;h. Indiquée, elle déclare qu’ils étaient stabilisés.</translation>
+        <source>How long machine and instruments stood in their environment before the test: 12 h. Whether that made them stable is declared beside it.</source>
+        <translation>Depuis combien de temps la machine et les instruments se trouvaient dans leur environnement avant l’essai&#xa0;: 12&#xa0;h. La stabilité qui en résulte se déclare à côté.</translation>
     </message>
     <message>
         <source>Shielded from draughts and radiation</source>
@@ -8755,6 +8787,13 @@
         <translation>
             <numerusform>%n point visé sur %1&#xa0;: au moins 5 par mètre sont exigés, soit %2 ici.</numerusform>
             <numerusform>%n points visés sur %1&#xa0;: au moins 5 par mètre sont exigés, soit %2 ici.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s) without any reading: %1.</source>
+        <translation>
+            <numerusform>%n point visé sans aucun relevé&#xa0;: %1.</numerusform>
+            <numerusform>%n points visés sans aucun relevé&#xa0;: %1.</numerusform>
         </translation>
     </message>
     <message numerus="yes">

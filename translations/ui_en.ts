@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
+    <name>palmer::ui::ReadingsPage</name>
+    <message numerus="yes">
+        <source>Leave out %n target(s) without readings</source>
+        <translation>
+            <numerusform>Leave out %n target without readings</numerusform>
+            <numerusform>Leave out %n targets without readings</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>edits</name>
     <message numerus="yes">
         <source>clear %n reading(s)</source>
@@ -87,10 +97,10 @@
 <context>
     <name>palmer::ui::AgreedPointsPage</name>
     <message numerus="yes">
-        <source>%n of %1 points not agreed</source>
+        <source>%n of %1 points to be agreed</source>
         <translation>
-            <numerusform>%n of %1 points not agreed</numerusform>
-            <numerusform>%n of %1 points not agreed</numerusform>
+            <numerusform>%n of %1 points to be agreed</numerusform>
+            <numerusform>%n of %1 points to be agreed</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -121,10 +131,10 @@
 <context>
     <name>palmer::ui::FindingsModel</name>
     <message numerus="yes">
-        <source>%n point(s) not agreed</source>
+        <source>%n point(s) to be agreed</source>
         <translation>
-            <numerusform>%n point not agreed</numerusform>
-            <numerusform>%n points not agreed</numerusform>
+            <numerusform>%n point to be agreed</numerusform>
+            <numerusform>%n points to be agreed</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -448,10 +448,10 @@
         <translation>reprendre des conditions</translation>
     </message>
     <message numerus="yes">
-        <source>%n of %1 points not agreed</source>
+        <source>%n of %1 points to be agreed</source>
         <translation>
-            <numerusform>%n point sur %1 non convenu</numerusform>
-            <numerusform>%n points sur %1 non convenus</numerusform>
+            <numerusform>%n point sur %1 à convenir</numerusform>
+            <numerusform>%n points sur %1 à convenir</numerusform>
         </translation>
     </message>
     <message>
@@ -1440,6 +1440,14 @@
         <translation>Instrument %1, fin</translation>
     </message>
     <message>
+        <source>Unassigned sensor, start</source>
+        <translation>Capteur non attribué, début</translation>
+    </message>
+    <message>
+        <source>Unassigned sensor, end</source>
+        <translation>Capteur non attribué, fin</translation>
+    </message>
+    <message>
         <source>Remarks</source>
         <translation>Remarques</translation>
     </message>
@@ -2253,10 +2261,10 @@
         <translation>Note</translation>
     </message>
     <message numerus="yes">
-        <source>%n point(s) not agreed</source>
+        <source>%n point(s) to be agreed</source>
         <translation>
-            <numerusform>%n point non convenu</numerusform>
-            <numerusform>%n points non convenus</numerusform>
+            <numerusform>%n point à convenir</numerusform>
+            <numerusform>%n points à convenir</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -2295,10 +2303,6 @@
     <message>
         <source>none</source>
         <translation>aucun</translation>
-    </message>
-    <message>
-        <source>Not agreed: %1</source>
-        <translation>Non convenu&#xa0;: %1</translation>
     </message>
     <message>
         <source>Uncertainty</source>
@@ -4278,6 +4282,13 @@
     <message>
         <source>Paste a block (%1)</source>
         <translation>Coller un tableau (%1)</translation>
+    </message>
+    <message numerus="yes">
+        <source>Leave out %n target(s) without readings</source>
+        <translation>
+            <numerusform>Retirer %n point visé sans relevé</numerusform>
+            <numerusform>Retirer %n points visés sans relevés</numerusform>
+        </translation>
     </message>
     <message>
         <source>Paste a block</source>

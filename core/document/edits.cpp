@@ -127,7 +127,7 @@ void takeAgreedValue(Test &test, std::string_view point) {
         });
     else if (point == "feed")
         value = partOr(value, test.measurement, [&](auto &m) -> decltype(m.conditions.feed) {
-            return m.conditions.feedMode == FeedMode::programmed ? m.conditions.feed : value;
+            return m.conditions.feedMode == FeedMode::rapid ? value : m.conditions.feed;
         });
 }
 

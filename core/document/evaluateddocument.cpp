@@ -9,6 +9,7 @@
 #include "kernel/evaluation/evaluatetest.h"
 #include "kernel/evaluation/positioningcase.h"
 #include "kernel/measurement/testfacts.h"
+#include "kernel/words/blank.h"
 
 #include <algorithm>
 #include <array>
@@ -28,8 +29,9 @@ std::optional<double> driftRange(const Document &document, const std::string &id
     return std::nullopt;
 }
 
+/// Axes without a name may be two.
 bool isOfAxis(const PositioningMeasurement &a, const PositioningMeasurement &b) {
-    return a.axis.name == b.axis.name && a.axis.motion == b.axis.motion;
+    return !isBlank(a.axis.name) && a.axis.name == b.axis.name && a.axis.motion == b.axis.motion;
 }
 
 /// Of a long axis a file holds two tests: the whole travel and the zone.

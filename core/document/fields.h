@@ -204,7 +204,7 @@ template <class Visit, Like<PositioningConditions> T>
 void fields(Visit &visit, T &conditions) {
     fields(visit, conditions.common);
     visit("feed", conditions.feed);
-    visit("feedMode", conditions.feedMode);
+    visit("feedMode", conditions.feedMode, leftOut);
     visit("dwell", conditions.dwell);
     visit("approachDistance", conditions.approachDistance);
     visit("airPressure", conditions.airPressure);

@@ -96,7 +96,8 @@ template <>
 inline constexpr auto fileWords<SensorMeasures> =
     std::to_array<FileWord<SensorMeasures>>({{SensorMeasures::machine, "machine"},
                                              {SensorMeasures::instrument, "instrument"},
-                                             {SensorMeasures::air, "air"}});
+                                             {SensorMeasures::air, "air"},
+                                             {SensorMeasures::notStated, "notStated"}});
 template <>
 inline constexpr auto fileWords<CorrectionTo20> = std::to_array<FileWord<CorrectionTo20>>(
     {{CorrectionTo20::notStated, "not stated"},

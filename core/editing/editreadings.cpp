@@ -208,6 +208,23 @@ std::size_t insertTarget(PositioningMeasurement &measurement, std::size_t index)
     return index;
 }
 
+std::vector<std::size_t> unmeasuredTargets(const PositioningMeasurement &measurement) {
+    const auto isEmpty = [](const Run &run) {
+        return std::ranges::none_of(run.deviations, [](const auto &reading) { return reading.has_value(); });
+    };
+    std::vector<std::size_t> targets = targetsWithoutReading(measurement);
+    if (measurement.runs.empty() || std::ranges::any_of(measurement.runs, isEmpty))
+        targets.clear();
+    std::erase_if(targets, [&](std::size_t target) {
+        const auto isThere = [&](const auto &reading) {
+            return reading.target == static_cast<int>(target) + 1;
+        };
+        return std::ranges::any_of(measurement.excluded, isThere) ||
+               std::ranges::any_of(measurement.refused, isThere);
+    });
+    return targets;
+}
+
 void removeTargets(PositioningMeasurement &measurement, std::span<const std::size_t> indices) {
     complete(measurement);
     for (const std::size_t index : fromTheEnd(indices, measurement.targets.size())) {

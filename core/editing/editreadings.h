@@ -64,6 +64,10 @@ bool setTargets(PositioningMeasurement &measurement, std::span<const double> pos
 /// ends as far as the next interval goes; without readings. Returns its index.
 std::size_t insertTarget(PositioningMeasurement &measurement, std::size_t index);
 
+/// Targets that nothing was read at in any run, set aside or refused readings included; none as long as a run
+/// is empty, for it is still to be measured.
+[[nodiscard]] std::vector<std::size_t> unmeasuredTargets(const PositioningMeasurement &measurement);
+
 /// Removes targets with their readings.
 void removeTargets(PositioningMeasurement &measurement, std::span<const std::size_t> indices);
 

@@ -17,7 +17,7 @@ QString withRemark(const QString &sentence, Source source, const Language &langu
 }
 
 /// The sentences of a line; names that complete the same sentence stand in it together.
-QString sentencesOf(std::span<const Finding *const> line, const Language &language) {
+QString sentencesOf(std::span<const Finding *const> line, const Language &language, bool counted) {
     QStringList sentences;
     for (std::size_t i = 0; i < line.size(); ++i) {
         const Finding &finding = *line[i];
@@ -33,11 +33,16 @@ QString sentencesOf(std::span<const Finding *const> line, const Language &langua
             continue;
         QStringList names;
         for (const Finding *other : line) {
-            if (same(other) && !names.contains(findingName(*other, language)))
+            if (same(other))
                 names << findingName(*other, language);
         }
         Message message = finding.message;
-        message.arguments.at(0) = names.join(QStringLiteral(", ")).toStdString();
+        const bool composed =
+            std::ranges::any_of(names, [](const QString &name) { return name.contains(u','); });
+        message.arguments.at(0) =
+            names.join(composed ? language.semicolon() : QStringLiteral(", ")).toStdString();
+        if (counted)
+            message.arguments.at(1) = " (" + std::to_string(names.size()) + ')';
         sentences << language.sentence(message);
     }
     sentences.removeDuplicates();
@@ -49,18 +54,19 @@ QString sentencesOf(std::span<const Finding *const> line, const Language &langua
 QString findingName(const Finding &finding, const Language &language) {
     if (finding.name.empty())
         return {};
-    const QString name = language.text(finding.name);
+    QString name = language.text(finding.name);
+    if (!finding.results.empty())
+        name += QStringLiteral(" (") + QString::fromStdString(finding.results) + u')';
     return finding.letter.empty() ? name
                                   : QString::fromStdString(finding.letter) + QStringLiteral(") ") + name;
 }
 
 QString findingsText(std::span<const Finding *const> findings, const Language &language) {
-    return findings.empty() ? QString()
-                            : withRemark(sentencesOf(findings, language), findings.front()->source, language);
+    return sentencesOf(findings, language, true);
 }
 
 QString findingText(const Finding &finding, const Language &language) {
-    return findingsText(std::array{&finding}, language);
+    return withRemark(sentencesOf(std::array{&finding}, language, false), finding.source, language);
 }
 
 } // namespace palmer

@@ -17,7 +17,7 @@ namespace palmer {
 [[nodiscard]] QString findingName(const Finding &finding, const Language &language);
 
 /// The sentences of several findings, one after the other; names that complete the same sentence stand in it
-/// together. All of one source.
+/// together, and it says how many they are. For lists whose headings say the source.
 [[nodiscard]] QString findingsText(std::span<const Finding *const> findings, const Language &language);
 
 } // namespace palmer

@@ -213,8 +213,9 @@ const char *stateWord(LimitState state) {
 }
 
 const char *reasonWord(NotEvaluable reason) {
-    constexpr std::array words{"oneRun",        "oneDirection",    "oneSense",     "feedbackSignal",
-                               "notCalibrated", "noSuchParameter", "otherEdition", "noValue"};
+    constexpr std::array words{"oneRun",          "oneDirection",  "oneSense",
+                               "feedbackSignal",  "notCalibrated", "notCalibrated",
+                               "noSuchParameter", "otherEdition",  "noValue"};
     return words.at(static_cast<std::size_t>(reason));
 }
 

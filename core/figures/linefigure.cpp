@@ -40,6 +40,7 @@ LineRole roleOf(SensorMeasures measures) {
     case SensorMeasures::air:
         return LineRole::air;
     case SensorMeasures::machine:
+    case SensorMeasures::notStated:
         break;
     }
     return LineRole::machine;
@@ -52,9 +53,11 @@ Text nameOf(SensorMeasures measures) {
     case SensorMeasures::air:
         return REPORT_TEXT("report", "air");
     case SensorMeasures::machine:
+        return REPORT_TEXT("report", "machine");
+    case SensorMeasures::notStated:
         break;
     }
-    return REPORT_TEXT("report", "machine");
+    return REPORT_TEXT("report", "not stated");
 }
 
 } // namespace

@@ -13,8 +13,7 @@ namespace palmer {
 
 namespace {
 
-constexpr int mostOfLengths = 3;
-constexpr int mostOfAngles = 4;
+constexpr int mostOfPositions = 6;
 constexpr int mostOfReadings = 4;
 constexpr int mostOfAngularReadings = 2; ///< degrees have no short form in arc seconds: 0.01″ has to do
 constexpr int finest = 9;                ///< beyond stand the rounding errors of conversions
@@ -49,12 +48,11 @@ double certain(double value) {
 }
 
 int positionDecimals(const PositioningMeasurement &measurement) {
-    const bool linear = measurement.axis.motion == Motion::linear;
-    const int most = linear ? mostOfLengths : mostOfAngles;
     int result = 0;
-    for (std::size_t i = 0; i < std::min(measurement.targets.size(), looked); ++i)
-        result = std::max(result, decimalsOf(measurement.targets[i], positionQuantity(measurement.axis)));
-    return std::min(result, most);
+    for (auto target = measurement.targets.begin();
+         target != measurement.targets.end() && result < mostOfPositions; ++target)
+        result = std::max(result, decimalsOf(*target, positionQuantity(measurement.axis)));
+    return std::min(result, mostOfPositions);
 }
 
 int readingDecimals(const PositioningMeasurement &measurement) {

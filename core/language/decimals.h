@@ -20,7 +20,7 @@ namespace palmer {
 /// stated number; readings and files keep theirs.
 [[nodiscard]] double certain(double value);
 
-/// The common decimals of target positions: those they have, at most 3 (mm) or 4 (degrees).
+/// The common decimals of target positions: as stated, at most 6.
 [[nodiscard]] int positionDecimals(const PositioningMeasurement &measurement);
 
 /// The common decimals of the readings as deviations: as they were entered, at most 4, of angles 2.

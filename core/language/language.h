@@ -32,6 +32,10 @@ public:
 
     [[nodiscard]] Id id() const { return m_id; }
     [[nodiscard]] QString code() const; ///< "en", "fr"
+    /// "; " between the members of a list.
+    [[nodiscard]] QString semicolon() const {
+        return m_id == Id::french ? QStringLiteral("\u202F; ") : QStringLiteral("; ");
+    }
 
     /// The same language with numbers in other units.
     [[nodiscard]] Language withUnits(const DisplayUnits &units) const;

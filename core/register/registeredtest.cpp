@@ -251,7 +251,7 @@ std::string joined(std::initializer_list<std::string> words) {
 }
 
 void describe(RegisteredTest &result, const PositioningMeasurement &m, const PositioningResults &results) {
-    if (m.conditions.feedMode == FeedMode::programmed)
+    if (m.conditions.feedMode != FeedMode::rapid)
         result.feed = m.conditions.feed;
     if (!m.targets.empty())
         result.travel = measurementTravel(m);

@@ -4,6 +4,7 @@
 
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/testfacts.h"
+#include "language/decimals.h"
 #include "report/parts/dataparts.h"
 #include "report/parts/diagnosisparts.h"
 #include "report/parts/resultparts.h"
@@ -94,9 +95,8 @@ private:
             result += QStringLiteral(", ") +
                       say(REPORT_TEXT("report", "axis travel %1"), {Number{*m.axis.travel, along, -1}});
         if (!m.targets.empty())
-            result += QStringLiteral(", ") +
-                      say(REPORT_TEXT("report", "measurement travel %1"),
-                          {Number{measurementTravel(m), along, positionDecimals(m.targets, along)}});
+            result += QStringLiteral(", ") + say(REPORT_TEXT("report", "measurement travel %1"),
+                                                 {Number{measurementTravel(m), along, positionDecimals(m)}});
         return result;
     }
 
@@ -254,7 +254,7 @@ private:
     // ---- Verdict and findings --------------------------------------------------------------------------
 
     [[nodiscard]] VerdictLine verdictLine(const Test &test, const TestEvaluation &evaluation) const {
-        QString limits = text(limitsText(evaluation.verdict, hasLimits(test)));
+        QString limits = text(limitsText(evaluation.verdict, hasLimits(test.limits)));
         if (evaluation.verdict)
             limits += QStringLiteral(" (") + ruleOf(test) + u')';
         const QString unknown = notEvaluableSentence(evaluation, m_language);

@@ -64,6 +64,12 @@ constexpr std::array sizes{Size{"start", 17, 24},
                            Size{"year", 1980, 2026},
                            Size{"calibrated", 0, 1}};
 
+/// Whether a place lies in the test of a rotary axis.
+bool isOfRotary(const Json &file, const Path &path) {
+    const Json &test = file["tests"][std::stoul(path.at(1))];
+    return test.contains("axis") && test["axis"].value("motion", "linear") == "rotary";
+}
+
 double rounded(double value, int digits) {
     const double scale = std::pow(10.0, digits);
     return std::round(value * scale) / scale;
@@ -360,7 +366,9 @@ std::vector<Path> Generator::statements(const Json &file) const {
             for (const auto &[key, below] : at.items()) {
                 const bool shapesOnly =
                     path.empty() && (key == "format" || key == "version" || key == "report");
-                if (shapesOnly || exempt.contains(key))
+                // Of a rotary axis a part per metre is refused, as long as it is there.
+                const bool refused = key == "perMetre" && isOfRotary(file, path);
+                if (shapesOnly || refused || exempt.contains(key))
                     continue;
                 Path inner = path;
                 inner.push_back(key);
@@ -385,6 +393,8 @@ bool Generator::mayBeNull(const Path &path, const Json &file) const {
     const Json *schema = schemaAt(path, file);
     if (!schema)
         return false;
+    if (const auto words = schema->find("enum"); words != schema->end())
+        return std::ranges::find(*words, Json(nullptr)) != words->end();
     if (const auto some = schema->find("anyOf"); some != schema->end())
         return std::ranges::any_of(*some, [](const Json &one) { return one.value("type", "") == "null"; });
     const auto type = schema->find("type");

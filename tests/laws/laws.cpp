@@ -18,6 +18,7 @@
 #include "report/blocks/plaintext.h"
 #include "report/composereport.h"
 #include "report/results.h"
+#include "report/tables/findinglines.h"
 #include "report/words/wording.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/proof/verifyreport.h"
@@ -128,15 +129,34 @@ Json without(const Json &file, const Path &path, bool asNull) {
     return changed;
 }
 
-/// What gets better without a statement. What a file needs to be one is no statement: the reader says so.
-std::optional<std::string> whenSilent(const Followed &before, const Json &file, Counts &counts) {
+/// The file without a statement; null where it is none: what a file needs to be one the reader asks for.
+std::optional<Followed> whenSilent(const Json &file) {
     try {
-        const Followed after(file);
-        ++counts.statements;
-        return better(before, after);
+        return Followed(file);
     } catch (const Error &) {
         return std::nullopt;
     }
+}
+
+QString pageOf(const Followed &followed) {
+    const Language english(Language::Id::english);
+    return pageText(composeReport(followed.evaluated, english, {QStringLiteral("Palmer " PALMER_VERSION)}));
+}
+
+/// Choices that are made, and printed as made, where none is stated; and what only places and names things.
+/// A feed is programmed unless it is rapid.
+const std::set<std::string> choices{
+    "feedMode",   "coverageFactor", "guardFactor", "method",      "rule", "driftModel", "angleReference",
+    "sameSensor", "seed",           "trials",      "instruments", "id",   "driftTest"};
+
+/// Whether something is stated there that a reader may look for.
+bool isStatement(const Json &file, const Path &path) {
+    const Json *at = &file;
+    for (const std::string &key : path)
+        at = at->is_array() ? &at->at(std::stoul(key)) : &at->at(key);
+    return !choices.contains(path.back()) &&
+           (at->is_boolean() || at->is_number() ||
+            (at->is_string() && *at != "" && *at != "notStated" && *at != "not stated"));
 }
 
 /// Readings are drawn and tabulated, which other tests look at; seeds and trials are of a simulation that
@@ -198,6 +218,7 @@ public:
         }
         limits();
         counts();
+        groups();
         registered();
     }
 
@@ -343,6 +364,24 @@ private:
         }
     }
 
+    /// A grouped line lists as many names as it says; one name alone may have commas of its own.
+    void groups() {
+        static const QRegularExpression list(QStringLiteral("\\((\\d+)\\): ([^\n]*?)\\.( |$)"));
+        for (const TestEvaluationPointer &test : m_followed.evaluated.tests) {
+            for (const FindingLine &line : findingLines(*test, Language(Language::Id::english)).lines) {
+                for (auto it = list.globalMatch(line.sentence.plain()); it.hasNext();) {
+                    const QRegularExpressionMatch found = it.next();
+                    const QString names = found.captured(2);
+                    const QString between =
+                        names.contains(u';') ? QStringLiteral("; ") : QStringLiteral(", ");
+                    const auto count = found.captured(1).toLongLong();
+                    if (count > 1 && names.split(between).size() != count)
+                        violated("one count", found.captured(0).toStdString());
+                }
+            }
+        }
+    }
+
     /// Terminal, report and JSON give the same findings and verdicts.
     void oneVoice(const QString &page, const Language &language) {
         const auto printed = [&](const Report &report) {
@@ -354,7 +393,7 @@ private:
         const bool onPage = std::ranges::find(leftOut, ReportPart::findings) == leftOut.end();
         for (const TestEvaluationPointer &test : m_followed.evaluated.tests) {
             for (const Finding &finding : test->findings) {
-                const QString said = plain(finding.name.empty() ? findingText(finding, language)
+                const QString said = plain(finding.name.empty() ? language.sentence(finding.message)
                                                                 : findingName(finding, language));
                 for (const auto &[exit, text] : {std::pair{"terminal", &terminal},
                                                  std::pair{"check", &findings}, std::pair{"report", &page}}) {
@@ -503,14 +542,25 @@ std::vector<Violation> Laws::follow(const Json &file, bool asPdf) {
             std::ranges::shuffle(statements, m_random);
             statements.resize(m_mostStatements);
         }
+        const QString page = pageOf(follower.followed());
+        constexpr std::uint64_t pagesOfAFile = 4; // about so many are composed anew
         for (const Path &path : statements) {
             for (const bool asNull : {false, true}) {
                 if (asNull && !m_generator.mayBeNull(path, file))
                     continue;
-                const auto what = whenSilent(follower.followed(), without(file, path, asNull), m_counts);
-                if (what)
+                const auto silent = whenSilent(without(file, path, asNull));
+                if (!silent)
+                    continue;
+                ++m_counts.statements;
+                if (const auto what = better(follower.followed(), *silent))
                     follower.violations().push_back(
                         {"silence", joined(path) + (asNull ? " = null: " : " removed: ") + *what});
+                if (isStatement(file, path) && m_random() % statements.size() < pagesOfAFile) {
+                    ++m_counts.pages;
+                    if (pageOf(*silent) == page)
+                        follower.violations().push_back(
+                            {"no invention", joined(path) + " is printed alike where it is not stated"});
+                }
             }
         }
         for (const Violation &violation : follower.violations())

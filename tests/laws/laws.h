@@ -26,6 +26,7 @@ struct Counts {
     int statements = 0; ///< set to null or removed, one at a time
     int texts = 0;
     int numbers = 0;
+    int pages = 0;                         ///< composed once more without a statement
     int reports = 0;                       ///< as PDF
     std::map<std::string, int> violations; ///< by law
 };

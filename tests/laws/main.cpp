@@ -44,15 +44,16 @@ int main(int argc, char **argv) {
         all.statements += counts.statements;
         all.texts += counts.texts;
         all.numbers += counts.numbers;
+        all.pages += counts.pages;
         all.reports += counts.reports;
         for (const auto &[law, count] : counts.violations)
             all.violations[law] += count;
     }
     int violations = all.refused;
     std::printf("files %d, refused %d, tests %d, limits %d, statements taken away %d, texts looked for %d, "
-                "numbers %d, PDF %d\n",
+                "numbers %d, pages compared %d, PDF %d\n",
                 all.files, all.refused, all.tests, all.limits, all.statements, all.texts, all.numbers,
-                all.reports);
+                all.pages, all.reports);
     for (const auto &[law, count] : all.violations) {
         std::printf("%s: %d violations\n", law.c_str(), count);
         violations += count;

@@ -419,7 +419,7 @@ void AgreedPointsPage::refresh() {
     m_others->setText(tr("%n point(s) that do not apply", nullptr, others));
     const int all = static_cast<int>(m_rows.size());
     m_chip->setVisible(open > 0);
-    m_chip->setContent(tr("%n of %1 points not agreed", nullptr, open).arg(all), QStringLiteral("warn"),
+    m_chip->setContent(tr("%n of %1 points to be agreed", nullptr, open).arg(all), QStringLiteral("warn"),
                        Token::unsure, Token::unsureGround);
     const QString word = QString::fromUtf8(edition->word);
     m_source->setText(*edition->pointsClause == 0

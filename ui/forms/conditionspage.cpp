@@ -25,7 +25,8 @@ namespace palmer::ui {
 namespace {
 
 constexpr const char *conditionsContext = "palmer::ui::ConditionsPage";
-constexpr std::array kinds{SensorMeasures::air, SensorMeasures::machine, SensorMeasures::instrument};
+constexpr std::array kinds{SensorMeasures::air, SensorMeasures::machine, SensorMeasures::instrument,
+                           SensorMeasures::notStated};
 
 /// What positioning and circular tests state alike.
 template <auto member>
@@ -117,6 +118,9 @@ SensorLabels labelsOf(SensorMeasures what, bool another) {
                                       QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine %1, end")}
                        : SensorLabels{QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine, start"),
                                       QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine, end")};
+    case SensorMeasures::notStated:
+        return {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Unassigned sensor, start"),
+                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Unassigned sensor, end")};
     case SensorMeasures::instrument:
         break;
     }
@@ -183,7 +187,8 @@ std::string clauseOf(const Edition &edition, std::string_view id) {
 }
 
 std::size_t shownSensors(const Conditions &conditions, SensorMeasures what) {
-    return std::max<std::size_t>(1, countSensors(conditions, what));
+    const std::size_t least = what == SensorMeasures::notStated ? 0 : 1;
+    return std::max(least, countSensors(conditions, what));
 }
 
 } // namespace
@@ -272,7 +277,7 @@ void ConditionsPage::addTemperatures(const Conditions &conditions) {
         const std::size_t count = shownSensors(conditions, what);
         for (std::size_t ordinal = 0; ordinal < count; ++ordinal) {
             addSensor(what, ordinal);
-            if (ordinal > 0) {
+            if (ordinal > 0 || what == SensorMeasures::notStated) {
                 addButton(
                     QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remove the sensor"),
                     [this, what, ordinal] {
@@ -389,12 +394,14 @@ void ConditionsPage::addCycle(const PositioningMeasurement &measurement) {
     constexpr auto conditionsMember = &PositioningMeasurement::conditions;
     addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Feed rate"),
               feedQuantity(*shownTest()), positioning<conditionsMember, &PositioningConditions::feed>(), 3);
-    addChoice("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Kind of feed"),
-              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "programmed"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "rapid")},
-              choiceOf<FeedMode>(positioning<conditionsMember, &PositioningConditions::feedMode>(),
-                                 {FeedMode::programmed, FeedMode::rapid}),
-              false, 3);
+    addChoice(
+        "", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Kind of feed"),
+        {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
+         QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "programmed"),
+         QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "rapid")},
+        choiceOf<std::optional<FeedMode>>(positioning<conditionsMember, &PositioningConditions::feedMode>(),
+                                          {std::nullopt, FeedMode::programmed, FeedMode::rapid}),
+        true, 3);
     addNumber("dwell", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Dwell at the target"), Quantity::time,
               positioning<conditionsMember, &PositioningConditions::dwell>(), 3);
     addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Approach distance"),
@@ -723,9 +730,10 @@ QString ConditionsPage::temperatureSummary() const {
         const QString range =
             from == until ? last
                           : language().number(from, Quantity::temperature) + QStringLiteral(" … ") + last;
-        parts << (what == SensorMeasures::air       ? tr("air %1").arg(range)
-                  : what == SensorMeasures::machine ? tr("machine %1").arg(range)
-                                                    : tr("instrument %1").arg(range));
+        parts << (what == SensorMeasures::air          ? tr("air %1").arg(range)
+                  : what == SensorMeasures::machine    ? tr("machine %1").arg(range)
+                  : what == SensorMeasures::instrument ? tr("instrument %1").arg(range)
+                                                       : range);
     }
     return parts.join(QStringLiteral(" · "));
 }

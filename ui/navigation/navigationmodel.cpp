@@ -75,7 +75,7 @@ std::vector<NavigationModel::Row> NavigationModel::rows() const {
         if (unfinished) {
             row.mark = {QStringLiteral("dots"), Token::secondaryText, tr("unfinished")};
         } else if (evaluation.edition && !evaluation.view) {
-            row.mark = limitsMark(evaluation.verdict, hasLimits(test));
+            row.mark = limitsMark(evaluation.verdict, hasLimits(test.limits));
             if (evaluation.provisional)
                 row.mark = {QStringLiteral("dots"), Token::secondaryText, tr("provisional")};
             row.accordance = accordanceMark(evaluation.accordance());

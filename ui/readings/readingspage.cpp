@@ -31,6 +31,7 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
     , m_editor(model)
     , m_view(new ReadingsView(m_model, m_editor, selection, this))
     , m_pasteBar(new PasteBar(this))
+    , m_leaveOut(new QToolButton(this))
     , m_pasteButton(new QToolButton(this))
     , m_addRunButton(new QToolButton(this)) {
     setObjectName(QStringLiteral("readingsPage"));
@@ -61,6 +62,12 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
     m_addRunButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     for (QToolButton *button : {m_pasteButton, m_addRunButton})
         button->setFocusPolicy(Qt::TabFocus);
+    m_leaveOut->setObjectName(QStringLiteral("leaveOutTargets"));
+    m_leaveOut->setFocusPolicy(Qt::TabFocus);
+    connect(m_leaveOut, &QToolButton::clicked, this, [this] {
+        commitTyping();
+        m_editor.removeTargets(unmeasuredTargets(*m_model.measurement()));
+    });
     connect(m_pasteButton, &QToolButton::clicked, m_paste, &QAction::trigger);
     connect(m_addRunButton, &QToolButton::clicked, m_addRuns, &QAction::trigger);
     arrange();
@@ -78,6 +85,8 @@ void ReadingsPage::arrange() {
     bar->addWidget(m_byRun);
     bar->addWidget(m_byDirection);
     bar->addStretch();
+    bar->addWidget(m_leaveOut);
+    bar->addSpacing(8);
     bar->addWidget(m_pasteButton);
     bar->addSpacing(8);
     bar->addWidget(m_addRunButton);
@@ -223,6 +232,11 @@ void ReadingsPage::enableActions() {
     const PositioningMeasurement *measurement = m_model.measurement();
     const bool any = !places.empty() && measurement;
     const auto rows = m_view->selectedRows();
+    const std::vector<std::size_t> unmeasured =
+        measurement ? unmeasuredTargets(*measurement) : std::vector<std::size_t>();
+    m_leaveOut->setVisible(!unmeasured.empty());
+    m_leaveOut->setText(
+        tr("Leave out %n target(s) without readings", nullptr, static_cast<int>(unmeasured.size())));
     m_cut->setEnabled(any);
     m_copy->setEnabled(!rows.empty());
     m_paste->setEnabled(measurement);

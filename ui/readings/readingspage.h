@@ -92,6 +92,7 @@ private:
     QToolButton *m_positions = nullptr;
     QToolButton *m_byRun = nullptr;
     QToolButton *m_byDirection = nullptr;
+    QToolButton *m_leaveOut = nullptr; ///< shown where there are such targets
     QToolButton *m_pasteButton = nullptr;
     QToolButton *m_addRunButton = nullptr;
     QList<QAction *> m_editActions;

@@ -85,11 +85,8 @@ void FindingsModel::addFindings(const std::vector<Finding> &findings, const Docu
                              [](const Finding *f) { return std::tuple(f->source, f->grade, f->state); });
     for (const Finding *finding : here) {
         const QString sentence = findingText(*finding, language);
-        m_lines.push_back({finding->grade, page, fieldOf(*finding),
-                           page == Page::agreedPoints && !finding->name.empty()
-                               ? tr("Not agreed: %1").arg(findingName(*finding, language))
-                               : sentence,
-                           sentence, clauseText(finding->clause, language)});
+        m_lines.push_back({finding->grade, page, fieldOf(*finding), sentence, sentence,
+                           clauseText(finding->clause, language)});
     }
 }
 
@@ -108,7 +105,7 @@ void FindingsModel::addPage(const std::vector<Finding> &findings, const Document
     if (all == 0)
         return;
     const QString text = page == Page::agreedPoints && missing == all
-                             ? tr("%n point(s) not agreed", nullptr, all)
+                             ? tr("%n point(s) to be agreed", nullptr, all)
                          : missing == all ? tr("%n required statement(s) missing", nullptr, all)
                                           : tr("%n finding(s)", nullptr, all);
     const QString line = tr("%1: %2", "page: what is found there").arg(pageName(page), text);

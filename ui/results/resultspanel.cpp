@@ -252,7 +252,7 @@ void ResultsPanel::showVerdict() {
         return;
     const Test &test = *m_evaluated.document->tests[m_test];
     const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
-    const bool anyLimit = hasLimits(test);
+    const bool anyLimit = hasLimits(test.limits);
     const Accordance accordance = evaluation.accordance();
     if (table.provisional) {
         m_chip->setContent(tr("provisional"), QStringLiteral("dots"), Token::secondaryText, Token::hover);

@@ -5,6 +5,8 @@
 #include "kernel/evaluation/edition.h"
 #include "kernel/evaluation/requirement.h"
 
+#include <algorithm>
+
 namespace palmer {
 
 RequirementCounts countRequirements(std::span<const Finding> findings) {
@@ -17,6 +19,12 @@ RequirementCounts countRequirements(std::span<const Finding> findings) {
             ++(unmet ? counts.unmet : counts.undeclared);
     }
     return counts;
+}
+
+int countOpenInPractice(std::span<const Finding> findings) {
+    return static_cast<int>(std::ranges::count_if(findings, [](const Finding &finding) {
+        return finding.source == Source::practice && finding.state == State::undeclared;
+    }));
 }
 
 Accordance accordanceOf(std::span<const Finding> findings, const Edition *edition) {
@@ -32,9 +40,9 @@ Accordance accordanceOf(std::span<const Finding> findings, const Edition *editio
 
 Text missingText(Source source, std::optional<State> state) {
     if (source == Source::laboratory)
-        return REPORT_TEXT("report", "Laboratory practice, not stated: %1.");
-    return state == State::undeclared ? REPORT_TEXT("report", "Not declared: %1.")
-                                      : REPORT_TEXT("report", "Not stated in the report: %1.");
+        return REPORT_TEXT("report", "Laboratory practice, not stated%2: %1.");
+    return state == State::undeclared ? REPORT_TEXT("report", "Not declared%2: %1.")
+                                      : REPORT_TEXT("report", "Not stated in the report%2: %1.");
 }
 
 } // namespace palmer

@@ -26,6 +26,9 @@ struct RequirementCounts {
 
 [[nodiscard]] RequirementCounts countRequirements(std::span<const Finding> findings);
 
+/// What practice asks for and is not declared.
+[[nodiscard]] int countOpenInPractice(std::span<const Finding> findings);
+
 /// A pure function of findings and edition; null for drift tests, which have no edition.
 [[nodiscard]] Accordance accordanceOf(std::span<const Finding> findings, const Edition *edition);
 

@@ -35,13 +35,13 @@ std::vector<const AgreementPoint *> furtherPoints(const Edition &edition, const 
 }
 
 PointRole roleOf(const AgreementPoint &point, const Test &test) {
+    const PointRole byRule = point.role ? point.role(test) : PointRole::listed;
     const AgreedPoint *stated = agreedPoint(test, point.point);
-    if (point.role && point.role(test) == PointRole::notApplicable)
+    if (!stated)
+        return byRule;
+    if (stated->state == AgreementState::notApplicable && !(point.needsReason && isBlank(stated->text)))
         return PointRole::notApplicable;
-    if (stated && stated->state == AgreementState::notApplicable &&
-        !(point.needsReason && isBlank(stated->text)))
-        return PointRole::notApplicable;
-    return point.role ? point.role(test) : PointRole::listed;
+    return byRule == PointRole::inRow ? byRule : PointRole::listed;
 }
 
 void findNotAgreed(const Edition &edition, const Test &test, std::vector<Finding> &findings) {
@@ -58,10 +58,14 @@ void findNotAgreed(const Edition &edition, const Test &test, std::vector<Finding
         finding.name = row.name;
         finding.letter = row.letter;
         finding.missing = true;
-        finding.message = {REPORT_TEXT("report", "To be agreed, not agreed: %1."), {row.name}};
-        if (read)
-            finding.message = {REPORT_TEXT("report", "To be agreed (clause %2), not agreed: %1."),
-                               {row.name, finding.clause}};
+        const AgreedPoint *stated = agreedPoint(test, row.point);
+        const bool declared = stated && stated->state == AgreementState::notAgreed;
+        finding.message = {read       ? declared
+                                            ? REPORT_TEXT("report", "To be agreed (clause %3), not agreed%2: %1.")
+                                            : REPORT_TEXT("report", "To be agreed (clause %3), not declared%2: %1.")
+                                 : declared ? REPORT_TEXT("report", "To be agreed, not agreed%2: %1.")
+                                      : REPORT_TEXT("report", "To be agreed, not declared%2: %1."),
+                           {row.name, std::string(), finding.clause}};
         findings.push_back(std::move(finding));
     }
 }

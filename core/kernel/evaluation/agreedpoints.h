@@ -20,11 +20,11 @@ namespace palmer {
 [[nodiscard]] std::vector<const AgreementPoint *> furtherPoints(const Edition &edition, const Test &test);
 
 /// Whether the point is one of those listed for the test, is asked for by a row of the requirements, or does
-/// not apply, by its rule or as stated.
+/// not apply: as stated, and by its rule where nothing is.
 [[nodiscard]] PointRole roleOf(const AgreementPoint &point, const Test &test);
 
 /// A recommendation (where the text was not read, a note) for each point of the edition that applies, is
-/// asked for by no row of its own and is not agreed.
+/// asked for by no row of its own and is not agreed, or not declared.
 void findNotAgreed(const Edition &edition, const Test &test, std::vector<Finding> &findings);
 
 } // namespace palmer

@@ -194,6 +194,8 @@ Text notEvaluableText(NotEvaluable reason) {
         return REPORT_TEXT_FOR("report", "feedback signal", "why a limit cannot be evaluated");
     case NotEvaluable::notCalibrated:
         return REPORT_TEXT("report", "reference length not calibrated");
+    case NotEvaluable::calibrationOpen:
+        return REPORT_TEXT("report", "calibration of the reference length not stated");
     case NotEvaluable::noSuchParameter:
         return REPORT_TEXT("report", "not a parameter of this test");
     case NotEvaluable::otherEdition:
@@ -263,6 +265,11 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
                     verdict = Verdict::notProven;
                     add(uncorrected, plainSymbol(p));
                 }
+            }
+            if (p.calibrationOpen && verdict != Verdict::doesNotConform) {
+                verdict = Verdict::notProven;
+                agreed.state = std::max(agreed.state, LimitState::notEvaluable);
+                agreed.reason = NotEvaluable::calibrationOpen;
             }
             enter(evaluation, one, id, limit, verdict);
             findScale(evaluation, p, *limit.value);

@@ -48,8 +48,6 @@ Judgement correction(const Conditions &conditions, At20 lengths,
 }
 
 Judgement stabilised(const Conditions &conditions) {
-    if (!conditions.stabilised && !isBlank(conditions.soak))
-        return Judgement::met();
     return Judgement::of(conditions.stabilised);
 }
 
@@ -106,9 +104,17 @@ bool instrumentPosition(const Conditions &conditions) {
 }
 
 bool machineSensorsPlaced(const Conditions &conditions) {
-    return std::ranges::none_of(conditions.sensors, [](const Sensor &sensor) {
-        return sensor.measures == SensorMeasures::machine && isBlank(sensor.position);
-    });
+    const auto isOfMachine = [](const Sensor &sensor) { return sensor.measures == SensorMeasures::machine; };
+    return std::ranges::any_of(conditions.sensors, isOfMachine) &&
+           std::ranges::none_of(conditions.sensors, [&](const Sensor &sensor) {
+               const bool mayBe = isOfMachine(sensor) || sensor.measures == SensorMeasures::notStated;
+               return mayBe && isBlank(sensor.position);
+           });
+}
+
+bool sensorsNamed(const Conditions &conditions) {
+    return std::ranges::find(conditions.sensors, SensorMeasures::notStated, &Sensor::measures) ==
+           conditions.sensors.end();
 }
 
 bool anyTemperature(const Conditions &conditions, SensorMeasures what) {
@@ -134,6 +140,12 @@ Judgement expansionStated(const Conditions &conditions) {
         REPORT_TEXT("report", "coefficient of thermal expansion of the instrument")};
     return Judgement::lacking(
         State::unmet, missingOf(conditions.expansion.machine, conditions.expansion.instrument), names);
+}
+
+Judgement uncertainty(const std::string &results) {
+    if (results.empty())
+        return Judgement::met();
+    return {State::unmet, {}, {}, results};
 }
 
 Judgement offsetsStated(const Conditions &conditions) {

@@ -32,8 +32,10 @@ stabilised(const Conditions &conditions); ///< declared, or a time of soaking is
 
 /// A text, or the offsets of the measuring line to tool and workpiece.
 [[nodiscard]] bool instrumentPosition(const Conditions &conditions);
-/// Every sensor of the machine says where it is.
+/// The machine has sensors, and each that may be one of them says where it is.
 [[nodiscard]] bool machineSensorsPlaced(const Conditions &conditions);
+/// Every sensor says what it measures.
+[[nodiscard]] bool sensorsNamed(const Conditions &conditions);
 /// A start, an end or a series of any sensor of that kind.
 [[nodiscard]] bool anyTemperature(const Conditions &conditions, SensorMeasures what);
 /// Start and end of all sensors that have one of them.
@@ -42,6 +44,8 @@ stabilised(const Conditions &conditions); ///< declared, or a time of soaking is
 [[nodiscard]] Judgement expansionStated(const Conditions &conditions);
 /// Offsets of the measuring line to tool and workpiece.
 [[nodiscard]] Judgement offsetsStated(const Conditions &conditions);
+/// U of each result; `results`: those without one, as resultsWithoutUncertainty.
+[[nodiscard]] Judgement uncertainty(const std::string &results);
 [[nodiscard]] bool allStated(const Point3 &point);
 
 /// A row on the conditions of a test.

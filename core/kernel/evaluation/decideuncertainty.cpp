@@ -11,7 +11,7 @@ namespace {
 
 /// The symbols of the parameters that `holds` is true for: "A, E, M".
 template <class Predicate>
-std::string symbolsOf(const std::vector<Parameter> &parameters, Predicate holds) {
+std::string symbolsOf(std::span<const Parameter> parameters, Predicate holds) {
     std::string symbols;
     for (const Parameter &parameter : parameters) {
         if (holds(parameter))
@@ -85,6 +85,15 @@ void findDifferences(TestEvaluation &evaluation, const std::function<Message(con
 }
 
 } // namespace
+
+std::string resultsWithoutUncertainty(std::span<const Parameter> parameters, const Limits &limits) {
+    const bool limited = std::ranges::any_of(
+        parameters, [&](const Parameter &p) { return p.value && hasLimit(limits, p.term); });
+    return symbolsOf(parameters, [&](const Parameter &p) {
+        const bool counts = limited ? hasLimit(limits, p.term) : p.required && p.term.weight == Weight::main;
+        return p.value && counts && !p.expandedUncertainty;
+    });
+}
 
 bool methodsDiffer(const Parameter &parameter) {
     if (!parameter.budgetUncertainty || !parameter.simulated)

@@ -7,6 +7,8 @@
 
 #include <functional>
 #include <optional>
+#include <span>
+#include <string>
 
 namespace palmer {
 
@@ -17,6 +19,11 @@ namespace palmer {
 /// `budgetUncertainty`, and the contributions.
 void decideUncertainty(TestEvaluation &evaluation, UncertaintyMethod method, const Surroundings &surroundings,
                        const std::function<std::optional<double>(const Parameter &)> &stated);
+
+/// The symbols of the results that ought to have a U and have none: those with a limit; without any limit the
+/// main ones that are required.
+[[nodiscard]] std::string resultsWithoutUncertainty(std::span<const Parameter> parameters,
+                                                    const Limits &limits);
 
 /// An input that is missing or impossible, and the results that have no uncertainty because of it; empty:
 /// all.

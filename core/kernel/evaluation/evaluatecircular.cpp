@@ -33,6 +33,7 @@ Parameter parameter(const iso230_4::ListedParameter &listed, const CircularCase 
     result.term = listed.row->term;
     result.index = listed.index;
     result.dependsOnTemperature = listed.row->dependsOnTemperature;
+    result.calibrationOpen = listed.row->dependsOnTemperature && !test.measurement.referenceLength.calibrated;
     result.required = test.isRequired(listed.row->term);
     result.value = iso230_4::value(listed, test);
     result.size = test.measurement.nominalRadius;
@@ -201,9 +202,7 @@ TestEvaluation evaluateCircular(const Test &test, const Surroundings &surroundin
     for (const iso230_4::ListedParameter &one : listed)
         evaluation.parameters.push_back(parameter(one, whole));
     const std::vector<MissingInput> missing = addUncertainty(evaluation, whole, listed);
-    whole.uncertaintyStated = std::ranges::all_of(evaluation.parameters, [](const Parameter &p) {
-        return !p.value || !p.required || p.expandedUncertainty;
-    });
+    whole.withoutUncertainty = resultsWithoutUncertainty(evaluation.parameters, test.limits);
 
     judge(edition.circles->requirements, whole, evaluation.findings);
     explainMissingValues(evaluation);

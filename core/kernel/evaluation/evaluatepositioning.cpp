@@ -169,11 +169,15 @@ TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroun
     addPositioningBudget(evaluation, measurement, budget, results.targets);
     decideUncertainty(evaluation, measurement.uncertainty.method, surroundings,
                       [&](const Parameter &p) { return statedUncertainty(measurement, p); });
-    const bool uncertaintyStated = std::ranges::all_of(
-        evaluation.parameters, [](const Parameter &p) { return !p.value || p.expandedUncertainty; });
-    const PositioningCase whole{
-        test,          measurement,          surroundings,         edition,          results.targets,
-        results.drift, results.positiveRuns, results.negativeRuns, uncertaintyStated};
+    const PositioningCase whole{test,
+                                measurement,
+                                surroundings,
+                                edition,
+                                results.targets,
+                                results.drift,
+                                results.positiveRuns,
+                                results.negativeRuns,
+                                resultsWithoutUncertainty(evaluation.parameters, test.limits)};
     results.judgedAsZone = whole.zoneTest();
 
     results.countByPractice = whole.longAxis() || !whole.linear();

@@ -49,10 +49,11 @@ struct Finding {
     std::string clause = {};            ///< empty where it is not known
     std::string id = {};                ///< stable, for scripts
     std::vector<std::string> keys = {}; ///< fields of the file, from the test or the document on
-    /// What is not declared, not stated or not agreed, in words; `message` is then a text that takes one or
-    /// several of them ("Not declared: %1."). Empty where the message stands for itself.
+    /// What is not declared, not stated or not agreed, in words; `message` is then a text that takes one, or
+    /// several and how many they are ("Not declared%2: %1."). Empty where the message stands for itself.
     Text name = {};
-    std::string letter = {}; ///< of a point to be agreed: stands before its name
+    std::string letter = {};  ///< of a point to be agreed: stands before its name
+    std::string results = {}; ///< that it is missing of, "A, R": stand behind its name
     Explains explains = Explains::nothing;
     bool missing = false; ///< something the file lacks and the user may state
     Message message = {};

@@ -120,6 +120,7 @@ inline constexpr std::array machineTable{
     RequirementOf<Case>{"model", Source::laboratory, "", Grade::note, Subject::machine, nullptr, stating<stated::ofMachine<&Machine::model, Case>>, REPORT_TEXT("report", "type of the machine"), {}, {"machine.model"}},
     RequirementOf<Case>{"machineSerialNumber", Source::laboratory, "", Grade::note, Subject::machine, nullptr, stating<stated::ofMachine<&Machine::serialNumber, Case>>, REPORT_TEXT("report", "serial number of the machine"), {}, {"machine.serialNumber"}},
     RequirementOf<Case>{"load", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, stating<stated::common<&Conditions::load, Case>>, REPORT_TEXT("report", "load of the machine"), {}, {"conditions.load"}},
+    RequirementOf<Case>{"sensors", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, common::statingConditions<common::sensorsNamed, Case>, REPORT_TEXT("report", "what a temperature sensor measures"), {}, {"conditions.sensors"}},
     RequirementOf<Case>{"startAndEnd", Source::laboratory, "", Grade::note, Subject::conditions, nullptr, common::ofConditions<common::temperaturesAtStartAndEnd, Case>, REPORT_TEXT("report", "temperatures at start and end"), {}, {"conditions.sensors"}},
 };
 

@@ -2,7 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/parameter.h"
 
+#include <algorithm>
+
 namespace palmer {
+
+bool hasLimit(const Limits &limits, const Term &term) {
+    return std::ranges::any_of(
+        limits, [&](const auto &limit) { return limit.second.value && term.isMeantBy(limit.first); });
+}
+
+bool hasLimits(const Limits &limits) {
+    return std::ranges::any_of(limits, [](const auto &limit) { return limit.second.value.has_value(); });
+}
 
 std::string parameterId(const Parameter &parameter) {
     std::string id = parameter.term.id;

@@ -82,6 +82,7 @@ struct Parameter {
     Term term;
     std::string index;                 ///< axes of a circular result ("XY"); empty for positioning
     bool dependsOnTemperature = false; ///< wrong away from 20 °C unless corrected
+    bool calibrationOpen = false;      ///< nobody says whether its reference length is calibrated
     bool required = true;              ///< one of the results the parties asked for (circular tests)
     std::optional<double> value;
     double size = 0; ///< of the numbers it is a difference of: a circle's radius, mm; 0: of its own
@@ -101,6 +102,10 @@ struct Parameter {
     /// What the guard band is guardFactor times of: U, of a simulation U + 2 s_U.
     [[nodiscard]] std::optional<double> guardedUncertainty() const;
 };
+
+/// A limit with a value is agreed for it, by its own name or with others; for anything.
+[[nodiscard]] bool hasLimit(const Limits &limits, const Term &term);
+[[nodiscard]] bool hasLimits(const Limits &limits);
 
 /// "A", "G(b)_XY": the key of results.
 [[nodiscard]] std::string parameterId(const Parameter &parameter);

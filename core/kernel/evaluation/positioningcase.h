@@ -37,7 +37,7 @@ struct PositioningCase {
     const std::optional<DriftStatistic> &drift;
     int positiveRuns = 0;
     int negativeRuns = 0;
-    bool uncertaintyStated = false; ///< every parameter with a value has its U
+    std::string withoutUncertainty = {}; ///< as resultsWithoutUncertainty
 
     [[nodiscard]] const PositioningConditions &conditions() const { return measurement.conditions; }
     [[nodiscard]] const Conditions &common() const { return measurement.conditions.common; }

@@ -19,6 +19,7 @@ struct Judgement {
     std::optional<State> state = {}; ///< null: met
     std::optional<Message> sentence = {};
     Text name = {}; ///< of a row made of several fields those that are missing; empty: all that it asks for
+    std::string results = {}; ///< what it is missing of; empty: the test
 
     [[nodiscard]] static Judgement met() { return {}; }
     [[nodiscard]] static Judgement unmet() { return {State::unmet}; }
@@ -84,8 +85,9 @@ template <class Case>
         finding.message = {row.sentence};
     } else {
         finding.name = judgement.name.empty() ? row.name : judgement.name;
+        finding.results = std::move(judgement.results);
         finding.missing = true;
-        finding.message = {missingText(row.source, judgement.state), {finding.name}};
+        finding.message = {missingText(row.source, judgement.state), {finding.name, std::string()}};
     }
     return finding;
 }

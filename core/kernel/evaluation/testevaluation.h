@@ -111,6 +111,7 @@ enum class NotEvaluable {
     oneSense,        ///< needs a path of each sense
     feedbackSignal,  ///< a quantity of an external instrument
     notCalibrated,   ///< a length of an uncalibrated reference
+    calibrationOpen, ///< a length of a reference of which nobody says whether it is calibrated
     noSuchParameter, ///< the edition has no such quantity
     otherEdition,    ///< agreed for another edition
     noValue          ///< the quantity has no value; a finding says why

@@ -22,7 +22,8 @@ struct WarmUp {
     bool operator==(const WarmUp &) const = default;
 };
 
-enum class SensorMeasures { machine, instrument, air };
+enum class SensorMeasures { machine, instrument, air, notStated };
+inline constexpr std::size_t kindsOfSensors = 4;
 
 /// Temperatures of a sensor over the time of the test; both of the same length.
 struct TemperatureSeries {
@@ -33,7 +34,7 @@ struct TemperatureSeries {
 };
 
 struct Sensor {
-    SensorMeasures measures = SensorMeasures::machine;
+    SensorMeasures measures = SensorMeasures::notStated;
     std::string position;
     std::optional<double> start; ///< °C; null: not stated, or the first value of the series
     std::optional<double> end;   ///< °C; null: not stated, or the last value of the series
@@ -87,8 +88,8 @@ enum class FeedMode { programmed, rapid };
 
 struct PositioningConditions {
     Conditions common;
-    std::optional<double> feed; ///< mm/min, rotary °/min
-    FeedMode feedMode = FeedMode::programmed;
+    std::optional<double> feed;                ///< mm/min, rotary °/min
+    std::optional<FeedMode> feedMode;          ///< null: not stated
     std::optional<double> dwell;               ///< s
     std::optional<double> approachDistance;    ///< mm, rotary degrees
     std::optional<double> airPressure;         ///< hPa

@@ -76,6 +76,9 @@ struct PositioningMeasurement {
     bool operator==(const PositioningMeasurement &) const = default;
 };
 
+/// Indices of the targets at which no run has a reading.
+[[nodiscard]] std::vector<std::size_t> targetsWithoutReading(const PositioningMeasurement &measurement);
+
 /// Measurement travel: last − first target, mm or degrees; 0 without targets.
 [[nodiscard]] double measurementTravel(const PositioningMeasurement &measurement);
 

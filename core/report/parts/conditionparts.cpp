@@ -93,7 +93,7 @@ QString targetChoiceText(const PositioningPart &part) {
 
 QString targetList(const PositioningPart &part) {
     const auto &targets = part.measurement.targets;
-    const int decimals = positionDecimals(targets, part.along());
+    const int decimals = positionDecimals(part.measurement);
     QStringList texts;
     for (const double target : targets)
         texts << part.write.language().number(target, part.along(), decimals);
@@ -177,7 +177,7 @@ QString furtherStatements(const TestPart &part) {
         }
     });
     const DecisionRule &decision = part.test.decisionRule;
-    if ((decision.rule == Rule::simpleAcceptance || !hasLimits(part.test)) &&
+    if ((decision.rule == Rule::simpleAcceptance || !hasLimits(part.test.limits)) &&
         decision.guardFactor != DecisionRule().guardFactor)
         add(write.text(REPORT_TEXT("report", "factor of the guard band")),
             {decision.guardFactor, Quantity::number});
@@ -252,6 +252,8 @@ KeyValues rowsOf(const PositioningPart &part) {
     QString feedText = write.quantity(conditions.feed, feed);
     if (conditions.feedMode == FeedMode::rapid)
         feedText = joined({write.text(REPORT_TEXT("report", "rapid feed")), feedText});
+    else if (conditions.feedMode && feedText.isEmpty())
+        feedText = write.text(REPORT_TEXT("report", "programmed feed"));
     rows.add(REPORT_TEXT("report", "Feed between targets"), feedText);
     rows.add(REPORT_TEXT("report", "Dwell at target"), write.quantity(conditions.dwell, Quantity::time));
     rows.addStated(REPORT_TEXT("report", "Approach distance"),
@@ -408,9 +410,10 @@ Table environment(const PositioningPart &part) {
 
 /// Whether a table of the sensors says more than that of the environment: where they are, or several means.
 bool saysMore(const std::vector<Sensor> &sensors) {
-    std::array<int, 3> counts{};
+    std::array<int, kindsOfSensors> counts{};
     return std::ranges::any_of(sensors, [&](const Sensor &sensor) {
-        return !sensor.position.empty() || ++counts.at(static_cast<std::size_t>(sensor.measures)) > 1;
+        return !sensor.position.empty() || sensor.measures == SensorMeasures::notStated ||
+               ++counts.at(static_cast<std::size_t>(sensor.measures)) > 1;
     });
 }
 
@@ -438,8 +441,10 @@ Text sensorText(SensorMeasures what) {
         return REPORT_TEXT("report", "Instrument");
     case SensorMeasures::air:
         return REPORT_TEXT("report", "Air");
+    case SensorMeasures::notStated:
+        break;
     }
-    return {};
+    return REPORT_TEXT("report", "not stated");
 }
 
 KeyValues conditionRows(const TestPart &part) {
@@ -587,8 +592,8 @@ std::optional<AgreedPoints> agreedPointsOf(const TestPart &part) {
         const auto found = std::ranges::find(part.test.agreedPoints, point.point, &AgreedPoint::point);
         const bool listed = found != part.test.agreedPoints.end();
         Cell agreement;
-        if (asked ? roleOf(point, part.test) == PointRole::notApplicable
-                  : found->state == AgreementState::notApplicable) {
+        if (listed ? found->state == AgreementState::notApplicable
+                   : roleOf(point, part.test) == PointRole::notApplicable) {
             agreement = write.text(REPORT_TEXT("report", "not applicable"));
         } else if (!listed) {
             agreement = write.text(REPORT_TEXT("report", "not declared"));
@@ -668,7 +673,7 @@ Table correctionTable(const PositioningPart &part) {
     const auto &targets = part.measurement.targets;
     const double reference =
         part.measurement.conditions.referencePosition.value_or(targets.empty() ? 0 : targets.front());
-    const int places = positionDecimals(targets, part.along());
+    const int places = positionDecimals(part.measurement);
     const QString lengthUnit = write.language().unit(part.along());
     Table table;
     table.columns = {{Phrase({{QStringLiteral("i"), false, true}}), {}, Alignment::right, false, 7},

@@ -4,6 +4,7 @@
 
 #include "kernel/evaluation/instrumentresult.h"
 #include "kernel/evaluation/targetvalue.h"
+#include "language/decimals.h"
 #include "language/rounding.h"
 #include "report/parts/pagefacts.h"
 #include "report/words/printednumbers.h"
@@ -115,7 +116,7 @@ public:
         , m_up(runsOf(part.measurement, Direction::positive))
         , m_down(runsOf(part.measurement, Direction::negative))
         , m_decimals(readingDecimals(part.measurement))
-        , m_positionDecimals(positionDecimals(part.measurement.targets, part.along())) {
+        , m_positionDecimals(positionDecimals(part.measurement)) {
         qsizetype longest = 0;
         for (const Run &run : part.measurement.runs) {
             for (const auto &deviation : run.deviations) {
@@ -295,7 +296,7 @@ Table targetTable(const PositioningPart &part) {
     const auto &targets = part.results.targets;
     const Writer &write = part.write;
     const Edition &edition = part.edition();
-    const int places = positionDecimals(part.measurement.targets, part.along());
+    const int places = positionDecimals(part.measurement);
     const int digits = statisticDecimals(part.measurement);
     const auto ruling = rulingCells(part.evaluation);
     Table table;
@@ -460,7 +461,7 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
         return;
     const Writer &write = part.write;
     const QString unit = write.language().unit(part.deviation());
-    const int places = positionDecimals(measurement.targets, part.along());
+    const int places = positionDecimals(measurement);
     Table table;
     table.columns = {
         targetColumn(part),

@@ -157,7 +157,7 @@ QString travelText(const PositioningPart &part) {
     const auto &targets = part.measurement.targets;
     if (targets.empty())
         return {};
-    const int decimals = positionDecimals(targets, part.along());
+    const int decimals = positionDecimals(part.measurement);
     return part.write.quantity(measurementTravel(part.measurement), part.along(), decimals) +
            QStringLiteral(" (") + intervalText(part, targets.front(), targets.back(), decimals) + u')';
 }

@@ -8,6 +8,7 @@
 #include "figures/deviationfigure.h"
 #include "kernel/evaluation/applylimits.h"
 #include "kernel/evaluation/conformity.h"
+#include "kernel/evaluation/iso230_2/sentences.h"
 #include "language/decimals.h"
 #include "report/tables/resulttable.h"
 #include "report/words/wording.h"
@@ -216,6 +217,18 @@ QString resultsNote(const TestPart &part) {
 void addLegend(std::vector<Block> &blocks, const TestPart &part, const ResultForm &form) {
     const Writer &write = part.write;
     const auto &parameters = part.evaluation.parameters;
+    if (const auto *measurement = std::get_if<PositioningMeasurement>(&part.test.measurement)) {
+        iso230_2::NameList targets;
+        for (const std::size_t target : targetsWithoutReading(*measurement))
+            targets.add(std::to_string(target + 1));
+        if (!targets.empty())
+            blocks.emplace_back(
+                ResultsLegend{{{LegendSign::none,
+                                write.language().sentence(
+                                    {REPORT_TEXT_COUNTED("report", "%n target(s) without any reading: %1."),
+                                     {targets.text()},
+                                     targets.count()})}}});
+    }
     const auto isMarked = [&](const Parameter &p) {
         return p.dependsOnTemperature && isPrinted(p, part.head());
     };
@@ -388,7 +401,7 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
             {part.test.edition});
     if (!part.evaluation.verdict) {
         return part.write.text(
-            hasLimits(part.test)
+            hasLimits(part.test.limits)
                 ? REPORT_TEXT("report", "The limits agreed do not hold for this test: no verdict.")
                 : REPORT_TEXT("report", "The results have no verdict."));
     }
@@ -419,7 +432,7 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
 
 VerdictLine verdictLine(const TestPart &part, const std::vector<PrintedResult> &results) {
     const TestEvaluation &evaluation = part.evaluation;
-    const bool limits = hasLimits(part.test);
+    const bool limits = hasLimits(part.test.limits);
     VerdictLine line;
     line.mark = largeMark(evaluation.verdict, evaluation.accordance());
     line.label = part.write.text(REPORT_TEXT("report", "Verdict of the test"));
@@ -503,10 +516,6 @@ QString ruleInShort(const TestPart &part) {
     if (hasGuardBand(part.test) && !factorIsOne(part.test))
         rule += QStringLiteral(", g = ") + bandName(part, guardsSimulated(part.evaluation));
     return rule;
-}
-
-bool hasLimits(const Test &test) {
-    return std::ranges::any_of(test.limits, [](const auto &limit) { return limit.second.value.has_value(); });
 }
 
 void addFigure(std::vector<Block> &blocks, const PositioningPart &part) {

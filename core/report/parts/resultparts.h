@@ -29,9 +29,6 @@ struct LargeWord {
 /// "ISO 14253-1, conformity has to be proven", with the guard band where that is not U.
 [[nodiscard]] QString ruleInShort(const TestPart &part);
 
-/// Whether any limit was agreed for the test, for whatever edition.
-[[nodiscard]] bool hasLimits(const Test &test);
-
 /// The figure of a positioning test below its heading.
 void addFigure(std::vector<Block> &blocks, const PositioningPart &part);
 

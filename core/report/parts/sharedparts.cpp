@@ -223,9 +223,10 @@ private:
 
 /// Whether the row of a test in the table of the environment holds all that its sensors measured.
 bool environmentSaysAll(const TestPart &part) {
-    std::array<int, 3> counts{};
+    std::array<int, kindsOfSensors> counts{};
     return std::ranges::none_of(conditionsOf(part.test)->sensors, [&](const Sensor &sensor) {
-        return ++counts.at(static_cast<std::size_t>(sensor.measures)) > 1;
+        return sensor.measures == SensorMeasures::notStated ||
+               ++counts.at(static_cast<std::size_t>(sensor.measures)) > 1;
     });
 }
 

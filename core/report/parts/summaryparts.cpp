@@ -221,7 +221,7 @@ private:
 
     void addWithoutLimit(const TestPart &part, bool pale) {
         std::vector<Cell> cells(m_table.columns.size(), blankCell());
-        cells[2] = Cell(m_write.text(hasLimits(part.test)
+        cells[2] = Cell(m_write.text(hasLimits(part.test.limits)
                                          ? REPORT_TEXT("report", "The limits agreed do not hold: no verdict.")
                                          : REPORT_TEXT("report", "no limit agreed")));
         cells[2].columns = cells.size() - 3;
@@ -278,7 +278,7 @@ Whole wholeOf(const std::vector<TestPart> &parts) {
             whole.asFound << QString::number(part.number);
             continue;
         }
-        whole.anyLimit |= hasLimits(part.test);
+        whole.anyLimit |= hasLimits(part.test.limits);
         whole.verdict = worst(whole.verdict, part.evaluation.verdict);
         whole.accordances.push_back(part.evaluation.accordance());
         const RequirementCounts requirements = countRequirements(part.evaluation.findings);

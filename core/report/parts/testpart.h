@@ -33,7 +33,7 @@ public:
 
     /// "; " as the language spaces it.
     [[nodiscard]] QString semicolon() const {
-        return m_language.id() == Language::Id::french ? QStringLiteral("\u202F; ") : QStringLiteral("; ");
+        return m_language.semicolon();
     }
 
 private:

@@ -17,11 +17,13 @@ std::string_view mainClause(const std::string &clause) {
     return std::string_view(clause).substr(0, clause.find(" ("));
 }
 
-/// Findings that are printed on one line. Sentences without a clause stay apart: they have nothing in common.
+/// Findings that are printed on one line. Sentences without a clause stay apart: they have nothing in common;
+/// so do points that were not agreed and points that were not declared.
 bool onOneLine(const Finding &a, const Finding &b) {
+    const bool anySentence = !a.clause.empty() && a.subject != Subject::agreedPoints;
     return a.source == b.source && a.grade == b.grade && a.state == b.state &&
            mainClause(a.clause) == mainClause(b.clause) &&
-           (!a.clause.empty() || (!a.name.empty() && !b.name.empty() && a.message.text == b.message.text));
+           (anySentence || (!a.name.empty() && !b.name.empty() && a.message.text == b.message.text));
 }
 
 auto orderOf(const Finding &finding) {

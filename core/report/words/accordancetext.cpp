@@ -73,27 +73,31 @@ private:
     }
 
     [[nodiscard]] QString unmet() const {
-        QString result = counted(
-            REPORT_TEXT_COUNTED("report", "Test NOT in accordance with %1: %n requirement(s) not met"),
-            m_counts.unmet);
-        if (m_counts.undeclared > 0)
-            result += QStringLiteral(", ") +
-                      m_language.sentence(
-                          {REPORT_TEXT_COUNTED("report", "%n not declared"), {}, m_counts.undeclared});
-        return result;
+        return counted(
+                   REPORT_TEXT_COUNTED("report", "Test NOT in accordance with %1: %n requirement(s) not met"),
+                   m_counts.unmet) +
+               notDeclared(m_counts.undeclared);
     }
 
     [[nodiscard]] QString notChecked(bool page) const {
-        const QString result =
+        QString result =
             say(REPORT_TEXT("report", "The text of %1 was not available: its requirements were not checked"),
                 {m_standard.toStdString()});
-        if (m_counts.departures == 0)
-            return result + m_language.text(REPORT_TEXT("report", "; no departure from practice found"));
-        return result +
-               m_language.sentence({REPORT_TEXT_COUNTED("report", "; %n departure(s) from practice"),
-                                    {},
-                                    m_counts.departures}) +
-               see(page);
+        result += m_counts.departures == 0
+                      ? m_language.text(REPORT_TEXT("report", "; no departure from practice found"))
+                      : m_language.sentence({REPORT_TEXT_COUNTED("report", "; %n departure(s) from practice"),
+                                             {},
+                                             m_counts.departures});
+        const int open = countOpenInPractice(m_evaluation.findings);
+        result += notDeclared(open);
+        return m_counts.departures + open > 0 ? result + see(page) : result;
+    }
+
+    [[nodiscard]] QString notDeclared(int count) const {
+        return count == 0
+                   ? QString()
+                   : QStringLiteral(", ") +
+                         m_language.sentence({REPORT_TEXT_COUNTED("report", "%n not declared"), {}, count});
     }
 
     [[nodiscard]] QString partly() const {

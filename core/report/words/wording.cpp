@@ -15,14 +15,6 @@
 
 namespace palmer {
 
-namespace {
-
-constexpr int decimalsOfLengths = 2; ///< positions along a linear axis: 0.01 mm
-constexpr int mostPositionDecimals = 3;
-constexpr std::size_t readingsLooked = 2000; ///< enough to see how many decimals positions have
-
-} // namespace
-
 Text verdictText(Verdict verdict) {
     switch (verdict) {
     case Verdict::conforms:
@@ -277,15 +269,6 @@ Quantity positionQuantity(const PositioningMeasurement &measurement) {
 
 Quantity deviationQuantity(const PositioningMeasurement &measurement) {
     return deviationQuantity(measurement.axis);
-}
-
-int positionDecimals(const std::vector<double> &positions, Quantity quantity) {
-    if (quantity == Quantity::position)
-        return decimalsOfLengths;
-    int result = 0;
-    for (std::size_t i = 0; i < std::min(positions.size(), readingsLooked); ++i)
-        result = std::max(result, decimalsOf(positions[i], quantity));
-    return std::min(result, mostPositionDecimals);
 }
 
 std::optional<double> finestResolution(const Document &document, const Test &test) {

@@ -79,9 +79,6 @@ struct RuleWords {
 [[nodiscard]] Quantity positionQuantity(const PositioningMeasurement &measurement);
 [[nodiscard]] Quantity deviationQuantity(const PositioningMeasurement &measurement);
 
-/// Decimals of positions: 0.01 mm; of angles those they have in common, at most 3.
-[[nodiscard]] int positionDecimals(const std::vector<double> &positions, Quantity quantity);
-
 /// The finest step any instrument of the test shows, in mm or degrees; null where none is stated.
 [[nodiscard]] std::optional<double> finestResolution(const Document &document, const Test &test);
 

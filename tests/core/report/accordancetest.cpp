@@ -6,6 +6,7 @@
 #include "report/tables/findinglines.h"
 #include "report/words/accordancetext.h"
 
+#include <QRegularExpression>
 #include <QTest>
 
 using namespace palmer;
@@ -188,6 +189,7 @@ void AccordanceTest::oneLinePerClauseAndState() {
     common.shielded = false;
     common.stabilised = false;
     common.complete = common.levelled = true;
+    test.agreedPoints = {{"warmUp", AgreementState::notAgreed, "", {}}};
     const QByteArray english = lines(evaluated(test), Language::Id::english);
     const QByteArray french = lines(evaluated(test), Language::Id::french);
     // unmet of 3.1 on one line, undeclared of 3.1 on another, a statement on that of its clause
@@ -197,28 +199,36 @@ void AccordanceTest::oneLinePerClauseAndState() {
                  "or radiation.\n"),
              english.constData());
     QVERIFY2(english.contains(
-                 "\n3.1|Not declared: temperature of the environment, compensation by the instrument, "
+                 "\n3.1|Not declared (3): temperature of the environment, compensation by the instrument, "
                  "temperature gradient over 12 h and its agreed limit.\n"),
              english.constData());
-    QVERIFY2(english.contains("\n3.2|Not stated in the report: position of the axes not under test.\n"),
+    QVERIFY2(english.contains("\n3.2|Not stated in the report (1): position of the axes not under test.\n"),
              english.constData());
-    QVERIFY2(english.contains("\n3.2|Not declared: machine unloaded.\n"), english.constData());
+    QVERIFY2(english.contains("\n3.2|Not declared (1): machine unloaded.\n"), english.constData());
     QVERIFY2(english.contains(
-                 "\n8|To be agreed (clause 8), not agreed: b) position of the measuring reference, c) "
-                 "warm-up, e) measuring cycle.\n"),
+                 "\n8|To be agreed (clause 8), not declared (2): b) position of the measuring reference, e) "
+                 "measuring cycle.\n8|To be agreed (clause 8), not agreed (1): c) warm-up.\n"),
              english.constData());
-    QVERIFY2(
-        english.contains("\n[Laboratory]\n|Laboratory practice, not stated: date of the test, name of the "
-                         "machine, "),
-        english.constData());
+    // Every number can be recounted.
+    const QRegularExpression listed(QStringLiteral("\\((\\d+)\\): ([^\n]*)\\.\n"));
+    int lists = 0;
+    for (auto it = listed.globalMatch(QString::fromUtf8(english)); it.hasNext(); ++lists) {
+        const QRegularExpressionMatch list = it.next();
+        const bool composed = list.captured(2).contains(u';');
+        const qsizetype names =
+            list.captured(2).split(composed ? QStringLiteral("; ") : QStringLiteral(", ")).size();
+        QCOMPARE(composed || list.captured(1) != u"1" ? names : 1, list.captured(1).toLongLong());
+    }
+    QVERIFY(lists > 8);
+    QVERIFY2(english.contains("\n[Laboratory]\n|Laboratory practice, not stated ("), english.constData());
     QVERIFY2(english.contains("\n[Palmer]\n"), english.constData());
     QVERIFY2(french.startsWith(QByteArray(
                  "[Demandé par le texte de l’ISO 230-2:1988]\n3.1|Machine ou instruments non stabilisés "
                  "thermiquement. Pas de protection contre les courants d’air ou les rayonnements.\n")),
              french.constData());
-    QVERIFY2(french.contains(QByteArray("\n3.2|Non déclaré\u00A0: machine non chargée.\n")),
+    QVERIFY2(french.contains(QByteArray("\n3.2|Non déclaré (1)\u00A0: machine non chargée.\n")),
              french.constData());
-    QVERIFY2(french.contains(QByteArray("[Laboratoire]\n|Usage de laboratoire, non indiqué\u00A0: ")),
+    QVERIFY2(french.contains(QByteArray("[Laboratoire]\n|Usage de laboratoire, non indiqué (")),
              french.constData());
     // Unmet stands before undeclared before recommended; sources in their order, each once.
     QVERIFY(english.indexOf("\n3.2|Not stated") < english.indexOf("\n3.1|Not declared"));

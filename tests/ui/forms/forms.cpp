@@ -313,7 +313,7 @@ private slots:
         DocumentModel model;
         AgreedPointsPage page(model, selection);
         page.show(evaluatedDocument(test), 0);
-        QCOMPARE(page.findChild<Chip *>(u"missingChip"_s)->text(), u"6 of 9 points not agreed"_s);
+        QCOMPARE(page.findChild<Chip *>(u"missingChip"_s)->text(), u"6 of 9 points to be agreed"_s);
         QCOMPARE(page.findChild<QLineEdit *>(u"field.agreedPoints.warmUp"_s)->text(), u"30 min"_s);
         const auto state = [&](const QString &point) {
             return page.findChild<QLineEdit *>(u"field.agreedPoints."_s + point)->accessibleDescription();

@@ -339,7 +339,7 @@ void ManyTests::everyTargetStandsOnce() {
                 QCOMPARE(row[6 * half].text.plain(), QString::number(++number));
                 const Language english(Language::Id::english);
                 QCOMPARE(row[6 * half + 1].text.plain(),
-                         english.number(100.0 * (number - 1), Quantity::position, 2));
+                         english.number(100.0 * (number - 1), Quantity::position, 0));
                 QCOMPARE(row[6 * half + 2].text.plain(),
                          english.number(0.001 * (number - 1), Quantity::deviation, 1));
             }

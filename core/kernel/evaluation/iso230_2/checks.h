@@ -21,7 +21,7 @@ Sentence meanInterval(const PositioningCase &test);    ///< long axis: mean inte
 Judgement elements(const PositioningCase &test); ///< the same, or a target in each element of the device
 Sentence
 wholeLength(const PositioningCase &test); ///< long axis: no more than 250 mm left out at an end, on average
-Sentence quarterTurns(const PositioningCase &test);    ///< 0, 90, 180, 270° that are within reach
+Judgement quarterTurns(const PositioningCase &test);   ///< 0, 90, 180, 270° that are within reach
 Judgement freeTargets(const PositioningCase &test);    ///< three more than those
 Judgement polygonFaces(const PositioningCase &test);   ///< as many targets as the polygon has faces
 Sentence targetsOfTravel(const PositioningCase &test); ///< rotary: ≤ 90° 3, ≤ 180° 5, above 8 targets
@@ -73,7 +73,7 @@ Judgement temperaturesOf2006(const PositioningCase &test);     ///< of machine a
 Judgement temperaturesOfMachineAndInstrument(const PositioningCase &test); ///< each by a sensor of its own
 Judgement sensorsOf1988(const PositioningCase &test);        ///< positions and type of compensation
 Judgement correctionStatements(const PositioningCase &test); ///< what goes with a correction
-Judgement uncertaintyStated(const PositioningCase &test);    ///< U beside every result
+Judgement uncertaintyStated(const PositioningCase &test);    ///< U beside the results
 Judgement namedInstrument(const PositioningCase &test);      ///< one that is described
 
 } // namespace palmer::iso230_2

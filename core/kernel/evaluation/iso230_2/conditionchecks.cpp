@@ -84,9 +84,9 @@ Judgement feedAsAgreed(const PositioningCase &test) {
     const auto &feed = test.conditions().feed;
     if (agreed && !isAgreedState(*agreed))
         return Judgement::unmet();
-    if (!agreed || !agreed->value)
+    if (!agreed || !agreed->value || !feed)
         return Judgement::undeclared();
-    if (!feed || std::abs(*feed - *agreed->value) <= roundingOfWriting * std::abs(*agreed->value))
+    if (std::abs(*feed - *agreed->value) <= roundingOfWriting * std::abs(*agreed->value))
         return Judgement::met();
     const Quantity quantity = feedQuantity(test.test);
     return Judgement::unmet({REPORT_TEXT("report", "Feed %1, agreed %2."),
@@ -96,8 +96,7 @@ Judgement feedAsAgreed(const PositioningCase &test) {
 Judgement feedOrRapid(const PositioningCase &test) {
     if (test.conditions().feedMode == FeedMode::rapid)
         return Judgement::met();
-    const Judgement agreed = feedAsAgreed(test);
-    return !agreed.state && !test.conditions().feed ? Judgement::undeclared() : agreed;
+    return feedAsAgreed(test);
 }
 
 Judgement correction(const PositioningCase &test) {
@@ -174,13 +173,17 @@ Judgement correctionStatements(const PositioningCase &test) {
         REPORT_TEXT("report", "position of the temperature sensors, expansion coefficient of the instrument"),
         REPORT_TEXT("report", "coefficients of thermal expansion of machine and instrument")};
     const Expansion &alpha = test.common().expansion;
-    return Judgement::lacking(
+    Judgement lacking = Judgement::lacking(
         State::unmet, missingOf(common::machineSensorsPlaced(test.common()), alpha.machine, alpha.instrument),
         names);
+    // They go with a correction: whether there was one is asked first.
+    if (lacking.state && test.common().correctionTo20 == CorrectionTo20::notStated)
+        return {State::undeclared, {}, REPORT_TEXT("report", "correction to 20 °C")};
+    return lacking;
 }
 
 Judgement uncertaintyStated(const PositioningCase &test) {
-    return test.uncertaintyStated ? Judgement::met() : Judgement::unmet();
+    return common::uncertainty(test.withoutUncertainty);
 }
 
 Judgement namedInstrument(const PositioningCase &test) {

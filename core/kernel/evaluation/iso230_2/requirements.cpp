@@ -86,10 +86,8 @@ bool compensatingInstrument(const PositioningCase &test) {
 bool approachedBothWays(const PositioningCase &test) {
     return test.positiveRuns > 0 && test.negativeRuns > 0;
 }
-bool corrected(const PositioningCase &test) {
-    const auto correction = test.common().correctionTo20;
-    return test.linear() &&
-           (correction == CorrectionTo20::appliedByInstrument || correction == CorrectionTo20::appliedHere);
+bool mayBeCorrected(const PositioningCase &test) {
+    return test.linear() && test.common().correctionTo20 != CorrectionTo20::notApplied;
 }
 
 // ---- What needs its own words ----------------------------------------------------------------------------
@@ -185,7 +183,7 @@ constexpr std::array text1988{
     Demand{"zone", text, "4.3.3", shall, conditions, longLinear, zone,
         REPORT_TEXT("report", "agreed working zone"),
         REPORT_TEXT("report", "No working zone was agreed."), {"zone", "agreedPoints.zone"}},
-    Demand{"quarterTurns", text, "4.3.4", shall, readings, rotaryScale, unless<quarterTurns>, {}, {}, {"targets"}},
+    Demand{"quarterTurns", text, "4.3.4", shall, readings, rotaryScale, quarterTurns, {}, {}, {"targets"}},
     Demand{"freeTargets", text, "4.3.4", shall, conditions, furtherTargets, freeTargets,
         REPORT_TEXT("report", "continuous measuring device or not"),
         REPORT_TEXT("report", "Fewer than three further targets."), {"conditions.continuousDevice"}},
@@ -244,7 +242,7 @@ constexpr std::array text2006{
     Demand{"evenSpacing", practice, "", info, readings, nullptr, unless<evenSpacing>, {}, {}, {"targets"}},
     Demand{"instrumentPosition", text, "4.3.1", shall, conditions, nullptr, statingConditions<common::instrumentPosition>,
         REPORT_TEXT("report", "position of the measuring device"), {}, {"conditions.instrumentPosition", "conditions.toolOffset"}},
-    Demand{"correctionStatements", text, "4.3.1", shall, conditions, corrected, correctionStatements,
+    Demand{"correctionStatements", text, "4.3.1", shall, conditions, mayBeCorrected, correctionStatements,
         REPORT_TEXT("report", "position of the temperature sensors, expansion coefficients"), {}, {"conditions.sensors", "conditions.expansion"}},
     Demand{"travel", text, "4.3.2", shall, conditions, linear, axisTravel,
         REPORT_TEXT("report", "axis travel"), {}, {"axis.travel"}},
@@ -266,6 +264,7 @@ constexpr std::array text2006{
     Demand{"numberOfTargets", practice, "", shall, readings, turnOfRotary, unless<targetsOfTravel>, {}, {}, {"targets"}},
     Demand{"approaches", practice, "", shall, readings, turnOfRotary, unless<fiveApproaches>, {}, {}, {"runs"}},
     Demand{"missingReadings", practice, "", shall, readings, turnOfRotary, unless<fewReadings>, {}, {}, {"runs"}},
+    Demand{"travel", practice, "", shall, conditions, rotary, axisTravel, REPORT_TEXT("report", "axis travel"), {}, {"axis.travel"}},
     Demand{"targetsPerTurn", practice, "", shall, readings, wholeOfRotary, unless<targetsPerTurn>, {}, {}, {"targets"}},
     Demand{"zone", practice, "", shall, conditions, zoneTest, unless<zoneLength>, {}, {}, {"zone"}},
     Demand{"otherTest", practice, "", shall, readings, longAxis, unless<otherTest>},

@@ -86,6 +86,28 @@ Sentence meanIntervalWhere(const PositioningCase &test, bool tooLong) {
         numberOfTargets(test)};
 }
 
+/// The ends are stated, or are those of the measurement travel, which goes over the whole stated one.
+bool endsKnown(const PositioningCase &test) {
+    const Axis &axis = test.measurement.axis;
+    return axis.range || (axis.travel && measurementTravel(test.measurement) >= *axis.travel * (1 - 1e-9));
+}
+
+Judgement endsNotDeclared() {
+    return {State::undeclared, {}, REPORT_TEXT("report", "ends of the axis")};
+}
+
+/// The quarters of a turn within `reach` that have no target.
+NameList quartersWithoutTarget(const std::vector<double> &targets, const Interval &reach) {
+    NameList missing;
+    for (const double quarter : {0.0, 90.0, 180.0, 270.0}) {
+        const auto atQuarter = [quarter](double position) { return isAtQuarter(position, quarter); };
+        const double first = quarter + 360 * std::ceil((reach.from - quarter) / 360);
+        if (first <= reach.to && std::ranges::none_of(targets, atQuarter))
+            missing.add(std::to_string(static_cast<int>(quarter)) + "°");
+    }
+    return missing;
+}
+
 /// The choice of targets or the cyclic pitch is not stated.
 Judgement choiceMissing(const TargetChoice &choice) {
     static constexpr std::array<Text, 3> names{Text{}, REPORT_TEXT("report", "choice of targets"),
@@ -132,7 +154,7 @@ Judgement elements(const PositioningCase &test) {
     if (!element)
         return Judgement::undeclared();
     if (*element > 0 ? everyElementHasTarget(test, *element) : !intervalsTooLong(test))
-        return Judgement::met();
+        return *element > 0 && !endsKnown(test) ? endsNotDeclared() : Judgement::met();
     return Judgement::unmet(*meanIntervalWhere(test, true));
 }
 
@@ -149,27 +171,22 @@ Sentence wholeLength(const PositioningCase &test) {
                    {along(test, leftOut(test)), along(test, test.travel())}};
 }
 
-Sentence quarterTurns(const PositioningCase &test) {
+Judgement quarterTurns(const PositioningCase &test) {
+    constexpr Interval turn{0, 359.999};
     const auto &targets = test.measurement.targets;
-    Interval reach{0, 359.999};
-    if (test.measurement.axis.range)
-        reach = *test.measurement.axis.range;
-    else if (test.travel() < 270 && !targets.empty())
-        reach = {targets.front(), targets.back()};
-    NameList missing;
-    for (const double quarter : {0.0, 90.0, 180.0, 270.0}) {
-        const auto atQuarter = [quarter](double position) { return isAtQuarter(position, quarter); };
-        // A tilting axis cannot go everywhere: only the quarters within its reach are asked for.
-        const double first = quarter + 360 * std::ceil((reach.from - quarter) / 360);
-        if (first <= reach.to && std::ranges::none_of(targets, atQuarter))
-            missing.add(std::to_string(static_cast<int>(quarter)) + "°");
-    }
+    const auto &range = test.measurement.axis.range;
+    // A tilting axis cannot go everywhere: only the quarters within its reach are asked for. Without its ends
+    // that is what the targets cover, at least.
+    const bool wholeTurn = !range && test.measurement.axis.travel.value_or(0) >= turn.to;
+    const Interval covered = targets.empty() ? turn : Interval{targets.front(), targets.back()};
+    const NameList missing = quartersWithoutTarget(targets, range ? *range : wholeTurn ? turn : covered);
     if (missing.empty())
-        return std::nullopt;
-    return Message{REPORT_TEXT("report",
-                               "A rotary axis is tested at 0°, 90°, 180° and 270° or at the faces of the "
-                               "polygon; missing: %1."),
-                   {missing.text()}};
+        return endsKnown(test) || quartersWithoutTarget(targets, turn).empty() ? Judgement::met()
+                                                                               : endsNotDeclared();
+    return Judgement::unmet(
+        {REPORT_TEXT("report", "A rotary axis is tested at 0°, 90°, 180° and 270° or at the faces "
+                               "of the polygon; missing: %1."),
+         {missing.text()}});
 }
 
 Sentence targetsOfTravel(const PositioningCase &test) {
@@ -238,7 +255,14 @@ Sentence ends(const PositioningCase &test) {
 }
 
 Judgement endsOf2006(const PositioningCase &test) {
-    return test.measurement.axis.range ? Judgement::of(ends(test)) : Judgement::undeclared();
+    static constexpr std::array<Text, 3> names{Text{}, REPORT_TEXT("report", "ends of the axis"),
+                                               REPORT_TEXT("report", "approach distance")};
+    if (auto wrong = ends(test))
+        return Judgement::unmet(std::move(*wrong));
+    return Judgement::lacking(
+        State::undeclared,
+        missingOf(test.measurement.axis.range.has_value(), test.conditions().approachDistance.has_value()),
+        names);
 }
 
 Sentence endsUnknown(const PositioningCase &test) {

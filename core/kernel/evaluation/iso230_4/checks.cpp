@@ -113,20 +113,23 @@ Sentence largeDeviations(const CircularCase &test) {
         {Number{largest, Quantity::position, 3}, Number{test.measurement.nominalRadius, Quantity::position}}};
 }
 
-Sentence oneSense(const CircularCase &test) {
+Judgement bothSenses(const CircularCase &test) {
     const auto &paths = test.results.paths;
     if (paths.empty() || test.bothSenses() || !test.asksForPair())
-        return std::nullopt;
+        return Judgement::met();
+    if (!test.resultsStated())
+        return Judgement::undeclared();
     if (paths.size() == 1)
-        return Message{
-            REPORT_TEXT("report", "Only the path %1 was measured: bi-directional results need both senses."),
-            {paths.front().index}};
+        return Judgement::unmet(
+            {REPORT_TEXT("report", "Only the path %1 was measured: bi-directional results need both senses."),
+             {paths.front().index}});
     const auto &shorter =
         *std::ranges::min_element(paths, {}, [](const EvaluatedPath &path) { return path.points.size(); });
-    return Message{
-        REPORT_TEXT("report", "Of the path %1 too few points are evaluated (%2): bi-directional results need "
-                              "both senses."),
-        {shorter.index, Number{static_cast<double>(shorter.points.size()), Quantity::count, 0}}};
+    return Judgement::unmet(
+        {REPORT_TEXT("report",
+                     "Of the path %1 too few points are evaluated (%2): bi-directional results need "
+                     "both senses."),
+         {shorter.index, Number{static_cast<double>(shorter.points.size()), Quantity::count, 0}}});
 }
 
 Sentence partialArcsForD(const CircularCase &test) {
@@ -269,8 +272,8 @@ Sentence lengthOfFeedback(const CircularCase &test) {
     return plain(REPORT_TEXT("report", "F and D cannot be had from a feedback signal."));
 }
 
-bool uncertaintyStated(const CircularCase &test) {
-    return test.uncertaintyStated;
+Judgement uncertaintyStated(const CircularCase &test) {
+    return common::uncertainty(test.withoutUncertainty);
 }
 
 Sentence rotaryAxis(const CircularCase &test) {

@@ -16,8 +16,8 @@ Sentence noArcs(const CircularCase &test);             ///< at least one path wi
 Sentence shortArc(const CircularCase &test);           ///< arcs of 90° at least
 Sentence anglesAgainstSense(const CircularCase &test); ///< anticlockwise grow, clockwise fall
 Sentence
-largeDeviations(const CircularCase &test);   ///< small against the radius, else unit or radius is wrong
-Sentence oneSense(const CircularCase &test); ///< both senses for G(b), D, H
+largeDeviations(const CircularCase &test);      ///< small against the radius, else unit or radius is wrong
+Judgement bothSenses(const CircularCase &test); ///< both senses for G(b), D, H
 Sentence partialArcsForD(const CircularCase &test);
 Sentence partialArcsForH(const CircularCase &test); ///< full circles for H
 Sentence
@@ -47,7 +47,7 @@ bool needsOnlyD(const CircularCase &test);
 bool partialF(const CircularCase &test); ///< F of a partial arc
 
 // What is stated
-bool uncertaintyStated(const CircularCase &test);
+Judgement uncertaintyStated(const CircularCase &test);
 bool centringUncertaintyStated(const CircularCase &test);
 bool planeStated(const CircularCase &test);
 bool positionFeedbackStated(const CircularCase &test);

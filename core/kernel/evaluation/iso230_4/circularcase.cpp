@@ -33,15 +33,25 @@ bool CircularCase::isRequired(const Term &term) const {
            }));
 }
 
+bool CircularCase::resultsStated() const {
+    return !measurement.requiredResults.empty() || hasLimits(test.limits);
+}
+
+bool CircularCase::asksForRow(const CircularRow &row) const {
+    if (!measurement.requiredResults.empty() || !resultsStated())
+        return isRequired(row.term);
+    return hasLimit(test.limits, row.term);
+}
+
 bool CircularCase::asksFor(OfCircle what) const {
     return std::ranges::any_of(edition.circles->rows, [&](const CircularRow &row) {
-        return row.term.circle == what && isRequired(row.term);
+        return row.term.circle == what && asksForRow(row);
     });
 }
 
 bool CircularCase::asksForPair() const {
     return std::ranges::any_of(edition.circles->rows, [&](const CircularRow &row) {
-        return row.term.of == Of::pair && isRequired(row.term);
+        return row.term.of == Of::pair && asksForRow(row);
     });
 }
 

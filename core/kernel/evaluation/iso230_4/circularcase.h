@@ -17,7 +17,7 @@ struct CircularCase {
     const Surroundings &surroundings;
     const Edition &edition;
     const CircularResults &results;
-    bool uncertaintyStated = false; ///< every required result with a value has its U
+    std::string withoutUncertainty = {}; ///< as resultsWithoutUncertainty
 
     [[nodiscard]] const CircularConditions &conditions() const { return measurement.conditions; }
     [[nodiscard]] const Conditions &common() const { return measurement.conditions.common; }
@@ -31,13 +31,19 @@ struct CircularCase {
     [[nodiscard]] bool twoFullCircles() const;
     /// A result the parties asked for; all where they asked for none.
     [[nodiscard]] bool isRequired(const Term &term) const;
-    /// The edition has such a result, or one of both paths, and the parties ask for it.
+    /// The parties say which results they ask for: by name, or by the limits they agreed.
+    [[nodiscard]] bool resultsStated() const;
+    /// The edition has such a result, or one of both paths, and the parties ask for it; for all where they do
+    /// not say.
     [[nodiscard]] bool asksFor(OfCircle what) const;
     [[nodiscard]] bool asksForPair() const;
     /// F or D is asked for and can be: the reference length counts, the temperature too.
     [[nodiscard]] bool needsLength() const;
     /// The reference length is stated to be uncalibrated: F and D are refused.
     [[nodiscard]] bool notCalibrated() const;
+
+private:
+    [[nodiscard]] bool asksForRow(const struct CircularRow &row) const;
 };
 
 /// One parameter of an edition of ISO 230-4.

@@ -459,6 +459,16 @@ void Circular::calibration() {
     const auto notStated = evaluated(test);
     QVERIFY(parameter(notStated, "D_XY")->value.has_value());
     QVERIFY(finding(notStated, "referenceLength"));
+
+    // What nobody says to be calibrated proves no limit; one that is exceeded stays so.
+    test.limits = {{"D", {1.0, {}, ""}}, {"F", {1e-6, {}, ""}}, {"G", {1.0, {}, ""}}};
+    const auto limited = evaluated(test);
+    QVERIFY(limited.limits.at(0).state == LimitState::notEvaluable);
+    QVERIFY(limited.limits.at(0).reason == NotEvaluable::calibrationOpen);
+    QVERIFY(limited.limits.at(1).state == LimitState::exceeded);
+    QVERIFY(limited.limits.at(2).state == LimitState::respected);
+    measurement(test).referenceLength.calibrated = true;
+    QVERIFY(evaluated(test).limits.at(0).state == LimitState::respected);
 }
 
 void Circular::feedback() {

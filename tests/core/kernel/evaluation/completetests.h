@@ -69,6 +69,7 @@ inline Setup complete(const char *edition, std::vector<double> targets, int runs
     PositioningConditions &c = p.conditions;
     c.feed = 5000;
     c.dwell = 3;
+    c.approachDistance = 5;
     c.airPressure = 1013;
     c.airHumidity = 50;
     c.gradientPerHour = 0.2;

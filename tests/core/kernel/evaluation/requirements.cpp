@@ -169,7 +169,7 @@ void Requirements::rows_data() {
                 s.common().stabilised.reset();
                 s.common().soak = "one night";
             },
-            "soak", "3.1", "met");
+            "soak", "3.1", "undeclared");
         row(
             "not thermally stable in spite of a night", edition, shortAxis,
             [](Setup &s) {
@@ -274,6 +274,9 @@ void Requirements::rows_data() {
         row(
             "another feed than agreed", edition, shortAxis,
             [](Setup &s) { agreed(s.test, "feed").value = 4999; }, "feed", "4.1", "unmet");
+        row(
+            "agreed feed, none stated", edition, shortAxis, [](Setup &s) { s.m().conditions.feed.reset(); },
+            "feed", "4.1", "undeclared");
         row(
             "feed agreed without a number", edition, shortAxis,
             [](Setup &s) { agreed(s.test, "feed").value.reset(); }, "feed", "4.1", "undeclared");
@@ -491,6 +494,10 @@ void Requirements::rows_data() {
         "a sensor of the machine without a place", of1988, shortAxis,
         [](Setup &s) { s.common().sensors[0].position.clear(); }, "sensors", "4.3.1", "unmet");
     row(
+        "no sensor of the machine", of1988, shortAxis,
+        [](Setup &s) { s.common().sensors[0].measures = SensorMeasures::notStated; }, "sensors", "4.3.1",
+        "unmet");
+    row(
         "type of compensation not stated", of1988, shortAxis,
         [](Setup &s) { s.common().correctionTo20 = CorrectionTo20::notStated; }, "sensors", "4.3.1", "unmet");
     row(
@@ -609,18 +616,19 @@ void Requirements::rows_data() {
         };
     };
     const std::vector<double> toTheQuarter{-40, -20, 0, 20, 40, 60, 80};
-    const auto quarters = [&](const char *name, Change change, bool met) {
-        row(name, of1988, rotary, std::move(change), "quarterTurns", "4.3.4", met ? "met" : "unmet");
+    const auto quarters = [&](const char *name, Change change, const char *state) {
+        row(name, of1988, rotary, std::move(change), "quarterTurns", "4.3.4", state);
     };
-    quarters("90° is within reach", reach(toTheQuarter, Interval{-45, 90}, 135), false);
-    quarters("90° is just beyond", reach(toTheQuarter, Interval{-45, 89.9}, 135), true);
-    quarters("90° is the first in reach", reach({100, 120, 140, 160}, Interval{90, 170}, 80), false);
-    quarters("90° lies just before", reach({100, 120, 140, 160}, Interval{90.1, 170}, 80), true);
-    quarters("reach not stated: between the targets, below 270°", reach(toTheQuarter, {}, 269), true);
-    quarters("reach not stated: all, from 270° on", reach(toTheQuarter, {}, 270), false);
-    quarters("450° is 90° again", reach({360, 400, 450, 500}, Interval{350, 510}, 160), true);
-    quarters("90.0009° is 90°", reach({0, 41, 90.0009, 137, 180, 222, 270}, {}, 360), true);
-    quarters("90.0011° is not", reach({0, 41, 90.0011, 137, 180, 222, 270}, {}, 360), false);
+    quarters("90° is within reach", reach(toTheQuarter, Interval{-45, 90}, 135), "unmet");
+    quarters("90° is just beyond", reach(toTheQuarter, Interval{-45, 89.9}, 135), "met");
+    quarters("90° is the first in reach", reach({100, 120, 140, 160}, Interval{90, 170}, 80), "unmet");
+    quarters("90° lies just before", reach({100, 120, 140, 160}, Interval{90.1, 170}, 80), "met");
+    quarters("90° may be within a reach that is not stated", reach(toTheQuarter, {}, 359), "undeclared");
+    quarters("a whole turn has it", reach(toTheQuarter, {}, 360), "unmet");
+    quarters("between the targets it is", reach({-40, 0, 80, 100, 140}, {}, 180), "unmet");
+    quarters("450° is 90° again", reach({360, 400, 450, 500}, Interval{350, 510}, 160), "met");
+    quarters("90.0009° is 90°", reach({0, 41, 90.0009, 137, 180, 222, 270}, {}, 360), "met");
+    quarters("90.0011° is not", reach({0, 41, 90.0011, 137, 180, 222, 270}, {}, 360), "unmet");
     row(
         "a polygon has its own", of1988, rotary,
         [](Setup &s) {
@@ -823,6 +831,9 @@ void Requirements::rows_data() {
         "approach distance beyond the end", of2006, shortAxis,
         [](Setup &s) { s.m().conditions.approachDistance = 15; }, "ends", "2.2", "unmet");
     row(
+        "approach distance not stated", of2006, shortAxis,
+        [](Setup &s) { s.m().conditions.approachDistance.reset(); }, "ends", "2.2", "undeclared");
+    row(
         "ends not stated", of2006, shortAxis, [](Setup &s) { s.m().axis.range.reset(); }, "ends", "2.2",
         "undeclared");
     row(
@@ -984,6 +995,13 @@ void Requirements::rows_data() {
     row(
         "corrected without coefficients", of2006, shortAxis,
         [](Setup &s) { s.common().expansion.machine.reset(); }, "correctionStatements", "4.3.1", "unmet");
+    row(
+        "correction not stated, without coefficients", of2006, shortAxis,
+        [](Setup &s) {
+            s.common().correctionTo20 = CorrectionTo20::notStated;
+            s.common().expansion.machine.reset();
+        },
+        "correctionStatements", "4.3.1", "undeclared");
     row(
         "not corrected without coefficients", of2006, shortAxis,
         [](Setup &s) {
@@ -1261,9 +1279,38 @@ void Requirements::circularRows_data() {
             "referenceLength", "4.5", "unmet");
     row("G(b) alone does not", uncalibrated("G(b)"), "referenceLength", "4.5", "met");
     row(
-        "one sense", [](Circle &c) { c.m().arcs.pop_back(); }, "bothSenses", "5", "unmet");
+        "one sense", [](Circle &c) { c.m().arcs.pop_back(); }, "bothSenses", "5", "undeclared");
+    row(
+        "one sense, both asked for",
+        [](Circle &c) {
+            c.m().arcs.pop_back();
+            c.m().requiredResults = {"G(b)"};
+        },
+        "bothSenses", "5", "unmet");
+    row(
+        "one sense, both limited",
+        [](Circle &c) {
+            c.m().arcs.pop_back();
+            c.test.limits["G(b)"].value = 0.02;
+        },
+        "bothSenses", "5", "unmet");
+    row(
+        "one sense, a limit on G alone",
+        [](Circle &c) {
+            c.m().arcs.pop_back();
+            c.test.limits["G"].value = 0.02;
+        },
+        "bothSenses", "5", "met");
+    row(
+        "a limit on G asks nothing of F",
+        [](Circle &c) {
+            c.m().referenceLength = {};
+            c.test.limits["G"].value = 0.02;
+        },
+        "referenceLength", "4.5", "met");
     const auto points = [](std::size_t k, std::size_t count) -> Change {
         return [=](Circle &c) {
+            c.m().requiredResults = {"G(b)"};
             Arc &one = c.m().arcs[k];
             const double to = one.angles[count];
             one.evaluated = one.sense == Sense::counterclockwise ? Interval{one.angles.front(), to - 1e-9}
@@ -1277,6 +1324,7 @@ void Requirements::circularRows_data() {
         row(("four points of the " + which).constData(), points(k, 4), "bothSenses", "5", "met");
         row(("nothing evaluated of the " + which).constData(),
             [=](Circle &c) {
+                c.m().requiredResults = {"G(b)"};
                 c.m().arcs[k].evaluated = Interval{1000, 1100};
             },
             "bothSenses", "5", "unmet");
@@ -1286,8 +1334,11 @@ void Requirements::circularRows_data() {
             },
             "arcs", "3.1", "unmet");
         row(("nothing measured of the " + which).constData(),
-            [=](Circle &c) { c.m().arcs[k].angles = c.m().arcs[k].radialDeviations = {}; }, "bothSenses", "5",
-            "unmet");
+            [=](Circle &c) {
+                c.m().requiredResults = {"G(b)"};
+                c.m().arcs[k].angles = c.m().arcs[k].radialDeviations = {};
+            },
+            "bothSenses", "5", "unmet");
         row(("angles of nothing measured in the " + which).constData(),
             [=](Circle &c) { c.m().arcs[k].angles = c.m().arcs[k].radialDeviations = {}; }, "arcs", "",
             "met");

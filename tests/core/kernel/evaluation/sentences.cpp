@@ -101,7 +101,7 @@ void Sentences::numbers_data() {
         [](Setup &s) { s.m().conditions.approachDistance = 15; }, "13 mm; 10 mm; 15 mm");
     row(
         "no room at the first end", of2006, shortAxis, "ends", [](Setup &s) { s.m().axis.range->from = 3; },
-        "0 mm; 10 mm");
+        "0 mm; 10 mm; 5 mm");
     row(
         "faces", of1988, rotary, "polygonFaces",
         [](Setup &s) {
@@ -357,7 +357,12 @@ void Sentences::ofCircles_data() {
         "against the sense", "arcs", [](Circle &c) { c.m().arcs[1].sense = Sense::counterclockwise; },
         "2; XY");
     row(
-        "one sense", "bothSenses", [](Circle &c) { c.m().arcs.erase(c.m().arcs.begin()); }, "YX");
+        "one sense", "bothSenses",
+        [](Circle &c) {
+            c.m().arcs.erase(c.m().arcs.begin());
+            c.m().requiredResults = {"G(b)"};
+        },
+        "YX");
     row(
         "no circle", "minimumZone",
         [](Circle &c) {
