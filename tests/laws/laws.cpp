@@ -6,6 +6,7 @@
 #include "document/evaluateddocument.h"
 #include "document/json.h"
 #include "document/readdocument.h"
+#include "document/savedocument.h"
 #include "document/testsofverdict.h"
 #include "export/findingtext.h"
 #include "export/readingscsv.h"
@@ -524,12 +525,23 @@ private:
     std::vector<Violation> m_violations;
 };
 
-} // namespace
+/// Follows one file and takes its statements away, one at a time.
+class Laws {
+public:
+    Laws(const Generator &generator, std::size_t mostStatements, std::uint64_t seed)
+        : m_generator(generator)
+        , m_mostStatements(mostStatements)
+        , m_random(seed) {}
 
-Laws::Laws(const Generator &generator, std::size_t mostStatements, std::uint64_t seed)
-    : m_generator(generator)
-    , m_mostStatements(mostStatements)
-    , m_random(seed) {}
+    [[nodiscard]] std::vector<Violation> follow(const Json &file, bool asPdf);
+    [[nodiscard]] const Counts &counts() const { return m_counts; }
+
+private:
+    const Generator &m_generator;
+    std::size_t m_mostStatements;
+    std::mt19937_64 m_random;
+    Counts m_counts;
+};
 
 std::vector<Violation> Laws::follow(const Json &file, bool asPdf) {
     ++m_counts.files;
@@ -571,6 +583,88 @@ std::vector<Violation> Laws::follow(const Json &file, bool asPdf) {
         return {{"the schema is the reader's",
                  Language(Language::Id::english).sentence(error.message).toStdString() + " " + error.place}};
     }
+}
+
+const Json &schema() {
+    static const Json read = Json::parse(readBytes(QStringLiteral(PALMER_SCHEMA)).toStdString());
+    return read;
+}
+
+} // namespace
+
+Counts &Counts::operator+=(const Counts &other) {
+    files += other.files;
+    refused += other.refused;
+    tests += other.tests;
+    limits += other.limits;
+    statements += other.statements;
+    texts += other.texts;
+    numbers += other.numbers;
+    pages += other.pages;
+    reports += other.reports;
+    for (const auto &[law, count] : other.violations)
+        violations[law] += count;
+    return *this;
+}
+
+Counts followFiles(int files, std::uint64_t first, std::size_t mostStatements,
+                   const std::function<void(std::uint64_t seed, const Violation &)> &report) {
+    constexpr std::uint64_t filesOfAPdf = 20;
+    Counts all;
+    for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(files); ++seed) {
+        Generator generator(schema(), seed);
+        Laws laws(generator, mostStatements, seed);
+        for (const Violation &violation : laws.follow(generator.file(), seed % filesOfAPdf == 0))
+            report(seed, violation);
+        all += laws.counts();
+    }
+    return all;
+}
+
+std::string fileOf(std::uint64_t seed) {
+    return Generator(schema(), seed).file().dump(2);
+}
+
+std::vector<std::string> claimingDefaults() {
+    static const std::set<std::string> chosen{
+        "motion",
+        "source",
+        "angleReference", // what makes readings results at all
+        "standardDeviation",
+        "centring",
+        "referenceCircle",
+        "rule",
+        "guardFactor", // printed as chosen
+        "positioningUncertaintyMethod",
+        "uncertaintyMethod",
+        "driftModel",
+        "seed",
+        "kind",
+        "sameSensor",
+        "coverageFactor", // how an uncertainty is made
+        "signatures",
+        "languages",
+        "paper",
+        "include",
+        "figures" // of the report
+    };
+    std::vector<std::string> claims;
+    const auto walk = [&](const auto &self, const Json &at, const std::string &name) -> void {
+        if (at.is_object() && at.contains("default") && !chosen.contains(name)) {
+            const Json &value = at["default"];
+            const auto isNothing = [](const Json &one) {
+                return one.is_null() || one == "" || one == "notStated" || one == "not stated";
+            };
+            if (value.is_structured() ? !std::ranges::all_of(value, isNothing) : !isNothing(value))
+                claims.push_back(name + ": " + value.dump());
+        }
+        if (at.is_structured()) {
+            for (const auto &[key, below] : at.items())
+                self(self, below, key);
+        }
+    };
+    walk(walk, schema(), "");
+    return claims;
 }
 
 } // namespace palmer::laws

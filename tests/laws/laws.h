@@ -29,24 +29,21 @@ struct Counts {
     int pages = 0;                         ///< composed once more without a statement
     int reports = 0;                       ///< as PDF
     std::map<std::string, int> violations; ///< by law
+
+    Counts &operator+=(const Counts &other);
 };
 
-/// Where results leave the program, for a file as bytes.
-class Laws {
-public:
-    /// `mostStatements`: how many statements of a file are taken away, chosen at random; 0: all.
-    Laws(const Generator &generator, std::size_t mostStatements, std::uint64_t seed);
+/// Of the files of the seeds `first`, `first` + 1, …: follows each through every exit, one in twenty also as
+/// PDF, with `mostStatements` of its statements taken away, chosen at random (0: all), and reports what does
+/// not hold.
+[[nodiscard]] Counts followFiles(int files, std::uint64_t first, std::size_t mostStatements,
+                                 const std::function<void(std::uint64_t seed, const Violation &)> &report);
 
-    /// Follows a file through every exit and returns what does not hold.
-    [[nodiscard]] std::vector<Violation> follow(const Json &file, bool asPdf);
+/// The generated file of a seed, as JSON.
+[[nodiscard]] std::string fileOf(std::uint64_t seed);
 
-    [[nodiscard]] const Counts &counts() const { return m_counts; }
-
-private:
-    const Generator &m_generator;
-    std::size_t m_mostStatements;
-    std::mt19937_64 m_random;
-    Counts m_counts;
-};
+/// Defaults of the schema that claim a fact: all but nothing, and the choices of evaluation and report, which
+/// are printed as what was chosen. "key: value" each.
+[[nodiscard]] std::vector<std::string> claimingDefaults();
 
 } // namespace palmer::laws
