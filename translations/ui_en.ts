@@ -131,13 +131,6 @@
 <context>
     <name>palmer::ui::FindingsModel</name>
     <message numerus="yes">
-        <source>%n point(s) to be agreed</source>
-        <translation>
-            <numerusform>%n point to be agreed</numerusform>
-            <numerusform>%n points to be agreed</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n required statement(s) missing</source>
         <translation>
             <numerusform>%n required statement missing</numerusform>

@@ -2261,13 +2261,6 @@
         <translation>Note</translation>
     </message>
     <message numerus="yes">
-        <source>%n point(s) to be agreed</source>
-        <translation>
-            <numerusform>%n point à convenir</numerusform>
-            <numerusform>%n points à convenir</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n required statement(s) missing</source>
         <translation>
             <numerusform>%n information requise manque</numerusform>

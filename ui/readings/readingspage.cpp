@@ -85,8 +85,6 @@ void ReadingsPage::arrange() {
     bar->addWidget(m_byRun);
     bar->addWidget(m_byDirection);
     bar->addStretch();
-    bar->addWidget(m_leaveOut);
-    bar->addSpacing(8);
     bar->addWidget(m_pasteButton);
     bar->addSpacing(8);
     bar->addWidget(m_addRunButton);
@@ -99,6 +97,7 @@ void ReadingsPage::arrange() {
     layout->setSpacing(0);
     layout->addWidget(barArea);
     layout->addWidget(m_view, 1);
+    layout->addWidget(m_leaveOut, 0, Qt::AlignLeft);
     layout->addWidget(m_pasteBar); // below: what was pasted stays where it came in
 }
 

@@ -104,10 +104,9 @@ void FindingsModel::addPage(const std::vector<Finding> &findings, const Document
     }
     if (all == 0)
         return;
-    const QString text = page == Page::agreedPoints && missing == all
-                             ? tr("%n point(s) to be agreed", nullptr, all)
-                         : missing == all ? tr("%n required statement(s) missing", nullptr, all)
-                                          : tr("%n finding(s)", nullptr, all);
+    const QString text = missing == all && page != Page::agreedPoints
+                             ? tr("%n required statement(s) missing", nullptr, all)
+                             : tr("%n finding(s)", nullptr, all);
     const QString line = tr("%1: %2", "page: what is found there").arg(pageName(page), text);
     m_lines.push_back({worst, page, {}, line, line, {}});
 }

@@ -140,6 +140,20 @@ private slots:
         QCOMPARE(m.targets.size(), std::size_t{10});
     }
 
+    void namesTargetsThatWereNotMeasured() {
+        PositioningMeasurement m = example();
+        QVERIFY(unmeasuredTargets(m).empty());
+        for (Run &run : m.runs)
+            run.deviations[4] = run.deviations[8] = run.deviations[9] = std::nullopt;
+        QCOMPARE(unmeasuredTargets(m), (std::vector<std::size_t>{4, 8, 9}));
+        m.excluded.push_back({1, 9, 0.01, "beam interrupted"});
+        setRefused(m, {0, 9}, "4,,8");
+        QCOMPARE(unmeasuredTargets(m), std::vector<std::size_t>{4}); // the others were read
+        QCOMPARE(targetsWithoutReading(m), (std::vector<std::size_t>{4, 8, 9}));
+        insertRun(m, 0, Direction::positive); // still to be measured
+        QVERIFY(unmeasuredTargets(m).empty());
+    }
+
     void addsRunsAsTheTestHasThem() {
         PositioningMeasurement both = example();
         addRuns(both);

@@ -666,6 +666,22 @@ private slots:
         QVERIFY(edited.conditions().common.sensors.empty());
     }
 
+    void aSensorOfNothingStatedIsShownAndRemoved() {
+        Document document = example();
+        editTest(document, 0, [](Test &test) {
+            conditionsOf(test)->sensors.push_back({SensorMeasures::notStated, "table", 19.5, {}, {}});
+        });
+        Edited<ConditionsPage> edited(document);
+        QCOMPARE(fields(edited.page, u"sensors"_s).size(), 12);
+        QCOMPARE(fields(edited.page, u"sensors"_s).at(11)->text(), u"table"_s);
+        for (auto *one : edited.page.findChildren<QAbstractButton *>()) {
+            if (one->text() == u"Remove the sensor"_s)
+                one->click();
+        }
+        QVERIFY(edited.conditions().common.sensors.empty());
+        QCOMPARE(fields(edited.page, u"sensors"_s).size(), 9);
+    }
+
     void datesAreReadInManyForms() {
         Edited<ConditionsPage> edited(example());
         edited.page.setLanguage(Language(Language::Id::english));

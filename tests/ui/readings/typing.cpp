@@ -604,6 +604,23 @@ private slots:
         QVERIFY(typing.measurement() == published());
     }
 
+    void leavesOutTargetsWithoutReadings() {
+        Test test = publishedTest();
+        PositioningMeasurement &m = std::get<PositioningMeasurement>(test.measurement);
+        for (Run &run : m.runs)
+            run.deviations[2] = run.deviations[7] = std::nullopt;
+        const TypingWindow typing(test);
+        auto *leaveOut = typing.find<QToolButton>("leaveOutTargets");
+        QVERIFY(leaveOut->isVisible());
+        leaveOut->click();
+        QCOMPARE(typing.measurement().targets.size(), m.targets.size() - 2);
+        QVERIFY(targetsWithoutReading(typing.measurement()).empty());
+        QVERIFY(!leaveOut->isVisible());
+        typing.window->model().undoStack()->undo();
+        QVERIFY(typing.measurement() == m);
+        QVERIFY(leaveOut->isVisible());
+    }
+
     void hintsAtATypingError() {
         const TypingWindow typing(publishedTest());
         typing.setCurrent(3, 6);
