@@ -82,6 +82,7 @@ TemperatureSpan temperatureSpan(const Conditions &conditions, SensorMeasures wha
     };
     bool open = false;
     for (const Sensor &sensor : conditions.sensors) {
+        open |= sensor.measures == SensorMeasures::notStated; // it may be one of them
         if (sensor.measures != what)
             continue;
         for (const auto value : {sensor.start, sensor.end}) {

@@ -131,7 +131,7 @@ struct CircularConditions {
 struct TemperatureSpan {
     std::optional<double> lowest;
     std::optional<double> highest;
-    bool complete = false; ///< something measures it, and each such sensor has start and end
+    bool complete = false; ///< something measures it, each such sensor has start and end, and no other may
 
     [[nodiscard]] std::optional<double> farthest() const; ///< from 20 °C
 };

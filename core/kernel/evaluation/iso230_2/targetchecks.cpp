@@ -349,8 +349,10 @@ Judgement reachesEnds(const PositioningCase &test) {
              {along(test, before), along(test, behind), along(test, meanStep(targets), 2)}});
     }
     const auto &travel = test.measurement.axis.travel;
-    if (!travel || test.longAxis())
-        return Judgement::met(); // rows of their own ask for travel and zone
+    if (test.longAxis())
+        return Judgement::met(); // a row of its own asks for the zone
+    if (!travel)
+        return Judgement::undeclared();
     const double rest = *travel - measurementTravel(test.measurement);
     if (rest > 2 * most)
         return Judgement::unmet(

@@ -72,6 +72,8 @@ private slots:
         QCOMPARE(temperatureSpan(conditions, machine).farthest(), OptionalNumber(18));
         conditions.sensors.push_back(sensor(20, {}));
         QVERIFY(!temperatureSpan(conditions, machine).complete);
+        conditions.sensors.back() = sensor(20, 20, SensorMeasures::notStated); // may be of the machine
+        QVERIFY(!temperatureSpan(conditions, machine).complete);
     }
 
     void gradient_data() {
