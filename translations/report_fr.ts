@@ -4159,6 +4159,10 @@
         <translation>Combien de temps l’axe s’arrête avant que le relevé soit pris.</translation>
     </message>
     <message>
+        <source>How far the axis goes beyond a target before it comes back to it: beyond the first and the last one it needs that room.</source>
+        <translation>De combien l’axe dépasse un point visé avant d’y revenir&#xa0;: au-delà du premier et du dernier, il lui faut cette place.</translation>
+    </message>
+    <message>
         <source>Temperatures</source>
         <translation>Températures</translation>
     </message>

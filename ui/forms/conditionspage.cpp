@@ -404,7 +404,7 @@ void ConditionsPage::addCycle(const PositioningMeasurement &measurement) {
         true, 3);
     addNumber("dwell", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Dwell at the target"), Quantity::time,
               positioning<conditionsMember, &PositioningConditions::dwell>(), 3);
-    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Approach distance"),
+    addNumber("approachDistance", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Approach distance"),
               positionQuantity(measurement.axis),
               positioning<conditionsMember, &PositioningConditions::approachDistance>(), 3);
 }

@@ -203,7 +203,7 @@ constexpr std::array text2006{
     Demand{"cycle", text, "1", should, conditions, notShortLinear, cycleOf2006,
         REPORT_TEXT("report", "measuring cycle"), {}, {"cycle", "agreedPoints.stepCycle"}},
     Demand{"ends", text, "2.2", shall, conditions, approachedBothWays, endsOf2006,
-        REPORT_TEXT("report", "ends of the axis"), {}, {"axis.range"}},
+        REPORT_TEXT("report", "ends of the axis"), {}, {"axis.range", "conditions.approachDistance"}},
     Demand{"sensors", text, "3.1", shall, conditions, nullptr, temperaturesOf2006,
         REPORT_TEXT("report", "temperatures of machine and instrument"), {}, {"conditions.sensors"}},
     Demand{"correctionTo20", text, "3.1", shall, conditions, linear, correction,
