@@ -49,6 +49,8 @@ std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasur
     double sum = 0;
     int count = 0;
     for (const Sensor &sensor : conditions.sensors) {
+        if (sensor.measures == SensorMeasures::notStated)
+            return std::nullopt; // it may be one of them
         if (sensor.measures != what)
             continue;
         const auto value = temperature(sensor);

@@ -115,7 +115,7 @@ struct CircularConditions {
 };
 
 /// θ: mean over all sensors that measure it, of each the mean of start and end, or the one that is known; °C.
-/// Null unless each of them has one.
+/// Null unless each of them has one, and as long as a sensor may be one of them.
 [[nodiscard]] std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what);
 
 /// Temperature at start or end of a sensor: stated, or that at the earliest or latest time of its series.
@@ -123,7 +123,7 @@ struct CircularConditions {
 [[nodiscard]] std::optional<double> endTemperature(const Sensor &sensor);
 
 /// Mean at one time, startTemperature or endTemperature, over all sensors that measure it, °C. Null unless
-/// each of them has it.
+/// each of them has it, and as long as a sensor may be one of them.
 [[nodiscard]] std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what,
                                                     std::optional<double> (*temperature)(const Sensor &));
 

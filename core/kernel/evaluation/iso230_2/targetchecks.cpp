@@ -351,9 +351,10 @@ Judgement reachesEnds(const PositioningCase &test) {
     const auto &travel = test.measurement.axis.travel;
     if (test.longAxis())
         return Judgement::met(); // a row of its own asks for the zone
-    if (!travel)
+    const double measured = measurementTravel(test.measurement);
+    if (!travel || *travel < measured * (1 - 1e-9)) // contradicted by the targets
         return Judgement::undeclared();
-    const double rest = *travel - measurementTravel(test.measurement);
+    const double rest = *travel - measured;
     if (rest > 2 * most)
         return Judgement::unmet(
             {REPORT_TEXT("report", "The axis goes on for %1 beyond the first and the last target, more than "

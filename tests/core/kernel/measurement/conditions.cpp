@@ -56,6 +56,8 @@ private slots:
         QCOMPARE(meanOf({sensor(20, 21), sensor({}, 26)}), OptionalNumber(23.25)); // one is enough
         QCOMPARE(meanOf({sensor(22, {})}), OptionalNumber(22));
         QVERIFY(!meanOf({sensor(20, 21), sensor({}, {})}));
+        QVERIFY(
+            !meanOf({sensor(20, 21), sensor(22, 23, SensorMeasures::notStated)})); // may be of the machine
     }
 
     void everyTemperatureOfTheTest() {
