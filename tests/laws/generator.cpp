@@ -274,6 +274,12 @@ Json Generator::positioning() {
     Json test = object(schema);
     test["kind"] = "positioning";
     test["edition"] = value(schema.at("properties").at("edition"), "edition");
+    // Ends farther apart than the travel: one of them is wrong, and to take the wrong one away is no silence.
+    const Json axis = test.value("axis", Json::object());
+    if (axis.value("range", Json()).is_object() && axis.value("travel", Json()).is_number()) {
+        const double length = axis["range"]["to"].get<double>() - axis["range"]["from"].get<double>();
+        test["axis"]["travel"] = std::max(axis["travel"].get<double>(), length);
+    }
     measureAxis(test);
     test["limits"] = limits(schema.at("properties").at("limits"), 0.01);
     if (chance(0.7))
