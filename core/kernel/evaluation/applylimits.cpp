@@ -219,6 +219,46 @@ void findScale(TestEvaluation &evaluation, const Parameter &p, double limit) {
     evaluation.findings.back().id = "limitScale";
 }
 
+/// What is said once for all limits.
+struct Seen {
+    bool uncertaintyMissing = false;
+    std::string uncorrected; ///< symbols
+};
+
+/// Whether the rule, which asks for a proof, has one: what is not known proves nothing, and takes no
+/// rejection back.
+bool isProof(Verdict verdict, At20 at20) {
+    return at20 == At20::hold || (at20 == At20::open && verdict != Verdict::conforms);
+}
+
+/// Judges one result by a limit, and enters what it is in its row, the limit and the verdict of the test.
+void judge(TestEvaluation &evaluation, const Judged &one, const Limit &limit, const DecisionRule &rule,
+           At20 at20, AgreedLimit &agreed, Seen &seen) {
+    Parameter &p = *one.parameter;
+    p.guardBand = guardBand(p.guardedUncertainty(), rule);
+    Verdict verdict = decide(one, *limit.value, rule);
+    if (rule.rule != Rule::simpleAcceptance) {
+        // Where the budget decides in its place it is by the shift of the simulation.
+        evaluation.provisional |=
+            evaluation.uncertainty.outdated && evaluation.uncertainty.method == UncertaintyMethod::monteCarlo;
+        seen.uncertaintyMissing |= !p.expandedUncertainty;
+        if (p.dependsOnTemperature && !isProof(verdict, at20)) {
+            verdict = Verdict::notProven;
+            add(seen.uncorrected, plainSymbol(p));
+        }
+    }
+    if (p.calibrationOpen && verdict != Verdict::doesNotConform) {
+        verdict = Verdict::notProven;
+        agreed.state = std::max(agreed.state, LimitState::notEvaluable);
+        agreed.reason = NotEvaluable::calibrationOpen;
+    }
+    enter(evaluation, one, agreed.key, limit, verdict);
+    findScale(evaluation, p, *limit.value);
+    evaluation.verdict = worst(evaluation.verdict, verdict);
+    if (p.value)
+        agreed.state = std::max(agreed.state, stateOf(verdict));
+}
+
 } // namespace
 
 void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
@@ -226,8 +266,7 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
                  const std::function<NotEvaluable(const std::string &id)> &missing) {
     if (evaluation.view)
         return;
-    bool uncertaintyMissing = false;
-    std::string uncorrected;
+    Seen seen;
     std::string negative;
     for (const auto &[id, limit] : test.limits) {
         if (!limit.value)
@@ -249,34 +288,8 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
         }
         if (*limit.value < 0 && found.front().bound == Bound::magnitude)
             add(negative, id);
-        for (const Judged &one : found) {
-            Parameter &p = *one.parameter;
-            p.guardBand = guardBand(p.guardedUncertainty(), test.decisionRule);
-            Verdict verdict = decide(one, *limit.value, test.decisionRule);
-            if (test.decisionRule.rule != Rule::simpleAcceptance) {
-                // Where the budget decides in its place it is by the shift of the simulation.
-                evaluation.provisional |= evaluation.uncertainty.outdated &&
-                                          evaluation.uncertainty.method == UncertaintyMethod::monteCarlo;
-                uncertaintyMissing |= !p.expandedUncertainty;
-                // What is not known proves nothing, and takes no rejection back.
-                const bool proves =
-                    at20 == At20::hold || (at20 == At20::open && verdict != Verdict::conforms);
-                if (!proves && p.dependsOnTemperature) {
-                    verdict = Verdict::notProven;
-                    add(uncorrected, plainSymbol(p));
-                }
-            }
-            if (p.calibrationOpen && verdict != Verdict::doesNotConform) {
-                verdict = Verdict::notProven;
-                agreed.state = std::max(agreed.state, LimitState::notEvaluable);
-                agreed.reason = NotEvaluable::calibrationOpen;
-            }
-            enter(evaluation, one, id, limit, verdict);
-            findScale(evaluation, p, *limit.value);
-            evaluation.verdict = worst(evaluation.verdict, verdict);
-            if (one.parameter->value)
-                agreed.state = std::max(agreed.state, stateOf(verdict));
-        }
+        for (const Judged &one : found)
+            judge(evaluation, one, limit, test.decisionRule, at20, agreed, seen);
         if (agreed.state != LimitState::notEvaluable)
             agreed.reason = {};
         evaluation.limits.push_back(std::move(agreed));
@@ -284,8 +297,8 @@ void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
     if (!negative.empty())
         note(evaluation, "limits", Source::laboratory,
              {REPORT_TEXT("report", "The limit of %1 is negative; nothing can conform."), {negative}});
-    findUncorrected(evaluation, at20, uncorrected);
-    if (uncertaintyMissing)
+    findUncorrected(evaluation, at20, seen.uncorrected);
+    if (seen.uncertaintyMissing)
         note(evaluation, "decisionRule", Source::laboratory,
              {REPORT_TEXT("report", "The decision rule needs the measurement uncertainty: without it "
                                     "nothing is proven.")});
