@@ -34,7 +34,7 @@ const char *interventionWord(InterventionKind kind) {
 }
 
 bool saysDate(const MachineTrend &trend) {
-    return trend.line && trend.line->isShown() && trend.notBefore.state == NotBefore::State::date;
+    return trend.line && trend.notBefore.state == NotBefore::State::date;
 }
 
 QString quantityText(double value, Quantity quantity, int decimals, const Language &language) {
@@ -111,40 +111,50 @@ QString seriesName(const TrendSeries &series, bool angular, const Language &lang
     return parts.join(QStringLiteral(", "));
 }
 
+namespace {
+
+/// When the bound of the line reaches the limit, of a trend that has both.
+QString boundStatement(const MachineTrend &trend, const Language &language) {
+    const auto month = [&](double time) { return monthText(dateOfYears(time), language).toStdString(); };
+    switch (trend.notBefore.state) {
+    case NotBefore::State::already:
+        return language.text(REPORT_TEXT("report", "the bound is at the limit already"));
+    case NotBefore::State::beyond:
+        return language.sentence({REPORT_TEXT("report", "not before %1; nothing is said beyond"),
+                                  {month(trendHorizon(*trend.line))}});
+    case NotBefore::State::date:
+        return language.sentence({REPORT_TEXT("report", "not before %1"), {month(trend.notBefore.time)}});
+    case NotBefore::State::noLimit:
+        break;
+    }
+    return {};
+}
+
+} // namespace
+
 QString trendStatement(const MachineTrend &trend, const Language &language) {
     if (!trend.line)
         return language.sentence({REPORT_TEXT("report", "fewer than %1 tests since the last intervention"),
                                   {Number{static_cast<double>(fewestTrendPoints), Quantity::count}}});
-    if (!trend.line->isShown())
-        return language.text(REPORT_TEXT("report", "no trend shown"));
-    switch (trend.notBefore.state) {
-    case NotBefore::State::noLimit:
-        return language.text(REPORT_TEXT("report", "no limit"));
-    case NotBefore::State::already:
-        return language.text(REPORT_TEXT("report", "the bound is at the limit already"));
-    case NotBefore::State::beyond:
-        return language.sentence(
-            {REPORT_TEXT("report", "not before %1; nothing is said beyond"),
-             {monthText(dateOfYears(trendHorizon(*trend.line)), language).toStdString()}});
-    case NotBefore::State::date:
-        return language.sentence({REPORT_TEXT("report", "not before %1"),
-                                  {monthText(dateOfYears(trend.notBefore.time), language).toStdString()}});
-    }
-    return {};
+    const QString noTrend = language.text(REPORT_TEXT("report", "no trend shown"));
+    if (trend.notBefore.state == NotBefore::State::noLimit)
+        return trend.line->isShown() ? language.text(REPORT_TEXT("report", "no limit")) : noTrend;
+    return (trend.line->isShown() ? QString() : noTrend + language.semicolon()) +
+           boundStatement(trend, language);
 }
 
 QString shortTrendStatement(const MachineTrend &trend, const Language &language) {
     if (!trend.line)
         return language.text(REPORT_TEXT("report", "too few tests"));
-    if (trend.line->isShown() && trend.notBefore.state == NotBefore::State::beyond)
+    if (trend.notBefore.state == NotBefore::State::beyond)
         return language.sentence(
             {REPORT_TEXT("report", "not before %1 *"),
              {shortMonthText(dateOfYears(trendHorizon(*trend.line)), language).toStdString()}});
-    if (trend.line->isShown() && trend.notBefore.state == NotBefore::State::date)
+    if (trend.notBefore.state == NotBefore::State::date)
         return language.sentence(
             {REPORT_TEXT("report", "not before %1"),
              {shortMonthText(dateOfYears(trend.notBefore.time), language).toStdString()}});
-    if (trend.line->isShown() && trend.notBefore.state == NotBefore::State::already)
+    if (trend.notBefore.state == NotBefore::State::already)
         return language.text(REPORT_TEXT("report", "at the limit"));
     return trendStatement(trend, language);
 }
@@ -188,12 +198,10 @@ std::vector<KeyValue> trendFacts(const MachineTrend &trend, const Language &lang
     facts.push_back({language.text(REPORT_TEXT("report", "line at the last test")),
                      language.number(line.at(line.last), quantity, 1) + QStringLiteral("\u00A0±\u00A0") +
                          quantityText(2 * line.uncertaintyAt(line.last), quantity, 1, language)});
-    facts.push_back(
-        {language.text(REPORT_TEXT("report", "scatter s")),
-         quantityText(line.scatter, quantity, 1, language) +
-             (line.chi2PerDof ? QStringLiteral(" · χ²/ν\u00A0") +
-                                    language.number(*line.chi2PerDof, Quantity::number, slopeDecimals)
-                              : QString())});
+    facts.push_back({language.text(REPORT_TEXT("report", "scatter s")),
+                     quantityText(line.scatter, quantity, 1, language) + QStringLiteral(" · χ²/ν\u00A0") +
+                         (line.chi2PerDof ? language.number(*line.chi2PerDof, Quantity::number, slopeDecimals)
+                                          : QStringLiteral("–"))});
     return facts;
 }
 

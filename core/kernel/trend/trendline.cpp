@@ -178,9 +178,8 @@ std::optional<TrendLine> trendLine(std::span<const TrendPoint> points) {
     const int degrees = static_cast<int>(points.size()) - 2;
     Fit fit = fitter.fit(0);
     TrendLine result;
-    const bool allUncertain = std::ranges::all_of(
-        points, [](const TrendPoint &point) { return point.own > 0 || !point.shared.empty(); });
-    if (allUncertain)
+    // What all have in common moves the line, and expects no scatter about it.
+    if (std::ranges::all_of(points, [](const TrendPoint &point) { return point.own > 0; }))
         result.chi2PerDof = fit.chi2 / degrees;
     if (fit.chi2 > degrees) {
         const double squared = scatterSquared(fitter, fit.chi2, degrees);

@@ -41,7 +41,7 @@ struct TrendLine {
     double slopeVariance = 0;
     double covariance = 0;                 ///< of level and slope
     double scatter = 0;                    ///< s: what the values scatter beyond their uncertainties
-    std::optional<double> chi2PerDof = {}; ///< with s = 0; null: a value has no uncertainty at all
+    std::optional<double> chi2PerDof = {}; ///< with s = 0; null: a value has no own part
     double twoSided = 0;                   ///< t(0.975; n − 2) if s > 0, else 1.96
     double oneSided = 0;                   ///< t(0.95; n − 2) if s > 0, else 1.645
 

@@ -94,6 +94,11 @@ private slots:
         QVERIFY(line);
         QVERIFY(isNear(line->scatter, std::sqrt(4.0 / 2), 1e-9));
         QVERIFY(!line->chi2PerDof);
+        // Nor does a U that all have in common expect any.
+        std::vector<TrendPoint> alike = points;
+        for (TrendPoint &point : alike)
+            point.shared = {{"laser", 0.5}};
+        QVERIFY(!trendLine(alike)->chi2PerDof);
         QVERIFY(isNear(line->twoSided, studentQuantile975(2), 1e-12));
         QVERIFY(isNear(line->oneSided, 2.919985580353726, 1e-9)); // t(0.95; 2)
         QVERIFY(!line->isShown());
