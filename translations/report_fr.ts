@@ -6922,6 +6922,10 @@
         <source>the pages of this PDF cannot be read; ask for it again where it came from</source>
         <translation>les pages de ce PDF sont illisibles&#x202f;; redemandez-le à son expéditeur</translation>
     </message>
+    <message>
+        <source>the pages of this PDF have more than %1 drawing operators: too long to verify here</source>
+        <translation>les pages de ce PDF comptent plus de %1 opérateurs graphiques&#xa0;: trop long à vérifier ici</translation>
+    </message>
     <message numerus="yes">
         <source>%n difference(s): the report does not follow from the attached data.</source>
         <translation>

@@ -22,12 +22,22 @@ namespace palmer {
 /// A title, the author or a bookmark.
 [[nodiscard]] Difference otherBeside(const QString &shown);
 
-/// For pages that no reader can show, or not in reasonable time.
+/// For pages that no reader can show.
 [[nodiscard]] inline Error unreadablePages() {
     return {
         Error::Kind::syntax,
         {REPORT_TEXT("report", "the pages of this PDF cannot be read; ask for it again where it came from"),
          {},
+         {}}};
+}
+
+/// For pages that draw more than `operators`, which is more than a report does.
+[[nodiscard]] inline Error tooMuchDrawn(qint64 operators) {
+    return {
+        Error::Kind::syntax,
+        {REPORT_TEXT("report",
+                     "the pages of this PDF have more than %1 drawing operators: too long to verify here"),
+         {Number{static_cast<double>(operators), Quantity::count, 0}},
          {}}};
 }
 

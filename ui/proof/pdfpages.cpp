@@ -5,7 +5,6 @@
 #include "proof/deviation.h"
 
 #include <QDateTime>
-#include <QElapsedTimer>
 #include <poppler/qt6/poppler-form.h>
 #include <poppler/qt6/poppler-qt6.h>
 
@@ -13,10 +12,14 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr qint64 longest = 30'000; ///< ms for all pages
+// Poppler asks after every tenth operator whether it is to go on. A report draws some thousand operators a
+// page; one that nests forms a billion. A paused or busy machine changes neither.
+constexpr int operatorsOfAnAsking = 10;
+constexpr qint64 askingsOfDocument = 200'000;
+constexpr qint64 askingsOfPage = 4'000;
 
-bool isLate(const QVariant &since) {
-    return since.value<const QElapsedTimer *>()->hasExpired(longest);
+bool isTooMuch(const QVariant &left) {
+    return --*left.value<qint64 *>() < 0;
 }
 
 SignatureStatement::State stateOf(Poppler::SignatureValidationInfo::SignatureStatus status) {
@@ -45,18 +48,21 @@ public:
 
 private:
     [[nodiscard]] std::unique_ptr<Poppler::Page> page(int index) const;
-    void demandInTime() const;
+    [[nodiscard]] qint64 askings() const {
+        return askingsOfDocument + askingsOfPage * m_document->numPages();
+    }
+    void demandNotTooMuch() const;
 
     std::unique_ptr<Poppler::Document> m_document;
-    QElapsedTimer m_since;
+    mutable qint64 m_left = 0; ///< askings until the PDF draws too much
 };
 
 PagesOfPoppler::PagesOfPoppler(const QByteArray &pdf) {
     Poppler::setDebugErrorFunction([](const QString &, const QVariant &) {}, {});
-    m_since.start();
     m_document = Poppler::Document::loadFromData(pdf);
     if (!m_document || m_document->isLocked())
         throw unreadablePages();
+    m_left = askings();
     m_document->setRenderHint(Poppler::Document::Antialiasing);
     m_document->setRenderHint(Poppler::Document::TextAntialiasing);
     m_document->setRenderHint(Poppler::Document::HideAnnotations);
@@ -66,9 +72,9 @@ int PagesOfPoppler::count() const {
     return m_document->numPages();
 }
 
-void PagesOfPoppler::demandInTime() const {
-    if (m_since.hasExpired(longest))
-        throw unreadablePages();
+void PagesOfPoppler::demandNotTooMuch() const {
+    if (m_left < 0)
+        throw tooMuchDrawn(operatorsOfAnAsking * askings());
 }
 
 std::unique_ptr<Poppler::Page> PagesOfPoppler::page(int index) const {
@@ -84,19 +90,19 @@ QSizeF PagesOfPoppler::size(int index) const {
 
 PrintedWords PagesOfPoppler::words(int index) const {
     PrintedWords result;
-    const QVariant since = QVariant::fromValue(&m_since);
-    for (const auto &box : page(index)->textList(Poppler::Page::Rotate0, isLate, since))
+    const QVariant left = QVariant::fromValue(&m_left);
+    for (const auto &box : page(index)->textList(Poppler::Page::Rotate0, isTooMuch, left))
         result.push_back({box->text(), box->boundingBox()});
-    demandInTime();
+    demandNotTooMuch();
     return result;
 }
 
 QImage PagesOfPoppler::picture(int index) const {
     constexpr double dotsPerInch = 72;
-    const QVariant since = QVariant::fromValue(&m_since);
-    const QImage image = page(index)->renderToImage(dotsPerInch, dotsPerInch, -1, -1, -1, -1,
-                                                    Poppler::Page::Rotate0, nullptr, nullptr, isLate, since);
-    demandInTime();
+    const QVariant left = QVariant::fromValue(&m_left);
+    const QImage image = page(index)->renderToImage(
+        dotsPerInch, dotsPerInch, -1, -1, -1, -1, Poppler::Page::Rotate0, nullptr, nullptr, isTooMuch, left);
+    demandNotTooMuch();
     return image.convertToFormat(QImage::Format_RGB32);
 }
 

@@ -14,7 +14,7 @@
 namespace palmer::ui {
 
 /// The pages of a PDF: words, pictures, signatures. Throws Error for what cannot be read, and for pages that
-/// take longer than half a minute in all.
+/// draw more than a report does.
 class PdfPages {
 public:
     virtual ~PdfPages() = default;

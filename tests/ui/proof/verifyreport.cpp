@@ -90,6 +90,7 @@ private slots:
     void whatIsNoReportIsRefused();
     void encryptionIsSaid();
     void nothingUnpacksBeyondTheBound();
+    void pagesThatDrawWithoutEndAreRefused();
     void outcomeAsJson();
 };
 
@@ -455,6 +456,32 @@ void VerifyReport::nothingUnpacksBeyondTheBound() {
     QVERIFY(bomb.size() < 4'000'000);
     const QString sentence = refusal(bomb);
     QVERIFY2(sentence.contains(u"512 MiB"_s), qPrintable(sentence));
+}
+
+/// Forms within forms: a few hundred bytes that draw 10¹² lines. What bounds them is no clock.
+void VerifyReport::pagesThatDrawWithoutEndAreRefused() {
+    const QByteArray endless = changed(pdfOf(u"limits-2006"_s), [&](QPDF &document) {
+        QPDFObjectHandle form;
+        for (int level = 0; level < 12; ++level) {
+            std::string content;
+            for (int time = 0; time < 10; ++time)
+                content += level == 0 ? "0 0 m 1 1 l S " : "/Inner Do ";
+            QPDFObjectHandle outer = QPDFObjectHandle::newStream(&document, content);
+            outer.replaceDict(QPDFObjectHandle::parse(
+                "<< /Type /XObject /Subtype /Form /BBox [0 0 10 10] /Resources << /XObject << >> >> >>"));
+            if (level > 0)
+                outer.getDict().getKey("/Resources").getKey("/XObject").replaceKey("/Inner", form);
+            form = document.makeIndirectObject(outer);
+        }
+        QPDFPageObjectHelper page = QPDFPageDocumentHelper(document).getAllPages().front();
+        QPDFObjectHandle resources = page.getAttribute("/Resources", true);
+        if (!resources.getKey("/XObject").isDictionary())
+            resources.replaceKey("/XObject", QPDFObjectHandle::newDictionary());
+        resources.getKey("/XObject").replaceKey("/Endless", form);
+        page.addPageContents(QPDFObjectHandle::newStream(&document, "/Endless Do"), false);
+    });
+    const QString sentence = refusal(endless);
+    QVERIFY2(sentence.contains(u"drawing operators: too long to verify here"_s), qPrintable(sentence));
 }
 
 void VerifyReport::outcomeAsJson() {
