@@ -372,7 +372,7 @@ std::vector<Path> Generator::statements(const Json &file) const {
             for (const auto &[key, below] : at.items()) {
                 const bool shapesOnly =
                     path.empty() && (key == "format" || key == "version" || key == "report");
-                // Of a rotary axis a part per metre is refused, as long as it is there.
+                // A rotary axis has no part per metre: while one is stated, there is no budget.
                 const bool refused = key == "perMetre" && isOfRotary(file, path);
                 if (shapesOnly || refused || exempt.contains(key))
                     continue;

@@ -20,6 +20,7 @@
 #include "report/composereport.h"
 #include "report/results.h"
 #include "report/tables/findinglines.h"
+#include "report/tables/resulttable.h"
 #include "report/words/wording.h"
 #include "ui/pdf/writepdf.h"
 #include "ui/proof/verifyreport.h"
@@ -210,6 +211,8 @@ public:
             limitsOnPages(report, language);
             statementsOnPages(page);
             oneVoice(page, language);
+            if (id == Language::Id::english)
+                sameNumbers(report);
             if (asPdf && id == Language::Id::english)
                 verifies(report);
         }
@@ -408,6 +411,49 @@ private:
         }
     }
 
+    /// Terminal and report print each result as the JSON has it, rounded, in the row of its symbol.
+    void sameNumbers(const Report &report) {
+        const Language english(Language::Id::english);
+        const std::array exits{std::pair{"terminal", composeResults(m_followed.evaluated, english)},
+                               std::pair{"report", report}};
+        for (const auto &[exit, written] : exits) {
+            const QStringList lines = plainText(written, 100'000).split(u'\n');
+            for (std::size_t i = 0; i < document().tests.size(); ++i) {
+                const TestEvaluation &evaluation = *m_followed.evaluated.tests[i];
+                for (const PrintedResult &result :
+                     printedResults(document(), *document().tests[i], evaluation, english))
+                    numberOf(exit, lines, result, m_json["tests"][i]["parameters"]);
+            }
+        }
+    }
+
+    void numberOf(const char *exit, const QStringList &lines, const PrintedResult &result,
+                  const Json &parameters) {
+        const std::string id = parameterId(*result.parameter);
+        const auto json =
+            std::ranges::find_if(parameters, [&](const Json &parameter) { return parameter["id"] == id; });
+        if (json == parameters.end() || json->at("value").is_null() != result.value.isEmpty()) {
+            violated("one voice", std::string(exit) + " has another value of " + id);
+            return;
+        }
+        if (result.value.isEmpty())
+            return;
+        ++m_counts.results;
+        const QString symbol = QString::fromStdString(plainSymbol(*result.parameter));
+        if (std::ranges::none_of(lines, [&](const QString &line) {
+                const QStringList cells = line.simplified().split(u' ');
+                return QString(cells.front()).remove(u',') == symbol && cells.contains(result.value);
+            }))
+            violated("one voice", std::string(exit) + " lacks " + id + " = " + result.value.toStdString());
+        QString digits = result.value;
+        digits.replace(QChar(0x2212), u'-').remove(QChar(0x202F));
+        const double value = json->at("value").get<double>() * (json->at("unit") == "deg" ? 3600 : 1000);
+        const double step = std::pow(10.0, -result.decimals);
+        if (std::abs(digits.toDouble() - value) > (0.5 + 1e-6) * step)
+            violated("one voice", std::string(exit) + " prints " + digits.toStdString() + " for " + id + " " +
+                                      json->at("value").dump());
+    }
+
     /// No exit contains a raw control character or a mark of direction; what those are is said here anew.
     void harmless(const char *exit, const QString &text) {
         const bool raw = std::ranges::any_of(text, [](QChar c) {
@@ -473,7 +519,7 @@ private:
             for (int row = 0; row < model.rowCount(); ++row) {
                 const ui::FindingsModel::Line &line = model.line(row);
                 if (line.page == page)
-                    listed.insert(line.sentence);
+                    listed.insert(line.text);
                 else if (sum(line.text) != std::ranges::count_if(findings, [&](const Finding &finding) {
                              return ui::pageOf(finding, document()) == line.page;
                          }))
@@ -604,6 +650,7 @@ Counts &Counts::operator+=(const Counts &other) {
     tests += other.tests;
     limits += other.limits;
     statements += other.statements;
+    results += other.results;
     texts += other.texts;
     numbers += other.numbers;
     pages += other.pages;

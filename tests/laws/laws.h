@@ -24,6 +24,7 @@ struct Counts {
     int tests = 0;
     int limits = 0;
     int statements = 0; ///< set to null or removed, one at a time
+    int results = 0;    ///< as terminal and report print them
     int texts = 0;
     int numbers = 0;
     int pages = 0;                         ///< composed once more without a statement
@@ -33,8 +34,8 @@ struct Counts {
     Counts &operator+=(const Counts &other);
 };
 
-/// Of the files of the seeds `first`, `first` + 1, …: follows each through every exit, one in twenty also as
-/// PDF, with `mostStatements` of its statements taken away, chosen at random (0: all), and reports what does
+/// Follows the files of the seeds `first`, `first` + 1, … through every exit, one in twenty also as PDF,
+/// takes `mostStatements` of each file's statements away, chosen at random (0: all), and reports what does
 /// not hold.
 [[nodiscard]] Counts followFiles(int files, std::uint64_t first, std::size_t mostStatements,
                                  const std::function<void(std::uint64_t seed, const Violation &)> &report);

@@ -26,7 +26,8 @@ void LawsTest::everyLawHolds() {
     });
     QVERIFY2(violations.isEmpty(), qPrintable(violations.join(u'\n')));
     // Something was followed: a generator that makes nothing breaks no law.
-    QVERIFY(all.tests > files && all.limits > 700 && all.statements > 20'000 && all.texts > 10'000);
+    QVERIFY(all.tests > files && all.limits > 700 && all.results > 1500 && all.statements > 20'000 &&
+            all.texts > 10'000);
     QVERIFY(all.numbers > 10'000 && all.pages > 500 && all.reports == files / 20);
 }
 

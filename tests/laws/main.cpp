@@ -34,10 +34,11 @@ int main(int argc, char **argv) {
                         violation.what.c_str());
     };
     const Counts all = followFiles(files, first, 0, print);
-    std::printf("files %d, refused %d, tests %d, limits %d, statements taken away %d, texts looked for %d, "
+    std::printf("files %d, refused %d, tests %d, limits %d, results printed %d, statements taken away %d, "
+                "texts looked for %d, "
                 "numbers %d, pages compared %d, PDF %d\n",
-                all.files, all.refused, all.tests, all.limits, all.statements, all.texts, all.numbers,
-                all.pages, all.reports);
+                all.files, all.refused, all.tests, all.limits, all.results, all.statements, all.texts,
+                all.numbers, all.pages, all.reports);
     int violations = all.refused;
     for (const auto &[law, count] : all.violations) {
         std::printf("%s: %d violations\n", law.c_str(), count);

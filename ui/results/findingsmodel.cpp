@@ -84,8 +84,7 @@ void FindingsModel::addFindings(const std::vector<Finding> &findings, const Docu
     std::ranges::stable_sort(here, {},
                              [](const Finding *f) { return std::tuple(f->source, f->grade, f->state); });
     for (const Finding *finding : here) {
-        const QString sentence = findingText(*finding, language);
-        m_lines.push_back({finding->grade, page, fieldOf(*finding), sentence, sentence,
+        m_lines.push_back({finding->grade, page, fieldOf(*finding), findingText(*finding, language),
                            clauseText(finding->clause, language)});
     }
 }
@@ -108,7 +107,7 @@ void FindingsModel::addPage(const std::vector<Finding> &findings, const Document
                              ? tr("%n required statement(s) missing", nullptr, all)
                              : tr("%n finding(s)", nullptr, all);
     const QString line = tr("%1: %2", "page: what is found there").arg(pageName(page), text);
-    m_lines.push_back({worst, page, {}, line, line, {}});
+    m_lines.push_back({worst, page, {}, line, {}});
 }
 
 QString FindingsModel::summaryOf(const std::vector<Finding> &findings) {
@@ -140,9 +139,9 @@ QVariant FindingsModel::data(const QModelIndex &index, int role) const {
     case Qt::DisplayRole:
         return shown.text;
     case Qt::ToolTipRole:
-        return gradeWord(shown.grade) + QStringLiteral(" – ") + shown.sentence;
+        return gradeWord(shown.grade) + QStringLiteral(" – ") + shown.text;
     case Qt::AccessibleTextRole:
-        return gradeWord(shown.grade) + QStringLiteral(": ") + shown.sentence + u' ' + shown.clause;
+        return gradeWord(shown.grade) + QStringLiteral(": ") + shown.text + u' ' + shown.clause;
     default:
         return {};
     }

@@ -20,10 +20,9 @@ public:
     struct Line {
         Grade grade = Grade::note;
         Page page = Page::readings;
-        QString id;       ///< of the field it speaks of; empty where the line stands for a page
-        QString text;     ///< as it fits a line
-        QString sentence; ///< as the report says it
-        QString clause;   ///< empty where it is not known
+        QString id;     ///< of the field it speaks of; empty where the line stands for a page
+        QString text;   ///< as the report says it
+        QString clause; ///< empty where it is not known
     };
 
     using QAbstractListModel::QAbstractListModel;

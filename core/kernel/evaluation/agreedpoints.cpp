@@ -60,12 +60,14 @@ void findNotAgreed(const Edition &edition, const Test &test, std::vector<Finding
         finding.missing = true;
         const AgreedPoint *stated = agreedPoint(test, row.point);
         const bool declared = stated && stated->state == AgreementState::notAgreed;
-        finding.message = {read       ? declared
-                                            ? REPORT_TEXT("report", "To be agreed (clause %3), not agreed%2: %1.")
-                                            : REPORT_TEXT("report", "To be agreed (clause %3), not declared%2: %1.")
-                                 : declared ? REPORT_TEXT("report", "To be agreed, not agreed%2: %1.")
-                                      : REPORT_TEXT("report", "To be agreed, not declared%2: %1."),
-                           {row.name, std::string(), finding.clause}};
+        if (read)
+            finding.message.text =
+                declared ? REPORT_TEXT("report", "To be agreed (clause %3), not agreed%2: %1.")
+                         : REPORT_TEXT("report", "To be agreed (clause %3), not declared%2: %1.");
+        else
+            finding.message.text = declared ? REPORT_TEXT("report", "To be agreed, not agreed%2: %1.")
+                                            : REPORT_TEXT("report", "To be agreed, not declared%2: %1.");
+        finding.message.arguments = {row.name, std::string(), finding.clause};
         findings.push_back(std::move(finding));
     }
 }

@@ -23,7 +23,7 @@ struct WarmUp {
 };
 
 enum class SensorMeasures { machine, instrument, air, notStated };
-inline constexpr std::size_t kindsOfSensors = 4;
+inline constexpr std::size_t kindsOfSensors = static_cast<std::size_t>(SensorMeasures::notStated) + 1;
 
 /// Temperatures of a sensor over the time of the test; both of the same length.
 struct TemperatureSeries {

@@ -32,9 +32,7 @@ public:
     }
 
     /// "; " as the language spaces it.
-    [[nodiscard]] QString semicolon() const {
-        return m_language.semicolon();
-    }
+    [[nodiscard]] QString semicolon() const { return m_language.semicolon(); }
 
 private:
     const Language &m_language;

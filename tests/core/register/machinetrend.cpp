@@ -76,6 +76,26 @@ class MachineTrendTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// Values that go up and down have no trend, and still a bound; a U known only as a whole has no χ²/ν.
+    void aBoundIsSaidWithoutATrend() {
+        std::vector<ListedTest> tests{made("2024-01-10", 10.0), made("2024-07-10", 10.9),
+                                      made("2025-01-10", 9.8),  made("2025-07-10", 10.8),
+                                      made("2026-01-10", 10.0), made("2026-07-10", 10.7)};
+        const MachineTrend trend = machineTrend(tests, "A");
+        QVERIFY(trend.line && !trend.line->isShown());
+        const Language english(Language::Id::english);
+        QVERIFY2(trendStatement(trend, english).startsWith("no trend shown; not before "),
+                 qPrintable(trendStatement(trend, english)));
+        QVERIFY(trendStatement(trend, Language(Language::Id::french)).contains("\u202F; "));
+        for (ListedTest &test : tests) {
+            test.test.parts.clear();
+            test.test.results.front().own = 0;
+        }
+        const MachineTrend whole = machineTrend(tests, "A");
+        QVERIFY(whole.line && !whole.line->chi2PerDof);
+        QVERIFY(trendFacts(whole, english).back().value.endsWith("χ²/ν\u00A0–"));
+    }
+
     void theLineBeginsWithTheLastIntervention() {
         const MachineTrend trend = machineTrend(sinceRepair(), "A");
         QCOMPARE(trend.series.size(), std::size_t{1});

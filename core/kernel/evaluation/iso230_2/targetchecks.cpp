@@ -89,7 +89,8 @@ Sentence meanIntervalWhere(const PositioningCase &test, bool tooLong) {
 /// The ends are stated, or are those of the measurement travel, which goes over the whole stated one.
 bool endsKnown(const PositioningCase &test) {
     const Axis &axis = test.measurement.axis;
-    return axis.range || (axis.travel && measurementTravel(test.measurement) >= *axis.travel * (1 - 1e-9));
+    return axis.range || (axis.travel && std::abs(measurementTravel(test.measurement) - *axis.travel) <=
+                                             1e-9 * *axis.travel);
 }
 
 Judgement endsNotDeclared() {

@@ -1280,27 +1280,21 @@ void Requirements::circularRows_data() {
     row("G(b) alone does not", uncalibrated("G(b)"), "referenceLength", "4.5", "met");
     row(
         "one sense", [](Circle &c) { c.m().arcs.pop_back(); }, "bothSenses", "5", "undeclared");
-    row(
-        "one sense, both asked for",
-        [](Circle &c) {
-            c.m().arcs.pop_back();
-            c.m().requiredResults = {"G(b)"};
-        },
-        "bothSenses", "5", "unmet");
-    row(
-        "one sense, both limited",
-        [](Circle &c) {
-            c.m().arcs.pop_back();
-            c.test.limits["G(b)"].value = 0.02;
-        },
-        "bothSenses", "5", "unmet");
-    row(
-        "one sense, a limit on G alone",
-        [](Circle &c) {
-            c.m().arcs.pop_back();
-            c.test.limits["G"].value = 0.02;
-        },
-        "bothSenses", "5", "met");
+    const auto oneSense = [&](const char *name, const Change &asked, const char *state) {
+        row(
+            name,
+            [asked](Circle &c) {
+                c.m().arcs.pop_back();
+                asked(c);
+            },
+            "bothSenses", "5", state);
+    };
+    oneSense(
+        "both asked for", [](Circle &c) { c.m().requiredResults = {"G(b)"}; }, "unmet");
+    oneSense(
+        "both limited", [](Circle &c) { c.test.limits["G(b)"].value = 0.02; }, "unmet");
+    oneSense(
+        "a limit on G alone", [](Circle &c) { c.test.limits["G"].value = 0.02; }, "met");
     row(
         "a limit on G asks nothing of F",
         [](Circle &c) {
