@@ -135,7 +135,7 @@ void writeOutputs(const std::vector<FileToSave> &outputs) {
     std::vector<FileToSave> files;
     std::ranges::copy_if(outputs, std::back_inserter(files),
                          [](const FileToSave &output) { return !isStandardOutput(output.path); });
-    saveFiles(files);
+    saveFiles(files, UnreadPipe::awaited);
     for (const FileToSave &output : outputs) {
         if (isStandardOutput(output.path))
             printOut(output.bytes);

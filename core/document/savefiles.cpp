@@ -9,7 +9,6 @@
 #include <QFileInfo>
 #include <QSaveFile>
 #include <QStorageInfo>
-#include <QThread>
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
@@ -57,22 +56,18 @@ private:
     int m_number;
 };
 
-/// Opens a device or a pipe. Opening a pipe waits for who reads it, and might do so for ever.
-int openDevice(const QByteArray &name) {
-    constexpr int attempts = 200;
-    for (int attempt = 0; attempt < attempts; ++attempt) {
+/// Opens a device or a pipe. Opening a pipe blocks until it has a reader, unless that is refused.
+int openDevice(const QByteArray &name, UnreadPipe unread) {
+    const int nonBlocking = unread == UnreadPipe::refused ? O_NONBLOCK : 0;
+    int device = -1;
+    do {
         // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX
-        const int device = ::open(name.constData(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
-        if (device >= 0) {
-            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX
-            ::fcntl(device, F_SETFL, ::fcntl(device, F_GETFL) & ~O_NONBLOCK);
-            return device;
-        }
-        if (errno != ENXIO && errno != EINTR)
-            return -1;
-        QThread::msleep(10);
-    }
-    return -1;
+        device = ::open(name.constData(), O_WRONLY | O_CLOEXEC | nonBlocking);
+    } while (device < 0 && errno == EINTR);
+    if (device >= 0 && nonBlocking != 0)
+        // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX
+        ::fcntl(device, F_SETFL, ::fcntl(device, F_GETFL) & ~O_NONBLOCK);
+    return device;
 }
 
 [[noreturn]] void refuseDevice(int cause) {
@@ -86,8 +81,8 @@ int openDevice(const QByteArray &name) {
                   "takes a file; save to a file"));
 }
 
-void writeDevice(const QByteArray &bytes, const QString &path) {
-    const Descriptor device(openDevice(QFile::encodeName(path)));
+void writeDevice(const QByteArray &bytes, const QString &path, UnreadPipe unread) {
+    const Descriptor device(openDevice(QFile::encodeName(path), unread));
     if (device.number() < 0)
         refuseDevice(errno);
     for (qsizetype at = 0; at < bytes.size();) {
@@ -216,7 +211,7 @@ void renameAll(std::vector<std::unique_ptr<Staged>> &staged) {
 
 } // namespace
 
-void saveFiles(const std::vector<FileToSave> &files) {
+void saveFiles(const std::vector<FileToSave> &files, UnreadPipe unread) {
     for (const FileToSave &file : files)
         forFile(file.path, [&] { demandPlace(file.path); });
     std::vector<std::unique_ptr<Staged>> staged;
@@ -226,7 +221,7 @@ void saveFiles(const std::vector<FileToSave> &files) {
     }
     for (const FileToSave &file : files) {
         if (isDevice(file.path))
-            forFile(file.path, [&] { writeDevice(file.bytes, file.path); });
+            forFile(file.path, [&] { writeDevice(file.bytes, file.path, unread); });
     }
     renameAll(staged);
 }
