@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-// palmer-laws FILES [SEED [OUT.palmer]]: follows so many generated test files through every exit of the
-// program and prints what does not hold, each kind of violation once with the seed of its file, and the
-// counts; OUT.palmer is the last of the files.
+// palmer-laws FILES [SEED [FOLDER]]: follows so many generated test files through every exit of the program
+// and prints what does not hold, each kind of violation once with the seed of its file, and the counts; with
+// FOLDER it writes the files there instead, SEED.palmer each.
 #include "laws/laws.h"
 
 #include "document/savedocument.h"
 
 #include <QApplication>
+#include <QDir>
 #include <cstdio>
 #include <cstdlib>
 
@@ -18,9 +19,14 @@ int main(int argc, char **argv) {
     const QApplication application(argc, argv);
     const int files = argc > 1 ? std::atoi(argv[1]) : 1000;
     const std::uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
-    if (argc > 3)
-        palmer::saveBytes(QByteArray::fromStdString(fileOf(first + static_cast<std::uint64_t>(files) - 1)),
-                          QString::fromLocal8Bit(argv[3]));
+    if (argc > 3) {
+        const QDir folder(QString::fromLocal8Bit(argv[3]));
+        folder.mkpath(QStringLiteral("."));
+        for (std::uint64_t seed = first; seed < first + static_cast<std::uint64_t>(files); ++seed)
+            palmer::saveBytes(QByteArray::fromStdString(fileOf(seed)),
+                              folder.filePath(QStringLiteral("%1.palmer").arg(seed)));
+        return EXIT_SUCCESS;
+    }
     std::map<std::string, int> kinds;
     const auto print = [&](std::uint64_t seed, const Violation &violation) {
         std::string kind = violation.law + ": " + violation.what;
