@@ -9,8 +9,7 @@
 #include "document/filename.h"
 #include "languageoflocale.h"
 
-#include <QApplication>
-#include <QCoreApplication>
+#include <QGuiApplication>
 #include <QHashFunctions>
 #include <algorithm>
 #include <csignal>
@@ -86,14 +85,14 @@ void keepQuiet(QtMsgType type, const QMessageLogContext &, const QString &messag
         printError(message);
 }
 
-/// Figures need a QApplication; it needs no display.
+/// Figures need a QGuiApplication; it needs no display.
 std::unique_ptr<QCoreApplication> applicationFor(const QStringList &words, char **argv) {
     static int count = 1; // the words are ours, none is Qt's
     if (!needsDrawing(words))
         return std::make_unique<QCoreApplication>(count, argv);
     qInstallMessageHandler(keepQuiet);
     qputenv("QT_QPA_PLATFORM", "offscreen");
-    return std::make_unique<QApplication>(count, argv);
+    return std::make_unique<QGuiApplication>(count, argv);
 }
 
 /// A stream that the caller closed gives its number to the next file that is opened, and what is read from it

@@ -14,7 +14,7 @@
 #include "figures/figuredata.h"
 #include "figures/figureoftest.h"
 #include "kernel/measurement/testfacts.h"
-#include "ui/figures/exportfigure.h"
+#include "print/figures/exportfigure.h"
 
 #include <QFileInfo>
 #include <algorithm>
@@ -112,10 +112,10 @@ QByteArray picture(const Figure &figure, const QString &title, const QString &en
     if (ending == QLatin1StringView("csv"))
         return figureCsv(figure, '.');
     if (ending == QLatin1StringView("svg"))
-        return ui::figureAsSvg(figure, title);
+        return figureAsSvg(figure, title);
     if (ending == QLatin1StringView("png"))
-        return ui::figureAsPng(figure);
-    return ui::figureAsPdf(figure, title);
+        return figureAsPng(figure);
+    return figureAsPdf(figure, title);
 }
 
 constexpr std::array endings{"svg", "png", "pdf", "csv"};

@@ -5,6 +5,8 @@
 #include "commandline/editionoption.h"
 #include "commandline/outputfile.h"
 #include "commandline/streams.h"
+#include "print/figures/exportfigure.h"
+#include "print/pdf/writepdf.h"
 #include "register/history.h"
 #include "register/queries.h"
 #include "register/reevaluate.h"
@@ -13,8 +15,6 @@
 #include "register/trendfigure.h"
 #include "register/trendoutput.h"
 #include "report/blocks/plaintext.h"
-#include "ui/figures/exportfigure.h"
-#include "ui/pdf/writepdf.h"
 
 #include <QBuffer>
 #include <QDate>
@@ -98,8 +98,8 @@ QByteArray picture(const ListedMachine &machine, const std::string &axis, const 
     const QString title = composeTrend(machine, axis, trend, language).title;
     const TrendFigure figure = trendFigure(title, trend, QDate::currentDate(), language);
     if (form == Form::svg)
-        return ui::figureAsSvg(figure, title);
-    return form == Form::png ? ui::figureAsPng(figure) : ui::figureAsPdf(figure, title);
+        return figureAsSvg(figure, title);
+    return form == Form::png ? figureAsPng(figure) : figureAsPdf(figure, title);
 }
 
 /// Languages of --language, else that of the command.
@@ -140,7 +140,7 @@ int runRegisterReport(const Invocation &invocation) {
         const auto language = Language::fromName(name);
         QBuffer pdf;
         pdf.open(QIODevice::WriteOnly);
-        ui::writePdf(composeHistory(history, *language), pdf);
+        writePdf(composeHistory(history, *language), pdf);
         files.push_back({pdf.data(), languages.size() > 1 ? withLanguage(output, name) : output});
     }
     for (const FileToSave &file : files)

@@ -10,10 +10,10 @@
 #include "commandline/simulations.h"
 #include "commandline/streams.h"
 #include "kernel/numerics/beside.h"
+#include "print/pdf/logo.h"
+#include "print/pdf/writepdf.h"
 #include "report/composereport.h"
 #include "report/parts/dataparts.h"
-#include "ui/pdf/logo.h"
-#include "ui/pdf/writepdf.h"
 #include "validation/validation.h"
 
 #include <QBuffer>
@@ -73,7 +73,7 @@ void sayUnreadablePictures(const Document &document, const Input &input, const L
     const Laboratory &laboratory = document.report.laboratory;
     const auto say = [&](const std::optional<std::string> &picture, const char *place) {
         const QByteArray bytes = QByteArray::fromBase64(QByteArray::fromStdString(picture.value_or("")));
-        if (!bytes.isEmpty() && ui::Logo(bytes).empty())
+        if (!bytes.isEmpty() && Logo(bytes).empty())
             printError(input.file,
                        Error(Error::Kind::content,
                              {REPORT_TEXT("report", "this is no PNG or SVG picture; the report is printed "
@@ -150,7 +150,7 @@ private:
         // all pages.
         auto carried = beside(true, [&whole, originals] {
             const QByteArray file = attachedFile(*whole, originals);
-            return std::pair(file, ui::attachmentsOf(attachedFileName(*whole), file, {}));
+            return std::pair(file, attachmentsOf(attachedFileName(*whole), file, {}));
         });
         const EvaluatedDocument evaluated =
             simulated(evaluate(whole, nullptr, m_edition), SimulateWhich::allWithBudget,
@@ -172,10 +172,10 @@ private:
         for (const QString &name : languages) {
             const Report report = composeReport(evaluated, Language::fromName(name).value(), stated);
             if (results.valid()) // once, for all languages
-                std::ranges::move(ui::attachmentsOf({}, {}, results.get()), std::back_inserter(attachments));
+                std::ranges::move(attachmentsOf({}, {}, results.get()), std::back_inserter(attachments));
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);
-            ui::writePdf(report, pdf, attachments);
+            writePdf(report, pdf, attachments);
             reports.push_back({pdf.data(), targetOf(name)});
         }
         try {

@@ -10,9 +10,9 @@
 #include "document/writedocument.h"
 #include "export/partprogram.h"
 #include "kernel/evaluation/edition.h"
+#include "print/pdf/writepdf.h"
 #include "report/blocks/plaintext.h"
 #include "report/planreport.h"
-#include "ui/pdf/writepdf.h"
 
 #include <QBuffer>
 #include <QFileInfo>
@@ -109,7 +109,7 @@ QByteArray planned(const TargetRequest &asked, const TargetPlan &plan, const Cyc
         return plainText(report).toUtf8();
     QBuffer pdf;
     pdf.open(QIODevice::WriteOnly);
-    ui::writePdf(report, pdf);
+    writePdf(report, pdf);
     return pdf.data();
 }
 

@@ -8,9 +8,9 @@
 #include "commandline/progressline.h"
 #include "commandline/streams.h"
 #include "commandline/terminal.h"
+#include "print/proof/verifyreport.h"
 #include "proof/readreportpdf.h"
 #include "report/blocks/plaintext.h"
-#include "ui/proof/verifyreport.h"
 
 #include <algorithm>
 #include <array>
@@ -88,13 +88,13 @@ QString inLines(const QString &text) {
 }
 
 int verify(const Invocation &invocation, const Input &input, int threads, bool several) {
-    std::optional<ui::OpenedReport> opened;
+    std::optional<OpenedReport> opened;
     {
         ProgressLine line(invocation.language);
-        opened = ui::openReport(reportFrom(input.file), threads, {},
-                                [&](const SimulationProgress &progress) { line.show(progress); });
+        opened = openReport(reportFrom(input.file), threads, {},
+                            [&](const SimulationProgress &progress) { line.show(progress); });
     }
-    const Verification verification = ui::verifyReport(opened.value()); // nothing stops it
+    const Verification verification = verifyReport(opened.value()); // nothing stops it
     if (const auto form = jsonForm(invocation, several))
         printOut(verificationJson(verification, input.shown, namesLanguage(invocation),
                                   *form == JsonForm::oneLine));

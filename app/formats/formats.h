@@ -4,9 +4,9 @@
 
 #include "document/sha256.h"
 #include "import/layouts/zipfile.h"
+#include "print/pdf/finishpdf.h"
+#include "print/proof/pdfpages.h"
 #include "proof/pdfparts.h"
-#include "ui/pdf/finishpdf.h"
-#include "ui/proof/pdfpages.h"
 
 namespace palmer {
 
@@ -19,8 +19,8 @@ struct Formats {
     decltype(&palmer::sha256) sha256;
     decltype(&palmer::openZip) openZip;
     decltype(&palmer::pdfParts) pdfParts;
-    decltype(&palmer::ui::finishPdf) finishPdf;
-    decltype(&palmer::ui::openPages) openPages;
+    decltype(&palmer::finishPdf) finishPdf;
+    decltype(&palmer::openPages) openPages;
 };
 
 } // namespace palmer

@@ -3,8 +3,7 @@
 #include "formats/formats.h"
 
 const palmer::Formats *palmerFormats() {
-    static constexpr palmer::Formats formats{PALMER_VERSION,         &palmer::sha256,
-                                             &palmer::openZip,       &palmer::pdfParts,
-                                             &palmer::ui::finishPdf, &palmer::ui::openPages};
+    static constexpr palmer::Formats formats{PALMER_VERSION,    &palmer::sha256,    &palmer::openZip,
+                                             &palmer::pdfParts, &palmer::finishPdf, &palmer::openPages};
     return &formats;
 }

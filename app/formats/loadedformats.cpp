@@ -50,8 +50,6 @@ PdfParts pdfParts(const char *bytes, std::size_t size, std::int64_t most, bool &
     return formats(Error::Kind::unreadable).pdfParts(bytes, size, most, exceeded);
 }
 
-namespace ui {
-
 QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
     return formats(Error::Kind::unwritable).finishPdf(pdf, properties);
 }
@@ -59,7 +57,5 @@ QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
 std::unique_ptr<PdfPages> openPages(const QByteArray &pdf) {
     return formats(Error::Kind::unreadable).openPages(pdf);
 }
-
-} // namespace ui
 
 } // namespace palmer

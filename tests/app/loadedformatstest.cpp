@@ -9,8 +9,8 @@
 #include "report/attachedfile.h"
 #include "report/composereport.h"
 #include "ui/examples.h"
-#include "ui/pdf/writepdf.h"
-#include "ui/proof/pdfpages.h"
+#include "print/pdf/writepdf.h"
+#include "print/proof/pdfpages.h"
 
 #include <QBuffer>
 #include <QFile>
@@ -39,7 +39,7 @@ QByteArray reportPdf() {
     const EvaluatedDocument evaluated = testdata::evaluatedDocument(testdata::decidedExample());
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
-    ui::writePdf(composeReport(evaluated, Language(Language::Id::english), {"Palmer", true, {}, {}}), buffer,
+    writePdf(composeReport(evaluated, Language(Language::Id::english), {"Palmer", true, {}, {}}), buffer,
                  attachedResults(evaluated));
     return buffer.data();
 }
@@ -99,11 +99,11 @@ private slots:
         const ReportPdf read = readReportPdf(pdf);
         QVERIFY(read.testFile.contains("palmer"));
         QVERIFY(!read.results.isEmpty());
-        const auto pages = ui::openPages(pdf);
+        const auto pages = openPages(pdf);
         QVERIFY(pages->count() > 0);
         QVERIFY(!pages->words(0).empty());
         QVERIFY(!pages->picture(0).isNull());
-        QVERIFY(refusal([] { static_cast<void>(ui::openPages("no PDF")); }));
+        QVERIFY(refusal([] { static_cast<void>(openPages("no PDF")); }));
     }
 
     /// A copy of this program, where there is none, of each thing that needs it says one sentence.
@@ -133,7 +133,7 @@ private slots:
         };
         demand([&] { static_cast<void>(openZip(zip)); }, Error::Kind::unreadable);
         demand([&] { static_cast<void>(readReportPdf(pdf)); }, Error::Kind::unreadable);
-        demand([&] { static_cast<void>(ui::openPages(pdf)); }, Error::Kind::unreadable);
+        demand([&] { static_cast<void>(openPages(pdf)); }, Error::Kind::unreadable);
         demand([&] { static_cast<void>(reportPdf()); }, Error::Kind::unwritable);
     }
 };

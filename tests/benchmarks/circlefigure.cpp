@@ -3,7 +3,7 @@
 #include "figures/circlefigure.h"
 #include "ui/circles.h"
 #include "ui/figures/circlecanvas.h"
-#include "ui/figures/exportfigure.h"
+#include "print/figures/exportfigure.h"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>

@@ -3,8 +3,8 @@
 #include "document/readdocument.h"
 #include "report/attachedfile.h"
 #include "report/composereport.h"
-#include "ui/pdf/writepdf.h"
-#include "ui/proof/verifyreport.h"
+#include "print/pdf/writepdf.h"
+#include "print/proof/verifyreport.h"
 
 #include <QBuffer>
 #include <QFile>
@@ -26,7 +26,7 @@ QByteArray pdfOf(const EvaluatedDocument &evaluated) {
         composeReport(evaluated, Language(Language::Id::french), {QStringLiteral("Palmer"), true, {}, {}});
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
-    ui::writePdf(report, buffer, attachedResults(evaluated));
+    writePdf(report, buffer, attachedResults(evaluated));
     return buffer.data();
 }
 
@@ -49,7 +49,7 @@ static void verifyOneReport(benchmark::State &state) {
     if (state.range(0) != 0)
         pdf += "% appended\n";
     for (auto _ : state) {
-        const Verification result = ui::verifyReport(ui::openReport(pdf).value());
+        const Verification result = verifyReport(openReport(pdf).value());
         if (!result.follows())
             state.SkipWithError("the report does not follow");
     }

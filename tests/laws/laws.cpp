@@ -13,6 +13,8 @@
 #include "export/resultsjson.h"
 #include "kernel/evaluation/accordance.h"
 #include "language/visibletext.h"
+#include "print/pdf/writepdf.h"
+#include "print/proof/verifyreport.h"
 #include "register/registeredtest.h"
 #include "report/attachedfile.h"
 #include "report/blocks/pagetext.h"
@@ -22,8 +24,6 @@
 #include "report/tables/findinglines.h"
 #include "report/tables/resulttable.h"
 #include "report/words/wording.h"
-#include "ui/pdf/writepdf.h"
-#include "ui/proof/verifyreport.h"
 #include "ui/results/findingsmodel.h"
 
 #include <QBuffer>
@@ -511,17 +511,17 @@ private:
                 result += number.toInt();
             return result;
         };
-        ui::FindingsModel model;
+        FindingsModel model;
         std::multiset<QString> listed;
-        for (int place = 0; place <= static_cast<int>(ui::Page::diagnosis); ++place) {
-            const auto page = static_cast<ui::Page>(place);
+        for (int place = 0; place <= static_cast<int>(Page::diagnosis); ++place) {
+            const auto page = static_cast<Page>(place);
             model.show(m_followed.evaluated, i, page, english);
             for (int row = 0; row < model.rowCount(); ++row) {
-                const ui::FindingsModel::Line &line = model.line(row);
+                const FindingsModel::Line &line = model.line(row);
                 if (line.page == page)
                     listed.insert(line.text);
                 else if (sum(line.text) != std::ranges::count_if(findings, [&](const Finding &finding) {
-                             return ui::pageOf(finding, document()) == line.page;
+                             return pageOf(finding, document()) == line.page;
                          }))
                     violated("one count", "the window: " + line.text.toStdString());
             }
@@ -554,10 +554,10 @@ private:
     void verifies(const Report &report) {
         QBuffer buffer;
         buffer.open(QIODevice::WriteOnly);
-        ui::writePdf(report, buffer, attachedResults(m_followed.evaluated));
+        writePdf(report, buffer, attachedResults(m_followed.evaluated));
         ++m_counts.reports;
-        const auto opened = ui::openReport(buffer.data(), 1);
-        const Verification verification = opened ? ui::verifyReport(*opened) : Verification();
+        const auto opened = openReport(buffer.data(), 1);
+        const Verification verification = opened ? verifyReport(*opened) : Verification();
         const Language english(Language::Id::english);
         if (!opened)
             violated("one voice", "the PDF cannot be opened");

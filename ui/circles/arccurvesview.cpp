@@ -7,7 +7,7 @@
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/measurement/testfacts.h"
-#include "ui/figures/style.h"
+#include "print/figures/style.h"
 #include "ui/theme.h"
 
 #include <QEvent>

@@ -6,7 +6,7 @@
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/evaluation/resultsof.h"
 #include "ui/circles/arctexts.h"
-#include "ui/figures/style.h"
+#include "print/figures/style.h"
 #include "ui/theme.h"
 
 #include <QApplication>

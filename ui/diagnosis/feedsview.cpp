@@ -4,7 +4,7 @@
 
 #include "figures/circlefigure.h"
 #include "ui/figures/circlecanvas.h"
-#include "ui/figures/drawfigure.h"
+#include "print/figures/drawfigure.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 

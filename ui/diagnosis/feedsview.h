@@ -4,8 +4,8 @@
 
 #include "figures/diagnosisfigure.h"
 #include "language/language.h"
-#include "ui/figures/drawfigure.h"
-#include "ui/figures/style.h"
+#include "print/figures/drawfigure.h"
+#include "print/figures/style.h"
 
 #include <QPixmap>
 #include <QWidget>

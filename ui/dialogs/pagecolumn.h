@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/pdf/pages.h"
+#include "print/pdf/pages.h"
 
 #include <QWidget>
 #include <map>

@@ -11,7 +11,7 @@
 #include "ui/errorbox.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/model/page.h"
-#include "ui/pdf/writepdf.h"
+#include "print/pdf/writepdf.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"

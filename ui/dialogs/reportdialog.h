@@ -7,7 +7,7 @@
 #include "ui/model/documentmodel.h"
 #include "ui/model/evaluator.h"
 #include "ui/model/simulator.h"
-#include "ui/pdf/pages.h"
+#include "print/pdf/pages.h"
 
 #include <QDialog>
 #include <functional>

@@ -4,8 +4,8 @@
 
 #include "kernel/measurement/testfacts.h"
 #include "ui/figures/canvaslabel.h"
-#include "ui/figures/drawcirclefigure.h"
-#include "ui/figures/metrics.h"
+#include "print/figures/drawcirclefigure.h"
+#include "print/figures/metrics.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 

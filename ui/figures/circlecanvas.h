@@ -6,7 +6,7 @@
 #include "figures/circlefigure.h"
 #include "language/language.h"
 #include "report/explanations/explanation.h"
-#include "ui/figures/drawfigure.h"
+#include "print/figures/drawfigure.h"
 #include "ui/model/background.h"
 #include "ui/model/selection.h"
 

@@ -5,7 +5,7 @@
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/evaluation/resultsof.h"
 #include "ui/figures/circlecanvas.h"
-#include "ui/figures/style.h"
+#include "print/figures/style.h"
 #include "ui/theme.h"
 
 #include <QComboBox>

@@ -3,7 +3,7 @@
 #include "ui/figures/figurecanvas.h"
 
 #include "ui/figures/canvaslabel.h"
-#include "ui/figures/metrics.h"
+#include "print/figures/metrics.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 

@@ -4,7 +4,7 @@
 
 #include "figures/figure.h"
 #include "kernel/measurement/axis.h"
-#include "ui/figures/drawfigure.h"
+#include "print/figures/drawfigure.h"
 #include "ui/figures/figurereadings.h"
 #include "ui/model/selection.h"
 

@@ -5,7 +5,7 @@
 #include "figures/thinning.h"
 #include "figures/ticks.h"
 #include "ui/figures/canvaslabel.h"
-#include "ui/figures/drawlinefigure.h"
+#include "print/figures/drawlinefigure.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figures/lineview.h"
 
-#include "ui/figures/drawfigure.h"
+#include "print/figures/drawfigure.h"
 #include "ui/theme.h"
 
 #include <QPainter>

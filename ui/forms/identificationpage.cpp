@@ -5,7 +5,7 @@
 #include "document/bounds.h"
 #include "document/savedocument.h"
 #include "ui/forms/templatebutton.h"
-#include "ui/pdf/logo.h"
+#include "print/pdf/logo.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>

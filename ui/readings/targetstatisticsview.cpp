@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/readings/targetstatisticsview.h"
 
-#include "ui/fonts.h"
+#include "print/fonts.h"
 #include "ui/formulatext.h"
 #include "ui/theme.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/readings/targetstripview.h"
 
-#include "ui/figures/style.h"
-#include "ui/fonts.h"
+#include "print/figures/style.h"
+#include "print/fonts.h"
 #include "ui/theme.h"
 
 #include <QMouseEvent>

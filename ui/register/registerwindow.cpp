@@ -22,7 +22,7 @@
 #include "ui/figures/zoombuttons.h"
 #include "ui/help/helpwindow.h"
 #include "ui/measures.h"
-#include "ui/pdf/writepdf.h"
+#include "print/pdf/writepdf.h"
 #include "ui/register/curvechart.h"
 #include "ui/register/filterchip.h"
 #include "ui/register/firstuse.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/results/resultsdelegate.h"
 
-#include "ui/figures/style.h"
+#include "print/figures/style.h"
 #include "ui/formulatext.h"
 #include "ui/results/resultsmodel.h"
 #include "ui/theme.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/uncertainty/figurecard.h"
 
-#include "ui/figures/drawfigure.h"
+#include "print/figures/drawfigure.h"
 #include "ui/uncertainty/rowtable.h"
 
 #include <QEvent>

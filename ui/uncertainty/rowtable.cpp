@@ -3,8 +3,8 @@
 #include "ui/uncertainty/rowtable.h"
 
 #include "ui/circles/quiettable.h"
-#include "ui/figures/drawbarfigure.h"
-#include "ui/figures/drawhistogramfigure.h"
+#include "print/figures/drawbarfigure.h"
+#include "print/figures/drawhistogramfigure.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
 

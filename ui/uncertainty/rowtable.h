@@ -3,7 +3,7 @@
 #pragma once
 
 #include "figures/figure.h"
-#include "ui/figures/style.h"
+#include "print/figures/style.h"
 
 #include <QTableWidget>
 #include <initializer_list>

@@ -25,7 +25,7 @@
 #include "ui/help/helpwindow.h"
 #include "ui/import/importassistant.h"
 #include "ui/proof/reportbar.h"
-#include "ui/proof/verifyreport.h"
+#include "print/proof/verifyreport.h"
 #include "ui/readings/readingspage.h"
 #include "ui/register/openregister.h"
 #include "ui/settings.h"

@@ -31,6 +31,12 @@ class QStackedWidget;
 class QToolBar;
 class QToolButton;
 
+namespace palmer {
+
+struct OpenedReport;
+
+} // namespace palmer
+
 namespace palmer::ui {
 
 class HelpWindow;
@@ -41,7 +47,6 @@ class NoticeBar;
 class ReportBar;
 class WelcomePage;
 class Workplace;
-struct OpenedReport;
 
 /// One window, one file. Builds the parts and connects them; computes nothing.
 class MainWindow : public QMainWindow {

@@ -5,10 +5,10 @@
 #include "report/explanations/explanation.h"
 #include "ui/circles.h"
 #include "ui/figures/circlefigureview.h"
-#include "ui/figures/drawcirclefigure.h"
-#include "ui/figures/drawfigure.h"
+#include "print/figures/drawcirclefigure.h"
+#include "print/figures/drawfigure.h"
 #include "ui/figures/figureview.h"
-#include "ui/figures/metrics.h"
+#include "print/figures/metrics.h"
 
 #include <QClipboard>
 #include <QComboBox>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/proof/forgery.h"
+#include "core/print/proof/forgery.h"
 #include "ui/window/shownwindow.h"
 
 #include "document/readdocument.h"

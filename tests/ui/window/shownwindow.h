@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "ui/fonts.h"
+#include "print/fonts.h"
 #include "ui/sizeonscreen.h"
 #include "ui/standardbuttons.h"
 #include "ui/taborder.h"
@@ -27,7 +27,7 @@ inline void prepareApplication() {
         QStringLiteral("palmer-test-%1").arg(QCoreApplication::applicationPid()));
     QSettings().clear();
     QApplication::setStyle(QStringLiteral("fusion"));
-    palmer::ui::loadFonts();
+    palmer::loadFonts();
     palmer::ui::installTheme();
     palmer::ui::guardWheel(*qApp);
     palmer::ui::nameStandardButtons(*qApp);

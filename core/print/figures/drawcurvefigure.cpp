@@ -1,0 +1,787 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "print/figures/drawcurvefigure.h"
+
+#include "figures/thinning.h"
+#include "print/figures/bandoverlap.h"
+#include "print/figures/drawtext.h"
+#include "print/figures/metrics.h"
+
+#include <QPainterPath>
+#include <algorithm>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+// Measures of the printed page (report), in points.
+constexpr double gutterWidth = 26 * mm;
+constexpr double narrowGutter = 8 * mm; ///< for one dimension
+constexpr double gutterStart = 2.4 * mm;
+constexpr double gutterStep = 6.1 * mm;
+constexpr double besideTarget = 3.3 * mm;
+constexpr double besideStep = 3.6 * mm;
+constexpr double leaderGap = 1.3 * mm;       ///< from the ruling place
+constexpr double leaderOvershoot = 0.9 * mm; ///< past the dimension
+constexpr double curveArrowLength = 0.95 * mm;
+constexpr double curveArrowWidth = 0.76 * mm;
+constexpr double curveGuardWidth = 1.56 * mm;
+constexpr double curveLimitTick = 3.1 * mm;
+constexpr double limitStroke = 0.32 * mm;
+constexpr double triangleWidth = 1.9 * mm;
+constexpr double diamondWidth = 2.0 * mm;
+constexpr double dotRadius = 0.36 * mm;
+constexpr double squareWidth = 0.56 * mm;
+constexpr double readingShift = 1.15 * mm;
+constexpr double whiskerCap = 0.8 * mm;   ///< half
+constexpr double sizeOfShapes = 0.6;      ///< of readings, part of the full size; smaller ones are dots
+constexpr std::size_t fewReadings = 2000; ///< each is a thing of its own in a file
+constexpr double markerGap = 0.7 * mm;    ///< between markers of one curve
+constexpr double pixel = 0.75;            ///< of a screen
+constexpr double densePitch = 4 * pixel;  ///< closer targets than this are drawn without their corners
+constexpr double numberGap = 1.6 * mm;    ///< between numbers of an axis
+constexpr double curveSampleHeight = 3 * mm;
+constexpr double readingsSampleWidth = 2.8 * mm;
+
+/// What differs between page and screen, in points.
+struct Margins {
+    double left = 0;
+    double right = 0;
+    double top = 0;
+    double bottom = 0;
+    double tickLabels = 0; ///< centres below the plot
+    double title = 0;      ///< 0: beside the numbers of the axis
+    double legend = 0;
+    double sampleWidth = 0;
+    double sampleGap = 0;
+    double legendGap = 0; ///< largest
+};
+
+constexpr Margins paperMargins{13.5 * mm, gutterWidth, 1.2 * mm, 16.5 * mm, 3.5 * mm,
+                               8.1 * mm,  13.4 * mm,   10 * mm,  2 * mm,    14 * mm};
+constexpr Margins screenMargins{35, 9, 6, 31, 9.75, 0, 23, 22, 4.5, 18};
+/// Narrower than this (points) a screen shows no dimensions beside the plot.
+constexpr double widthForDimensions = 480;
+
+double centreOf(double from, double to) {
+    return (from + to) / 2;
+}
+
+/// Whether some part of a segment lies in a rectangle.
+bool meets(QPointF a, QPointF b, const QRectF &rect) {
+    double from = 0;
+    double to = 1;
+    const QPointF way = b - a;
+    const auto cut = [&](double along, double distance) {
+        if (along == 0)
+            return distance >= 0;
+        (along < 0 ? from : to) =
+            along < 0 ? std::max(from, distance / along) : std::min(to, distance / along);
+        return from <= to;
+    };
+    return cut(-way.x(), a.x() - rect.left()) && cut(way.x(), rect.right() - a.x()) &&
+           cut(-way.y(), a.y() - rect.top()) && cut(way.y(), rect.bottom() - a.y());
+}
+
+class CurveFigurePainter {
+public:
+    CurveFigurePainter(QPainter &painter, const QRectF &area, const CurveFigure &figure, Medium medium)
+        : p(painter)
+        , m_figure(figure)
+        , m_medium(medium)
+        , m_area(area)
+        , m_margins(medium == Medium::paper ? paperMargins : screenMargins) {
+        // A single one, as that of a drift test, needs little room.
+        const bool single = medium != Medium::paper && figure.dimensions.size() == 1 &&
+                            figure.dimensions[0].place == DimensionPlace::gutter;
+        const bool dimensions = medium == Medium::paper || single ||
+                                (area.width() >= widthForDimensions && !figure.dimensions.empty());
+        m_dimensions = dimensions;
+        double widest = 0;
+        for (const Tick &tick : figure.y.ticks)
+            widest = std::max(widest, textWidth(tick.label));
+        const double titleEdge = titleCentre + figureTextSize;
+        const double left = std::max(m_margins.left, titleEdge + widest + tickGap + tickLength);
+        const double right = single ? narrowGutter : dimensions ? gutterWidth : m_margins.right;
+        m_plot = QRectF(area.left() + left, area.top() + m_margins.top, area.width() - left - right,
+                        area.height() - m_margins.top - m_margins.bottom);
+    }
+
+    FigureTransform draw() {
+        p.setRenderHint(QPainter::Antialiasing);
+        p.setRenderHint(QPainter::TextAntialiasing);
+        if (m_plot.width() <= 0 || m_plot.height() <= 0)
+            return {};
+        const std::vector<const Tick *> xTicks = thinned(m_figure.x, m_plot.width(), true);
+        const std::vector<const Tick *> yTicks = thinned(m_figure.y, m_plot.height(), false);
+        drawBands();
+        drawGrid(xTicks, yTicks);
+        drawReadings();
+        drawCurves();
+        drawWhiskers();
+        drawMarkers();
+        if (m_dimensions)
+            drawDimensions();
+        drawAxes(xTicks, yTicks);
+        drawLegend();
+        return transform();
+    }
+
+private:
+    [[nodiscard]] double x(double value) const {
+        return m_plot.left() + (value - m_figure.x.from) / (m_figure.x.to - m_figure.x.from) * m_plot.width();
+    }
+    [[nodiscard]] double y(double value) const {
+        return m_plot.bottom() -
+               (value - m_figure.y.from) / (m_figure.y.to - m_figure.y.from) * m_plot.height();
+    }
+    [[nodiscard]] bool shows(double valueX, double valueY) const {
+        return valueX >= m_figure.x.from && valueX <= m_figure.x.to && valueY >= m_figure.y.from &&
+               valueY <= m_figure.y.to;
+    }
+    [[nodiscard]] QPen pen(FigureRole role) const { return figurePen(role, m_medium); }
+    [[nodiscard]] QColor colour(FigureRole role) const { return figureColor(role, m_medium); }
+
+    /// Smallest distance between neighbouring targets.
+    [[nodiscard]] double pitch() const {
+        double least = m_plot.width();
+        for (std::size_t i = 1; i < m_figure.positions.size(); ++i)
+            least = std::min(least, x(m_figure.positions[i]) - x(m_figure.positions[i - 1]));
+        return least;
+    }
+    [[nodiscard]] bool isDense() const { return m_medium != Medium::paper && pitch() < densePitch; }
+    /// Between dense targets the marks move together.
+    [[nodiscard]] double shiftOfReadings() const { return std::min(readingShift, 0.3 * pitch()); }
+
+    [[nodiscard]] FigureTransform transform() const {
+        const double sx = m_plot.width() / (m_figure.x.to - m_figure.x.from);
+        const double sy = -m_plot.height() / (m_figure.y.to - m_figure.y.from);
+        return {m_plot,
+                QTransform(sx, 0, 0, sy, m_plot.left() - m_figure.x.from * sx,
+                           m_plot.bottom() - m_figure.y.from * sy),
+                shiftOfReadings()};
+    }
+
+    /// The ticks whose labels have room beside each other: all, or every second, fifth, tenth … counted from
+    /// zero.
+    [[nodiscard]] static std::vector<const Tick *> thinned(const FigureAxis &axis, double length,
+                                                           bool horizontal) {
+        double need = 1.5 * figureTextSize;
+        if (horizontal) {
+            need = 0;
+            for (const Tick &tick : axis.ticks)
+                need = std::max(need, textWidth(tick.label));
+            need += numberGap;
+        }
+        const double distance = length * axis.step / (axis.to - axis.from);
+        long long stride = 1;
+        for (int k = 0; static_cast<double>(stride) * distance < need && k < 12; ++k)
+            stride = k % 3 == 0 ? stride * 2 : k % 3 == 1 ? stride / 2 * 5 : stride * 2;
+        std::vector<const Tick *> kept;
+        for (const Tick &tick : axis.ticks) {
+            if (std::llround(tick.value / axis.step) % stride == 0)
+                kept.push_back(&tick);
+        }
+        return kept;
+    }
+
+    void drawBand(const std::vector<BandPoint> &band, const QColor &fill) {
+        QPolygonF outline;
+        outline.reserve(2 * static_cast<qsizetype>(band.size()));
+        for (const BandPoint &point : band)
+            outline.append({x(point.x), y(point.upper)});
+        for (auto point = band.rbegin(); point != band.rend(); ++point)
+            outline.append({x(point->x), y(point->lower)});
+        p.setBrush(fill);
+        p.drawPolygon(outline);
+    }
+
+    void drawBands() {
+        p.save();
+        p.setClipRect(m_plot, Qt::IntersectClip);
+        p.setPen(Qt::NoPen);
+        if (isDense()) {
+            drawBandColumns();
+        } else {
+            for (const Band &band : m_figure.bands)
+                drawBand(band.points,
+                         bandColor(band.role == CurveRole::up, band.role == CurveRole::down, m_medium));
+            drawOverlaps();
+        }
+        p.restore();
+    }
+
+    /// On a screen that shows hundreds of targets the outlines of the bands would take most of a frame: each
+    /// pixel of the width gets the height of the band at its middle.
+    void drawBandColumns() {
+        p.setRenderHint(QPainter::Antialiasing, false);
+        const QList<QRectF> up = columnsOf(CurveRole::up);
+        const QList<QRectF> down = columnsOf(CurveRole::down);
+        QList<QRectF> both;
+        both.reserve(up.size());
+        for (qsizetype i = 0; i < up.size(); ++i)
+            both.append(up[i] & down[i]);
+        p.setBrush(bandColor(true, false, m_medium));
+        p.drawRects(up);
+        p.setBrush(bandColor(false, true, m_medium));
+        p.drawRects(down);
+        p.setBrush(bandColor(true, true, m_medium));
+        p.drawRects(both);
+        p.setRenderHint(QPainter::Antialiasing);
+    }
+
+    /// Empty where there is no band.
+    [[nodiscard]] QList<QRectF> columnsOf(CurveRole role) const {
+        QList<QRectF> columns(static_cast<qsizetype>(m_plot.width() / pixel) + 1);
+        const auto middle = [&](qsizetype i) {
+            return m_plot.left() + (static_cast<double>(i) + 0.5) * pixel;
+        };
+        const auto firstFrom = [&](double at) { // column with its middle there or behind
+            const double place = std::ceil((at - middle(0)) / pixel);
+            return static_cast<qsizetype>(std::clamp(place, 0.0, static_cast<double>(columns.size())));
+        };
+        for (const Band &band : m_figure.bands) {
+            if (band.role != role)
+                continue;
+            for (std::size_t k = 1; k < band.points.size(); ++k) {
+                const BandPoint &a = band.points[k - 1];
+                const BandPoint &b = band.points[k];
+                const double width = x(b.x) - x(a.x);
+                const qsizetype end = firstFrom(x(b.x));
+                for (qsizetype i = firstFrom(x(a.x)); i < end; ++i) {
+                    const double part = (middle(i) - x(a.x)) / width;
+                    const double top = y(std::lerp(a.upper, b.upper, part));
+                    const double bottom = y(std::lerp(a.lower, b.lower, part));
+                    columns[i] = {middle(i) - pixel / 2, top, pixel, bottom - top};
+                }
+            }
+        }
+        return columns;
+    }
+
+    /// The bands of a direction follow one another without overlapping, so each pair that meets is met once.
+    void drawOverlaps() {
+        const auto bandsOf = [&](CurveRole role) {
+            std::vector<const Band *> bands;
+            for (const Band &band : m_figure.bands) {
+                if (band.role == role && band.points.size() > 1)
+                    bands.push_back(&band);
+            }
+            return bands;
+        };
+        const std::vector<const Band *> ups = bandsOf(CurveRole::up);
+        const std::vector<const Band *> downs = bandsOf(CurveRole::down);
+        for (std::size_t i = 0, k = 0; i < ups.size() && k < downs.size();) {
+            for (const auto &overlap : bandOverlap(ups[i]->points, downs[k]->points))
+                drawBand(overlap, bandColor(true, true, m_medium));
+            ups[i]->points.back().x < downs[k]->points.back().x ? ++i : ++k;
+        }
+    }
+
+    /// As much of a line as the range of x shows, with the ends of the segments that leave it.
+    template <class Point>
+    void drawLine(const std::vector<Point> &points, double Point::*value, const QPen &line) {
+        if (points.size() < 2) // a whisker, or a marker alone
+            return;
+        const auto before = [&](const Point &point) { return point.x < m_figure.x.from; };
+        const auto within = [&](const Point &point) { return point.x <= m_figure.x.to; };
+        auto first = std::ranges::partition_point(points, before);
+        auto last = std::ranges::partition_point(points, within);
+        first -= first == points.begin() ? 0 : 1;
+        last += last == points.end() ? 0 : 1;
+        QPolygonF corners;
+        corners.reserve(last - first);
+        for (; first < last; ++first)
+            corners.append({x(first->x), y((*first).*value)});
+        p.setPen(line);
+        p.drawPolyline(corners);
+    }
+
+    void drawCurves() {
+        p.save();
+        p.setClipRect(m_plot, Qt::IntersectClip);
+        p.setBrush(Qt::NoBrush);
+        const double widest = isDense() ? pixel : mm; // wider lines would cover each other's corners
+        const auto lineOf = [&](FigureRole role) {
+            QPen line = pen(role);
+            line.setWidthF(std::min(line.widthF(), widest));
+            return line;
+        };
+        for (const Band &band : m_figure.bands) {
+            const QPen edge =
+                lineOf(band.role == CurveRole::down ? FigureRole::downEdge : FigureRole::upEdge);
+            drawLine(band.points, &BandPoint::upper, edge);
+            drawLine(band.points, &BandPoint::lower, edge);
+        }
+        for (const auto &[role, line] : {std::pair{CurveRole::mean, FigureRole::mean},
+                                         {CurveRole::drift, FigureRole::drift},
+                                         {CurveRole::down, FigureRole::down},
+                                         {CurveRole::up, FigureRole::up}}) {
+            for (const Curve &curve : m_figure.curves) {
+                if (curve.role == role)
+                    drawLine(curve.points, &FigurePoint::y, lineOf(line));
+            }
+        }
+        p.restore();
+    }
+
+    /// Lines along the axes fill whole pixels of a screen.
+    void sharpenLines(bool sharp) {
+        p.setRenderHint(QPainter::Antialiasing, !sharp || m_medium == Medium::paper);
+    }
+
+    void drawGrid(const std::vector<const Tick *> &xTicks, const std::vector<const Tick *> &yTicks) {
+        sharpenLines(true);
+        if (m_medium != Medium::paper) {
+            p.setPen(pen(FigureRole::grid));
+            for (const Tick *tick : xTicks)
+                p.drawLine(QPointF(x(tick->value), m_plot.top()), QPointF(x(tick->value), m_plot.bottom()));
+        }
+        for (const Tick *tick : yTicks) {
+            p.setPen(pen(tick->value == 0 ? FigureRole::zeroLine : FigureRole::grid));
+            p.drawLine(QPointF(m_plot.left(), y(tick->value)), QPointF(m_plot.right(), y(tick->value)));
+        }
+        sharpenLines(false);
+    }
+
+    void drawAxes(const std::vector<const Tick *> &xTicks, const std::vector<const Tick *> &yTicks) {
+        const QColor text = colour(FigureRole::text);
+        sharpenLines(true);
+        QPen axis = pen(FigureRole::axis);
+        axis.setCapStyle(Qt::SquareCap);
+        p.setPen(axis);
+        p.drawLine(m_plot.topLeft(), m_plot.bottomLeft());
+        p.drawLine(m_plot.bottomLeft(), m_plot.bottomRight());
+        axis.setCapStyle(Qt::FlatCap);
+        p.setPen(axis);
+        for (const Tick *tick : xTicks) {
+            const double at = x(tick->value);
+            p.drawLine(QPointF(at, m_plot.bottom()), QPointF(at, m_plot.bottom() + tickLength));
+        }
+        for (const Tick *tick : yTicks) {
+            const double at = y(tick->value);
+            p.drawLine(QPointF(m_plot.left(), at), QPointF(m_plot.left() - tickLength, at));
+        }
+        sharpenLines(false);
+        const double row = m_plot.bottom() + m_margins.tickLabels;
+        for (const Tick *tick : xTicks) {
+            const double width = textWidth(tick->label);
+            drawText(p, {x(tick->value) - width / 2, row}, tick->label, text);
+        }
+        for (const Tick *tick : yTicks) {
+            const double right = m_plot.left() - tickLength - tickGap;
+            drawText(p, {right - textWidth(tick->label), y(tick->value)}, tick->label, text);
+        }
+        drawAxisTitles(row);
+    }
+
+    void drawAxisTitles(double row) {
+        const QColor text = colour(FigureRole::text);
+        const auto symbol = [](const FigureAxis &axis, const QString &before) {
+            TextLine line{{before + axis.symbol}};
+            if (!axis.subscript.isEmpty())
+                line.push_back({axis.subscript, true});
+            return line;
+        };
+        const auto named = [&](const FigureAxis &axis, const QString &before) {
+            TextLine line = symbol(axis, before);
+            line.push_back({QStringLiteral(" (") + axis.unit + QStringLiteral(")")});
+            return line;
+        };
+        if (m_margins.title > 0) {
+            const TextLine line = named(m_figure.x, m_figure.x.quantity + QLatin1Char(' '));
+            drawText(p, {m_plot.center().x() - textWidth(line) / 2, m_plot.bottom() + m_margins.title}, line,
+                     text);
+        } else {
+            TextLine line = symbol(m_figure.x, {});
+            line.push_back({QLatin1Char(' ') + m_figure.x.unit});
+            drawText(p, {m_area.left() + titleCentre - figureTextSize / 2.0, row}, line, text);
+        }
+        TextLine line = named(m_figure.y, m_figure.y.quantity + QLatin1Char(' '));
+        if (textWidth(line) > m_plot.height())
+            line = named(m_figure.y, {});
+        p.save();
+        p.translate(m_area.left() + titleCentre, m_plot.center().y());
+        p.rotate(-90);
+        drawText(p, {-textWidth(line) / 2, 0}, line, text);
+        p.restore();
+    }
+
+    void drawWhiskers() {
+        for (const Band &band : m_figure.bands) {
+            if (band.points.size() != 1 || band.points[0].x < m_figure.x.from ||
+                band.points[0].x > m_figure.x.to)
+                continue;
+            const BandPoint &point = band.points[0];
+            // Side by side: the whiskers of both directions of a target would hide each other.
+            const double at = x(point.x) + (band.role == CurveRole::up ? -0.5 : 0.5) * mm;
+            p.save();
+            p.setClipRect(m_plot, Qt::IntersectClip);
+            p.setPen(pen(band.role == CurveRole::up ? FigureRole::upEdge : FigureRole::downEdge));
+            p.drawLine(QPointF(at, y(point.lower)), QPointF(at, y(point.upper)));
+            for (const double limit : {point.lower, point.upper})
+                p.drawLine(QPointF(at - whiskerCap, y(limit)), QPointF(at + whiskerCap, y(limit)));
+            p.restore();
+        }
+    }
+
+    /// Where targets are dense, smaller and paler: the curves above them must stay the first thing seen.
+    void drawReadings() {
+        const double shift = shiftOfReadings();
+        const double size = std::clamp(pitch() / (6 * dotRadius), 0.5, 1.0);
+        if (size < sizeOfShapes && m_figure.readings.size() > fewReadings) {
+            drawManyReadings(shift, size);
+            return;
+        }
+        for (const ReadingMark &reading : m_figure.readings) {
+            if (!shows(reading.x, reading.y))
+                continue;
+            drawReading({x(reading.x) + (reading.role == CurveRole::up ? -shift : shift), y(reading.y)},
+                        reading.role, size);
+        }
+    }
+
+    /// Thousands of them in two strokes of the pen.
+    void drawManyReadings(double shift, double size) {
+        for (const CurveRole role : {CurveRole::up, CurveRole::down}) {
+            QPainterPath dots;
+            dots.setFillRule(Qt::WindingFill);
+            for (const ReadingMark &reading : m_figure.readings) {
+                if (reading.role == role && shows(reading.x, reading.y))
+                    dots.addRect(
+                        dot({x(reading.x) + (role == CurveRole::up ? -shift : shift), y(reading.y)}, size));
+            }
+            p.fillPath(dots, colourOfDots(role, size));
+        }
+    }
+
+    [[nodiscard]] static QRectF dot(QPointF at, double size) {
+        const double half = 0.9 * dotRadius * size;
+        return {at - QPointF(half, half), at + QPointF(half, half)};
+    }
+    [[nodiscard]] static double strengthOf(double size) {
+        return 0.4 + 1.2 * (size - 0.5);
+    } ///< 1 at full size
+    [[nodiscard]] QColor colourOfDots(CurveRole role, double size) const {
+        return paler(colour(role == CurveRole::up ? FigureRole::up : FigureRole::down), strengthOf(size));
+    }
+
+    void drawReading(QPointF at, CurveRole role, double size) {
+        const double strength = strengthOf(size);
+        if (size < sizeOfShapes) { // too small for a shape
+            p.fillRect(dot(at, size), colourOfDots(role, size));
+        } else if (role == CurveRole::up) {
+            p.setPen(Qt::NoPen);
+            p.setBrush(paler(colour(FigureRole::up), strength));
+            p.drawEllipse(at, dotRadius * size, dotRadius * size);
+        } else {
+            QPen outline = pen(FigureRole::reading);
+            outline.setColor(paler(outline.color(), strength));
+            p.setPen(outline);
+            p.setBrush(colour(FigureRole::background));
+            const double half = squareWidth * size / 2;
+            p.drawRect(QRectF(at - QPointF(half, half), at + QPointF(half, half)));
+        }
+    }
+
+    [[nodiscard]] QColor paler(const QColor &strong, double strength) const {
+        return blend(strong, colour(FigureRole::background), strength);
+    }
+
+    /// Markers as far apart as they can be told apart: of every target, every second, third …
+    void drawMarkers() {
+        const double distance = pitch();
+        const int stride = std::max(1, static_cast<int>(std::ceil((diamondWidth + markerGap) / distance)));
+        // ▲ last: where both lie on one place, the corners of ◇ look out.
+        for (const CurveRole role : {CurveRole::down, CurveRole::up}) {
+            const int phase = role == CurveRole::up ? 0 : stride / 2; // dense curves take turns
+            for (const Curve &curve : m_figure.curves) {
+                if (curve.role == role)
+                    drawMarkers(curve, stride, phase);
+            }
+        }
+        for (const Curve &curve : m_figure.curves) {
+            if (curve.role == CurveRole::mean && curve.points.size() == 1 &&
+                shows(curve.points[0].x, curve.points[0].y)) {
+                const QPointF at(x(curve.points[0].x), y(curve.points[0].y));
+                p.setPen(QPen(colour(FigureRole::mean), pen(FigureRole::mean).widthF()));
+                p.drawLine(at - QPointF(diamondWidth, 0), at + QPointF(diamondWidth, 0));
+            }
+        }
+    }
+
+    void drawMarkers(const Curve &curve, int stride, int phase) {
+        const bool lonely = curve.points.size() == 1;
+        int last = -1; // turn that has its marker
+        for (const FigurePoint &point : curve.points) {
+            // Of a thinned curve the target whose turn it is may be missing: the next one takes it.
+            const int turn = point.target - 1 < phase ? -1 : (point.target - 1 - phase) / stride;
+            const bool misses = &point != &curve.points.front() && (&point)[-1].target + 1 < point.target;
+            const bool exact = turn >= 0 && (point.target - 1 - phase) % stride == 0;
+            if (!lonely && !exact && !(misses && turn > last))
+                continue;
+            last = turn;
+            if (shows(point.x, point.y))
+                drawMarker({x(point.x), y(point.y)}, curve.role);
+        }
+    }
+
+    void drawMarker(QPointF at, CurveRole role) {
+        if (role == CurveRole::up) {
+            const double height = triangleWidth * std::sqrt(3.0) / 2;
+            const QPolygonF triangle{at + QPointF(-triangleWidth / 2, height / 3),
+                                     at + QPointF(triangleWidth / 2, height / 3),
+                                     at + QPointF(0, -2 * height / 3)};
+            p.setPen(pen(FigureRole::upMarker));
+            p.setBrush(colour(FigureRole::up));
+            p.drawPolygon(triangle);
+        } else {
+            const double half = diamondWidth / 2;
+            const QPolygonF diamond{at + QPointF(-half, 0), at + QPointF(0, -half), at + QPointF(half, 0),
+                                    at + QPointF(0, half)};
+            p.setPen(pen(FigureRole::downMarker));
+            p.setBrush(colour(FigureRole::background));
+            p.drawPolygon(diamond);
+        }
+    }
+
+    void drawDimensions() {
+        int slot = 0;
+        for (const Dimension &dimension : m_figure.dimensions) {
+            if (!shows(dimension.lowerPosition, dimension.lower) ||
+                !shows(dimension.upperPosition, dimension.upper)) {
+                continue; // zoomed away
+            }
+            double at = m_plot.right() + gutterStart + slot * gutterStep;
+            double towards = 1;
+            if (dimension.place == DimensionPlace::gutter) {
+                ++slot;
+            } else {
+                towards = dimension.place == DimensionPlace::rightOfTarget ? 1 : -1;
+                at = x(dimension.upperPosition) + towards * (besideTarget + placed(dimension) * besideStep);
+            }
+            p.setPen(pen(FigureRole::leader));
+            const double end = at + towards * leaderOvershoot;
+            p.drawLine(QPointF(x(dimension.upperPosition) + towards * leaderGap, y(dimension.upper)),
+                       QPointF(end, y(dimension.upper)));
+            p.drawLine(QPointF(x(dimension.lowerPosition) + towards * leaderGap, y(dimension.lower)),
+                       QPointF(end, y(dimension.lower)));
+            drawLimit(at, dimension);
+            drawDimension(at, y(dimension.upper), y(dimension.lower),
+                          {{dimension.label}, {dimension.subscript, true}},
+                          dimension.place != DimensionPlace::gutter);
+        }
+    }
+
+    /// How many dimensions stand already on the same side of the same target.
+    [[nodiscard]] double placed(const Dimension &dimension) const {
+        return static_cast<double>(
+            std::count_if(m_figure.dimensions.data(), &dimension, [&](const Dimension &earlier) {
+                return earlier.place == dimension.place && earlier.upperPosition == dimension.upperPosition;
+            }));
+    }
+
+    /// The limit as a tick at its distance from the lower value, in the guard band about it.
+    void drawLimit(double at, const Dimension &dimension) {
+        if (!dimension.limit || !shows(dimension.upperPosition, dimension.lower + *dimension.limit))
+            return;
+        const double limit = dimension.lower + *dimension.limit;
+        if (dimension.guard) {
+            const double top = std::max(y(limit + *dimension.guard), m_plot.top());
+            const double bottom = std::min(y(limit - *dimension.guard), m_plot.bottom());
+            drawGuard(QRectF(at - curveGuardWidth / 2, top, curveGuardWidth, bottom - top));
+        }
+        QPen tick = pen(FigureRole::dimension);
+        tick.setCapStyle(Qt::FlatCap);
+        p.setPen(tick);
+        if (limit > dimension.upper) // from the arrow to the tick: nobody is to wonder whose it is
+            p.drawLine(QPointF(at, y(dimension.upper)), QPointF(at, y(limit)));
+        tick.setWidthF(limitStroke);
+        p.setPen(tick);
+        p.drawLine(QPointF(at - curveLimitTick / 2, y(limit)), QPointF(at + curveLimitTick / 2, y(limit)));
+    }
+
+    /// Whether a curve runs through the box.
+    [[nodiscard]] bool hitsCurve(const QRectF &box) const {
+        for (const Curve &curve : m_figure.curves) {
+            for (std::size_t i = 0; i < curve.points.size(); ++i) {
+                const FigurePoint &b = curve.points[i];
+                const FigurePoint &a = curve.points[i == 0 ? 0 : i - 1];
+                const QPointF from(x(a.x), y(a.y));
+                const QPointF to(x(b.x), y(b.y));
+                if (meets(from, to, box))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    /// The middle of a letter beside a target: in the line of its dimension, above or below it, where no
+    /// curve runs.
+    [[nodiscard]] double placeOfLetter(double at, double width, double top, double bottom,
+                                       double height) const {
+        const auto box = [&](double middle) {
+            return QRectF(at - width / 2 - 1, middle - height / 2, width + 2, height);
+        };
+        std::vector<double> places;
+        if (bottom - top >= height + 3 * curveArrowLength) {
+            const double first = top + curveArrowLength + height / 2;
+            const double last = bottom - curveArrowLength - height / 2;
+            for (const double part : {0.5, 0.25, 0.75, 0.0, 1.0})
+                places.push_back(first + part * (last - first));
+        }
+        for (const double away : {0.5, 1.2, 2.0, 3.0}) {
+            places.push_back(top - 2.5 * curveArrowLength - away * height);
+            places.push_back(bottom + 2.5 * curveArrowLength + away * height);
+        }
+        const auto isFree = [&](double middle) {
+            return m_plot.contains(box(middle)) && !hitsCurve(box(middle));
+        };
+        const auto found = std::ranges::find_if(places, isFree);
+        return found == places.end() ? places.front() : *found;
+    }
+
+    void drawGuard(const QRectF &band) {
+        p.setPen(pen(FigureRole::guardBand));
+        p.setBrush(colour(FigureRole::guardFill));
+        p.drawRect(band);
+    }
+
+    void drawArrow(QPointF tip, double down) {
+        const QPolygonF head{tip, tip + QPointF(-curveArrowWidth / 2, down * curveArrowLength),
+                             tip + QPointF(curveArrowWidth / 2, down * curveArrowLength)};
+        p.setPen(Qt::NoPen);
+        p.setBrush(colour(FigureRole::dimension));
+        p.drawPolygon(head);
+    }
+
+    /// Arrows inside with the letter in a gap of the line; where that is too tight, the letter stands above,
+    /// and where the arrows would meet, they point from outside.
+    void drawDimension(double at, double top, double bottom, const TextLine &label, bool amongCurves) {
+        constexpr double letterHeight = figureTextSize + 2;
+        const bool arrowsInside = bottom - top >= 2.4 * curveArrowLength;
+        const bool letterInside = bottom - top >= letterHeight + 3 * curveArrowLength;
+        QPen line = pen(FigureRole::dimension);
+        line.setCapStyle(Qt::FlatCap);
+        p.setPen(line);
+        const double outside = arrowsInside ? 0 : 2.5 * curveArrowLength;
+        if (arrowsInside) {
+            p.drawLine(QPointF(at, top + curveArrowLength / 2), QPointF(at, bottom - curveArrowLength / 2));
+        } else {
+            p.drawLine(QPointF(at, top - outside), QPointF(at, top - curveArrowLength / 2));
+            p.drawLine(QPointF(at, bottom + curveArrowLength / 2), QPointF(at, bottom + outside));
+        }
+        drawArrow({at, top}, arrowsInside ? 1 : -1);
+        drawArrow({at, bottom}, arrowsInside ? -1 : 1);
+        const double width = textWidth(label, true);
+        double middle = centreOf(top, bottom);
+        if (!letterInside) {
+            middle = top - outside - letterHeight / 2;
+            if (middle - letterHeight / 2 < m_area.top())
+                middle = bottom + outside + letterHeight / 2;
+        }
+        if (amongCurves)
+            middle = placeOfLetter(at, width, top, bottom, letterHeight);
+        p.fillRect(QRectF(at - width / 2 - 0.7, middle - letterHeight / 2, width + 1.4, letterHeight),
+                   colour(FigureRole::background));
+        drawText(p, {at - width / 2, middle}, label, colour(FigureRole::text), true);
+    }
+
+    [[nodiscard]] double sampleWidth(const LegendEntry &entry) const {
+        return entry.sample == LegendSample::readings ? readingsSampleWidth
+               : entry.sample == LegendSample::limit  ? curveLimitTick
+                                                      : m_margins.sampleWidth;
+    }
+
+    void drawLegend() {
+        std::vector<LegendEntry> shown = m_figure.legend;
+        if (!m_dimensions) // limits stand beside dimensions
+            std::erase_if(shown,
+                          [](const LegendEntry &entry) { return entry.sample == LegendSample::limit; });
+        double width = 0;
+        for (const LegendEntry &entry : shown)
+            width += sampleWidth(entry) + m_margins.sampleGap + textWidth(entry.text);
+        const auto gaps = static_cast<double>(std::max<std::size_t>(shown.size(), 2) - 1);
+        const double start =
+            m_medium == Medium::paper ? m_plot.left() + 0.03 * m_plot.width() : m_plot.left();
+        const double room = m_area.right() - start;
+        const double gap = std::clamp((room - width) / gaps, 0.25 * m_margins.legendGap, m_margins.legendGap);
+        double left = start;
+        if (m_medium != Medium::paper)
+            left = std::max(m_area.left(), m_plot.center().x() - (width + gap * gaps) / 2);
+        const double row = m_plot.bottom() + m_margins.legend;
+        for (const LegendEntry &entry : shown) {
+            drawSample(QRectF(left, row - curveSampleHeight / 2, sampleWidth(entry), curveSampleHeight),
+                       entry);
+            left += sampleWidth(entry) + m_margins.sampleGap;
+            drawText(p, {left, row}, entry.text, colour(FigureRole::text));
+            left += textWidth(entry.text) + gap;
+        }
+    }
+
+    void drawSample(const QRectF &box, const LegendEntry &entry) {
+        const QPointF middle = box.center();
+        const QPointF half(box.width() / 2, 0);
+        switch (entry.sample) {
+        case LegendSample::readings:
+            for (const CurveRole role : {CurveRole::up, CurveRole::down}) {
+                const bool shown = std::any_of(m_figure.curves.begin(), m_figure.curves.end(),
+                                               [role](const Curve &curve) { return curve.role == role; });
+                if (shown)
+                    drawReading(middle + (role == CurveRole::up ? -1 : 1) * QPointF(readingShift, 0), role,
+                                1);
+            }
+            return;
+        case LegendSample::limit: {
+            if (entry.band)
+                drawGuard(QRectF(middle.x() - curveGuardWidth / 2, box.top(), curveGuardWidth, box.height()));
+            QPen tick = pen(FigureRole::dimension);
+            tick.setWidthF(limitStroke);
+            tick.setCapStyle(Qt::FlatCap);
+            p.setPen(tick);
+            p.drawLine(middle - half, middle + half);
+            return;
+        }
+        case LegendSample::drift:
+        case LegendSample::mean:
+            p.setPen(pen(entry.sample == LegendSample::drift ? FigureRole::drift : FigureRole::mean));
+            p.drawLine(middle - half, middle + half);
+            return;
+        case LegendSample::up:
+        case LegendSample::down:
+            break;
+        }
+        const bool up = entry.sample == LegendSample::up;
+        if (entry.band) {
+            p.fillRect(box, bandColor(up, !up, m_medium));
+            p.setPen(pen(up ? FigureRole::upEdge : FigureRole::downEdge));
+            p.drawLine(box.topLeft(), box.topRight());
+            p.drawLine(box.bottomLeft(), box.bottomRight());
+        }
+        QPen line = pen(up ? FigureRole::up : FigureRole::down);
+        line.setCapStyle(Qt::FlatCap);
+        p.setPen(line);
+        p.drawLine(middle - half, middle + half);
+        drawMarker(middle, up ? CurveRole::up : CurveRole::down);
+    }
+
+    QPainter &p;
+    const CurveFigure &m_figure;
+    Medium m_medium;
+    QRectF m_area;
+    const Margins &m_margins;
+    QRectF m_plot;
+    bool m_dimensions = true;
+};
+
+} // namespace
+
+FigureTransform drawCurveFigure(QPainter &painter, const QRectF &area, const CurveFigure &figure,
+                                Medium medium) {
+    if (isOrdinary(figure))
+        return CurveFigurePainter(painter, area, figure, medium).draw();
+    return CurveFigurePainter(painter, area, thinned(figure), medium).draw();
+}
+
+} // namespace palmer

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "print/figures/drawfigure.h"
+
+#include "figures/circlefigure.h"
+#include "print/figures/drawbarfigure.h"
+#include "print/figures/drawcirclefigure.h"
+#include "print/figures/drawcurvefigure.h"
+#include "print/figures/drawhistogramfigure.h"
+#include "print/figures/drawlinefigure.h"
+#include "print/figures/drawtrendfigure.h"
+#include "print/fonts.h"
+
+#include <QPainter>
+
+namespace palmer {
+
+namespace {
+
+QSizeF sizeOf(const CurveFigure &) {
+    return {175, 86};
+}
+
+QSizeF sizeOf(const CircleFigure &figure) {
+    return printedSize(figure);
+}
+
+QSizeF sizeOf(const LineFigure &) {
+    return {175, 62};
+}
+
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const LineFigure &figure, Medium medium) {
+    return drawLineFigure(painter, area, figure, medium);
+}
+
+QSizeF sizeOf(const BarFigure &figure) {
+    return {175, printedHeight(figure)};
+}
+
+QSizeF sizeOf(const HistogramFigure &) {
+    return {130, 62};
+}
+
+QSizeF sizeOf(const TrendFigure &figure) {
+    constexpr double row = 26;
+    constexpr double alone = 90;
+    return {175, figure.panels.size() == 1 && figure.label.isEmpty() ? alone : row};
+}
+
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const TrendFigure &figure, Medium medium) {
+    return drawTrendFigure(painter, area, figure, medium);
+}
+
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const BarFigure &figure, Medium medium) {
+    return drawBarFigure(painter, area, figure, medium);
+}
+
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const HistogramFigure &figure,
+                         Medium medium) {
+    return drawHistogramFigure(painter, area, figure, medium);
+}
+
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const CircleFigure &figure, Medium medium) {
+    return drawCircleFigure(painter, area, figure, medium);
+}
+
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const CurveFigure &figure, Medium medium) {
+    return drawCurveFigure(painter, area, figure, medium);
+}
+
+} // namespace
+
+QSizeF paperSize(const Figure &figure) {
+    return std::visit([](const auto &kind) { return sizeOf(kind); }, figure);
+}
+
+FigureTransform drawFigure(QPainter &painter, const QRectF &rect, const Figure &figure, Medium medium) {
+    loadFonts();
+    const double unit = medium == Medium::paper ? 1 : 1 / pointsPerPixel; // of the painter a point
+    painter.save();
+    if (medium != Medium::paper)
+        painter.fillRect(rect, figureColor(FigureRole::background, medium));
+    painter.translate(rect.topLeft());
+    painter.scale(unit, unit);
+    const QRectF area(QPointF(0, 0), rect.size() / unit);
+    FigureTransform drawn =
+        std::visit([&](const auto &kind) { return drawKind(painter, area, kind, medium); }, figure);
+    painter.restore();
+
+    const QTransform back = QTransform::fromTranslate(rect.left(), rect.top()).scale(unit, unit);
+    drawn.plotArea = back.mapRect(drawn.plotArea);
+    drawn.toPainter = drawn.toPainter * back;
+    drawn.readingShift *= unit;
+    return drawn;
+}
+
+} // namespace palmer

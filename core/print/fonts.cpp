@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "print/fonts.h"
+
+#include <QFile>
+#include <QFontDatabase>
+#include <QRawFont>
+#include <QResource>
+#include <stdexcept>
+
+namespace palmer {
+
+namespace {
+
+constexpr QLatin1StringView family("Liberation Sans");
+
+#ifdef PALMER_FONTS
+/// That of the distribution.
+QByteArray fontFile(const QString &name) {
+    QFile file(QStringLiteral(PALMER_FONTS "/") + name);
+    if (!file.open(QIODevice::ReadOnly))
+        throw std::runtime_error("the font of the reports is missing: " + file.fileName().toStdString());
+    return file.readAll();
+}
+#else
+/// Read in place: the program holds it as long as it runs.
+QByteArray fontFile(const QString &name) {
+    const QResource file(QStringLiteral(":/fonts/") + name);
+    if (!file.isValid() || file.compressionAlgorithm() != QResource::NoCompression)
+        throw std::runtime_error("the font of the reports is missing");
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of QResource
+    return QByteArray::fromRawData(reinterpret_cast<const char *>(file.data()), qsizetype(file.size()));
+}
+#endif
+
+bool load() {
+    // What the texts of both languages and the symbols of the standards are made of, beside ASCII.
+    const QString signs = QStringLiteral("µ±↑↓\u0304°″′éèàùâêîôûçœÉÀ«»’−–—·×²³√α"
+                                         "θ\u00a0\u202f");
+    for (const char *face : {"Regular", "Bold", "Italic", "BoldItalic"}) {
+        const QByteArray data = fontFile(QStringLiteral("LiberationSans-%1.ttf").arg(QLatin1String(face)));
+        const int id = QFontDatabase::addApplicationFontFromData(data);
+        if (id < 0 || QFontDatabase::applicationFontFamilies(id).value(0) != family)
+            throw std::runtime_error("the font of the reports is damaged");
+        const QRawFont raw(data, 10);
+        for (const QChar sign : signs) {
+            if (!raw.supportsCharacter(sign)) {
+                throw std::runtime_error("the font of the reports lacks U+" +
+                                         QString::number(sign.unicode(), 16).toStdString());
+            }
+        }
+    }
+    return true;
+}
+
+} // namespace
+
+void loadFonts() {
+    [[maybe_unused]] static const bool loaded = load();
+}
+
+QString paperFamily() {
+    loadFonts();
+    return family;
+}
+
+QFont paperFont(int pixelSize, bool bold, bool italic) {
+    QFont font(paperFamily());
+    font.setPixelSize(pixelSize);
+    font.setBold(bold);
+    font.setItalic(italic);
+    font.setHintingPreference(QFont::PreferNoHinting);
+    return font;
+}
+
+} // namespace palmer

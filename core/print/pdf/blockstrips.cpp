@@ -1,0 +1,801 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "print/pdf/blockstrips.h"
+
+#include "print/figures/drawcirclefigure.h"
+#include "print/figures/drawfigure.h"
+#include "print/pdf/logo.h"
+#include "print/pdf/marks.h"
+#include "print/pdf/phrasetext.h"
+#include "print/pdf/rules.h"
+#include "print/pdf/tablestrips.h"
+#include "print/pdf/textblock.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <numeric>
+
+namespace palmer {
+
+namespace {
+
+// Gaps, points.
+constexpr double afterHead = 5 * mm;
+constexpr double afterHeading = 1.9 * mm;
+constexpr double belowTitle = 3 * mm; ///< of a test, to its first section
+constexpr double afterSmallHeading = 1.2 * mm;
+constexpr double betweenTables = 2.6 * mm;
+constexpr double belowTable = 1.8 * mm; ///< to the small text that belongs to it
+constexpr double paragraphGap = 1.6 * mm;
+constexpr double beforeVerdict = 3.8 * mm;
+constexpr double beforeEnd = 8 * mm;
+constexpr double leastFigure = 65 * mm; ///< height at which its curves can still be read
+
+// The head of a test.
+constexpr double logoHeight = 10 * mm;
+constexpr double logoWidth = 50 * mm;
+constexpr double logoGap = 3.5 * mm;
+constexpr double nameGap = 1.1 * mm;
+constexpr double titleGap = 4.5 * mm;
+constexpr double subtitleGap = 1 * mm;
+constexpr double ruleAbove = 3.2 * mm;
+constexpr double ruleBelow = 2.6 * mm;
+constexpr double leftColumn = 74 * mm;
+constexpr double columnGap = 9 * mm;
+constexpr double leftLabels = 25;  ///< mm
+constexpr double rightLabels = 31; ///< mm
+
+constexpr TextStyle h1{15, true, black, 1.2};
+constexpr TextStyle h2{10.5, true, black, 1.2};
+constexpr TextStyle h3{9, true, black, 1.28};
+constexpr TextStyle subtitleStyle{10.5, false, black, 1.2};
+constexpr TextStyle noteStyle{8.5, false, noteGrey, 1.2};
+constexpr TextStyle smallStyle{8, false, noteGrey, 1.3};
+constexpr TextStyle paragraphStyle{9, false, black, 1.35};
+constexpr TextStyle labelStyle{8.5, false, labelGrey, 1.28};
+constexpr TextStyle valueStyle{9, false, black, 1.28};
+constexpr TextStyle missingStyle{9, false, dashGrey, 1.28};
+constexpr TextStyle narrowLabelStyle{8, false, labelGrey, 1.28};
+constexpr TextStyle narrowValueStyle{8.5, false, black, 1.28};
+constexpr TextStyle narrowMissingStyle{8.5, false, dashGrey, 1.28};
+
+Strip strip(double height, std::function<void(QPainter &, QPointF)> draw) {
+    Strip result;
+    result.height = height;
+    result.draw = std::move(draw);
+    return result;
+}
+
+double heightOf(const Strips &strips) {
+    double height = 0;
+    for (const Strip &each : strips)
+        height += each.height + (&each == &strips.front() ? 0 : each.gap);
+    return height;
+}
+
+void drawStrips(QPainter &painter, QPointF at, const Strips &strips) {
+    for (const Strip &each : strips) {
+        if (&each != &strips.front())
+            at.ry() += each.gap;
+        if (each.draw)
+            each.draw(painter, at);
+        at.ry() += each.height;
+    }
+}
+
+Strip textStrip(TextBlock block, TextAlignment alignment = TextAlignment::left, double width = 0) {
+    const double height = block.height();
+    return strip(height, [block = std::move(block), alignment, width](QPainter &painter, QPointF at) {
+        block.draw(painter, at, alignment, width);
+    });
+}
+
+/// Lines of running text: at least two of them on each page.
+Strips lineStrips(const TextBlock &block) {
+    Strips result;
+    for (std::size_t i = 0; i < block.lineCount(); ++i) {
+        result.push_back(textStrip(block.line(i)));
+        const bool ends = i == 0 || i + 2 == block.lineCount();
+        result.back().withNext = ends && i + 1 < block.lineCount();
+    }
+    return result;
+}
+
+Strips keyValueStrips(const KeyValues &values, double width) {
+    const double labelGap = (values.narrow ? 1.5 : 3.0) * mm;
+    const double rowGap = (values.narrow ? 0.45 : 0.75) * mm;
+    const TextStyle &labels = values.narrow ? narrowLabelStyle : labelStyle;
+    const TextStyle &stated = values.narrow ? narrowValueStyle : valueStyle;
+    const TextStyle &dashes = values.narrow ? narrowMissingStyle : missingStyle;
+    const double left = values.labelWidth * mm + labelGap;
+    Strips result;
+    for (const KeyValue &row : values.rows) {
+        const bool missing = row.value.isEmpty();
+        TextBlock label(row.key, labels, values.labelWidth * mm + labelGap / 2);
+        TextBlock value(missing ? thinDash : row.value, missing ? dashes : stated,
+                        std::max(width - left, 20.0));
+        // Label and value on one base line.
+        const double drop = value.ascent() - label.ascent();
+        const std::size_t lines = std::max(label.lineCount(), value.lineCount());
+        constexpr std::size_t tallRow = 24; // is split between its lines
+        const std::size_t step = lines > tallRow ? 1 : lines;
+        const double height = value.lineHeight() * static_cast<double>(step);
+        const auto add = [&](TextBlock key, TextBlock stands) {
+            result.push_back(strip(
+                height, [=, key = std::move(key), stands = std::move(stands)](QPainter &painter, QPointF at) {
+                    key.draw(painter, at + QPointF(0, drop));
+                    stands.draw(painter, at + QPointF(left, 0));
+                }));
+        };
+        const auto lineOf = [](const TextBlock &block, std::size_t index) {
+            return index < block.lineCount() ? block.line(index) : TextBlock();
+        };
+        const std::size_t first = result.size();
+        if (step == lines) {
+            add(std::move(label), std::move(value));
+        } else {
+            for (std::size_t i = 0; i < lines; ++i)
+                add(lineOf(label, i), lineOf(value, i));
+        }
+        if (first < result.size())
+            result[first].gap = rowGap;
+    }
+    return result;
+}
+
+Strips headingStrips(const Heading &heading, double width) {
+    const TextStyle &style = heading.level == 1 ? h1 : heading.level == 2 ? h2 : h3;
+    constexpr double noteGap = 2 * mm;
+    const TextBlock title(heading.text, style, width);
+    const TextBlock wholeNote(richText(heading.note), noteStyle);
+    Strip result;
+    const double noteLeft = title.width() + noteGap;
+    const bool beside =
+        title.lineCount() == 1 && wholeNote.lineCount() == 1 && noteLeft + wholeNote.width() <= width;
+    if (heading.note.plain().isEmpty()) {
+        result = textStrip(title);
+    } else if (beside) {
+        const double drop = title.ascent() - wholeNote.ascent();
+        result = strip(title.height(), [=](QPainter &painter, QPointF at) {
+            title.draw(painter, at);
+            wholeNote.draw(painter, at + QPointF(noteLeft, drop));
+        });
+    } else {
+        const TextBlock note(richText(heading.note), noteStyle, width);
+        result = strip(title.height() + note.height(), [=](QPainter &painter, QPointF at) {
+            title.draw(painter, at);
+            note.draw(painter, at + QPointF(0, title.height()));
+        });
+    }
+    result.withNext = true;
+    return {result};
+}
+
+/// Short notes on one line where they fit, a thin stroke between them, else below each other.
+class NoteLine {
+public:
+    NoteLine(const QStringList &notes, double room) {
+        double width = 0;
+        for (const QString &note : notes) {
+            for (const QString &line : note.split(u'\n', Qt::SkipEmptyParts)) {
+                m_notes.emplace_back(line, style, room);
+                width += m_notes.back().width() + (m_notes.size() > 1 ? noteGap : 0);
+            }
+        }
+        m_beside = width <= room;
+        for (const TextBlock &note : m_notes) {
+            m_width = m_beside ? width : std::max(m_width, note.width());
+            m_height = m_beside ? note.height() : m_height + note.height();
+        }
+    }
+
+    [[nodiscard]] bool empty() const { return m_notes.empty(); }
+    [[nodiscard]] double width() const { return m_width; }
+    [[nodiscard]] double height() const { return m_height; }
+
+    /// From `left`, or with the right end there.
+    void draw(QPainter &painter, QPointF at, TextAlignment alignment) const {
+        if (alignment == TextAlignment::right)
+            at.rx() -= m_width;
+        for (const TextBlock &note : m_notes) {
+            const bool first = &note == &m_notes.front();
+            if (m_beside && !first) {
+                painter.setPen(QPen(ruleGrey, groupRule * mm, Qt::SolidLine, Qt::FlatCap));
+                const QPointF stroke = at + QPointF(noteGap / 2, 0.15 * note.height());
+                painter.drawLine(stroke, stroke + QPointF(0, 0.7 * note.height()));
+                at.rx() += noteGap;
+            }
+            note.draw(painter, at, m_beside ? TextAlignment::left : alignment, m_width);
+            at += m_beside ? QPointF(note.width(), 0) : QPointF(0, note.height());
+        }
+    }
+
+private:
+    static constexpr TextStyle style{8, false, noteGrey, 1.2};
+    static constexpr double noteGap = 4 * mm;
+
+    std::vector<TextBlock> m_notes;
+    bool m_beside = false;
+    double m_width = 0;
+    double m_height = 0;
+};
+
+/// Logo, name and address of the laboratory at the left, number and what belongs to it at the right.
+Strip letterhead(const TestHead &head, double width) {
+    const Logo logo(head.logo);
+    const Logo mark(head.mark);
+    const QSizeF logoSize = logo.size({logoWidth, logoHeight});
+    const QSizeF markSize = mark.size({logoWidth, logoHeight});
+    const double logoRoom = logo.empty() ? 0 : logoSize.width() + logoGap;
+    const double markRoom = mark.empty() ? 0 : markSize.width() + logoGap;
+
+    constexpr double half = 0.5;
+    const TextBlock number(head.number, h2, width * half);
+    const NoteLine numberNotes(head.numberNotes, width * half);
+    const double numberWidth = std::max(number.width(), numberNotes.width());
+
+    const double nameWidth = width - logoRoom - markRoom - numberWidth - logoGap;
+    const TextBlock name(head.laboratory, h2, nameWidth);
+    const NoteLine address({head.address, head.accreditation}, nameWidth);
+
+    const auto heightOfBoth = [](const TextBlock &title, const NoteLine &notes) {
+        return title.height() + (notes.empty() ? 0 : nameGap + notes.height());
+    };
+    const double height = std::max({heightOfBoth(name, address), heightOfBoth(number, numberNotes),
+                                    logoSize.height(), markSize.height()});
+    return strip(height, [=](QPainter &painter, QPointF at) {
+        const QPointF right = at + QPointF(width, 0);
+        logo.draw(painter, QRectF(at, logoSize));
+        mark.draw(painter, QRectF(right - QPointF(numberWidth + logoGap + markSize.width(), 0), markSize));
+        name.draw(painter, at + QPointF(logoRoom, 0));
+        address.draw(painter, at + QPointF(logoRoom, name.height() + nameGap), TextAlignment::left);
+        number.draw(painter, at, TextAlignment::right, width);
+        numberNotes.draw(painter, right + QPointF(0, number.height() + nameGap), TextAlignment::right);
+    });
+}
+
+/// Two columns at the same height as one strip; one below the other where they are higher than `tallest`.
+Strips besideEachOther(Strips left, Strips right, double rightAt, double tallest) {
+    const double height = std::max(heightOf(left), heightOf(right));
+    if (height > tallest) {
+        left.insert(left.end(), right.begin(), right.end());
+        return left;
+    }
+    return {strip(height,
+                  [left = std::move(left), right = std::move(right), rightAt](QPainter &painter, QPointF at) {
+                      drawStrips(painter, at, left);
+                      drawStrips(painter, at + QPointF(rightAt, 0), right);
+                  })};
+}
+
+/// The same below each other, line by line, for what is too long for a letterhead.
+Strips tallLetterhead(const TestHead &head, double width) {
+    const Logo logo(head.logo);
+    const Logo mark(head.mark);
+    const QSizeF logoSize = logo.size({logoWidth, logoHeight});
+    const QSizeF markSize = mark.size({logoWidth, logoHeight});
+    Strips result{strip(std::max(logoSize.height(), markSize.height()), [=](QPainter &painter, QPointF at) {
+        logo.draw(painter, QRectF(at, logoSize));
+        mark.draw(painter, QRectF(at + QPointF(width - markSize.width(), 0), markSize));
+    })};
+    const auto add = [&](const QString &text, const TextStyle &style) {
+        if (text.isEmpty())
+            return;
+        Strips lines = lineStrips(TextBlock(text, style, width));
+        lines.front().gap = nameGap;
+        std::ranges::move(lines, std::back_inserter(result));
+    };
+    add(head.laboratory, h2);
+    add(head.address, smallStyle);
+    add(head.accreditation, smallStyle);
+    add(head.number, h2);
+    for (const QString &note : head.numberNotes)
+        add(note, smallStyle);
+    return result;
+}
+
+Strips testHeadStrips(const TestHead &head, double width, double tallest) {
+    Strips result{letterhead(head, width)};
+    if (result.front().height > tallest / 2)
+        result = tallLetterhead(head, width);
+    const auto line = [&](const QString &text, const TextStyle &style, double gap) {
+        if (text.isEmpty())
+            return;
+        TextBlock block(text, style, width);
+        Strips lines;
+        if (block.height() > tallest / 4)
+            lines = lineStrips(block);
+        else
+            lines.push_back(textStrip(std::move(block)));
+        lines.front().gap = gap;
+        std::ranges::move(lines, std::back_inserter(result));
+    };
+    line(head.title, h1, titleGap);
+    line(head.subtitle, subtitleStyle, subtitleGap);
+    TextStyle small = noteStyle;
+    constexpr double smallest = 7.2;
+    while (small.size > smallest && TextBlock(head.editionTitle, small).width() > width)
+        small.size -= 0.1; // one line where that is readable
+    line(head.editionTitle, small, subtitleGap / 2);
+    line(head.notice, {9, true, black, 1.28}, 2 * subtitleGap);
+    result.push_back(strip(
+        ruleBelow, [width](QPainter &painter, QPointF at) { drawRule(painter, at, width, strongRule); }));
+    result.back().gap = ruleAbove;
+
+    KeyValues left = head.left;
+    left.labelWidth = leftLabels;
+    KeyValues right = head.right;
+    right.labelWidth = rightLabels;
+    const double rightAt = leftColumn + columnGap;
+    const Strips columns = besideEachOther(keyValueStrips(left, leftColumn),
+                                           keyValueStrips(right, width - rightAt), rightAt, tallest / 2);
+    result.insert(result.end(), columns.begin(), columns.end());
+    for (std::size_t i = 0; i + 1 < result.size() && heightOf(result) < tallest; ++i)
+        result[i].withNext = true;
+    return result;
+}
+
+Strips legendStrips(const ResultsLegend &legend, double width) {
+    constexpr double signGap = 0.9 * mm;
+    constexpr double itemGap = 2.4 * mm;
+    struct Item {
+        LegendSign sign;
+        TextBlock text;
+        double x = 0;
+        double y = 0;
+    };
+    std::vector<Item> items;
+    double x = 0;
+    double y = 0;
+    const double lineHeight = smallStyle.size * smallStyle.leading;
+    for (const LegendItem &item : legend.items) {
+        const double sign = item.sign == LegendSign::none ? 0 : legendSignWidth(item.sign) * mm + signGap;
+        TextBlock text(item.text, smallStyle);
+        if (x > 0 && x + sign + text.width() > width) {
+            x = 0;
+            y += lineHeight;
+        }
+        if (sign + text.width() > width)
+            text = TextBlock(item.text, smallStyle, width - sign);
+        items.push_back({item.sign, text, x, y});
+        x += sign + text.width() + itemGap;
+        y += text.height() - lineHeight;
+    }
+    return {strip(y + lineHeight, [items, lineHeight](QPainter &painter, QPointF at) {
+        for (const Item &item : items) {
+            const double sign = legendSignWidth(item.sign) * mm;
+            const QPointF left = at + QPointF(item.x, item.y);
+            if (item.sign != LegendSign::none)
+                drawLegendSign(painter, item.sign, left + QPointF(sign / 2, lineHeight / 2));
+            item.text.draw(painter, left + QPointF(item.sign == LegendSign::none ? 0 : sign + signGap, 0));
+        }
+    })};
+}
+
+/// A part of the verdict: label, mark, then the state and what is said of it.
+struct StatementBlock {
+    TextBlock label;
+    Mark mark = Mark::none;
+    TextBlock state; ///< of a large verdict above the text, else at its beginning
+    TextBlock text;
+
+    [[nodiscard]] double height() const { return std::max(label.height(), state.height() + text.height()); }
+};
+
+constexpr double statementLabel = 13.5 * mm;
+constexpr double statementMark = 4 * mm;
+
+StatementBlock statementBlock(const VerdictStatement &statement, double width, bool large) {
+    constexpr TextStyle labelText{8.5, false, black, 1.25};
+    constexpr TextStyle text{8.5, false, black, 1.25};
+    constexpr TextStyle largeState{10, true, black, 1.25};
+    constexpr TextStyle largeText{8.5, false, noteGrey, 1.25};
+    StatementBlock result{TextBlock(statement.label, labelText), statement.mark, {}, {}};
+    const double room = width - statementLabel - statementMark;
+    RichText words = richText(statement.text);
+    const bool empty = statement.text.plain().isEmpty();
+    if (large) {
+        result.state = TextBlock(statement.state, largeState, room);
+        if (!empty)
+            result.text = TextBlock(words, largeText, room);
+        return result;
+    }
+    TextRun state;
+    state.text = empty ? statement.state : statement.state + u' ';
+    state.bold = true;
+    words.insert(words.begin(), state);
+    TextStyle style = text;
+    constexpr double smallest = 7.5;
+    constexpr std::size_t mostLines = 3;
+    while (style.size > smallest && TextBlock(words, style, room).lineCount() > mostLines)
+        style.size -= 0.1;
+    result.text = TextBlock(words, style, room);
+    return result;
+}
+
+void drawStatement(QPainter &painter, QPointF at, const StatementBlock &statement) {
+    statement.label.draw(painter, at);
+    const TextBlock &first = statement.state.empty() ? statement.text : statement.state;
+    const double mark = markBox * mm;
+    drawMark(painter, statement.mark, at + QPointF(statementLabel + mark / 2, first.lineHeight() / 2), mark);
+    const QPointF text = at + QPointF(statementLabel + statementMark, 0);
+    if (!statement.state.empty())
+        statement.state.draw(painter, text);
+    if (!statement.text.empty())
+        statement.text.draw(painter,
+                            text + QPointF(0, statement.state.empty() ? 0 : statement.state.height()));
+}
+
+/// The large word, or its second line, in the size that its column allows: the same for both.
+TextBlock verdictWord(const VerdictLine &line, const QString &text, double width) {
+    constexpr qsizetype longWord = 12;
+    constexpr double smallest = 8;
+    TextStyle style{12, true, black, 1.2};
+    if (line.large)
+        style.size = std::max(line.word.size(), line.second.size()) > longWord ? 14 : 18;
+    const auto widest = [&] {
+        return std::max(TextBlock(line.word, style).width(), TextBlock(line.second, style).width());
+    };
+    while (style.size > smallest && widest() > width)
+        style.size -= 0.1;
+    return text.isEmpty() ? TextBlock() : TextBlock(text, style, width);
+}
+
+Strips verdictStrips(const VerdictLine &line, double width) {
+    constexpr double left = 1.2 * mm;
+    const double padding = (line.large ? 3.2 : 1.9) * mm;
+    const double column = (line.large ? 60 : 50) * mm;
+    const double rightAt = column + (line.large ? 5 : 4) * mm;
+    const double gap = (line.large ? 1.4 : 0.9) * mm; // above and below the hairline
+    const double largeMark = (line.large ? 4.8 : 3.4) * mm;
+    const double wordLeft = line.mark == Mark::none ? 0 : largeMark + 1.2 * mm;
+    const TextBlock label(line.label, {9, false, black, 1.28});
+    const TextBlock word = verdictWord(line, line.word, column - left - wordLeft);
+    const TextBlock second = verdictWord(line, line.second, column - left - wordLeft);
+    const TextBlock note =
+        line.note.isEmpty() ? TextBlock() : TextBlock(line.note, smallStyle, column - left);
+    const StatementBlock limits = statementBlock(line.limits, width - rightAt - left, line.large);
+    const StatementBlock accordance = statementBlock(line.accordance, width - rightAt - left, line.large);
+
+    const double leftHeight = label.height() + word.height() + second.height() + note.height();
+    const double rightHeight = limits.height() + accordance.height() + 2 * gap;
+    const double inner = std::max(leftHeight, rightHeight);
+    const double height = inner + 2 * padding;
+    return {strip(height, [=, mark = line.mark](QPainter &painter, QPointF at) {
+        drawRule(painter, at, width, strongRule);
+        drawRule(painter, at + QPointF(0, height), width, strongRule);
+        QPointF place = at + QPointF(left, padding + (inner - leftHeight) / 2);
+        label.draw(painter, place);
+        place.ry() += label.height();
+        drawMark(painter, mark, place + QPointF(largeMark / 2, word.lineHeight() / 2), largeMark);
+        word.draw(painter, place + QPointF(wordLeft, 0));
+        place.ry() += word.height();
+        if (!second.empty())
+            second.draw(painter, place + QPointF(wordLeft, 0));
+        place.ry() += second.height();
+        if (!note.empty())
+            note.draw(painter, place);
+        place = at + QPointF(rightAt, padding + (inner - rightHeight) / 2);
+        drawStatement(painter, place, limits);
+        place.ry() += limits.height() + gap;
+        drawRule(painter, place, width - rightAt - left, groupRule, groupGrey);
+        place.ry() += gap;
+        drawStatement(painter, place, accordance);
+    })};
+}
+
+/// A heading as large as its column allows.
+TextBlock signatureHeading(const QString &text, double width) {
+    TextStyle style = h3;
+    constexpr double smallest = 7.5;
+    while (style.size > smallest && TextBlock(text, style).width() > width)
+        style.size -= 0.1;
+    return {text, style, width};
+}
+
+std::vector<double> signatureWidths(const Signatures &signatures, double width, double gap) {
+    double fixed = 0;
+    double sharing = 0;
+    for (const SignatureColumn &column : signatures.columns) {
+        fixed += column.width * mm;
+        sharing += column.width > 0 ? 0 : 1;
+    }
+    const double gaps = gap * (static_cast<double>(signatures.columns.size()) - 1);
+    std::vector<double> result;
+    for (const SignatureColumn &column : signatures.columns)
+        result.push_back(column.width > 0 ? column.width * mm : (width - gaps - fixed) / sharing);
+    return result;
+}
+
+/// Columns of lines to be filled in or signed; what stands beside each other has one height, so all rules are
+/// level.
+class SignatureBlock {
+public:
+    SignatureBlock(const Signatures &signatures, double width)
+        : m_signatures(signatures)
+        , m_widths(signatureWidths(signatures, width, gap)) {
+        for (std::size_t c = 0; c < signatures.columns.size(); ++c) {
+            const SignatureColumn &column = signatures.columns[c];
+            if (!column.heading.isEmpty())
+                m_headings = std::max(m_headings, signatureHeading(column.heading, m_widths[c]).height());
+            m_heights.resize(std::max(m_heights.size(), column.lines.size()));
+            m_columns.emplace_back();
+            for (std::size_t i = 0; i < column.lines.size(); ++i) {
+                m_columns.back().push_back(made(column.lines[i], m_widths[c]));
+                m_heights[i] = std::max(m_heights[i], neededBy(column.lines[i], m_columns.back().back()));
+            }
+        }
+    }
+
+    [[nodiscard]] double height() const {
+        return std::accumulate(m_heights.begin(), m_heights.end(), m_headings) + groupRule * mm;
+    }
+
+    void draw(QPainter &painter, QPointF at) const {
+        for (std::size_t c = 0; c < m_columns.size(); ++c) {
+            const SignatureColumn &column = m_signatures.columns[c];
+            if (!column.heading.isEmpty())
+                signatureHeading(column.heading, m_widths[c]).draw(painter, at);
+            QPointF top = at + QPointF(0, m_headings);
+            for (std::size_t i = 0; i < m_columns[c].size(); ++i) {
+                drawLine(painter, top, column.lines[i], m_columns[c][i], m_heights[i]);
+                top.ry() += m_heights[i];
+                drawRule(painter, top, m_widths[c], groupRule);
+            }
+            at.rx() += m_widths[c] + gap;
+        }
+    }
+
+private:
+    struct Line {
+        TextBlock label;
+        TextBlock value;
+
+        /// By which the value is higher than one line.
+        [[nodiscard]] double more() const { return value.empty() ? 0 : value.height() - value.lineHeight(); }
+    };
+
+    [[nodiscard]] static Line made(const SignatureLine &line, double width) {
+        constexpr TextStyle labelText{8, false, labelGrey, 1.2};
+        constexpr TextStyle valueText{9, false, black, 1.2};
+        Line result{TextBlock(line.label, labelText), {}};
+        if (!line.value.isEmpty())
+            result.value = TextBlock(line.value, valueText,
+                                     line.height > 0 ? width : width - result.label.width() - labelGap);
+        return result;
+    }
+
+    [[nodiscard]] static double neededBy(const SignatureLine &line, const Line &made) {
+        const double empty = line.forSignature ? signatureHeight : lineHeight;
+        return (line.height > 0 ? line.height * mm : empty) + made.more();
+    }
+
+    static void drawLine(QPainter &painter, QPointF at, const SignatureLine &line, const Line &made,
+                         double height) {
+        const double bottom = at.y() + height - labelAbove - made.more();
+        if (line.height > 0) { // its value stands below the label
+            made.label.draw(painter, at);
+            made.value.draw(painter, {at.x(), bottom});
+            return;
+        }
+        const double top = line.forSignature ? at.y() + signatureLabel : bottom;
+        made.label.draw(painter, {at.x(), top});
+        made.value.draw(painter, {at.x() + made.label.width() + labelGap,
+                                  top + made.label.ascent() - made.value.ascent()});
+    }
+
+    static constexpr double gap = 8 * mm;
+    static constexpr double lineHeight = 9 * mm;
+    static constexpr double signatureHeight = 20.1 * mm; ///< 12 free below the label
+    static constexpr double signatureLabel = 4.3 * mm;
+    static constexpr double labelAbove = 4.6 * mm; ///< top of a label above its rule
+    static constexpr double labelGap = 2 * mm;
+
+    Signatures m_signatures;
+    std::vector<double> m_widths;
+    double m_headings = 0;
+    std::vector<double> m_heights;
+    std::vector<std::vector<Line>> m_columns;
+};
+
+Strips signatureStrips(const Signatures &signatures, double width) {
+    const SignatureBlock block(signatures, width);
+    return {strip(block.height(), [block](QPainter &painter, QPointF at) { block.draw(painter, at); })};
+}
+
+/// The gap above a block, after the one before it.
+double gapBetween(const Block &above, const Block &below) {
+    const auto *heading = std::get_if<Heading>(&above);
+    if (std::holds_alternative<TestHead>(above))
+        return afterHead;
+    if (beginsSection(below))
+        return heading && heading->level == 1 ? belowTitle : sectionGap;
+    if (heading)
+        return heading->level <= 2 ? afterHeading : afterSmallHeading;
+    if (std::holds_alternative<ResultsLegend>(below))
+        return belowTable;
+    if (std::holds_alternative<VerdictLine>(below))
+        return beforeVerdict;
+    if (std::holds_alternative<EndMark>(below))
+        return beforeEnd;
+    const auto *paragraph = std::get_if<Paragraph>(&below);
+    if (paragraph)
+        return paragraph->size == palmer::TextSize::small ? belowTable : paragraphGap;
+    if (std::holds_alternative<Table>(below))
+        return betweenTables;
+    return sectionGap / 2;
+}
+
+bool staysBelow(const Block &block) {
+    const auto *paragraph = std::get_if<Paragraph>(&block);
+    return std::holds_alternative<ResultsLegend>(block) || std::holds_alternative<VerdictLine>(block) ||
+           std::holds_alternative<EndMark>(block) ||
+           (paragraph && paragraph->size == palmer::TextSize::small);
+}
+
+bool isTitle(const Block &block) {
+    const auto *heading = std::get_if<Heading>(&block);
+    return heading && heading->level == 1;
+}
+
+/// What the block behind a heading makes of the strips of block i; nothing where that is none.
+void stateOfHeading(Strips &strips, const std::vector<Block> &blocks, std::size_t i, bool titled) {
+    const auto *heading = std::get_if<Heading>(&blocks[i]);
+    if (!heading || i + 1 == blocks.size())
+        return;
+    const Block &next = blocks[i + 1];
+    strips.front().title = isTitle(blocks[i]);
+    strips.front().filler = titled && std::holds_alternative<FindingsBlock>(next);
+    if (heading->level == 2 && (beginsSection(next) || isMark(next)))
+        strips.back().withNext = false; // its note says all
+}
+
+/// What stands above the heading of the signatures goes with them: they never stand alone on a page.
+void takeAlong(Strips &above) {
+    constexpr std::size_t most = 3;
+    const auto stays = [](const Strip &strip) { return !strip.pageBreak && !strip.running; };
+    std::size_t heading = above.size();
+    while (heading > 0 && above[heading - 1].withNext && stays(above[heading - 1]))
+        --heading;
+    for (std::size_t i = heading; i > 0 && heading - i < most && stays(above[i - 1]); --i)
+        above[i - 1].withNext = true;
+}
+
+class StripMaker {
+public:
+    StripMaker(double width, double tallest)
+        : m_width(width)
+        , m_tallest(tallest) {}
+
+    Strips operator()(const Heading &heading) const { return headingStrips(heading, m_width); }
+    Strips operator()(const Paragraph &paragraph) const {
+        if (paragraph.text.isEmpty())
+            return {};
+        return lineStrips(TextBlock(paragraph.text,
+                                    paragraph.size == palmer::TextSize::small ? smallStyle : paragraphStyle,
+                                    m_width));
+    }
+    Strips operator()(const KeyValues &values) const { return keyValueStrips(values, m_width); }
+    Strips operator()(const Table &table) const { return tableStrips(table, m_width); }
+    Strips operator()(const SideBySide &columns) const {
+        const double leftWidth = columns.leftWidth * mm;
+        const double rightAt = leftWidth + columns.gap * mm;
+        const Strips left = partStrips(columns.left, leftWidth);
+        const Strips right = partStrips(columns.right, m_width - rightAt);
+        Strips result = besideEachOther(left, right, rightAt, m_tallest);
+        if (result.size() == 1 && !left.empty() && left.back().drawOf) {
+            // The figure gives way as far as what stands beside it allows.
+            const double above = heightOf(left) - left.back().height;
+            result.front().least =
+                std::min(result.front().height, std::max(above + left.back().least, heightOf(right)));
+            result.front().drawOf = [left, right, rightAt, above](double height) {
+                Strips lower = left;
+                lower.back().height = std::min(left.back().height, height - above);
+                lower.back().draw = left.back().drawOf(lower.back().height);
+                return [lower, right, rightAt](QPainter &painter, QPointF at) {
+                    drawStrips(painter, at, lower);
+                    drawStrips(painter, at + QPointF(rightAt, 0), right);
+                };
+            };
+        }
+        return result;
+    }
+    Strips operator()(const TestHead &head) const { return testHeadStrips(head, m_width, m_tallest); }
+    Strips operator()(const FigureBlock &figure) const {
+        const auto content = std::make_shared<Figure>(figure.figure);
+        const auto drawOf = [content, width = figure.width * mm](double height) {
+            return [content, size = QSizeF(width, height)](QPainter &painter, QPointF at) {
+                drawFigure(painter, QRectF(at, size), *content, Medium::paper);
+            };
+        };
+        const double height = figure.height * mm;
+        Strip result = strip(height, drawOf(height));
+        const auto *circle = std::get_if<CircleFigure>(&figure.figure);
+        const double readable = circle ? std::max(leastFigure, leastHeight(*circle) * mm) : leastFigure;
+        result.least = std::min(height, readable);
+        result.drawOf = drawOf;
+        return {result};
+    }
+    Strips operator()(const ResultsLegend &legend) const { return legendStrips(legend, m_width); }
+    Strips operator()(const VerdictLine &line) const {
+        Strips result = verdictStrips(line, m_width);
+        result.front().link = line.anchor;
+        return result;
+    }
+    Strips operator()(const FindingsBlock &findings) const { return findingStrips(findings, m_width); }
+    Strips operator()(const Signatures &signatures) const { return signatureStrips(signatures, m_width); }
+    Strips operator()(const EndMark &mark) const {
+        return {textStrip(TextBlock(mark.text, smallStyle, m_width), TextAlignment::centre, m_width)};
+    }
+    Strips operator()(const RunningHead &running) const {
+        Strip result;
+        result.running = running;
+        return {result};
+    }
+    Strips operator()(const PageBreak &) const {
+        Strip result;
+        result.pageBreak = true;
+        return {result};
+    }
+
+private:
+    [[nodiscard]] Strips partStrips(const std::vector<Part> &parts, double width) const {
+        std::vector<Block> blocks;
+        for (const Part &part : parts)
+            std::visit([&](const auto &block) { blocks.emplace_back(block); }, part);
+        return blockStrips(blocks, width, m_tallest);
+    }
+
+    double m_width;
+    double m_tallest;
+};
+
+} // namespace
+
+bool beginsSection(const Block &block) {
+    const auto isSection = [](const auto *heading) { return heading && heading->level <= 2; };
+    if (const auto *columns = std::get_if<SideBySide>(&block))
+        return !columns->left.empty() && isSection(std::get_if<Heading>(&columns->left.front()));
+    return isSection(std::get_if<Heading>(&block));
+}
+
+bool isMark(const Block &block) {
+    return std::holds_alternative<RunningHead>(block) || std::holds_alternative<PageBreak>(block);
+}
+
+Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest) {
+    Strips result;
+    const StripMaker maker(width, tallest);
+    const Block *above = nullptr;
+    bool titled = false; // below the title of a test among several
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        const Block &block = blocks[i];
+        Strips strips = std::visit(maker, block);
+        if (strips.empty())
+            continue;
+        if (std::holds_alternative<Signatures>(block))
+            takeAlong(result);
+        if (!isMark(block)) {
+            if (above && staysBelow(block) && !result.empty())
+                result.back().withNext = true;
+            strips.front().gap = above ? gapBetween(*above, block) : 0;
+            strips.front().block = static_cast<int>(i);
+            strips.front().section = beginsSection(block);
+            strips.back().verdict = std::holds_alternative<VerdictLine>(block);
+            titled = titled || isTitle(block);
+            stateOfHeading(strips, blocks, i, titled);
+            above = &block;
+        } else if (std::holds_alternative<PageBreak>(block)) {
+            // A head needs a page of its own; other parts may follow results that found no room there.
+            const auto *next = i + 1 < blocks.size() ? std::get_if<Heading>(&blocks[i + 1]) : nullptr;
+            strips.front().soft = next && next->level == 1;
+            if (!strips.front().soft)
+                above = nullptr;
+        }
+        result.insert(result.end(), std::make_move_iterator(strips.begin()),
+                      std::make_move_iterator(strips.end()));
+    }
+    return result;
+}
+
+} // namespace palmer

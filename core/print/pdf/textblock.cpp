@@ -1,0 +1,500 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "print/pdf/textblock.h"
+
+#include "language/papercharacters.h"
+#include "print/fonts.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+#include <algorithm>
+#include <array>
+#include <map>
+#include <optional>
+#include <utility>
+
+namespace palmer {
+
+namespace {
+
+/// Fonts have whole sizes in pixels: text is measured and drawn in tenths of a point.
+constexpr double tenths = 10;
+constexpr double scriptSize = 0.75;
+constexpr double paperSubscriptDrop = 0.22; ///< in sizes of the text
+constexpr double superscriptRise = 0.36;
+/// Of Liberation Sans, in sizes.
+constexpr double fontAscent = 0.905;
+constexpr double fontDescent = 0.212;
+
+struct Face {
+    QFont font;
+    QFontMetricsF metrics;
+};
+
+/// A font made and measured once: a report draws thousands of short texts in a dozen fonts.
+const Face &face(double size, bool bold, bool italic) {
+    thread_local std::map<int, Face> faces;
+    const int pixels = qRound(size * tenths);
+    const int key = 4 * pixels + 2 * (bold ? 1 : 0) + (italic ? 1 : 0);
+    const auto known = faces.find(key);
+    if (known != faces.end())
+        return known->second;
+    loadFonts();
+    const QFont font = paperFont(pixels, bold, italic);
+    return faces.emplace(key, Face{font, QFontMetricsF(font)}).first->second;
+}
+
+double sizeOf(const TextRun &look, const TextStyle &style) {
+    return look.script == TextRun::Script::normal ? style.size : scriptSize * style.size;
+}
+
+const Face &face(const TextRun &run, const TextStyle &style) {
+    return face(sizeOf(run, style), run.bold || style.bold, run.italic);
+}
+
+thread_local std::size_t measuredLetters =
+    0; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): a count
+/// Kept only where somebody asks.
+thread_local std::optional<std::vector<QRectF>>
+    foreignPlaces; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+
+bool needsOtherFont(const QString &text) {
+    constexpr char16_t endOfLatin = 0x370;
+    return std::ranges::any_of(text, [](QChar c) { return c.unicode() >= endOfLatin; }) &&
+           !notOnPaper(text).empty();
+}
+
+/// Pieces of a text in the paper's font, and between them single characters that it lacks.
+struct TextPiece {
+    QString text;
+    char32_t foreign = 0; ///< 0: of the paper's font
+};
+
+std::vector<TextPiece> piecesOf(const QString &text) {
+    std::vector<TextPiece> result;
+    for (const char32_t character : text.toUcs4()) {
+        const QString sign = QString::fromUcs4(&character, 1);
+        if (!isOnPaper(character))
+            result.push_back({sign, character});
+        else if (result.empty() || result.back().foreign != 0)
+            result.push_back({sign});
+        else
+            result.back().text += sign;
+    }
+    return result;
+}
+
+double widthOf(const TextPiece &piece, const TextRun &look, const TextStyle &style) {
+    if (piece.foreign != 0)
+        return foreignWidth(piece.foreign) * sizeOf(look, style);
+    return face(look, style).metrics.horizontalAdvance(piece.text) / tenths;
+}
+
+/// Of characters of other fonts a width of their own: it is the same where no such font is installed.
+double widthOf(const QString &text, const TextRun &look, const TextStyle &style) {
+    measuredLetters += static_cast<std::size_t>(text.size());
+    if (!needsOtherFont(text))
+        return face(look, style).metrics.horizontalAdvance(text) / tenths;
+    double width = 0;
+    for (const TextPiece &piece : piecesOf(text))
+        width += widthOf(piece, look, style);
+    return width;
+}
+
+/// At a base line, in tenths of a point. A character of another font stands in the width set for it.
+void drawRun(QPainter &painter, QPointF at, const TextRun &run, const TextStyle &style) {
+    const Face &own = face(run, style);
+    painter.setFont(own.font);
+    if (!needsOtherFont(run.text)) {
+        painter.drawText(at, run.text);
+        return;
+    }
+    for (const TextPiece &piece : piecesOf(run.text)) {
+        const double width = widthOf(piece, run, style) * tenths;
+        const double needed = piece.foreign == 0 ? 0 : own.metrics.horizontalAdvance(piece.text);
+        if (foreignPlaces && piece.foreign != 0)
+            foreignPlaces->push_back(painter.combinedTransform().mapRect(
+                QRectF(at.x(), at.y() - own.metrics.ascent(), width, own.metrics.height())));
+        if (needed > width && width > 0) {
+            painter.save();
+            painter.translate(at);
+            painter.scale(width / needed, 1);
+            painter.drawText(QPointF(0, 0), piece.text);
+            painter.restore();
+        } else {
+            painter.drawText(at + QPointF(piece.foreign == 0 ? 0 : (width - needed) / 2, 0), piece.text);
+        }
+        at.rx() += width;
+    }
+}
+
+double widthOf(const TextRun &run, const TextStyle &style) {
+    return widthOf(run.text, run, style);
+}
+
+bool sameLook(const TextRun &a, const TextRun &b) {
+    return a.bold == b.bold && a.italic == b.italic && a.script == b.script && a.grey == b.grey;
+}
+
+TextRun part(const TextRun &run, qsizetype from, qsizetype length) {
+    TextRun result = run;
+    result.text = run.text.mid(from, length);
+    return result;
+}
+
+/// What does not break: a word with the space before it. Runs may change within a word.
+struct Word {
+    std::vector<TextRun> runs;
+    bool spaceBefore = false;
+    bool newLine = false;
+};
+
+bool isSpace(QChar c) {
+    return c == u' ' || c == u'\t';
+}
+
+/// "000", "000,5", "000)": a group of three digits that begins a word.
+bool beginsWithGroup(QStringView word) {
+    constexpr qsizetype group = 3;
+    return word.size() >= group &&
+           std::ranges::all_of(word.first(group), [](QChar c) { return c.isDigit(); }) &&
+           (word.size() == group || !word[group].isLetterOrNumber());
+}
+
+/// Whether a line must not end at this space: before and after "=", between the groups of a number, between
+/// a number and its unit, between the name of a standard, "page" and their like and their number or letter
+/// ("l’ISO 230-2", "(clause 3").
+bool joinsWords(QStringView text, qsizetype space) {
+    const auto isEnd = [&](qsizetype at) {
+        return at < 0 || at >= text.size() || isSpace(text[at]) || text[at] == u'\n';
+    };
+    qsizetype from = space;
+    while (!isEnd(from - 1))
+        --from;
+    qsizetype end = space + 1;
+    while (!isEnd(end))
+        ++end;
+    QStringView before = text.mid(from, space - from);
+    QStringView after = text.mid(space + 1, end - space - 1);
+    if (before.isEmpty() || after.isEmpty())
+        return false;
+    if (before == u"=" || after == u"=")
+        return true;
+    static constexpr std::array<QStringView, 18> numbered{
+        u"ISO",   u"VDI/DGQ", u"GB/T",    u"page",    u"pages",      u"n°",
+        u"No.",   u"clause",  u"clauses", u"article", u"articles",   u"annexe",
+        u"Annex", u"test",    u"Test",    u"essai",   u"paragraphe", u"paragraphes"};
+    for (qsizetype i = before.size(); i > 0; --i) {
+        if (QStringView(u"’'(«“[\u00A0\u202F").contains(before[i - 1])) {
+            before = before.mid(i);
+            break;
+        }
+    }
+    const bool isNumber =
+        after[0].isDigit() || (after[0].isUpper() && (after.size() == 1 || !after[1].isLetter()));
+    if (isNumber && std::ranges::find(numbered, before) != numbered.end())
+        return true;
+    if (before.isEmpty() || !before.back().isDigit())
+        return false;
+    if (beginsWithGroup(after))
+        return true;
+    while (!after.isEmpty() && QStringView(u",;:.)").contains(after.back()))
+        after.chop(1);
+    static constexpr std::array<QStringView, 29> units{
+        u"mm",     u"µm",    u"m",   u"nm", u"°",    u"′",    u"″",      u"°C",    u"°C/h",  u"K",
+        u"K/h",    u"h",     u"min", u"s",  u"%",    u"hPa",  u"mm/min", u"m/min", u"°/min", u"µm/(m·°C)",
+        u"tr/min", u"r/min", u"kg",  u"Hz", u"mrad", u"µrad", u"µm/m",   u"in",    u"bar"};
+    return std::ranges::find(units, after) != units.end();
+}
+
+std::vector<Word> words(const RichText &text) {
+    std::vector<Word> result(1);
+    for (const TextRun &run : text) {
+        qsizetype from = 0;
+        const auto finish = [&](qsizetype to) {
+            if (to > from)
+                result.back().runs.push_back(part(run, from, to - from));
+            from = to + 1;
+        };
+        for (qsizetype i = 0; i < run.text.size(); ++i) {
+            const QChar c = run.text[i];
+            if ((!isSpace(c) && c != u'\n') || (isSpace(c) && joinsWords(run.text, i)))
+                continue;
+            finish(i);
+            if (c == u'\n')
+                result.push_back({{}, false, true});
+            else if (!result.back().runs.empty())
+                result.push_back({{}, true, false});
+            else if (!result.back().newLine)
+                result.back().spaceBefore = true;
+        }
+        finish(run.text.size());
+    }
+    return result;
+}
+
+/// The rest of a run from `from` on. What it is asked costs as much as a line is long, not as the rest is.
+class Rest {
+public:
+    Rest(const TextRun &run, const TextStyle &style)
+        : m_run(run)
+        , m_style(style) {}
+
+    [[nodiscard]] bool empty() const { return m_from == m_run.text.size(); }
+
+    /// Takes that many characters off its beginning.
+    TextRun take(qsizetype count) {
+        m_from += count;
+        return part(m_run, m_from - count, count);
+    }
+    TextRun takeAll() { return take(m_run.text.size() - m_from); }
+
+    [[nodiscard]] double width(qsizetype count) const {
+        return widthOf(m_run.text.mid(m_from, count), m_run, m_style);
+    }
+
+    /// Wider than that?
+    [[nodiscard]] bool exceeds(double width) const {
+        return firstBeyond(width) <= m_run.text.size() - m_from;
+    }
+
+    /// Characters that stand in `width`, at least one; never between a letter and its accent.
+    [[nodiscard]] qsizetype most(double width) const {
+        return std::max<qsizetype>(before(firstBeyond(width)), whole(1));
+    }
+
+    /// As many, or fewer where the line ends better.
+    [[nodiscard]] qsizetype fitting(double width) const {
+        const qsizetype size = m_run.text.size() - m_from;
+        const qsizetype count = most(width);
+        // Better behind a sign that parts words, if most of the line is used that way.
+        for (qsizetype at = count; at < size && at > count / 2; --at) {
+            if (QStringLiteral("/-_.,;:").contains(m_run.text[m_from + at - 1]))
+                return at;
+        }
+        return count;
+    }
+
+    /// The last end of a whole character before `count`.
+    [[nodiscard]] qsizetype before(qsizetype count) const {
+        --count;
+        while (count > 0 && joins(count))
+            --count;
+        return count;
+    }
+
+private:
+    [[nodiscard]] bool joins(qsizetype at) const {
+        const qsizetype place = m_from + at;
+        return place < m_run.text.size() &&
+               (m_run.text[place].isMark() || m_run.text[place].isLowSurrogate());
+    }
+    /// The first such end from `count` on.
+    [[nodiscard]] qsizetype whole(qsizetype count) const {
+        while (joins(count))
+            ++count;
+        return count;
+    }
+
+    /// The least number of characters that are wider than `width`; one more than there are where all fit.
+    /// What is measured doubles until it is too wide, then halves between.
+    [[nodiscard]] qsizetype firstBeyond(double width) const {
+        const qsizetype size = m_run.text.size() - m_from;
+        qsizetype fits = 0;
+        qsizetype beyond = whole(std::min<qsizetype>(firstGuess, size));
+        while (this->width(beyond) <= width) {
+            if (beyond == size)
+                return size + 1;
+            fits = beyond;
+            beyond = whole(std::min(2 * beyond, size));
+        }
+        for (;;) {
+            qsizetype middle = whole(fits + (beyond - fits + 1) / 2);
+            if (middle >= beyond)
+                middle = before(beyond);
+            if (middle <= fits)
+                return beyond;
+            (this->width(middle) <= width ? fits : beyond) = middle;
+        }
+    }
+
+    static constexpr qsizetype firstGuess = 32;
+
+    const TextRun &m_run;
+    const TextStyle &m_style;
+    qsizetype m_from = 0;
+};
+
+} // namespace
+
+TextBlock::TextBlock(const QString &text, const TextStyle &style, double width)
+    : TextBlock(RichText{{text}}, style, width) {}
+
+TextBlock::TextBlock(const RichText &text, const TextStyle &style, double width)
+    : m_style(style)
+    , m_lines(1) {
+    for (const Word &word : words(text)) {
+        if (word.newLine)
+            m_lines.emplace_back();
+        if (word.runs.empty())
+            continue;
+        beginWord(word.runs, word.spaceBefore, width);
+        for (const TextRun &run : word.runs)
+            append(run, width);
+    }
+    // A line that cannot be full is measured when it is whole.
+    if (width >= unlimited) {
+        for (Line &line : m_lines)
+            measure(line);
+    }
+}
+
+void TextBlock::beginWord(const std::vector<TextRun> &runs, bool spaceBefore, double width) {
+    const Line &line = m_lines.back();
+    if (line.fragments.empty())
+        return;
+    TextRun space = runs.front();
+    space.text = QStringLiteral(" ");
+    const double gap = spaceBefore ? widthOf(space, m_style) : 0;
+    if (width < unlimited) {
+        double needed = 0;
+        for (const TextRun &run : runs)
+            needed += widthOf(run, m_style);
+        if (line.width + gap + needed > width + 0.01) {
+            m_lines.emplace_back();
+            return;
+        }
+    }
+    if (gap > 0)
+        appendToLine(space, width);
+}
+
+void TextBlock::append(const TextRun &run, double width) {
+    Rest rest(run, m_style);
+    while (width < unlimited && rest.exceeds(width + 0.01 - m_lines.back().width)) {
+        const qsizetype count = rest.fitting(width - m_lines.back().width);
+        const bool alone = m_lines.back().fragments.empty();
+        if (!alone && rest.width(count) > width - m_lines.back().width) {
+            m_lines.emplace_back();
+            continue;
+        }
+        appendToLine(rest.take(count), width);
+        if (rest.empty())
+            break;
+        m_lines.emplace_back();
+    }
+    if (!rest.empty())
+        appendToLine(rest.takeAll(), width);
+}
+
+void TextBlock::appendToLine(const TextRun &run, double width) {
+    Line &line = m_lines.back();
+    if (!line.fragments.empty() && sameLook(line.fragments.back().run, run))
+        line.fragments.back().run.text += run.text;
+    else
+        line.fragments.push_back({run, 0});
+    if (width < unlimited)
+        measureEnd(line);
+}
+
+void TextBlock::measureEnd(Line &line) const {
+    Fragment &last = line.fragments.back();
+    line.width -= last.width;
+    last.width = widthOf(last.run, m_style);
+    line.width += last.width;
+}
+
+void TextBlock::measure(Line &line) const {
+    for (Fragment &fragment : line.fragments) {
+        fragment.width = widthOf(fragment.run, m_style);
+        line.width += fragment.width;
+    }
+}
+
+double TextBlock::width() const {
+    double widest = 0;
+    for (const Line &line : m_lines)
+        widest = std::max(widest, line.width);
+    return widest;
+}
+
+double TextBlock::ascent() const {
+    return (lineHeight() - (fontAscent + fontDescent) * m_style.size) / 2 + fontAscent * m_style.size;
+}
+
+QString TextBlock::text() const {
+    QString text;
+    for (const Line &line : m_lines) {
+        for (const Fragment &fragment : line.fragments)
+            text += fragment.run.text;
+    }
+    return text;
+}
+
+TextBlock TextBlock::line(std::size_t index) const {
+    TextBlock result;
+    result.m_style = m_style;
+    result.m_lines.push_back(m_lines[index]);
+    return result;
+}
+
+void TextBlock::draw(QPainter &painter, QPointF topLeft, TextAlignment alignment, double width) const {
+    const QTransform points = painter.transform();
+    painter.scale(1 / tenths, 1 / tenths);
+    double baseline = topLeft.y() + ascent();
+    for (const Line &line : m_lines) {
+        double x = topLeft.x();
+        if (alignment == TextAlignment::right)
+            x += width - line.width;
+        else if (alignment == TextAlignment::centre)
+            x += (width - line.width) / 2;
+        for (const Fragment &fragment : line.fragments) {
+            double y = baseline;
+            if (fragment.run.script == TextRun::Script::subscript)
+                y += paperSubscriptDrop * m_style.size;
+            else if (fragment.run.script == TextRun::Script::superscript)
+                y -= superscriptRise * m_style.size;
+            painter.setPen(QColor::fromRgb(fragment.run.grey ? noteGrey : m_style.colour));
+            drawRun(painter, QPointF(x, y) * tenths, fragment.run, m_style);
+            x += fragment.width;
+        }
+        baseline += lineHeight();
+    }
+    painter.setTransform(points);
+}
+
+double textWidth(const QString &text, const TextStyle &style) {
+    return widthOf({text}, style);
+}
+
+TextBlock elided(const QString &text, const TextStyle &style, double width) {
+    const TextRun whole{text.simplified()};
+    Rest rest(whole, style);
+    if (!rest.exceeds(width))
+        return {whole.text, style};
+    const auto cut = [&](qsizetype count) {
+        return TextBlock(whole.text.left(count).trimmed() + u'…', style);
+    };
+    qsizetype count = rest.most(width);
+    while (count > 0 && cut(count).width() > width)
+        count = rest.before(count);
+    return cut(count);
+}
+
+ForeignPlaces::ForeignPlaces() {
+    foreignPlaces.emplace();
+}
+
+ForeignPlaces::~ForeignPlaces() {
+    foreignPlaces.reset();
+}
+
+std::vector<QRectF> ForeignPlaces::take() { // NOLINT(readability-convert-member-functions-to-static)
+    return std::exchange(*foreignPlaces, {});
+}
+
+std::size_t charactersMeasured() {
+    return measuredLetters;
+}
+
+} // namespace palmer

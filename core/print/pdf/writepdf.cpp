@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "print/pdf/writepdf.h"
+
+#include "document/documenterror.h"
+#include "print/pdf/pages.h"
+
+#include <QBuffer>
+#include <QPageLayout>
+#include <QPainter>
+#include <QPdfWriter>
+#include <algorithm>
+#include <map>
+
+namespace palmer {
+
+namespace {
+
+constexpr int dotsPerInch = 1200;
+
+QByteArray pagesAsPdf(const Pages &pages) {
+    QByteArray pdf;
+    QBuffer buffer(&pdf);
+    buffer.open(QIODevice::WriteOnly);
+    QPdfWriter writer(&buffer);
+    writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b); // output intent, nothing transparent
+    writer.setResolution(dotsPerInch);
+    writer.setPageLayout(QPageLayout(
+        QPageSize(pages.front().size, QPageSize::Point, QString(), QPageSize::FuzzyOrientationMatch),
+        QPageLayout::Portrait, QMarginsF(0, 0, 0, 0), QPageLayout::Point));
+    QPainter painter(&writer);
+    bool first = true;
+    for (const PrintedPage &page : pages) {
+        if (!first)
+            writer.newPage();
+        first = false;
+        painter.save();
+        painter.scale(dotsPerInch / 72.0, dotsPerInch / 72.0);
+        drawPage(painter, page);
+        painter.restore();
+    }
+    painter.end();
+    return pdf;
+}
+
+/// One line of a property: control characters are no part of a title.
+QString oneLine(QString text) {
+    std::ranges::replace_if(
+        text, [](QChar c) { return c.category() == QChar::Other_Control; }, u' ');
+    return text;
+}
+
+PdfPlace placeOf(std::size_t page, double y) {
+    return {static_cast<int>(page), y};
+}
+
+/// Bookmarks of all pages, and the links to those that have an anchor.
+void addNavigation(PdfProperties &properties, const Pages &pages) {
+    std::map<QString, PdfPlace> anchors;
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        for (const Bookmark &bookmark : pages[i].bookmarks) {
+            properties.bookmarks.push_back({bookmark.level, oneLine(bookmark.title), placeOf(i, bookmark.y)});
+            if (!bookmark.anchor.isEmpty())
+                anchors.emplace(bookmark.anchor, placeOf(i, bookmark.y));
+        }
+    }
+    for (std::size_t i = 0; i < pages.size(); ++i) {
+        for (const PageLink &link : pages[i].links) {
+            if (const auto target = anchors.find(link.anchor); target != anchors.end())
+                properties.links.push_back({static_cast<int>(i), link.area, target->second});
+        }
+    }
+}
+
+} // namespace
+
+std::vector<PdfAttachment> attachmentsOf(const QString &testFileName, const QByteArray &testFile,
+                                         const QByteArray &results) {
+    std::vector<PdfAttachment> attachments;
+    if (!testFile.isEmpty())
+        attachments.push_back({testFileName, "application/vnd.palmer+json", "/Source",
+                               QStringLiteral("Test file"), testFile.size(), packed(testFile)});
+    if (!results.isEmpty())
+        attachments.push_back({QStringLiteral("results.json"), "application/json", "/Data",
+                               QStringLiteral("Results"), results.size(), packed(results)});
+    return attachments;
+}
+
+void writePdf(const Report &report, QIODevice &device, const QByteArray &results) {
+    writePdf(report, device, attachmentsOf(report.testFileName, report.testFile, results));
+}
+
+void writePdf(const Report &report, QIODevice &device, const std::vector<PdfAttachment> &attachments) {
+    const Pages pages = layoutPages(report);
+    PdfProperties properties;
+    properties.metadata = {oneLine(report.title), oneLine(report.laboratory), report.language, report.date,
+                           report.making};
+    properties.xmp = xmpPacket(properties.metadata);
+    properties.attachments = attachments;
+    addNavigation(properties, pages);
+    const QByteArray pdf = finishPdf(pagesAsPdf(pages), properties);
+    if (device.write(pdf) != pdf.size())
+        throw Error(
+            Error::Kind::unwritable,
+            {REPORT_TEXT("report",
+                         "the file could not be saved, for want of permission or space; what was "
+                         "there before is unchanged: save it under another name or in another folder")});
+}
+
+} // namespace palmer

@@ -1,0 +1,344 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "print/proof/verifyreport.h"
+
+#include "document/readdocument.h"
+#include "language/papercharacters.h"
+#include "print/pdf/pages.h"
+#include "print/pdf/textblock.h"
+#include "print/pdf/writepdf.h"
+#include "print/proof/pdfpages.h"
+#include "proof/comparerows.h"
+#include "proof/comparewords.h"
+#include "proof/deviation.h"
+#include "report/blocks/pagetext.h"
+#include "report/composereport.h"
+#include "report/tables/resulttable.h"
+#include "report/words/formula.h"
+#include "report/words/wording.h"
+
+#include <QBuffer>
+#include <QPainter>
+#include <algorithm>
+#include <string>
+
+namespace palmer {
+
+namespace {
+
+constexpr double sizeTolerance = 0.01;    ///< points: a size is written with two decimals
+constexpr std::size_t fewDifferences = 5; ///< on a page that another version laid out as this one does
+
+Document attachedDocument(const QByteArray &testFile) {
+    try {
+        return readDocument(testFile);
+    } catch (Error &error) {
+        error.place = "test file" + (error.place.empty() ? std::string() : ": " + error.place);
+        throw;
+    }
+}
+
+/// The words of a page in which something stands.
+QString wordsIn(const PrintedWords &words, const QRectF &area) {
+    constexpr qsizetype longest = 120;
+    QStringList found;
+    for (const PrintedWord &word : words) {
+        if (word.area.intersects(area))
+            found << word.text;
+    }
+    const QString text = found.join(u' ');
+    return text.size() > longest ? text.left(longest) + u'…' : text;
+}
+
+constexpr QChar replacement(u'\uFFFD');
+
+/// Where the report has characters that the font of paper lacks, page by page; empty: nowhere. Another
+/// program does not know the place of each: some glyphs say of no character that they are it.
+std::vector<std::vector<QRectF>> foreignPlaces(const Report &report) {
+    std::vector<std::vector<QRectF>> result;
+    if (notOnPaper(pageText(report)).empty())
+        return result;
+    ForeignPlaces places;
+    for (const PrintedPage &page : layoutPages(report)) {
+        QImage nowhere(1, 1, QImage::Format_RGB32);
+        QPainter painter(&nowhere);
+        drawPage(painter, page);
+        result.push_back(places.take());
+    }
+    return result;
+}
+
+/// What another font may cover where a character of it stands: such fonts are higher.
+QRectF coveredBy(const QRectF &foreign) {
+    const double above = foreign.height() / 2;
+    return foreign.adjusted(-2, -above, 2, above);
+}
+
+/// What a page says in the font of paper, in no order: another font beside it changes that of other readers.
+struct OwnText {
+    QStringList words;     ///< where no character of another font stands near, sorted
+    std::u32string beside; ///< characters of the other words, sorted
+
+    bool operator==(const OwnText &) const = default;
+};
+
+OwnText ownText(const PrintedWords &words, const std::vector<QRectF> &foreign) {
+    OwnText result;
+    for (const PrintedWord &word : words) {
+        const bool isBeside = std::ranges::any_of(
+            foreign, [&](const QRectF &area) { return coveredBy(area).intersects(word.area); });
+        if (!isBeside) {
+            result.words << word.text;
+            continue;
+        }
+        for (const char32_t character : word.text.toUcs4()) {
+            if (isOnPaper(character) && character != replacement.unicode())
+                result.beside += character;
+        }
+    }
+    result.words.sort();
+    std::ranges::sort(result.beside);
+    return result;
+}
+
+/// A picture of 72 dots to the inch with these areas wiped out.
+QImage without(QImage picture, const std::vector<QRectF> &areas) {
+    for (const QRectF &area : areas) {
+        const QRect wiped = coveredBy(area).toAlignedRect() & picture.rect();
+        for (int y = wiped.top(); y <= wiped.bottom(); ++y) {
+            // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): pixels, as QImage has it
+            auto *line = reinterpret_cast<QRgb *>(picture.scanLine(y));
+            std::fill(line + wiped.left(), line + wiped.right() + 1, qRgb(255, 255, 255));
+        }
+    }
+    return picture;
+}
+
+/// The box of all pixels that differ; empty: none do.
+QRectF differingArea(const QImage &a, const QImage &b) {
+    if (a.size() != b.size())
+        return {0, 0, static_cast<double>(a.width()), static_cast<double>(a.height())};
+    QRectF area;
+    for (int y = 0; y < a.height(); ++y) {
+        // NOLINTBEGIN(cppcoreguidelines-pro-type-reinterpret-cast): pixels, as QImage has it
+        const auto *left = reinterpret_cast<const QRgb *>(a.constScanLine(y));
+        const auto *right = reinterpret_cast<const QRgb *>(b.constScanLine(y));
+        // NOLINTEND(cppcoreguidelines-pro-type-reinterpret-cast)
+        for (int x = 0; x < a.width(); ++x) {
+            if (left[x] != right[x])
+                area |= QRectF(x, y, 1, 1);
+        }
+    }
+    return area;
+}
+
+/// What the tables of results and the lines of verdicts print.
+std::vector<PrintedRow> rowsOf(const EvaluatedDocument &evaluated, const Report &composed,
+                               const Language &language) {
+    std::vector<PrintedRow> rows;
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        const Test &test = *evaluated.document->tests[i];
+        for (const PrintedResult &result :
+             printedResults(*evaluated.document, test, *evaluated.tests[i], language)) {
+            const Parameter &parameter = *result.parameter;
+            if (result.value.isEmpty())
+                continue;
+            PrintedRow row{symbolFormula(parameter.term.symbol, parameter.index).plain(),
+                           {result.value, result.uncertainty, result.limit}};
+            if (parameter.verdict)
+                row.values << language.text(limitText(*parameter.verdict));
+            row.values.removeAll(QString());
+            rows.push_back(std::move(row));
+        }
+    }
+    for (const Block &block : composed.blocks) {
+        const auto *verdict = std::get_if<VerdictLine>(&block);
+        if (verdict && !verdict->word.isEmpty())
+            rows.push_back({verdict->word, {}}); // larger than its label, and so in a line of its own
+        if (verdict && !verdict->second.isEmpty())
+            rows.push_back({verdict->second, {}});
+    }
+    return rows;
+}
+
+class PageComparison {
+public:
+    PageComparison(const OpenedReport &report, const Report &composed, const Language &language,
+                   const QByteArray &pdf, Verification &result)
+        : m_report(report)
+        , m_composed(composed)
+        , m_fingerprint(shortFingerprint(composed.fingerprint))
+        , m_language(language)
+        , m_printed(openPages(report.pdf))
+        , m_follows(openPages(pdf))
+        , m_foreign(foreignPlaces(composed))
+        , m_result(result) {}
+
+    void run(bool sameProgram) {
+        const int pages = std::min(m_printed->count(), m_follows->count());
+        for (int page = 0; page < pages; ++page)
+            compare(page, sameProgram);
+        if (sameProgram && m_printed->count() != m_follows->count())
+            m_result.differences.push_back(otherPageCount(m_printed->count(), m_follows->count()));
+        if (!sameProgram)
+            compareRowsOfResults();
+        m_result.signatures = m_printed->signatures();
+        for (const SignatureStatement &signature : m_result.signatures) {
+            if (signature.state == SignatureStatement::State::broken)
+                m_result.differences.push_back(brokenSignature(signature.signer));
+        }
+    }
+
+private:
+    /// Another version may lay its pages out otherwise.
+    void compareRowsOfResults() {
+        std::vector<PrintedWords> pages;
+        pages.reserve(static_cast<std::size_t>(m_printed->count()));
+        for (int page = 0; page < m_printed->count(); ++page)
+            pages.push_back(m_printed->words(page));
+        for (Difference &difference :
+             compareRows(pages, rowsOf(m_report.evaluated, m_composed, m_language))) {
+            const bool isNamed = std::ranges::any_of(m_result.differences, [&](const Difference &other) {
+                return other.page == difference.page && other.area.intersects(difference.area);
+            });
+            if (!isNamed)
+                m_result.differences.push_back(std::move(difference));
+        }
+    }
+
+    void compare(int page, bool sameProgram) {
+        const QSizeF size = m_printed->size(page) - m_follows->size(page);
+        if (std::abs(size.width()) > sizeTolerance || std::abs(size.height()) > sizeTolerance) {
+            m_result.differences.push_back(otherPageSize(page + 1));
+            return;
+        }
+        const PrintedWords printed = m_printed->words(page);
+        const PrintedWords follows = m_follows->words(page);
+        QStringList words;
+        for (const PrintedWord &word : printed)
+            words << word.text;
+        m_result.fingerprintPrinted &= words.join(u' ').contains(m_fingerprint);
+        // What another font drew, or none, is no part of the proof.
+        const auto index = static_cast<std::size_t>(page);
+        const std::vector<QRectF> foreign =
+            index < m_foreign.size() ? m_foreign[index] : std::vector<QRectF>();
+        const bool same = !foreign.empty() && ownText(printed, foreign) == ownText(follows, foreign);
+        const std::vector<Difference> found =
+            same ? std::vector<Difference>() : compareWords(printed, follows, page + 1);
+        const bool sameLayout = printed.size() == follows.size() && found.size() <= fewDifferences;
+        for (const Difference &difference : found) {
+            const bool counts = sameProgram || (sameLayout && isSerious(difference));
+            (counts ? m_result.differences : m_result.wording).push_back(difference);
+        }
+        if (found.empty())
+            comparePictures(page, follows, foreign, sameProgram);
+        demandFree(page + 1, follows);
+    }
+
+    /// The words are the same: so has to be what is seen.
+    void comparePictures(int page, const PrintedWords &words, const std::vector<QRectF> &foreign,
+                         bool sameProgram) {
+        const QRectF area = differingArea(without(m_printed->picture(page), foreign),
+                                          without(m_follows->picture(page), foreign));
+        if (area.isEmpty())
+            return;
+        (sameProgram ? m_result.differences : m_result.wording)
+            .push_back(drawnOtherwise(page + 1, area, wordsIn(words, area)));
+    }
+
+    /// The picture of a signature must not hide what is printed.
+    void demandFree(int page, const PrintedWords &words) {
+        for (const SignatureField &field : m_report.parts.signatureFields) {
+            const QString covered = field.page == page ? wordsIn(words, field.area) : QString();
+            if (!covered.isEmpty())
+                m_result.differences.push_back(coveredBySignature(page, field.area, covered));
+        }
+    }
+
+    /// Numbers, dates and verdicts; the other words of a report may change with the version of the program.
+    [[nodiscard]] bool isSerious(const Difference &difference) const {
+        const QString both = difference.printed + u' ' + difference.follows;
+        if (std::ranges::any_of(both, [](QChar c) { return c.isDigit(); }))
+            return true;
+        for (const Verdict verdict : {Verdict::conforms, Verdict::notProven, Verdict::doesNotConform}) {
+            for (const Text &text : {verdictText(verdict), limitText(verdict), limitsText(verdict, true)}) {
+                const QStringList words = m_language.text(text).split(u' ');
+                for (const QString &word : both.split(u' ')) {
+                    if (words.contains(word, Qt::CaseInsensitive))
+                        return true;
+                }
+            }
+        }
+        return false;
+    }
+
+    const OpenedReport &m_report;
+    const Report &m_composed;
+    QString m_fingerprint;
+    const Language &m_language;
+    std::unique_ptr<PdfPages> m_printed;
+    std::unique_ptr<PdfPages> m_follows;
+    std::vector<std::vector<QRectF>> m_foreign; ///< by page
+    Verification &m_result;
+};
+
+} // namespace
+
+std::optional<OpenedReport> openReport(const QByteArray &pdf, int threads, const std::stop_token &stop,
+                                       const std::function<void(const SimulationProgress &)> &progress) {
+    OpenedReport result{pdf, readReportPdf(pdf), {}};
+    result.evaluated = evaluate(std::make_shared<const Document>(attachedDocument(result.parts.testFile)),
+                                nullptr, result.parts.metadata.making.edition.toStdString());
+    for (const int number : result.parts.metadata.making.simulated) {
+        const std::size_t test = static_cast<std::size_t>(number) - 1;
+        if (test >= result.evaluated.tests.size())
+            continue; // the report follows without it, and differs
+        SimulationOptions options = simulationOptions(*result.evaluated.document->tests[test]);
+        options.threads = threads;
+        auto simulation = simulateTest(result.evaluated, test, options, stop, progress);
+        if (stop.stop_requested())
+            return std::nullopt;
+        if (simulation)
+            result.evaluated = withSimulation(result.evaluated, test, std::move(*simulation));
+    }
+    return result;
+}
+
+Verification verifyReport(const OpenedReport &report) {
+    const ReportMetadata &metadata = report.parts.metadata;
+    const Language language = Language::fromName(metadata.language).value_or(Language(Language::Id::english));
+    const Report composed =
+        composeReport(report.evaluated, language,
+                      {metadata.making.program, metadata.making.selfTestPassed, {}, report.parts.testFile});
+    const QByteArray results = attachedResults(report.evaluated);
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    writePdf(composed, buffer, results);
+
+    Verification result;
+    result.madeBy = metadata.making.program;
+    result.fingerprint = composed.fingerprint;
+    result.identical = report.pdf == buffer.data();
+    if (result.identical)
+        return result;
+    result.appended = report.pdf.startsWith(buffer.data());
+    const bool sameProgram = metadata.making.program == QLatin1StringView("Palmer " PALMER_VERSION);
+    result.otherVersion = !sameProgram;
+    for (const PdfAddition &addition : report.parts.additions)
+        result.differences.push_back(differenceOf(addition));
+    if (report.parts.testFileName != composed.testFileName)
+        result.differences.push_back(otherFileName(report.parts.testFileName));
+    if (sameProgram) {
+        const QStringList follows = readReportPdf(buffer.data()).beside;
+        const auto [shown, expected] = std::ranges::mismatch(report.parts.beside, follows);
+        if (shown != report.parts.beside.end() || expected != follows.end())
+            result.differences.push_back(
+                otherBeside(shown != report.parts.beside.end() ? *shown : QString()));
+    }
+    PageComparison(report, composed, language, buffer.data(), result).run(sameProgram);
+    for (Difference &difference : compareResults(report.parts.results, results, sameProgram))
+        result.differences.push_back(std::move(difference));
+    return result;
+}
+
+} // namespace palmer

@@ -1,0 +1,278 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/print/pdf/reports.h"
+
+#include <QDir>
+#include <array>
+#include <random>
+
+using namespace palmer;
+using namespace palmer::testdata;
+
+namespace {
+
+constexpr double dotsPerInch = 30;
+constexpr double dotsPerMillimetre = dotsPerInch / 25.4;
+constexpr double topMargin = 15; // mm, as those below
+constexpr double bottomMargin = 18;
+
+/// Heads, limits, rules and paper as anybody may state them; the same for the same seed.
+class Generator {
+public:
+    explicit Generator(unsigned seed)
+        : m_random(seed) {}
+
+    Document document() {
+        static const QStringList names{u"limits-2006"_s,
+                                       u"budget-2006"_s,
+                                       u"one-direction-with-gaps"_s,
+                                       u"rotary-axis"_s,
+                                       u"iso230-2-1988-example"_s,
+                                       u"iso230-4-full-circles-xy"_s,
+                                       u"iso230-4-feedback-yz"_s,
+                                       u"iso230-4-partial-arc-zx"_s};
+        Document document = storedDocument(names[below(static_cast<int>(names.size()))]);
+        document.report.paper = below(2) == 0 ? Paper::a4 : Paper::letter;
+        fillHead(document.report);
+        document.machine.name = words(60);
+        document.machine.manufacturer = words(60);
+        document.machine.model = words(40);
+        Test test = *document.tests.front();
+        test.title = words(90);
+        addInstruments(document, test);
+        addLimits(test);
+        document.tests = {std::make_shared<const Test>(std::move(test))};
+        if (below(3) == 0) // with a summary and a second test
+            document.tests.push_back(storedDocument(u"limits-2006"_s).tests.front());
+        return document;
+    }
+
+private:
+    int below(int end) { return std::uniform_int_distribution<int>(0, end - 1)(m_random); }
+
+    /// Nothing, or words of up to that many letters.
+    std::string words(int most) {
+        static const char *const known[] = {"Laboratoire", "d’essais", "machine", "centre", "Hall 2", "à",
+                                            "vertical",    "GmbH",     "réglage", "of",     "№ 12",   "type"};
+        std::string result;
+        const int length = below(most);
+        while (static_cast<int>(result.size()) < length)
+            result += (result.empty() ? "" : " ") + std::string(known[below(12)]);
+        return result;
+    }
+    std::string lines(int most) {
+        std::string result = words(40);
+        for (int i = below(most); i > 0; --i)
+            result += "\n" + words(40);
+        return result;
+    }
+
+    void fillHead(ReportHead &head) {
+        head.title = words(below(4) == 0 ? 160 : 50);
+        head.number = "RE-" + std::to_string(below(100000));
+        head.revision = words(20);
+        head.replaces = words(30);
+        head.laboratory.name = words(80);
+        head.laboratory.address = lines(4);
+        head.laboratory.accreditation = words(60);
+        head.place = words(60);
+        head.operatorName = words(60);
+        head.customer = {words(90), lines(3)};
+        head.supplier = {words(90), lines(3)};
+    }
+
+    void addInstruments(Document &document, Test &test) {
+        test.instruments.clear();
+        document.instruments.clear();
+        for (int i = below(4); i > 0; --i) {
+            Instrument instrument;
+            instrument.id = "i" + std::to_string(i);
+            instrument.description = words(60);
+            instrument.serialNumber = words(20);
+            instrument.certificate = words(30);
+            instrument.calibrationDate = "2026-03-12";
+            document.instruments.push_back(instrument);
+            test.instruments.push_back(instrument.id);
+        }
+    }
+
+    void addLimits(Test &test) {
+        test.limits.clear();
+        const bool positioning = std::holds_alternative<PositioningMeasurement>(test.measurement);
+        const std::vector<std::string> ids =
+            positioning
+                ? std::vector<std::string>{"A", "A+", "A-", "E", "E+", "M", "R", "R+", "R-", "B", "Bmean"}
+                : std::vector<std::string>{"G(b)", "G", "G(b)f", "Gf", "D", "F", "Fmax"};
+        for (const std::string &id : ids) {
+            if (below(2) == 0)
+                test.limits[id] = {0.0005 * (1 + below(60)), std::nullopt, words(40)};
+        }
+        test.decisionRule = {std::array{Rule::simpleAcceptance, Rule::iso14253_1, Rule::rejectionProven}.at(
+                                 static_cast<std::size_t>(below(3))),
+                             below(2) == 0 ? 1.0 : 0.83};
+    }
+
+    std::mt19937 m_random;
+};
+
+/// The page, from 0, on which a text stands; −1: on none.
+qsizetype pageOf(const QString &text, const QStringList &pages, qsizetype from = 0) {
+    for (qsizetype i = from; i < pages.size(); ++i) {
+        if (pages[i].contains(squeezed(text)))
+            return i;
+    }
+    return -1;
+}
+
+/// What is free between the lowest ink and the footer, as part of the height of the text.
+double blankPart(const QImage &page) {
+    const int bottom = static_cast<int>(page.height() - bottomMargin * dotsPerMillimetre);
+    const int top = static_cast<int>(topMargin * dotsPerMillimetre);
+    int lowest = top;
+    for (int y = top; y < bottom; ++y) {
+        for (int x = 0; x < page.width(); ++x) {
+            if (qGray(page.pixel(x, y)) < 200)
+                lowest = y;
+        }
+    }
+    return static_cast<double>(bottom - lowest) / (bottom - top);
+}
+
+/// What a reader looks for on the first page of a test.
+struct Sought {
+    QString head = {};    ///< its last line
+    QString verdict = {}; ///< label and word
+    QString statements = {};
+    QString heading = {}; ///< of the results; empty: there are none
+    QStringList rows = {};
+};
+
+std::vector<Sought> soughtIn(const Report &report) {
+    std::vector<Sought> tests;
+    const Heading *heading = nullptr;
+    for (const Block &block : report.blocks) {
+        if (const auto *head = std::get_if<TestHead>(&block))
+            tests.push_back({head->right.rows.back().key});
+        if (const auto *found = std::get_if<Heading>(&block))
+            heading = found;
+        const auto *verdict = std::get_if<VerdictLine>(&block);
+        if (verdict && !verdict->large) {
+            tests.back().verdict = verdict->label + verdict->word;
+            tests.back().statements =
+                verdict->limits.label + verdict->limits.state + verdict->limits.text.plain();
+        }
+        const auto *table = std::get_if<Table>(&block);
+        if (table && heading && table->unbroken && tests.back().heading.isEmpty() &&
+            table->columns.size() > 2 && table->columns[0].titleSpan == 2 && tests.back().verdict.isEmpty()) {
+            tests.back().heading = heading->text;
+            for (const auto &row : table->rows)
+                tests.back().rows << row[0].text.plain() + row[1].text.plain();
+        }
+    }
+    std::erase_if(tests, [](const Sought &test) { return test.verdict.isEmpty(); }); // the summary
+    return tests;
+}
+
+} // namespace
+
+/// Results and verdict stand on the first page of a test, or the verdict there and the results whole on the
+/// next.
+class FirstPageTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void resultsAndVerdictAreThere_data();
+    void resultsAndVerdictAreThere();
+    void theVerdictMovesBelowALongHead();
+    void resultsStandBeforeAFigureWithoutRoom();
+};
+
+void FirstPageTest::resultsAndVerdictAreThere_data() {
+    QTest::addColumn<unsigned>("seed");
+    QTest::addColumn<Language::Id>("language");
+    constexpr unsigned seeds = 30;
+    for (unsigned seed = 1; seed <= seeds; ++seed) {
+        const bool french = seed % 2 == 0;
+        QTest::newRow(qPrintable(u"seed %1 in %2"_s.arg(seed).arg(french ? u"French"_s : u"English"_s)))
+            << seed << (french ? Language::Id::french : Language::Id::english);
+    }
+}
+
+void FirstPageTest::resultsAndVerdictAreThere() {
+    QFETCH(const unsigned, seed);
+    QFETCH(const Language::Id, language);
+    const Report report = reportOf(Generator(seed).document(), language);
+    const QByteArray pdf = pdfOf(report);
+    QStringList pages;
+    for (const QString &page : pageTexts(pdf))
+        pages << squeezed(page);
+    const QList<QImage> images = pictures(pdf, dotsPerInch);
+    qsizetype from = 0;
+    for (const Sought &test : soughtIn(report)) {
+        const qsizetype verdict = pageOf(test.verdict, pages, from);
+        QVERIFY2(verdict >= 0, qPrintable(test.verdict));
+        QVERIFY2(pages[verdict].contains(squeezed(test.statements)), qPrintable(pages[verdict]));
+        QVERIFY2(pages[verdict].contains(squeezed(test.head)), qPrintable(u"no head with "_s + test.verdict));
+        QVERIFY2(verdict + 1 == pages.size() || blankPart(images[verdict]) <= 1.0 / 3,
+                 qPrintable(u"page %1: %2 blank"_s.arg(verdict + 1).arg(blankPart(images[verdict]))));
+        from = verdict + 1;
+        if (test.heading.isEmpty())
+            continue;
+        const qsizetype results = pageOf(test.heading, pages, verdict);
+        QVERIFY2(results == verdict || results == verdict + 1, qPrintable(test.heading));
+        for (const QString &row : test.rows)
+            QVERIFY2(pages[results].contains(squeezed(row)), qPrintable(row));
+    }
+}
+
+/// With more head than leaves room for results: the verdict is not carried away with them.
+void FirstPageTest::theVerdictMovesBelowALongHead() {
+    for (const Paper paper : {Paper::a4, Paper::letter}) {
+        Document document = storedDocument(u"limits-2006"_s);
+        document.report.paper = paper;
+        document.report.customer.address = "a\nb\nc\nd\ne\nf\ng\nh";
+        document.report.supplier.address = document.report.customer.address;
+        document.report.customer.name = std::string(300, 'n');
+        const Report report = reportOf(document, Language::Id::english);
+        const Sought sought = soughtIn(report).front();
+        const QStringList pages = pageTexts(pdfOf(report));
+        QVERIFY(squeezed(pages[0]).contains(squeezed(sought.verdict)));
+        QVERIFY(!squeezed(pages[0]).contains(squeezed(sought.heading)));
+        QVERIFY(squeezed(pages[1]).contains(squeezed(sought.heading)));
+        for (const QString &row : sought.rows)
+            QVERIFY2(squeezed(pages[1]).contains(squeezed(row)), qPrintable(row));
+        QVERIFY(!squeezed(pages[1]).contains(squeezed(sought.verdict)));
+    }
+}
+
+/// Where not even the figure finds room below the head: the page holds verdict and results.
+void FirstPageTest::resultsStandBeforeAFigureWithoutRoom() {
+    for (const QString &name : {u"iso230-4-full-circles-xy"_s, u"iso230-4-partial-arc-zx"_s}) {
+        for (const Language::Id language : {Language::Id::french, Language::Id::english}) {
+            Document document = storedDocument(name);
+            document.report.paper = Paper::letter;
+            const auto words = [](int count) {
+                std::string text;
+                for (int i = 0; i < count; ++i)
+                    text += "n ";
+                return text;
+            };
+            document.report.laboratory.name = words(150);
+            document.report.title = words(120);
+            document.report.customer.name = words(120);
+            document.report.supplier.name = document.report.customer.name;
+            const Report report = reportOf(document, language);
+            const Sought sought = soughtIn(report).front();
+            const QByteArray pdf = pdfOf(report);
+            const QString first = squeezed(pageTexts(pdf).front());
+            QVERIFY(first.contains(squeezed(sought.verdict)));
+            QVERIFY(first.contains(squeezed(sought.heading)));
+            for (const QString &row : sought.rows)
+                QVERIFY2(first.contains(squeezed(row)), qPrintable(row));
+            QVERIFY(blankPart(pictures(pdf, dotsPerInch).front()) <= 1.0 / 3);
+        }
+    }
+}
+
+QTEST_MAIN(FirstPageTest)
+#include "firstpage.moc"
