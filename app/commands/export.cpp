@@ -218,12 +218,11 @@ int runExport(const Invocation &invocation) {
             bytes = readingsJson(evaluated, file, names);
         } else {
             index = testIndex(invocation, evaluated.tests.size());
-            const Test &test = *evaluated.document->tests[index];
-            const TestEvaluation &evaluation = *evaluated.tests[index];
             if (compensation)
-                made = compensationTable(test, evaluation, *compensation, table);
+                made = compensationTable(*evaluated.document->tests[index], *evaluated.tests[index],
+                                         *compensation, table);
             bytes = compensation ? writeCompensation(made, *compensation, table)
-                                 : readingsCsv(test, evaluation, names, table.decimalMark);
+                                 : readingsCsv(evaluated, index, names, table.decimalMark);
         }
         try {
             writeOutput(bytes, *output);

@@ -19,16 +19,6 @@ namespace palmer {
 
 namespace {
 
-/// E_VE of a drift test; a linear axis learns nothing from angles, a rotary one nothing from lengths.
-std::optional<double> driftRange(const Document &document, const std::string &id, Motion motion) {
-    for (const TestPointer &test : document.tests) {
-        const auto range = rangeAtRest(*test);
-        if (range && test->id == id && motionOf(*test) == motion)
-            return range;
-    }
-    return std::nullopt;
-}
-
 /// Axes without a name may be two.
 bool isOfAxis(const PositioningMeasurement &a, const PositioningMeasurement &b) {
     return !isBlank(a.axis.name) && a.axis.name == b.axis.name && a.axis.motion == b.axis.motion;
@@ -216,6 +206,15 @@ TestEvaluationPointer unchanged(const EvaluatedDocument &previous, const TestPoi
 
 } // namespace
 
+std::optional<double> driftRange(const Document &document, const std::string &id, Motion motion) {
+    for (const TestPointer &test : document.tests) {
+        const auto range = rangeAtRest(*test);
+        if (range && test->id == id && motionOf(*test) == motion)
+            return range;
+    }
+    return std::nullopt;
+}
+
 std::optional<Verdict> EvaluatedDocument::verdict() const {
     std::optional<Verdict> result;
     for (std::size_t i = 0; i < tests.size(); ++i) {
@@ -318,13 +317,20 @@ EvaluatedDocument withSimulation(const EvaluatedDocument &evaluated, std::size_t
     return result;
 }
 
+bool isTooLargeUnasked(const Test &test) {
+    return static_cast<double>(readingsOf(test)) * static_cast<double>(fewestDecidingTrials) >=
+           mostDrawsUnasked;
+}
+
 bool isSimulationDue(const EvaluatedDocument &evaluated, std::size_t test, SimulateWhich which) {
     const UncertaintyEvaluation &uncertainty = evaluated.tests[test]->uncertainty;
     if (!uncertainty.wantsSimulation() || (uncertainty.simulation && !uncertainty.outdated))
         return false;
+    const auto &leftOut = evaluated.document->report.leaveOut;
+    const bool isPrinted = std::ranges::find(leftOut, ReportPart::uncertainty) == leftOut.end();
     return uncertainty.method == UncertaintyMethod::monteCarlo ||
-           (which == SimulateWhich::allWithBudget &&
-            readingsOf(*evaluated.document->tests[test]) <= mostReadingsUnasked);
+           (which == SimulateWhich::forReport && isPrinted &&
+            !isTooLargeUnasked(*evaluated.document->tests[test]));
 }
 
 std::optional<EvaluatedDocument>

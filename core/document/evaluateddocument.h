@@ -45,6 +45,11 @@ template <class Measurement>
     return test < evaluated.tests.size() ? measured<Measurement>(*evaluated.document, test) : nullptr;
 }
 
+/// E_VE of the drift test with that id, mm or degrees; null without one of that motion: a linear axis learns
+/// nothing from angles, a rotary one nothing from lengths.
+[[nodiscard]] std::optional<double> driftRange(const Document &document, const std::string &id,
+                                               Motion motion);
+
 /// Evaluates all tests; those that are the same as in `previous` keep their evaluation.
 /// `edition`: the word of another edition for all tests of its kind (a view, no verdicts); empty: each its
 /// own.
@@ -78,10 +83,15 @@ simulateTest(const EvaluatedDocument &evaluated, std::size_t test, const Simulat
 [[nodiscard]] EvaluatedDocument withSimulation(const EvaluatedDocument &evaluated, std::size_t test,
                                                TestSimulation simulation);
 
-/// Which tests get a simulation: those whose method is Monte Carlo, or all whose budget is complete and whose
-/// method stands on it; with more than `mostReadingsUnasked` readings only those whose method is Monte Carlo.
-enum class SimulateWhich { monteCarloOnly, allWithBudget };
-inline constexpr std::size_t mostReadingsUnasked = 100'000;
+/// Which tests get a simulation: those whose method is Monte Carlo; or, for a report that prints the budget,
+/// those beside whose complete budget it is shown, too, unless they are too large for that.
+enum class SimulateWhich { monteCarloOnly, forReport };
+
+/// Readings that are perturbed without being asked for, of the fewest trials that decide: some seconds.
+inline constexpr double mostDrawsUnasked = 1e8;
+
+/// A simulation of the test would take more than that.
+[[nodiscard]] bool isTooLargeUnasked(const Test &test);
 
 /// Whether a simulation is to be run for that: it is wanted, and there is none, or an outdated one.
 [[nodiscard]] bool isSimulationDue(const EvaluatedDocument &evaluated, std::size_t test, SimulateWhich which);

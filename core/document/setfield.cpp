@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/setfield.h"
 
+#include "document/fieldpath.h"
 #include "document/fileversion.h"
 #include "document/instruments.h"
 #include "document/json.h"
 #include "document/readdocument.h"
-#include "document/writedocument.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/words/unit.h"
 
@@ -27,92 +27,22 @@ namespace {
 
 using nlohmann::json;
 
-/// A key, or the index of an element.
-struct Step {
-    std::string key;
-    std::optional<std::size_t> index = {};
-};
-
-[[noreturn]] void refusePath(std::string_view path) {
-    throw Error(
-        Error::Kind::content,
-        {REPORT_TEXT("report", "“%1” is no path of a test file, as machine.name or tests[0].limits.A.value"),
-         {std::string(path)},
-         {}});
-}
-
-/// "tests[0].limits" → tests, 0, limits.
-std::vector<Step> stepsOf(std::string_view path) {
-    std::vector<Step> steps;
-    std::string_view rest = path;
-    while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find_first_of(".["), rest.size());
-        if (end > 0)
-            steps.push_back({std::string(rest.substr(0, end))});
-        else if (rest.front() == '.' || steps.empty())
-            refusePath(path);
-        rest.remove_prefix(end);
-        while (rest.starts_with('[')) {
-            std::size_t index = 0;
-            const auto [behind, error] = std::from_chars(rest.data() + 1, rest.data() + rest.size(), index);
-            if (error != std::errc() || behind == rest.data() + rest.size() || *behind != ']')
-                refusePath(path);
-            steps.push_back({{}, index});
-            rest.remove_prefix(static_cast<std::size_t>(behind + 1 - rest.data()));
-        }
-        if (rest.empty())
-            return steps;
-        if (rest.size() == 1 || rest.front() != '.')
-            refusePath(path);
-        rest.remove_prefix(1);
-    }
-    refusePath(path);
-}
-
-void set(json &place, std::span<const Step> steps, const json &value, std::string_view path) {
-    if (steps.empty()) {
-        place = value;
-        return;
-    }
-    const Step &step = steps.front();
-    if (place.is_null())
-        place = step.index ? json::array() : json::object();
-    if (step.index ? !place.is_array() || *step.index > place.size() : !place.is_object())
-        refusePath(path);
-    if (step.index && *step.index == place.size())
-        place.push_back(nullptr);
-    set(step.index ? place[*step.index] : place[step.key], steps.subspan(1), value, path);
-}
-
-/// What the words may mean, the first that the field takes is it.
-std::vector<json> meanings(std::string_view value) {
-    std::vector<json> result;
-    if (json literal = json::parse(value, nullptr, false); !literal.is_discarded() && !literal.is_string())
-        result.push_back(std::move(literal));
-    std::string number(value);
-    std::ranges::replace(number, ',', '.');
-    if (json literal = json::parse(number, nullptr, false); number != value && literal.is_number())
-        result.push_back(std::move(literal));
-    result.emplace_back(std::string(value));
-    return result;
-}
-
 /// Fields that a file has in mm or degrees and the window shows in µm or arc seconds: without tests[0], * is
 /// any key or index.
 constexpr std::array<std::string_view, 6> shownFinely{
     "limits.*.value",   "instruments.*.resolution",  "runs.*.deviations.*",
     "excluded.*.value", "arcs.*.radialDeviations.*", "deviations.*"};
 
-bool isShownFinely(std::span<const Step> steps) {
+bool isShownFinely(std::span<const FieldStep> steps) {
     return std::ranges::any_of(shownFinely, [&](std::string_view pattern) {
-        return std::ranges::equal(stepsOf(pattern), steps, [](const Step &part, const Step &step) {
+        return std::ranges::equal(stepsOf(pattern), steps, [](const FieldStep &part, const FieldStep &step) {
             return part.key == "*" || (!step.index && part.key == step.key);
         });
     });
 }
 
 /// What the numbers at a path are, one of each that is set; none where a unit is not asked for.
-std::vector<Quantity> finelyShownAt(const Document &document, std::span<const Step> steps) {
+std::vector<Quantity> finelyShownAt(const Document &document, std::span<const FieldStep> steps) {
     const std::vector<TestPointer> &tests = document.tests;
     std::vector<Quantity> result;
     if (steps.front().key == "instruments" && isShownFinely(steps)) {
@@ -153,7 +83,7 @@ const Unit *unitTyped(std::string word) {
 
 /// "20 um" in mm, "5 arcsec" in degrees, where such units are asked for. Nothing: the value is to be read as
 /// it is. Throws Error for a number that does not say its unit, or one of another kind.
-std::optional<double> inBaseUnit(const Document &document, std::span<const Step> steps,
+std::optional<double> inBaseUnit(const Document &document, std::span<const FieldStep> steps,
                                  std::string_view value) {
     const std::vector<Quantity> quantities = finelyShownAt(document, steps);
     std::string text(value);
@@ -183,11 +113,6 @@ std::optional<double> inBaseUnit(const Document &document, std::span<const Step>
     }
     const double base = unit ? unit->toBase(number) : number;
     return std::isfinite(base) ? std::optional(base) : std::nullopt;
-}
-
-json fileOf(const Document &document) {
-    const QByteArray bytes = writeDocument(document);
-    return parseJson(std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
 }
 
 /// A file with every key of the format: a test of each kind, and what the latest version added.
@@ -220,17 +145,17 @@ Document withField(const Document &document, std::string_view path, std::string_
     for (auto version = file["version"].get<std::size_t>(); version <= migrations.size(); ++version)
         migrations.at(version - 1)(file);
     file["version"] = fileVersion; // knows all keys
-    const std::vector<Step> steps = stepsOf(path);
+    const std::vector<FieldStep> steps = stepsOf(path);
     const bool ofFile = file.contains(steps.front().key);
     const std::optional<double> converted = inBaseUnit(document, steps, value);
     std::optional<Error> refused;
-    for (const json &meaning : converted ? std::vector<json>{*converted} : meanings(value)) {
+    for (const json &meaning : converted ? std::vector<json>{*converted} : meaningsOf(value)) {
         json changed = file;
         if (ofFile) {
-            set(changed, steps, meaning, path);
+            setAt(changed, steps, meaning, path);
         } else {
             for (json &test : changed["tests"])
-                set(test, steps, meaning, path);
+                setAt(test, steps, meaning, path);
         }
         try {
             return readDocument(QByteArray::fromStdString(compactJson(changed)));

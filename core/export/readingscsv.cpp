@@ -4,10 +4,13 @@
 
 #include "document/filewords.h"
 #include "document/json.h"
-#include "export/csvwriter.h"
+#include "document/statements.h"
+#include "language/csvwriter.h"
 #include "export/resultsjson.h"
+#include "import/palmercsv.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
+#include "kernel/measurement/testfacts.h"
 
 #include <nlohmann/json.hpp>
 
@@ -22,16 +25,30 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+const char *unitOf(Motion motion) {
+    return motion == Motion::linear ? "mm" : "°";
+}
+
+/// What the numbers follow from: the statements, the unit, the sign.
+void writeStatements(CsvWriter &csv, const Document &document, std::size_t index) {
+    const Test &test = *document.tests[index];
+    csv.statement(palmercsv::format, palmercsv::formatWord);
+    csv.statement(palmercsv::unit, unitOf(motionOf(test)));
+    if (kindOf(test) == Kind::positioning)
+        csv.statement(palmercsv::sign, "actualMinusTarget");
+    for (const Statement &statement : statementsOf(document, index))
+        csv.statement(statement.path, statement.value, statement.number);
+}
+
 void writeReadings(CsvWriter &csv, const PositioningMeasurement &m, const TestEvaluation &evaluation) {
-    const std::string unit = m.axis.motion == Motion::linear ? " (mm)" : " (°)";
-    if (!m.axis.name.empty())
-        csv.comment("axis: " + m.axis.name);
+    const std::string unit = std::string(" (") + unitOf(m.axis.motion) + ')';
     csv.text("i");
-    csv.text("P" + unit);
+    csv.text(palmercsv::target + unit);
     std::array<int, 2> runs{};
     for (const Run &run : m.runs) {
         const bool up = run.approach == Direction::positive;
-        csv.text("deviation " + std::to_string(++runs[up ? 0 : 1]) + (up ? " ↑" : " ↓") + unit);
+        csv.text(palmercsv::deviation + (' ' + std::to_string(++runs[up ? 0 : 1])) + (up ? " ↑" : " ↓") +
+                 unit);
     }
     struct Statistic {
         const char *heading = nullptr;
@@ -59,11 +76,6 @@ void writeReadings(CsvWriter &csv, const PositioningMeasurement &m, const TestEv
 }
 
 void writeReadings(CsvWriter &csv, const CircularMeasurement &m, const TestEvaluation & /*evaluation*/) {
-    const auto shortest = [](double value) { return QString::number(value, 'g', 15).toStdString(); };
-    csv.comment("plane: " + m.plane.first + m.plane.second);
-    csv.comment("R = " + shortest(m.nominalRadius) + " mm");
-    if (m.feed)
-        csv.comment("F = " + shortest(*m.feed) + " mm/min");
     csv.text("angle (°)");
     csv.text("radial deviation (mm)");
     csv.endRow();
@@ -78,10 +90,8 @@ void writeReadings(CsvWriter &csv, const CircularMeasurement &m, const TestEvalu
 }
 
 void writeReadings(CsvWriter &csv, const DriftMeasurement &m, const TestEvaluation & /*evaluation*/) {
-    if (!m.axis.name.empty())
-        csv.comment("axis: " + m.axis.name);
     csv.text("time (s)");
-    csv.text(m.axis.motion == Motion::linear ? "deviation (mm)" : "deviation (°)");
+    csv.text(std::string("deviation (") + unitOf(m.axis.motion) + ')');
     csv.endRow();
     for (std::size_t i = 0; i < m.times.size(); ++i) {
         csv.number(m.times[i]);
@@ -120,21 +130,19 @@ const char *unitWord(Quantity quantity) {
 
 } // namespace
 
-QByteArray readingsCsv(const Test &test, const TestEvaluation &evaluation, const Language &language,
+QByteArray readingsCsv(const EvaluatedDocument &evaluated, std::size_t index, const Language &language,
                        char decimalMark) {
+    const Test &test = *evaluated.document->tests[index];
+    const TestEvaluation &evaluation = *evaluated.tests[index];
     CsvWriter csv(decimalMark);
-    csv.comment(test.title);
-    if (test.date)
-        csv.comment(*test.date);
-    if (evaluation.edition)
-        csv.comment(evaluation.edition->word);
+    writeStatements(csv, *evaluated.document, index);
     std::visit([&](const auto &measurement) { writeReadings(csv, measurement, evaluation); },
                test.measurement);
     if (evaluation.parameters.empty())
         return csv.bytes();
     csv.endRow();
     for (const char *heading :
-         {"parameter", "symbol", "name", "value", "unit", "U", "coverage of U", "limit"})
+         {palmercsv::parameter, "symbol", "name", "value", "unit", "U", "coverage of U", "limit"})
         csv.text(heading);
     csv.endRow();
     for (const Parameter &parameter : evaluation.parameters) {

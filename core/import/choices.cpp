@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::array formatWords{
     ImportWord{"table", REPORT_TEXT("report", "table")},
+    ImportWord{"palmer", REPORT_TEXT("report", "CSV of Palmer")},
     ImportWord{"workbook", REPORT_TEXT("report", "workbook (.xlsx, .ods)")},
     ImportWord{"rtl", REPORT_TEXT("report", "Renishaw laser data (.rtl)")},
     ImportWord{"b5r", REPORT_TEXT("report", "Renishaw ballbar (.b5r)")},

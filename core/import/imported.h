@@ -47,7 +47,7 @@ struct Imported {
     std::optional<double> gradientPerHour; ///< °C/h, the largest of the sensors of the air with a series
     std::optional<double> seriesStart;     ///< of a dated series: s since 1970, by its own clock
     Machine machine;                       ///< what the file says of it; empty = not stated
-    std::optional<Instrument> instrument;  ///< likewise; its id is not set
+    std::vector<Instrument> instruments;   ///< likewise
     std::string operatorName;
     std::optional<Error> refusal; ///< why there is no measurement, though something can be shown
 };

@@ -26,6 +26,7 @@ namespace palmer {
 namespace {
 
 constexpr std::array formats{
+    ImportFormat{"palmer", isPalmerCsv, readPalmerCsv},
     ImportFormat{"workbook", isWorkbook, readWorkbook},
     ImportFormat{"rtl", isRtl, readRtl},
     ImportFormat{"rtx", isRtx, readRtx},
@@ -74,7 +75,10 @@ void settleCorrection(Imported &imported, Choices &choices) {
     Conditions *conditions = imported.test ? conditionsOf(*imported.test) : nullptr;
     if (!conditions)
         return;
-    const auto choice = choices.settle("correctionTo20", "not stated", Origin::guessed);
+    const CorrectionTo20 stated = conditions->correctionTo20; // by a file that can say it
+    const auto choice =
+        choices.settle("correctionTo20", fileWord(stated),
+                       stated == CorrectionTo20::notStated ? Origin::guessed : Origin::recognised);
     if (choice.value == "not stated")
         addRemark(imported.remarks, RemarkGrade::assumption,
                   {REPORT_TEXT(
@@ -184,8 +188,7 @@ void demandStorable(const Imported &imported) {
     Document document;
     document.machine = imported.machine;
     document.report.operatorName = imported.operatorName;
-    if (imported.instrument)
-        document.instruments.push_back(*imported.instrument);
+    document.instruments = imported.instruments;
     if (imported.test) // looked at, not kept
         document.tests.push_back(std::shared_ptr<const Test>(std::shared_ptr<const Test>(), &*imported.test));
     Test measured = testOf(Kind::positioning);
@@ -233,6 +236,7 @@ bool showsAnything(const Imported &imported) {
 
 /// The id of an instrument; one that the document does not know is added to it.
 std::string idAmong(std::vector<Instrument> &known, Instrument instrument) {
+    const std::string wish = instrument.id.empty() ? "instrument" : instrument.id;
     instrument.id.clear();
     const auto same = std::ranges::find_if(known, [&](Instrument one) {
         one.id.clear();
@@ -240,7 +244,7 @@ std::string idAmong(std::vector<Instrument> &known, Instrument instrument) {
     });
     if (same != known.end())
         return same->id;
-    instrument.id = freeId(std::string("instrument"), known);
+    instrument.id = freeId(wish, known);
     return known.emplace_back(std::move(instrument)).id;
 }
 
@@ -293,7 +297,11 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
     fill(machine.manufacturer, imported.machine.manufacturer);
     fill(machine.model, imported.machine.model);
     fill(machine.serialNumber, imported.machine.serialNumber);
+    fill(machine.controller, imported.machine.controller);
     fill(machine.location, imported.machine.location);
+    fill(machine.condition, imported.machine.condition);
+    if (!machine.year)
+        machine.year = imported.machine.year;
     fill(document.report.operatorName, imported.operatorName);
     if (!imported.test) {
         bool added = false;
@@ -318,8 +326,9 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
         test.imports.clear(); // the format keeps none for drift tests
         fill(test.remarks, file.fileName + ", SHA-256 " + file.sha256);
     }
-    if (imported.instrument)
-        test.instruments = {idAmong(document.instruments, *imported.instrument)};
+    test.instruments.clear();
+    for (const Instrument &instrument : imported.instruments)
+        test.instruments.push_back(idAmong(document.instruments, instrument));
     if (Conditions *conditions = conditionsOf(test))
         conditions->sensors.insert(conditions->sensors.end(), imported.sensors.begin(),
                                    imported.sensors.end());

@@ -42,6 +42,9 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
 void readCompensationTable(const ImportSource &source, Choices &choices, Imported &imported);
 [[nodiscard]] bool isPosText(QByteArrayView bytes);
 void readPosText(const ImportSource &source, Choices &choices, Imported &imported);
+/// The CSV of readings that Palmer writes.
+[[nodiscard]] bool isPalmerCsv(QByteArrayView bytes);
+void readPalmerCsv(const ImportSource &source, Choices &choices, Imported &imported);
 [[nodiscard]] bool isWorkbook(QByteArrayView bytes);
 void readWorkbook(const ImportSource &source, Choices &choices, Imported &imported);
 [[nodiscard]] bool isAnything(QByteArrayView bytes);

@@ -4,7 +4,7 @@
 
 #include "document/filewords.h"
 #include "document/jsonprinter.h"
-#include "export/csvwriter.h"
+#include "language/csvwriter.h"
 #include "export/resultsjson.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/rounding.h"

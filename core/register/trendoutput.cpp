@@ -3,7 +3,7 @@
 #include "register/trendoutput.h"
 
 #include "document/filewords.h"
-#include "export/csvwriter.h"
+#include "language/csvwriter.h"
 #include "language/rounding.h"
 #include "register/jsonmembers.h"
 #include "register/listing.h"

@@ -371,7 +371,7 @@ std::function<std::variant<Document, Error>(Document)> ImportAssistant::taking()
     taken.gradientPerHour = m_file.imported.gradientPerHour;
     taken.seriesStart = m_file.imported.seriesStart;
     taken.machine = m_file.imported.machine;
-    taken.instrument = m_file.imported.instrument;
+    taken.instruments = m_file.imported.instruments;
     taken.operatorName = m_file.imported.operatorName;
     return [taken = std::move(taken), test = m_file.test, bytes = m_file.bytes, name = m_file.name,
             keep = m_keep->isChecked()](Document document) -> std::variant<Document, Error> {

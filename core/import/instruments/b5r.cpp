@@ -324,7 +324,7 @@ private:
                     {excerpt(list.toStdString())}});
         }
         m_instrument.description = "ballbar";
-        m.instrument = m_instrument;
+        m.instruments = {m_instrument};
         test.measurement = std::move(measurement);
         m.test = std::move(test);
     }

@@ -6,7 +6,6 @@
 #include "document/place.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <map>
 #include <set>
@@ -20,21 +19,24 @@ namespace {
 double scatter(std::span<const PlacedPass> passes, const std::function<Direction(std::size_t)> &direction) {
     double sum = 0;
     for (const Direction wanted : {Direction::positive, Direction::negative}) {
-        std::map<double, std::array<double, 3>> moments; // n, Σ, Σ²
+        struct Moments {
+            double count = 0;
+            double mean = 0;
+        };
+        std::map<double, Moments> moments;
         for (std::size_t j = 0; j < passes.size(); ++j) {
             if (direction(j) != wanted)
                 continue;
             for (const PassReading &reading : passes[j].pass.readings) {
-                if (!reading.isMissing) {
-                    auto &moment = moments[reading.position];
-                    moment[0] += 1;
-                    moment[1] += reading.value;
-                    moment[2] += reading.value * reading.value;
-                }
+                if (reading.isMissing)
+                    continue;
+                // Welford: readings may be positions, of which the squares leave no digit to the scatter.
+                auto &[count, mean] = moments[reading.position];
+                const double d = reading.value - mean;
+                mean += d / ++count;
+                sum += d * (reading.value - mean);
             }
         }
-        for (const auto &[position, moment] : moments)
-            sum += moment[2] - moment[1] * moment[1] / moment[0];
     }
     return sum;
 }

@@ -3,7 +3,7 @@
 #include "report/tables/summary.h"
 
 #include "document/filewords.h"
-#include "export/csvwriter.h"
+#include "language/csvwriter.h"
 #include "export/resultsjson.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/words/shortest.h"

@@ -341,17 +341,17 @@ private slots:
         measurement(test).uncertainty.environmentalVariation.reset();
         measurement(test).uncertainty.driftTest = "drift";
         const EvaluatedDocument without = evaluate(documentOf({test, driftTest("drift", 0.002)}));
-        QVERIFY(isSimulationDue(without, 0, SimulateWhich::allWithBudget));
+        QVERIFY(isSimulationDue(without, 0, SimulateWhich::forReport));
         QVERIFY(!isSimulationDue(without, 0, SimulateWhich::monteCarloOnly));
-        QVERIFY(!isSimulationDue(without, 1, SimulateWhich::allWithBudget));
-        const auto with = withSimulations(without, SimulateWhich::allWithBudget);
+        QVERIFY(!isSimulationDue(without, 1, SimulateWhich::forReport));
+        const auto with = withSimulations(without, SimulateWhich::forReport);
         QVERIFY(with && with->tests[0]->uncertainty.simulation);
         QVERIFY(!with->simulations[1].simulation);
-        QVERIFY(!isSimulationDue(*with, 0, SimulateWhich::allWithBudget));
+        QVERIFY(!isSimulationDue(*with, 0, SimulateWhich::forReport));
         const auto outdatedBy = [&](const Edit &edit) {
             const EvaluatedDocument after = withEdit(*with, edit);
             const auto &uncertainty = after.tests[0]->uncertainty;
-            const bool due = isSimulationDue(after, 0, SimulateWhich::allWithBudget);
+            const bool due = isSimulationDue(after, 0, SimulateWhich::forReport);
             if (uncertainty.simulation != with->tests[0]->uncertainty.simulation ||
                 due != uncertainty.outdated)
                 qFatal("the simulation is lost, or due without need");
@@ -370,7 +370,7 @@ private slots:
             [](Document &d) { d.tests[1] = std::make_shared<const Test>(driftTest("drift", 0.003)); }));
     }
 
-    /// Simulations nobody asked for are run for 100 000 readings at most.
+    /// Simulations nobody asked for are bounded by readings times trials, and run where they are printed.
     void aLargeTestIsSimulatedWhenItIsAskedFor() {
         const auto test = [](std::size_t readings) {
             Test large = axisTest();
@@ -382,9 +382,14 @@ private slots:
                     {i % 2 == 0 ? Direction::positive : Direction::negative, {0.0, 0.001, 0.0, 0.0}});
             return large;
         };
-        constexpr auto all = SimulateWhich::allWithBudget;
-        QVERIFY(isSimulationDue(evaluate(documentOf({test(mostReadingsUnasked)})), 0, all));
-        Test large = test(mostReadingsUnasked + 4);
+        constexpr auto all = SimulateWhich::forReport;
+        constexpr std::size_t most = 452; // · 2.2·10⁵ is less than 10⁸, 456 is more
+        QVERIFY(isSimulationDue(evaluate(documentOf({test(most)})), 0, all));
+        Document unprinted;
+        unprinted.report.leaveOut = {ReportPart::uncertainty};
+        unprinted.tests = {std::make_shared<const Test>(test(most))};
+        QVERIFY(!isSimulationDue(evaluate(std::make_shared<const Document>(unprinted)), 0, all));
+        Test large = test(most + 4);
         QVERIFY(!isSimulationDue(evaluate(documentOf({large})), 0, all));
         measurement(large).uncertainty.method = UncertaintyMethod::monteCarlo;
         QVERIFY(isSimulationDue(evaluate(documentOf({large})), 0, all));

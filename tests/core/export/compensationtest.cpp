@@ -28,6 +28,13 @@ using namespace palmer;
 
 namespace {
 
+QByteArray csvOf(const Test &test, Language::Id language, char mark) {
+    Document document;
+    document.tests.push_back(std::make_shared<const Test>(test));
+    return readingsCsv(evaluate(std::make_shared<const Document>(std::move(document))), 0, Language(language),
+                       mark);
+}
+
 Test example(const QString &name) {
     return *openDocument(EXAMPLES + name + ".palmer").tests.front();
 }
@@ -775,8 +782,7 @@ void CompensationTest::readingsReadBack() {
     QFETCH(QString, name);
     QFETCH(bool, comma);
     const Test test = example(name);
-    const QByteArray csv =
-        readingsCsv(test, evaluated(test), Language(Language::Id::english), comma ? ',' : '.');
+    const QByteArray csv = csvOf(test, Language::Id::english, comma ? ',' : '.');
     const Imported imported = importMeasurement(csv, "x.csv");
     QVERIFY(imported.test);
     const auto &expected = std::get<PositioningMeasurement>(test.measurement);
@@ -797,9 +803,7 @@ void CompensationTest::headingsAreTheSameInEveryLanguage() {
     measurement.deviations = {0, 0.001};
     drift.measurement = measurement;
     for (const Test &test : {example("iso230-2-1988-example"), drift}) {
-        const auto written = [&](Language::Id id) {
-            return readingsCsv(test, evaluated(test), Language(id), '.').split('\n');
-        };
+        const auto written = [&](Language::Id id) { return csvOf(test, id, '.').split('\n'); };
         const QByteArrayList english = written(Language::Id::english);
         const QByteArrayList french = written(Language::Id::french);
         QCOMPARE(english.size(), french.size());
@@ -809,8 +813,7 @@ void CompensationTest::headingsAreTheSameInEveryLanguage() {
             QVERIFY(!isHeading || (english[i] == french[i] && !english[i].contains('[')));
         }
     }
-    QVERIFY(readingsCsv(drift, evaluated(drift), Language(Language::Id::english), '.')
-                .contains("time (s),deviation (mm)"));
+    QVERIFY(csvOf(drift, Language::Id::english, '.').contains("time (s),deviation (mm)"));
 }
 
 void CompensationTest::jsonHasTheReadings() {

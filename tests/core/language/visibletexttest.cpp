@@ -3,7 +3,7 @@
 #include "language/visibletext.h"
 
 #include "document/json.h"
-#include "export/csvwriter.h"
+#include "language/csvwriter.h"
 
 #include <QTest>
 #include <nlohmann/json.hpp>

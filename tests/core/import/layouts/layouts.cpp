@@ -5,6 +5,8 @@
 #include "core/import/importpicture.h"
 
 #include <QTest>
+#include <algorithm>
+#include <random>
 #include <utility>
 #include <vector>
 
@@ -54,6 +56,7 @@ private slots:
     void namesAllColumnsLeftOut();
     void anOrderThatIsNotStatedIsInTurn_data();
     void anOrderThatIsNotStatedIsInTurn();
+    void directionsOfFarPositionsAreGuessedAsOfNearOnes();
 };
 
 void LayoutsTest::areReadAsPeopleReadThem_data() {
@@ -808,6 +811,25 @@ void LayoutsTest::anOrderThatIsNotStatedIsInTurn() {
 }
 
 /// Readings that are not read are all named, in a question.
+/// Of positions near a kilometre the squares have no digits left for half a micrometre of scatter.
+void LayoutsTest::directionsOfFarPositionsAreGuessedAsOfNearOnes() {
+    std::mt19937 random(1);
+    std::normal_distribution<double> noise(0, 0.0005);
+    for (int round = 0; round < 10; ++round) {
+        QByteArray text = "P (mm);1;2;3;4;5;6\n";
+        for (const double target : {900000.0, 900100.0, 900210.0, 900290.0, 900400.0}) {
+            text += QByteArray::number(target, 'f', 0);
+            for (int run = 0; run < 6; ++run)
+                text += ';' + QByteArray::number(target + (run < 3 ? 0 : 0.008) + noise(random), 'f', 4);
+            text += '\n';
+        }
+        const Imported imported = importMeasurement(text, "x.csv", {});
+        const auto question = std::ranges::find(imported.questions, "directions", &Question::id);
+        QVERIFY(question != imported.questions.end());
+        QCOMPARE(QString::fromStdString(question->proposal), QString("sideBySide"));
+    }
+}
+
 void LayoutsTest::namesAllColumnsLeftOut() {
     const Imported imported =
         importMeasurement("Target (mm);Forward (µm);;;Reverse (µm);\n0;1;2;3;4;5\n100;2;3;4;5;6\n", "x.csv");

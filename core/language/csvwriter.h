@@ -32,6 +32,15 @@ public:
         if (!text.empty())
             m_text += "# " + cells.join(QLatin1Char(m_delimiter)).toStdString() + '\n';
     }
+    /// A line of a key and its value: a number, else a text or a literal of JSON.
+    void statement(const std::string &key, const std::string &value, std::optional<double> numeric = {}) {
+        text("# " + key);
+        if (numeric)
+            number(numeric);
+        else
+            text(value);
+        endRow();
+    }
     void text(const std::string &cell) {
         begin();
         QString text = cellText(QString::fromStdString(cell));
