@@ -108,11 +108,12 @@ NamedFigure figureOf(const EvaluatedDocument &evaluated, std::size_t index,
     return {figure, figure.title};
 }
 
-QByteArray picture(const Figure &figure, const QString &title, const QString &ending) {
+QByteArray picture(const Figure &figure, const QString &title, const QString &ending,
+                   const Language &language) {
     if (ending == QLatin1StringView("csv"))
-        return figureCsv(figure, '.');
+        return figureCsv(figure, language, '.');
     if (ending == QLatin1StringView("svg"))
-        return figureAsSvg(figure, title);
+        return figureAsSvg(figure, title, language);
     if (ending == QLatin1StringView("png"))
         return figureAsPng(figure);
     return figureAsPdf(figure, title);
@@ -162,7 +163,7 @@ int runFigure(const Invocation &invocation) {
         try {
             if (inputs.several)
                 makeFolderOf(target);
-            writeOutput(picture(named.figure, named.title, ending), target);
+            writeOutput(picture(named.figure, named.title, ending, invocation.language), target);
         } catch (const Error &error) {
             printError(target, error, invocation.language);
             return {cannotRead, {}};

@@ -5,8 +5,6 @@
 #include "commandline/editionoption.h"
 #include "commandline/outputfile.h"
 #include "commandline/streams.h"
-#include "print/figures/exportfigure.h"
-#include "print/pdf/writepdf.h"
 #include "register/history.h"
 #include "register/queries.h"
 #include "register/reevaluate.h"
@@ -15,6 +13,8 @@
 #include "register/trendfigure.h"
 #include "register/trendoutput.h"
 #include "report/blocks/plaintext.h"
+#include "print/figures/exportfigure.h"
+#include "print/pdf/writepdf.h"
 
 #include <QBuffer>
 #include <QDate>
@@ -98,7 +98,7 @@ QByteArray picture(const ListedMachine &machine, const std::string &axis, const 
     const QString title = composeTrend(machine, axis, trend, language).title;
     const TrendFigure figure = trendFigure(title, trend, QDate::currentDate(), language);
     if (form == Form::svg)
-        return figureAsSvg(figure, title);
+        return figureAsSvg(figure, title, language);
     return form == Form::png ? figureAsPng(figure) : figureAsPdf(figure, title);
 }
 

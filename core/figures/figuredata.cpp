@@ -2,52 +2,53 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/figuredata.h"
 
-#include "kernel/words/shortest.h"
+#include "language/csvwriter.h"
 
-#include <array>
-#include <charconv>
+#include <cmath>
 
 namespace palmer {
 
 namespace {
 
+/// The points of a figure, a row each: which curve, x, y.
 class PointTable {
 public:
     explicit PointTable(char decimalMark)
-        : m_mark(decimalMark)
-        , m_delimiter(decimalMark == ',' ? ';' : ',') {}
+        : m_csv(decimalMark) {}
 
-    void head(const QString &title, const QString &x, const QString &y) {
-        m_text = "# " + QString(title).replace(u'\n', u' ').toUtf8() + '\n';
-        row("", x.toUtf8(), y.toUtf8());
+    void head(const QString &title, const QString &of, const QString &x, const QString &y) {
+        m_csv.comment(title.toStdString());
+        row(of, x, y);
     }
 
-    void point(const QString &line, double x, double y) { row(line.toUtf8(), number(x), number(y)); }
+    void point(const QString &of, double x, double y) {
+        m_csv.text(of.toStdString());
+        m_csv.number(shown(x));
+        m_csv.number(shown(y));
+        m_csv.endRow();
+    }
 
-    [[nodiscard]] QByteArray take() { return std::move(m_text); }
+    [[nodiscard]] QByteArray take() const { return m_csv.bytes(); }
 
 private:
-    void row(const QByteArray &line, const QByteArray &x, const QByteArray &y) {
-        m_text += cell(line) + m_delimiter + cell(x) + m_delimiter + cell(y) + '\n';
+    void row(const QString &of, const QString &x, const QString &y) {
+        for (const QString &heading : {of, x, y})
+            m_csv.text(heading.toStdString());
+        m_csv.endRow();
     }
 
-    [[nodiscard]] QByteArray cell(QByteArray text) const {
-        if (!text.contains(m_delimiter) && !text.contains('"') && !text.contains('\n'))
-            return text;
-        return '"' + text.replace('"', "\"\"") + '"';
+    /// Figures are in µm: what the factor leaves in the last digits of a double is no part of the value.
+    static double shown(double value) {
+        constexpr int digits = 12;
+        return QByteArray::number(value, 'g', digits).toDouble();
     }
 
-    [[nodiscard]] QByteArray number(double value) const {
-        return QByteArray::fromStdString(shortest(value)).replace('.', m_mark);
-    }
-
-    char m_mark;
-    char m_delimiter;
-    QByteArray m_text;
+    CsvWriter m_csv;
 };
 
 QString headingOf(const FigureAxis &axis) {
-    return axis.symbol + axis.subscript + QStringLiteral(" (") + axis.unit + QLatin1Char(')');
+    const QString unit = axis.unit.isEmpty() ? QString() : QStringLiteral(" (") + axis.unit + u')';
+    return axis.symbol + axis.subscript + unit;
 }
 
 QString arrowOf(CurveRole role) {
@@ -65,8 +66,12 @@ QString nameOf(CurveRole role) {
     return role == CurveRole::drift ? QStringLiteral("x") : QStringLiteral("x̄") + arrowOf(role);
 }
 
-void add(PointTable &table, const CurveFigure &figure) {
-    table.head(figure.title, headingOf(figure.x), headingOf(figure.y));
+QString curve(const Language &language) {
+    return language.text(REPORT_TEXT("report", "curve"));
+}
+
+void add(PointTable &table, const CurveFigure &figure, const Language &language) {
+    table.head(figure.title, curve(language), headingOf(figure.x), headingOf(figure.y));
     for (const Curve &curve : figure.curves) {
         for (const FigurePoint &point : curve.points)
             table.point(nameOf(curve.role), point.x, point.y);
@@ -83,17 +88,17 @@ void add(PointTable &table, const CurveFigure &figure) {
                     reading.y);
 }
 
-void add(PointTable &table, const LineFigure &figure) {
-    table.head(figure.title, headingOf(figure.x), headingOf(figure.y));
+void add(PointTable &table, const LineFigure &figure, const Language &language) {
+    table.head(figure.title, curve(language), headingOf(figure.x), headingOf(figure.y));
     for (const FigureLine &line : figure.lines) {
         for (const QPointF &point : line.points)
             table.point(line.name, point.x(), point.y());
     }
 }
 
-void add(PointTable &table, const CircleFigure &figure) {
-    table.head(figure.title + QStringLiteral(", ") + figure.centre, QStringLiteral("φ (°)"),
-               QStringLiteral("Δr (µm)"));
+void add(PointTable &table, const CircleFigure &figure, const Language &language) {
+    table.head(figure.title + QStringLiteral(", ") + figure.centre, curve(language),
+               QStringLiteral("φ (°)"), QStringLiteral("Δr (µm)"));
     int number = 0;
     for (const CircleTrace &trace : figure.traces) {
         const QString sense =
@@ -105,23 +110,24 @@ void add(PointTable &table, const CircleFigure &figure) {
     }
 }
 
-void add(PointTable &table, const BarFigure &figure) {
-    table.head(figure.title, QString(), headingOf(figure.x));
+void add(PointTable &table, const BarFigure &figure, const Language &language) {
+    table.head(figure.title, language.text(REPORT_TEXT("report", "Contribution")), QStringLiteral("i"),
+               headingOf(figure.x));
     for (std::size_t i = 0; i < figure.bars.size(); ++i)
         table.point(figure.bars[i].name + figure.bars[i].subscript, static_cast<double>(i + 1),
                     figure.bars[i].size);
 }
 
-void add(PointTable &table, const HistogramFigure &figure) {
-    table.head(figure.title, headingOf(figure.x), QStringLiteral("n"));
+void add(PointTable &table, const HistogramFigure &figure, const Language &language) {
+    table.head(figure.title, curve(language), headingOf(figure.x), QStringLiteral("n"));
     for (std::size_t i = 0; i < figure.counts.size(); ++i)
-        table.point(QString(), figure.from + (static_cast<double>(i) + 0.5) * figure.width,
+        table.point(figure.x.symbol + figure.x.subscript, figure.from + (static_cast<double>(i) + 0.5) * figure.width,
                     static_cast<double>(figure.counts[i]));
 }
 
-void add(PointTable &table, const TrendFigure &figure) {
+void add(PointTable &table, const TrendFigure &figure, const Language &language) {
     if (!figure.panels.empty())
-        table.head(figure.title, headingOf(figure.panels.front().x), headingOf(figure.panels.front().y));
+        table.head(figure.title, curve(language), headingOf(figure.panels.front().x), headingOf(figure.panels.front().y));
     for (const TrendPanel &panel : figure.panels) {
         for (const TrendValue &value : panel.values)
             table.point(panel.symbol, value.x, value.y);
@@ -130,9 +136,9 @@ void add(PointTable &table, const TrendFigure &figure) {
 
 } // namespace
 
-QByteArray figureCsv(const Figure &figure, char decimalMark) {
+QByteArray figureCsv(const Figure &figure, const Language &language, char decimalMark) {
     PointTable table(decimalMark);
-    std::visit([&](const auto &kind) { add(table, kind); }, figure);
+    std::visit([&](const auto &kind) { add(table, kind, language); }, figure);
     return table.take();
 }
 

@@ -12,12 +12,12 @@
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
-#include "print/figures/exportfigure.h"
 #include "report/explanations/explanation.h"
 #include "report/tables/readingtable.h"
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
 #include "ui/figures/circlefigureview.h"
+#include "print/figures/exportfigure.h"
 #include "ui/figures/zoombuttons.h"
 #include "ui/measures.h"
 #include "ui/ruling.h"
@@ -438,7 +438,7 @@ void FigureView::copy() {
     if (!shown)
         return;
     auto *mime = new QMimeData;
-    mime->setData(QStringLiteral("image/svg+xml"), figureAsSvg(shown->figure, shown->title));
+    mime->setData(QStringLiteral("image/svg+xml"), figureAsSvg(shown->figure, shown->title, m_language));
     mime->setData(QStringLiteral("application/pdf"), figureAsPdf(shown->figure, shown->title));
     mime->setImageData(QImage::fromData(figureAsPng(shown->figure, clipboardDotsPerInch)));
     QGuiApplication::clipboard()->setMimeData(mime);
@@ -452,7 +452,7 @@ bool FigureView::saveTo(const QString &path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     try {
         demandNoTestFileName(path);
-        saveBytes(suffix == QStringLiteral("svg")   ? figureAsSvg(shown->figure, shown->title)
+        saveBytes(suffix == QStringLiteral("svg")   ? figureAsSvg(shown->figure, shown->title, m_language)
                   : suffix == QStringLiteral("png") ? figureAsPng(shown->figure)
                                                     : figureAsPdf(shown->figure, shown->title),
                   path);

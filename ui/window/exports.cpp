@@ -78,14 +78,13 @@ QByteArray exportedReadings(const EvaluatedDocument &evaluated, std::size_t test
                             const QString &fileName) {
     if (form == ExportForm::json)
         return readingsJson(evaluated, fileName, windowLanguage());
-    return readingsCsv(*evaluated.document->tests[test], *evaluated.tests[test], windowLanguage(),
-                       markOf(form));
+    return readingsCsv(evaluated, test, windowLanguage(), markOf(form));
 }
 
 QByteArray exportedFigure(const EvaluatedDocument &evaluated, std::size_t test, ExportForm form) {
     const Test &shown = *evaluated.document->tests[test];
     const TestEvaluation &evaluation = *evaluated.tests[test];
-    return figureCsv(figureOfTest(shown, evaluation, windowLanguage()), markOf(form));
+    return figureCsv(figureOfTest(shown, evaluation, windowLanguage()), windowLanguage(), markOf(form));
 }
 
 void askExportOfReadings(QWidget *window, const EvaluatedDocument &evaluated, std::size_t test,

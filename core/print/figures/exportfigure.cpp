@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/figures/exportfigure.h"
 
+#include "figures/figuresentence.h"
 #include "language/visibletext.h"
 #include "print/figures/drawfigure.h"
 
@@ -49,6 +50,11 @@ QByteArray withoutDate(const QByteArray &pdf) {
     result.chop(1);
     return result + pdf.mid(trailer, start - trailer) + "startxref\n" +
            moved(pdf.mid(start + 10, pdf.indexOf('\n', start + 10) - start - 10).trimmed()) + "\n%%EOF\n";
+}
+
+/// For those who hear it: a picture with title and description, and their language.
+QByteArray asPicture(QByteArray svg, const QString &language) {
+    return svg.replace("<svg ", "<svg role=\"img\" xml:lang=\"" + language.toLatin1() + "\" ");
 }
 
 /// QSvgGenerator takes lines thinner than half a unit for one unit wide when it writes their dashes: shortens
@@ -113,7 +119,7 @@ void begin(QPainter &painter, QPaintDevice *device) {
 
 } // namespace
 
-QByteArray figureAsSvg(const Figure &figure, const QString &title) {
+QByteArray figureAsSvg(const Figure &figure, const QString &title, const Language &language) {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     const QRectF page = pageInPoints(figure);
@@ -123,12 +129,12 @@ QByteArray figureAsSvg(const Figure &figure, const QString &title) {
     generator.setSize((paperSize(figure) * 100).toSize());
     generator.setViewBox(page);
     generator.setTitle(title);
-    generator.setDescription(QString());
+    generator.setDescription(figureSentence(figure, language));
     QPainter painter;
     begin(painter, &generator);
     drawFigure(painter, page, figure, Medium::paper);
     painter.end();
-    return visibleText(withShortPaths(withTrueDashes(buffer.data())));
+    return visibleText(withShortPaths(withTrueDashes(asPicture(buffer.data(), language.code()))));
 }
 
 QByteArray figureAsPdf(const Figure &figure, const QString &title) {

@@ -110,7 +110,7 @@ private slots:
         QFETCH(QString, row);
         const Test test = smallTest(0);
         const CurveFigure figure = deviationFigure(test, evaluateTest(test, {}), english());
-        const QString csv = QString::fromUtf8(figureCsv(figure, mark));
+        const QString csv = QString::fromUtf8(figureCsv(figure, english(), mark));
         QVERIFY2(csv.startsWith("# Positioning deviations of the X axis\n"), qPrintable(csv));
         QVERIFY2(csv.contains(row), qPrintable(csv));
         std::size_t points = 0;

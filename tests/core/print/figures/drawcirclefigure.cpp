@@ -266,7 +266,7 @@ private slots:
 
     void svgHasItsSizeAndTexts() {
         const CircleFigure figure = figureOf(decidedPair(), {}, Language::Id::french);
-        QXmlStreamReader reader(figureAsSvg(figure, figure.title));
+        QXmlStreamReader reader(figureAsSvg(figure, figure.title, Language(Language::Id::french)));
         QStringList texts;
         while (!reader.atEnd()) {
             reader.readNext();

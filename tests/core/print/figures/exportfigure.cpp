@@ -4,6 +4,7 @@
 
 #include "core/kernel/evaluation/positioningdata.h"
 #include "figures/deviationfigure.h"
+#include "figures/figuresentence.h"
 
 #include <QHashSeed>
 #include <QImage>
@@ -22,9 +23,14 @@ using namespace Qt::StringLiterals;
 
 namespace {
 
+const Language &french() {
+    static const Language language(Language::Id::french);
+    return language;
+}
+
 Figure example() {
     const Test test = example1988("ISO 230-2:2006");
-    return deviationFigure(test, evaluated(test), Language(Language::Id::french));
+    return deviationFigure(test, evaluated(test), french());
 }
 
 } // namespace
@@ -46,13 +52,13 @@ private slots:
 void ExportFigure::sameBytesAtAnyTime() {
     const Figure figure = example();
     const QByteArray pdf = figureAsPdf(figure, u"Titre"_s);
-    const QByteArray svg = figureAsSvg(figure, u"Titre"_s);
+    const QByteArray svg = figureAsSvg(figure, u"Titre"_s, french());
     const QByteArray png = figureAsPng(figure);
     QTest::qWait(1100); // times in a PDF have whole seconds
     qputenv("TZ", "Asia/Tokyo");
     tzset();
     QCOMPARE(figureAsPdf(figure, u"Titre"_s), pdf);
-    QCOMPARE(figureAsSvg(figure, u"Titre"_s), svg);
+    QCOMPARE(figureAsSvg(figure, u"Titre"_s, french()), svg);
     QCOMPARE(figureAsPng(figure), png);
     qputenv("TZ", "UTC");
     tzset();
@@ -80,10 +86,11 @@ void ExportFigure::pdfIsSound() {
 }
 
 void ExportFigure::svgIsVectors() {
-    const QByteArray svg = figureAsSvg(example(), u"Écarts de position"_s);
+    const QByteArray svg = figureAsSvg(example(), u"Écarts de position"_s, french());
     QXmlStreamReader reader(svg);
     QStringList texts;
     QString title;
+    QString description;
     while (!reader.atEnd()) {
         reader.readNext();
         if (!reader.isStartElement())
@@ -91,21 +98,25 @@ void ExportFigure::svgIsVectors() {
         if (reader.name() == "svg"_L1) {
             QCOMPARE(reader.attributes().value("width"_L1), u"175mm"_s);
             QCOMPARE(reader.attributes().value("height"_L1), u"86mm"_s);
+            QCOMPARE(reader.attributes().value("role"_L1), u"img"_s);
         }
         QVERIFY(reader.name() != "image"_L1);
         if (reader.name() == "title"_L1)
             title = reader.readElementText();
+        else if (reader.name() == "desc"_L1)
+            description = reader.readElementText();
         else if (reader.name() == "text"_L1)
             texts += reader.readElementText().trimmed();
     }
     QVERIFY2(!reader.hasError(), qPrintable(reader.errorString()));
     QCOMPARE(title, u"Écarts de position"_s);
+    QCOMPARE(description, figureSentence(example(), french()));
     for (const QString &expected : {u"1\u202f500"_s, u"−10"_s, u"x̄ bidirectionnel"_s, u"relevés"_s, u"A"_s})
         QVERIFY2(texts.contains(expected), qPrintable(expected));
 }
 
 void ExportFigure::svgDashesAreAsLongAsOnThePage() {
-    const QByteArray svg = figureAsSvg(example(), QString());
+    const QByteArray svg = figureAsSvg(example(), QString(), french());
     // ↓: 2 mm and 1 mm in points, and its width 0.45 mm.
     QVERIFY(svg.contains(
         "stroke-dasharray=\"5.66929,2.83465\" stroke-dashoffset=\"0\" stroke-width=\"1.27559\""));
@@ -116,7 +127,7 @@ void ExportFigure::svgDashesAreAsLongAsOnThePage() {
 
 /// Hundredths of a point in paths, and drawn they are the page.
 void ExportFigure::svgHasNoMoreDigitsThanPaperShows() {
-    const QByteArray svg = figureAsSvg(example(), QString());
+    const QByteArray svg = figureAsSvg(example(), QString(), french());
     static const QRegularExpression path(u" (?:d|points)=\"([^\"]*)\""_s);
     static const QRegularExpression number(u"-?[0-9.]+(?:e[-+]?[0-9]+)?"_s);
     int numbers = 0;
@@ -161,8 +172,8 @@ void ExportFigure::svgOfManyReadingsIsSmall() {
     const Test test = positioningTest("ISO 230-2:2006", positions, up, down);
     DeviationFigureOptions options;
     options.readingMarks = true;
-    const QByteArray svg = figureAsSvg(
-        deviationFigure(test, evaluated(test), Language(Language::Id::french), options), QString());
+    const QByteArray svg =
+        figureAsSvg(deviationFigure(test, evaluated(test), french(), options), QString(), french());
     QVERIFY2(svg.size() < 1'000'000, qPrintable(QString::number(svg.size())));
 }
 
