@@ -68,6 +68,16 @@ std::optional<double> numberOf(const Invocation &invocation, const char *option)
     return given ? std::optional(numberGiven(option, *given)) : std::nullopt;
 }
 
+Interval intervalGiven(const char *option, const QString &given) {
+    const QStringList ends = given.split(u':');
+    if (ends.size() != 2)
+        refuse(option, given, "FROM:TO");
+    const Interval interval{numberGiven(option, ends[0]), numberGiven(option, ends[1])};
+    if (!(interval.to > interval.from))
+        refuse(option, given, "FROM:TO");
+    return interval;
+}
+
 std::optional<long long> wholeGiven(const QString &given) {
     bool isNumber = false;
     const long long number = given.toLongLong(&isNumber);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "commandline/command.h"
+#include "kernel/measurement/axis.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -24,6 +25,9 @@ namespace palmer {
 /// The same from `least` to `most`, and greater than a bound.
 [[nodiscard]] double numberBetween(const char *option, const QString &given, double least, double most);
 [[nodiscard]] double numberAbove(const char *option, const QString &given, double bound);
+
+/// "FROM:TO", ascending. Throws UsageError.
+[[nodiscard]] Interval intervalGiven(const char *option, const QString &given);
 
 /// A whole number, also with a power of ten (1e6); nothing for any other.
 [[nodiscard]] std::optional<long long> wholeGiven(const QString &given);

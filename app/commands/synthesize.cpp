@@ -211,12 +211,8 @@ CircularSynthesis circular(const Invocation &invocation) {
         throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
                           {std::string("--pause"), std::string("--senses both")}});
     if (const auto arc = invocation.value(QLatin1StringView("arc"))) {
-        const QStringList ends = arc->split(u':');
-        if (ends.size() != 2)
-            refuse("arc", *arc, "FROM:TO");
-        asked.arc = {numberGiven("arc", ends[0]), numberGiven("arc", ends[1])};
-        const double extent = asked.arc.to - asked.arc.from;
-        if (!(extent > 0 && extent <= 360) || std::abs(asked.arc.from) > largest)
+        asked.arc = intervalGiven("arc", *arc);
+        if (asked.arc.to - asked.arc.from > 360 || std::abs(asked.arc.from) > largest)
             refuse("arc", *arc, "FROM:TO");
     }
     for (const GivenSource &given : givenSources(invocation)) {

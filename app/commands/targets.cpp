@@ -10,6 +10,7 @@
 #include "document/writedocument.h"
 #include "export/partprogram.h"
 #include "kernel/evaluation/edition.h"
+#include "kernel/evaluation/positioningcase.h"
 #include "print/pdf/writepdf.h"
 #include "report/blocks/plaintext.h"
 #include "report/planreport.h"
@@ -18,6 +19,10 @@
 #include <QFileInfo>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <span>
+#include <utility>
+#include <vector>
 
 namespace palmer {
 
@@ -25,9 +30,15 @@ namespace {
 
 constexpr std::array targetsOptions{
     Option{"axis", "X", REPORT_TEXT("report", "name of the axis")},
-    Option{"travel", "1000", REPORT_TEXT("report", "measurement travel, mm; of rotary axes degrees")},
+    Option{"travel", "1000",
+           REPORT_TEXT("report", "travel of the axis, mm; of rotary axes degrees. With --range what is "
+                                 "measured of it")},
     Option{"rotary", "", REPORT_TEXT("report", "a rotary axis")},
-    Option{"from", "0", REPORT_TEXT("report", "where the measurement travel begins")},
+    Option{"from", "0", REPORT_TEXT("report", "where the travel begins")},
+    Option{"range", "FROM:TO", REPORT_TEXT("report", "the ends of the axis; without it those of the travel")},
+    Option{"zone", "FROM:TO",
+           REPORT_TEXT("report", "the zone that has the full test of an axis of more than 2 000 mm (360°); "
+                                 "without it in the middle")},
     Option{"per-metre", "5", REPORT_TEXT("report", "targets per metre")},
     Option{"period", "10", REPORT_TEXT("report", "period of the cyclic errors (pitch), where it is known")},
     Option{"decimals", "3", REPORT_TEXT("report", "decimals of the positions")},
@@ -41,7 +52,9 @@ constexpr std::array targetsOptions{
     Option{"dwell", "S", REPORT_TEXT("report", "rest at each target, s; without it 5")},
     Option{"approach", "D", REPORT_TEXT("report", "distance beyond the ends, mm or degrees; without it 1")},
     Option{"program", "iso|siemens|heidenhain|linuxcnc|haas",
-           REPORT_TEXT("report", "writes the part program in this dialect instead of the plan")},
+           REPORT_TEXT("report",
+                       "writes the part program in this dialect instead of the plan; of a long axis "
+                       "a second one, of its zone, into OUT-zone")},
     Option{"o", "OUT",
            REPORT_TEXT("report", "the file to write: the plan as text, as .pdf or as .palmer to fill in; "
                                  "or the part program")},
@@ -78,39 +91,97 @@ const Edition &edition(const Invocation &invocation) {
     return asked ? *asked : defaultEdition(Kind::positioning);
 }
 
-TargetRequest request(const Invocation &invocation) {
+std::optional<Interval> interval(const Invocation &invocation, const char *option) {
+    const auto given = invocation.value(QLatin1StringView(option));
+    return given ? std::optional(intervalGiven(option, *given)) : std::nullopt;
+}
+
+/// What is measured lies between the ends of the axis, with the approach distance on either side.
+TargetRequest request(const Invocation &invocation, double approach) {
     TargetRequest result;
     result.rule = edition(invocation).targetRule;
     result.motion = invocation.has(QLatin1StringView("rotary")) ? Motion::rotary : Motion::linear;
-    result.from = numberOf(invocation, "from").value_or(0);
-    const auto travel = number(invocation, "travel", 0);
-    if (!travel)
-        throw UsageError(
-            {REPORT_TEXT("report", "the command %1 needs --%2"), {std::string("targets"), "travel"}});
-    result.travel = *travel;
     result.perMetre = number(invocation, "per-metre", 0).value_or(5);
     result.period = number(invocation, "period", 0);
     result.decimals = whole(invocation, "decimals", 0, 9).value_or(3);
     result.seed = static_cast<std::uint64_t>(seedOf(invocation).value_or(1));
+    const auto travel = number(invocation, "travel", 0);
+    const auto from = numberOf(invocation, "from");
+    const auto range = interval(invocation, "range");
+    if (!travel && !range)
+        throw UsageError(
+            {REPORT_TEXT("report", "the command %1 needs --%2"), {std::string("targets"), "travel"}});
+    const double begin = from.value_or(0);
+    result = withinAxis(result, range.value_or(Interval{begin, begin + travel.value_or(0)}), approach);
+    if (!range || (!travel && !from))
+        return result;
+    const double end = result.from + result.travel;
+    result.from = from.value_or(result.from);
+    result.travel = travel.value_or(end - result.from);
+    constexpr double rounding = 1e-9;
+    if (result.from < range->from + approach - rounding ||
+        result.from + result.travel > range->to - approach + rounding)
+        throw UsageError(
+            {REPORT_TEXT("report", "between the ends of the axis (--range) is no room for the travel "
+                                   "and for the approach distance before and behind it"),
+             {}});
     return result;
 }
 
-QByteArray planned(const TargetRequest &asked, const TargetPlan &plan, const CycleProgram &program,
+QByteArray planned(std::span<const PlannedMeasurement> plans, const CycleProgram &program,
                    const Invocation &invocation, const QString &ending) {
     if (ending == QLatin1StringView("palmer")) {
         Document document;
         document.writtenBy = "Palmer " PALMER_VERSION;
-        document.tests.push_back(
-            std::make_shared<const Test>(plannedTest(asked, plan, program, edition(invocation).word)));
+        for (const PlannedMeasurement &one : plans)
+            document.tests.push_back(std::make_shared<const Test>(
+                plannedTest(one.request, one.plan, programOf(one, program), edition(invocation).word)));
         return writeDocument(document);
     }
-    const Report report = composePlan(asked, plan, program, invocation.language);
+    const Report report = composePlan(plans, program, invocation.language);
     if (ending != QLatin1StringView("pdf"))
         return plainText(report).toUtf8();
     QBuffer pdf;
     pdf.open(QIODevice::WriteOnly);
     writePdf(report, pdf);
     return pdf.data();
+}
+
+CycleProgram program(const Invocation &invocation, double approach, int runs) {
+    CycleProgram result;
+    result.axis =
+        invocation.value(QLatin1StringView("axis")).value_or(QStringLiteral("X")).trimmed().toStdString();
+    result.cycle = cycle(invocation);
+    result.runs = whole(invocation, "runs", 1, 1000).value_or(runs);
+    result.feed = number(invocation, "feed", 0);
+    result.dwell = number(invocation, "dwell", 0).value_or(result.dwell);
+    result.approach = approach;
+    return result;
+}
+
+/// What is to be written where: the plan, or the part program of each of its measurements.
+std::vector<std::pair<QString, QByteArray>> filesOf(const Invocation &invocation, const QString &output,
+                                                    std::span<const PlannedMeasurement> plans,
+                                                    const CycleProgram &cycle) {
+    const auto chosen = dialect(invocation);
+    const QString ending = QFileInfo(output).suffix().toLower();
+    if (!chosen) {
+        demandOutput(invocation, output, {"palmer", "pdf", "txt"});
+        return {{output, planned(plans, cycle, invocation, ending)}};
+    }
+    std::vector<std::pair<QString, QByteArray>> files;
+    for (const PlannedMeasurement &one : plans) {
+        QString path = output;
+        if (one.request.zone && output != QLatin1StringView("-"))
+            path.insert(output.size() - (ending.isEmpty() ? 0 : ending.size() + 1), QStringLiteral("-zone"));
+        demandOutput(invocation, path, {"nc", "ngc", "mpf", "spf", "h", "iso", "cnc", "tap", "txt"});
+        try {
+            files.emplace_back(path, partProgram(programOf(one, cycle), *chosen, invocation.language));
+        } catch (const Error &error) {
+            throw UsageError(error.message);
+        }
+    }
+    return files;
 }
 
 int runTargets(const Invocation &invocation) {
@@ -120,44 +191,28 @@ int runTargets(const Invocation &invocation) {
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("targets"), std::string("-o OUT")}});
-    const TargetRequest asked = request(invocation);
-    const TargetPlan plan = planTargets(asked);
-    if (plan.targets.empty())
+    const double approach = number(invocation, "approach", 0).value_or(CycleProgram().approach);
+    const auto plans = planMeasurements(request(invocation, approach), interval(invocation, "zone"));
+    const bool isEmpty = plans.empty() || plans.back().plan.targets.empty();
+    if (isEmpty)
         throw UsageError(
             {REPORT_TEXT("report", "these numbers give no plan: too many targets, or too few decimals "
                                    "to tell them apart"),
              {}});
-    CycleProgram program;
-    program.axis =
-        invocation.value(QLatin1StringView("axis")).value_or(QStringLiteral("X")).trimmed().toStdString();
-    program.motion = asked.motion;
-    program.targets = plan.targets;
-    program.decimals = asked.decimals;
-    program.cycle = cycle(invocation);
-    program.runs = whole(invocation, "runs", 1, 1000).value_or(plan.runs);
-    program.feed = number(invocation, "feed", 0);
-    program.dwell = number(invocation, "dwell", 0).value_or(program.dwell);
-    program.approach = number(invocation, "approach", 0).value_or(program.approach);
-    const auto chosen = dialect(invocation);
-    if (chosen)
-        demandOutput(invocation, *output, {"nc", "ngc", "mpf", "spf", "h", "iso", "cnc", "tap", "txt"});
-    else
-        demandOutput(invocation, *output, {"palmer", "pdf", "txt"});
-    QByteArray bytes;
-    if (chosen) {
+    const Motion motion = plans.empty() ? Motion::linear : plans.front().request.motion;
+    if (plans.size() == 1 && invocation.has(QLatin1StringView("zone")))
+        throw UsageError(
+            {REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
+             {std::string("--zone"), "--travel > " + std::to_string(std::lround(longestShort(motion)))}});
+    const CycleProgram cycle =
+        programOf(plans.front(), program(invocation, approach, plans.front().plan.runs));
+    for (const auto &[path, bytes] : filesOf(invocation, *output, plans, cycle)) {
         try {
-            bytes = partProgram(program, *chosen, invocation.language);
+            writeOutput(bytes, path);
         } catch (const Error &error) {
-            throw UsageError(error.message);
+            printError(path, error, invocation.language);
+            return cannotRead;
         }
-    } else {
-        bytes = planned(asked, plan, program, invocation, QFileInfo(*output).suffix().toLower());
-    }
-    try {
-        writeOutput(bytes, *output);
-    } catch (const Error &error) {
-        printError(*output, error, invocation.language);
-        return cannotRead;
     }
     return done;
 }

@@ -9,6 +9,9 @@ Test plannedTest(const TargetRequest &request, const TargetPlan &plan, const Cyc
     PositioningMeasurement measurement;
     measurement.axis.name = program.axis;
     measurement.axis.motion = request.motion;
+    measurement.axis.travel = request.axisTravel;
+    measurement.axis.range = request.axisRange;
+    measurement.zone = request.zone;
     measurement.cycle = program.cycle;
     measurement.targets = plan.targets;
     measurement.targetChoice = {TargetChoiceKind::free, plan.interval, request.period,

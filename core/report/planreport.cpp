@@ -29,6 +29,11 @@ KeyValues head(const TargetRequest &request, const TargetPlan &plan, const Cycle
     add(REPORT_TEXT("report", "Axis"), QString::fromStdString(program.axis));
     add(REPORT_TEXT("report", "Measurement travel"),
         language.sentence({REPORT_TEXT("report", "%1 to %2"), {from, to}, {}}));
+    if (request.zone)
+        add(REPORT_TEXT("report", "Zone, to be agreed"),
+            language.sentence({REPORT_TEXT("report", "%1 to %2"),
+                               {Number{request.zone->from, position, -1}, Number{request.zone->to, position, -1}},
+                               {}}));
     add(REPORT_TEXT("report", "Targets"),
         language.number(static_cast<double>(plan.targets.size()), Quantity::count));
     if (!plan.interval) {
@@ -90,29 +95,42 @@ Table table(const TargetPlan &plan, const TargetRequest &request, int first, int
     return result;
 }
 
+/// What is planned of one travel.
+void add(Report &report, const PlannedMeasurement &planned, const CycleProgram &program,
+         const Language &language) {
+    const auto &[request, plan] = planned;
+    report.blocks.emplace_back(head(request, plan, program, language));
+    const Quantity position = request.motion == Motion::linear ? Quantity::position : Quantity::angle;
+    const auto turning = [&](double target, Direction approach) {
+        return Number{turningPoint(program, target, approach), position, request.decimals};
+    };
+    report.blocks.emplace_back(Paragraph{
+        language.sentence({REPORT_TEXT("report", "The axis moves from %1 to %2."),
+                           {turning(plan.targets.front(), Direction::positive),
+                            turning(plan.targets.back(), Direction::negative)},
+                           {}})});
+    report.blocks.emplace_back(
+        Heading{2, language.text(REPORT_TEXT("report", "Readings, in the order they are taken"))});
+    for (int first = 0; first < program.runs; first += runsBeside)
+        report.blocks.emplace_back(
+            table(plan, request, first, std::min(program.runs, first + runsBeside), language));
+}
+
 } // namespace
 
-Report composePlan(const TargetRequest &request, const TargetPlan &plan, const CycleProgram &program,
+Report composePlan(std::span<const PlannedMeasurement> planned, const CycleProgram &program,
                    const Language &language) {
     Report report;
     report.language = language.code();
     report.title =
         language.sentence({REPORT_TEXT("report", "Plan of measurement, axis %1"), {program.axis}, {}});
     report.blocks.emplace_back(Heading{1, report.title});
-    report.blocks.emplace_back(head(request, plan, program, language));
-    const Message room{
-        REPORT_TEXT("report", "The axis moves from %1 to %2."),
-        {Number{plan.targets.empty() ? 0 : turningPoint(program, plan.targets.front(), Direction::positive),
-                request.motion == Motion::linear ? Quantity::position : Quantity::angle, request.decimals},
-         Number{plan.targets.empty() ? 0 : turningPoint(program, plan.targets.back(), Direction::negative),
-                request.motion == Motion::linear ? Quantity::position : Quantity::angle, request.decimals}},
-        {}};
-    report.blocks.emplace_back(Paragraph{language.sentence(room)});
-    report.blocks.emplace_back(
-        Heading{2, language.text(REPORT_TEXT("report", "Readings, in the order they are taken"))});
-    for (int first = 0; first < program.runs; first += runsBeside)
-        report.blocks.emplace_back(
-            table(plan, request, first, std::min(program.runs, first + runsBeside), language));
+    for (const PlannedMeasurement &part : planned) {
+        if (part.request.zone)
+            report.blocks.emplace_back(
+                Heading{1, language.text(REPORT_TEXT("report", "Full test of a zone of the long axis"))});
+        add(report, part, programOf(part, program), language);
+    }
     report.footerLeft = report.title;
     report.footerRight = language.text(REPORT_TEXT("report", "page %1 / %2"));
     return report;

@@ -8,13 +8,15 @@
 #include "report/blocks/report.h"
 
 #include <QString>
+#include <span>
 
 namespace palmer {
 
-/// The plan of a measurement as it is printed and taken to the machine: what was planned and how, and a table
-/// of the targets with an empty field for every reading, in the order they are taken.
-[[nodiscard]] Report composePlan(const TargetRequest &request, const TargetPlan &plan,
-                                 const CycleProgram &program, const Language &language);
+/// The plan of a measurement as it is printed and taken to the machine: of the travel, and of the zone of a
+/// long axis, what was planned and how, and a table of the targets with an empty field for every reading, in
+/// the order they are taken. `program`: of the first; its targets and runs are those of each plan.
+[[nodiscard]] Report composePlan(std::span<const PlannedMeasurement> planned, const CycleProgram &program,
+                                 const Language &language);
 
 /// The targets alone, one a line: number, tabulator, position with a decimal point.
 [[nodiscard]] QString targetList(const TargetPlan &plan, int decimals);

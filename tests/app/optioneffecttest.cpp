@@ -210,6 +210,8 @@ QStringList OptionEffectTest::valuesOf(const QString &name) const {
         {"--axis", {"Y"}},
         {"--travel", {"700"}},
         {"--from", {"100"}},
+        {"--range", {"-50:900"}},
+        {"--zone", {"100:600"}},
         {"--to", {"900"}},
         {"--interval", {"50"}},
         {"--reference", {"100"}},

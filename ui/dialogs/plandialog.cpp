@@ -10,13 +10,13 @@
 #include "kernel/evaluation/positioningcase.h"
 #include "language/decimals.h"
 #include "language/entry.h"
-#include "print/pdf/pages.h"
-#include "print/pdf/writepdf.h"
 #include "report/planreport.h"
 #include "ui/dialogs/cycleview.h"
 #include "ui/dialogs/limits.h"
 #include "ui/errorbox.h"
 #include "ui/model/documentmodel.h"
+#include "print/pdf/pages.h"
+#include "print/pdf/writepdf.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -24,6 +24,7 @@
 #include <QBuffer>
 #include <QComboBox>
 #include <QEvent>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -199,6 +200,8 @@ void PlanDialog::makeChoices(QWidget *parent) {
     m_motion = made(Field::Kind::choice, "motion", [this] {
         m_request.motion = m_motion->choice() == 0 ? Motion::linear : Motion::rotary;
         m_request.axisTravel.reset(); // was in the other unit
+        m_request.axisRange.reset();
+        m_request.zone.reset();
     });
     m_rule = made(Field::Kind::choice, "rule", [this] {
         m_request.rule = m_rule->choice() == 0 ? TargetRule::nominalInterval : TargetRule::pitches1988;
@@ -368,6 +371,12 @@ void PlanDialog::begin(std::size_t test) {
         m_request.travel = travel->to - travel->from;
     }
     m_request.axisTravel = measurement->axis.travel;
+    m_request.axisRange = measurement->axis.range;
+    if (measurement->zone && isLongAxis(*measurement)) {
+        m_request.zone = measurement->zone;
+        m_request.from = measurement->zone->from;
+        m_request.travel = measurement->zone->to - measurement->zone->from;
+    }
     m_request.period = measurement->targetChoice.period;
     m_request.seed = static_cast<std::uint64_t>(std::max(0LL, measurement->targetChoice.seed.value_or(1)));
     m_program.cycle = measurement->cycle.value_or(m_program.cycle);
@@ -377,7 +386,8 @@ void PlanDialog::begin(std::size_t test) {
 }
 
 void PlanDialog::replan() {
-    m_plan = planTargets(m_request);
+    m_plans = planMeasurements(m_request);
+    m_plan = m_plans.empty() ? TargetPlan() : m_plans.front().plan;
     m_program.motion = m_request.motion;
     m_program.targets = m_plan.targets;
     m_program.decimals = m_request.decimals;
@@ -451,11 +461,11 @@ QString PlanDialog::summary() const {
         text += tr("at the multiples of 90° and, at random, one in each %1 of the travel. The axis moves "
                    "from %2 to %3.")
                     .arg(random, from, to);
-    if (m_plan.runs == 1)
+    if (const auto zone = m_plans.back().request.zone; zone && m_plans.size() > 1)
         text += u' ' +
-                tr("A long axis: once each way over the whole travel, and a full test of an agreed zone of "
-                   "%1 besides.")
-                    .arg(language.quantity(longestShort(m_request.motion), position));
+                tr("A long axis: once each way over the whole travel, and a full test of a zone besides, "
+                   "planned from %1 to %2; the zone is to be agreed.")
+                    .arg(language.quantity(zone->from, position), language.quantity(zone->to, position));
     const auto *measurement = measured<PositioningMeasurement>(*m_model.document(), m_test);
     if (measurement && measurement->axis.range &&
         (low < measurement->axis.range->from || high > measurement->axis.range->to))
@@ -498,17 +508,19 @@ void PlanDialog::fillTest() {
 void PlanDialog::makeTest() {
     const std::size_t index = m_model.document()->tests.size();
     m_model.edit(QT_TRANSLATE_NOOP("edits", "add a planned test"), [&](Document &document) {
-        Test test = plannedTest(m_request, m_plan, m_program, m_edition);
-        if (document.instruments.size() == 1)
-            test.instruments = {document.instruments[0].id};
-        document.tests.push_back(std::make_shared<const Test>(std::move(test)));
+        for (const PlannedMeasurement &one : m_plans) {
+            Test test = plannedTest(one.request, one.plan, programOf(one, m_program), m_edition);
+            if (document.instruments.size() == 1)
+                test.instruments = {document.instruments[0].id};
+            document.tests.push_back(std::make_shared<const Test>(std::move(test)));
+        }
     });
     emit testMade(index);
     accept();
 }
 
 Report PlanDialog::report() const {
-    return composePlan(m_request, m_plan, m_program, windowLanguage());
+    return composePlan(m_plans, m_program, windowLanguage());
 }
 
 Dialect PlanDialog::dialect() const {
@@ -527,7 +539,15 @@ bool PlanDialog::write(const QString &path, const std::function<QByteArray()> &b
 }
 
 bool PlanDialog::saveProgram(const QString &path) {
-    return write(path, [this] { return partProgram(m_program, dialect(), windowLanguage()); });
+    return std::ranges::all_of(m_plans, [&](const PlannedMeasurement &one) {
+        const QFileInfo file(path);
+        const QString ending = file.suffix().isEmpty() ? QString() : u'.' + file.suffix();
+        const QString ofZone =
+            file.dir().filePath(file.completeBaseName() + QStringLiteral("-zone") + ending);
+        return write(one.request.zone && m_plans.size() > 1 ? ofZone : path, [&] {
+            return partProgram(programOf(one, m_program), dialect(), windowLanguage());
+        });
+    });
 }
 
 bool PlanDialog::savePlan(const QString &path) {

@@ -38,7 +38,7 @@ public:
     [[nodiscard]] const TargetPlan &plan() const { return m_plan; }
     [[nodiscard]] const CycleProgram &program() const { return m_program; }
 
-    /// Writes the part program of the dialect chosen; false, and a message, when that fails.
+    /// Writes the part program of the dialect chosen, of a long axis that of its zone beside it; false, and a message, when that fails.
     bool saveProgram(const QString &path);
     /// Writes the plan as a PDF; likewise.
     bool savePlan(const QString &path);
@@ -87,7 +87,8 @@ private:
     DocumentModel &m_model;
     std::size_t m_test;
     TargetRequest m_request;
-    TargetPlan m_plan;
+    std::vector<PlannedMeasurement> m_plans; ///< the travel, and of a long axis its zone
+    TargetPlan m_plan;                       ///< of the travel
     CycleProgram m_program;
     std::optional<int> m_runs; ///< chosen by the user; null: as the standard asks
     std::string m_edition;

@@ -7,6 +7,15 @@
 
 namespace palmer {
 
+CycleProgram programOf(const PlannedMeasurement &planned, CycleProgram program) {
+    program.motion = planned.request.motion;
+    program.decimals = planned.request.decimals;
+    program.targets = planned.plan.targets;
+    if (planned.request.zone)
+        program.runs = std::max(program.runs, planned.plan.runs);
+    return program;
+}
+
 double turningPoint(const CycleProgram &program, double target, Direction approach) {
     constexpr double noise = 1e-6; // of a step: 0.1 is no whole number of hundredths as a double
     const double steps = std::pow(10.0, program.decimals);

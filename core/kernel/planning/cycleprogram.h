@@ -23,6 +23,9 @@ struct CycleProgram {
     double approach = 1;        ///< mm or degrees beyond the target before it is approached, > 0
 };
 
+/// The program of another plan of the same measurement: its targets, and of a zone its runs.
+[[nodiscard]] CycleProgram programOf(const PlannedMeasurement &planned, CycleProgram program);
+
 /// A move of the axis: to a target, where it rests, or beyond one, to turn round.
 struct Move {
     double position = 0;      ///< mm or degrees

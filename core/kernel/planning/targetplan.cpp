@@ -29,10 +29,17 @@ private:
     std::mt19937_64 m_generator;
 };
 
-/// What the targets are counted for: the travel of a short axis reaches beyond that measured.
+/// What the targets are counted for: the travel of a short axis and a zone reach beyond that measured.
 double countedTravel(const TargetRequest &request) {
+    if (request.zone)
+        return std::max(request.travel, request.zone->to - request.zone->from);
     const double axis = request.axisTravel.value_or(0);
     return axis <= longestShort(request.motion) ? std::max(request.travel, axis) : request.travel;
+}
+
+/// The end of it is its beginning.
+bool isFullTurn(const TargetRequest &request) {
+    return request.motion == Motion::rotary && std::abs(request.travel - fullTurn) < 1e-9;
 }
 
 /// No more than `mostTargets` and one.
@@ -41,7 +48,7 @@ std::size_t numberOfTargets(const TargetRequest &request) {
     double wanted = 0;
     if (request.motion == Motion::linear)
         wanted = std::max(iso230_2::fewestTargets, std::ceil(request.perMetre * travel / 1000 - 1e-9));
-    else if (request.travel < fullTurn)
+    else if (request.travel < fullTurn || isFullTurn(request))
         wanted = iso230_2::targetsWithinATurn(travel);
     else // 8 a turn and the end
         wanted = std::ceil(iso230_2::targetsOfATurn * request.travel / fullTurn - 1e-9) + 1;
@@ -72,7 +79,7 @@ std::vector<double> drawnTargets(const TargetRequest &request, const TargetPlan 
     const bool pitches = byPitches(request, plan);
     for (std::size_t i = 0; i < count; ++i) {
         const double nominal = request.from + static_cast<double>(i) * *plan.interval;
-        double position = nominal + (2 * uniform.next() - 1) * plan.randomPart;
+        double position = nominal + 2 * uniform.next() * plan.randomPart;
         if (pitches) {
             // N whole pitches, the last of them that ends inside the travel
             const double pitch = *request.period;
@@ -91,8 +98,7 @@ std::vector<double> drawnQuarterTurns(const TargetRequest &request, const Target
                                       Uniform &uniform) {
     const double last = request.from + request.travel;
     std::vector<double> targets;
-    const bool oneTurn = std::abs(request.travel - fullTurn) < 1e-9; // its end is its beginning again
-    const double beyond = oneTurn ? last - 1e-9 : last + 1e-9;
+    const double beyond = isFullTurn(request) ? last - 1e-9 : last + 1e-9;
     const double first = std::ceil(request.from / iso230_2::quarterTurn - 1e-9);
     for (int i = 0; (first + i) * iso230_2::quarterTurn <= beyond; ++i)
         targets.push_back(rounded((first + i) * iso230_2::quarterTurn, request.from, last, request.decimals));
@@ -119,14 +125,43 @@ bool isAsAskedFor(const TargetRequest &request, const TargetPlan &plan, std::spa
                             : iso230_2::evenlySpaced(targets));
 }
 
-/// Once each way where the targets span a long axis wherever their random parts lead.
+/// Once each way where the axis is a long one; of unknown travel, where its targets span that of one wherever
+/// their random parts lead.
 int approaches(const TargetRequest &request, const TargetPlan &plan) {
-    if (!plan.interval)
+    if (!plan.interval || request.zone)
         return 5;
     // of pitches: up to one before the first target, two behind the last
-    const double lost = (byPitches(request, plan) ? 3 : 2) * plan.randomPart;
+    const double lost = (byPitches(request, plan) ? 3 : 4) * plan.randomPart;
     const double rounding = 2 * std::pow(10.0, -request.decimals);
-    return request.travel - lost - rounding > longestShort(request.motion) ? 1 : 5;
+    const double judged = std::max(request.axisTravel.value_or(0), request.travel - lost - rounding);
+    return judged > longestShort(request.motion) ? 1 : 5;
+}
+
+/// The nominal interval and the largest random part: the first target is the beginning and up to two random
+/// parts, so is what lies behind the last.
+void space(const TargetRequest &request, std::size_t count, TargetPlan &plan) {
+    const auto steps = static_cast<double>(count - 1);
+    if (request.rule == TargetRule::pitches1988 && request.period &&
+        *request.period <= iso230_2::randomShare * request.travel / steps) {
+        plan.interval = request.travel / steps;
+        plan.randomPart = *request.period;
+        return;
+    }
+    const bool turn = isFullTurn(request); // the way from the last target to the first is a step, too
+    const auto intervalFor = [&](double randomPart) {
+        return turn ? request.travel / static_cast<double>(count) : (request.travel - 2 * randomPart) / steps;
+    };
+    const double share = iso230_2::randomShare;
+    plan.interval = turn ? intervalFor(0) : request.travel / (steps + 2 * share);
+    plan.randomPart = share * *plan.interval;
+    for (const double part : {1.0, 0.5}) {
+        const double randomPart = part * request.period.value_or(request.travel);
+        if (randomPart > share * intervalFor(randomPart))
+            continue;
+        plan.interval = intervalFor(randomPart);
+        plan.randomPart = randomPart;
+        return;
+    }
 }
 
 } // namespace
@@ -148,9 +183,7 @@ TargetPlan planTargets(const TargetRequest &request) {
                                       std::ceil(iso230_2::fewestFurther * request.travel / fullTurn - 1e-9));
         plan.randomPart = request.travel / parts;
     } else {
-        plan.interval = request.travel / static_cast<double>(count - 1);
-        const double most = iso230_2::randomShare * *plan.interval;
-        plan.randomPart = std::min(request.period.value_or(most), most);
+        space(request, count, plan);
         plan.boundOf2006 = rule1988 && !byPitches(request, plan);
     }
     plan.runs = approaches(request, plan);
@@ -164,6 +197,44 @@ TargetPlan planTargets(const TargetRequest &request) {
         }
     }
     return plan;
+}
+
+TargetRequest withinAxis(TargetRequest request, const Interval &ends, double approach) {
+    const double length = ends.to - ends.from;
+    const bool endless = request.motion == Motion::rotary && length >= fullTurn;
+    const bool quarters = request.motion == Motion::rotary && request.rule == TargetRule::pitches1988;
+    const double room = endless || quarters || length <= 2 * approach ? 0 : approach;
+    request.from = ends.from + room;
+    request.travel = length - 2 * room;
+    request.axisTravel = length;
+    request.axisRange.reset();
+    if (quarters && !endless) {
+        request.axisRange = Interval{ends.from - approach, ends.to + approach};
+        request.axisTravel = length + 2 * approach;
+    } else if (!endless) {
+        request.axisRange = ends;
+    }
+    return request;
+}
+
+std::vector<PlannedMeasurement> planMeasurements(const TargetRequest &request,
+                                                 const std::optional<Interval> &zone) {
+    std::vector<PlannedMeasurement> result{{request, planTargets(request)}};
+    if (result.front().plan.targets.empty())
+        return {};
+    if (result.front().plan.runs != 1)
+        return result;
+    const double scale = std::pow(10.0, request.decimals);
+    const double length = longestShort(request.motion);
+    const double middle = request.from + request.travel / 2;
+    const double begin = std::round((middle - length / 2) * scale) / scale;
+    TargetRequest full = request;
+    full.zone = zone.value_or(Interval{begin, begin + length});
+    full.from = std::max(full.zone->from, request.from);
+    full.travel = std::min(full.zone->to, request.from + request.travel) - full.from;
+    full.perMetre = std::max(request.perMetre, iso230_2::targetsOfAMetre);
+    result.push_back({full, planTargets(full)});
+    return result;
 }
 
 std::vector<Stop> measuringCycle(std::size_t targets, int runs, Cycle cycle) {

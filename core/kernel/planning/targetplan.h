@@ -22,6 +22,8 @@ struct TargetRequest {
     std::optional<double> period; ///< of the cyclic errors (pitch), > 0; null: unknown
     /// Of the axis, where it is stated: that of a short axis is what the number of targets is asked for.
     std::optional<double> axisTravel = {};
+    std::optional<Interval> axisRange = {}; ///< ends of the axis, where they are stated
+    std::optional<Interval> zone = {};      ///< of a long axis: what is planned is the full test in it
     int decimals = 3; ///< of the positions: the resolution of the axis, 0 … 9
     std::uint64_t seed = 1;
 };
@@ -38,24 +40,43 @@ struct TargetPlan {
     bool boundOf2006 = false;
 };
 
+/// A request and what it gave.
+struct PlannedMeasurement {
+    TargetRequest request;
+    TargetPlan plan;
+};
+
 /// Most targets of one plan.
 inline constexpr std::size_t mostTargets = 10'000;
 
 /// The targets of a test, after the rules of ISO 230-2 (positioning of linear axes: 4.2, 4.3.2).
 ///
-/// Number: linear max(5, ⌈perMetre · travel in metres⌉); rotary 3 up to 90°, 5 up to 180°, 8 above, from a
-/// full turn on 8 a turn and the end. Random part: new for every target, uniform within ± the period, and
-/// never beyond ± 30 % of the interval, which holds where the period is unknown and keeps the targets apart
-/// where it is long (a rule of 2006, which 1988 has none in place of: the plan says so); 1988 within [0, p)
-/// after the N-th pitch. 1988, rotary of any travel: all multiples of 90° of the travel, and one chosen
-/// freely in each third of it, of longer ones in each third of a turn. All targets lie inside the measurement
-/// travel (r clipped at its ends) and are rounded to the resolution towards its inside. The same seed gives
+/// Number: linear max(5, ⌈perMetre · travel in metres⌉); rotary 3 up to 90°, 5 up to 180°, 8 above, beyond a
+/// full turn 8 a turn and the end. Random part: new for every target, uniform within ± the period, or half
+/// of it, so that each phase of the periodic error is as likely, and never beyond ± 30 % of the interval,
+/// which holds where the period is unknown and keeps the targets apart where it is long (a rule of 2006,
+/// which 1988 has none in place of: the plan says so); 1988 within [0, p) after the N-th pitch. 1988, rotary
+/// of any travel: all multiples of 90° of the travel, and one chosen freely in each third of it, of longer
+/// ones in each third of a turn. All targets lie inside the measurement travel, whose ends the nominal
+/// interval leaves room for, so that every random part is free; the end of a full turn is its beginning and
+/// has no target of its own. They are rounded to the resolution towards its inside. The same seed gives
 /// the same plan on every machine. Approaches: 5 each way; 1 over more than 2 000 mm or 360° (1988: mm),
-/// where the standard asks for a full test of an agreed zone besides. That the random parts may leave less
-/// than that is allowed for. A plan meets what its edition asks of targets and approaches: random parts are
+/// where the standard asks for a full test of an agreed zone besides, of which 5. That the random parts may
+/// leave less than that is allowed for where the travel of the axis is not stated. A plan meets what its edition asks of targets and approaches: random parts are
 /// drawn anew until it does. Bad input (travel or number not positive, not finite, more than 10 000 targets,
 /// a resolution too coarse to tell the targets apart) gives a plan without targets.
 [[nodiscard]] TargetPlan planTargets(const TargetRequest &request);
+
+/// The request for an axis with these ends, which approaches its targets from both sides: between them with
+/// the approach distance on either side. A rotary axis of a full turn and more has no ends; that of quarter
+/// turns (1988) is to reach both, and its ends lie beyond.
+[[nodiscard]] TargetRequest withinAxis(TargetRequest request, const Interval &ends, double approach);
+
+/// All that an axis is to be measured for: the travel asked for, and of a long axis the full test of a zone of
+/// 2 000 mm (360°) besides, which lies in the middle where none is asked for. None where the request has no
+/// answer. 1988 has no long rotary axes.
+[[nodiscard]] std::vector<PlannedMeasurement> planMeasurements(const TargetRequest &request,
+                                                               const std::optional<Interval> &zone = {});
 
 /// One stop of the measuring cycle: which target is approached from which side in which run, from 0.
 struct Stop {

@@ -7,6 +7,7 @@
 #include "report/blocks/plaintext.h"
 
 #include <QTest>
+#include <array>
 
 using namespace palmer;
 
@@ -53,7 +54,8 @@ QString value(const Report &report, const char *key) {
 }
 
 Report composed(const TargetRequest &request, const TargetPlan &plan, const CycleProgram &program) {
-    return composePlan(request, plan, program, Language(Language::Id::english));
+    return composePlan(std::array{PlannedMeasurement{request, plan}}, programOf({request, plan}, program),
+                       Language(Language::Id::english));
 }
 
 } // namespace
