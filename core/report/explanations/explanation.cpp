@@ -8,6 +8,8 @@
 #include "kernel/evaluation/iso230_2/parameters.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
+#include "language/rounding.h"
+#include "report/explanations/arithmetic.h"
 #include "report/explanations/circularexplanation.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
@@ -16,6 +18,8 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <span>
+#include <utility>
 
 namespace palmer {
 
@@ -120,11 +124,16 @@ public:
         result.id = QString::fromStdString(parameterId(m_parameter));
         result.symbol = symbolFormula(m_parameter.term.symbol, m_parameter.index);
         result.name = m_language.text(m_parameter.term.name);
-        result.formula = filled(m_recipe.formula);
+        result.formula = filled(m_recipe.formula, {});
         if (m_parameter.value) {
+            const std::vector<int> decimals = decimalsOfSides();
+            std::span<const int> left = decimals;
             for (const char *step : m_recipe.steps) {
-                if (step)
-                    result.steps.push_back(filled(step));
+                if (!step)
+                    continue;
+                const auto sides = static_cast<std::size_t>(sidesOf(step).size());
+                result.steps.push_back(filled(step, left.first(sides)));
+                left = left.subspan(sides);
             }
             result.result = result.symbol.plain() + QStringLiteral(" = ") + shownResult();
         }
@@ -160,13 +169,73 @@ private:
 
     // ---- Formulas ----------------------------------------------------------------------------------------
 
-    /// The recipe's formula with everything put in.
-    [[nodiscard]] Formula filled(const char *recipe) const {
+    /// What stands between the equals signs of a step and has numbers.
+    [[nodiscard]] static QStringList sidesOf(const char *step) {
+        QString text = QString::fromUtf8(step);
+        const QString result = QStringLiteral("[=]");
+        QStringList sides = text.replace(result, QStringLiteral("[]")).split(u'=');
+        sides.removeIf([](const QString &side) { return !side.contains(u'['); });
+        return sides.replaceInStrings(QStringLiteral("[]"), result);
+    }
+
+    /// The numbers of a side with that many decimals, as a calculation.
+    [[nodiscard]] Calculation calculatedSide(const QString &side, int decimals) const {
+        QString text;
+        for (qsizetype i = 0; i < side.size(); ++i) {
+            if (side[i] == u'%') {
+                const double c = side[++i] == u'c' ? m_c : 2 * m_c;
+                text += QString::number(side[i] == u'm' ? static_cast<double>(m_results.targets.size()) : c);
+            } else if (side[i] == u'[') {
+                const qsizetype end = side.indexOf(u']', i);
+                const auto value = numberOf(side.mid(i + 1, end - i - 1));
+                text += QString::fromStdString(
+                    Decimal(value.value_or(0), m_parameter.term.quantity).rounded(decimals));
+                i = end;
+            } else {
+                text += side[i];
+            }
+        }
+        return calculated(text);
+    }
+
+    /// Digits of the numbers of each side: as statistics have them, and more where the calculation as it is
+    /// printed would not come to what is printed behind it.
+    [[nodiscard]] std::vector<int> decimalsOfSides() const {
+        QStringList sides;
+        for (const char *step : m_recipe.steps)
+            sides += step ? sidesOf(step) : QStringList();
+        std::vector<int> decimals(static_cast<std::size_t>(sides.size()), m_printed.decimals);
+        for (qsizetype i = sides.size() - 2; i >= 0; --i) {
+            const int behind = decimals[static_cast<std::size_t>(i) + 1];
+            const Calculation expected = calculatedSide(sides[i + 1], behind);
+            const bool chooses =
+                sides[i].contains(QStringLiteral("max([")) || sides[i].contains(QStringLiteral("min(["));
+            const int fewest = chooses ? m_printed.decimals : m_decimals;
+            constexpr int most = 6; // more: the digits are a tie
+            int &used = decimals[static_cast<std::size_t>(i)];
+            for (used = fewest; used < fewest + most; ++used) {
+                if (comesTo(calculatedSide(sides[i], used), expected, behind))
+                    break;
+            }
+        }
+        return decimals;
+    }
+
+    /// What is bracketed, or chosen from, beside its number on the other side; else the whole.
+    [[nodiscard]] static bool comesTo(const Calculation &left, const Calculation &right, int decimals) {
+        const double half = (0.5 + 1e-6) * std::pow(10.0, -decimals);
+        const auto equal = [half](double a, double b) { return std::abs(a - b) <= half; };
+        return left.isGrouped && left.terms.size() == right.terms.size()
+                   ? std::ranges::equal(left.terms, right.terms, equal)
+                   : equal(left.value, right.value);
+    }
+
+    /// The recipe's formula with everything put in; decimals of the numbers of each side.
+    [[nodiscard]] Formula filled(const char *recipe, std::span<const int> decimals) const {
         Formula result;
         const QString source = QString::fromUtf8(recipe);
-        const bool chooses =
-            source.contains(QStringLiteral("max([")) || source.contains(QStringLiteral("min(["));
-        const int decimals = chooses ? m_printed.decimals : m_decimals;
+        std::size_t side = 0;
+        bool hasNumbers = false;
         QString plain;
         const auto flush = [&] {
             const Formula piece = formulaFrom(plain);
@@ -185,8 +254,12 @@ private:
                 const qsizetype end = source.indexOf(u']', i);
                 const bool afterSign = endsInSign(plain);
                 flush();
-                addNumber(result, source.mid(i + 1, end - i - 1), decimals, afterSign);
+                addNumber(result, source.mid(i + 1, end - i - 1), decimals[side], afterSign);
+                hasNumbers = true;
                 i = end;
+            } else if (source[i] == u'=') {
+                side += std::exchange(hasNumbers, false) ? 1 : 0;
+                plain += source[i];
             } else if (source[i] == u';' && m_language.id() == Language::Id::french) {
                 plain += QStringLiteral("\u202f;");
             } else {
@@ -224,22 +297,32 @@ private:
         return before.endsWith(u'+') || before.endsWith(u'−') || before.endsWith(u'·');
     }
 
+    /// What a name in a recipe stands for.
+    [[nodiscard]] std::optional<double> numberOf(QString id) const {
+        if (id == QStringLiteral("="))
+            return m_parameter.value;
+        const std::size_t which = id.endsWith(u'\'') ? 1 : 0;
+        id = statisticOf(std::move(id));
+        return id.startsWith(u'Σ')   ? sum(id.mid(1).toStdString())
+               : id.startsWith(u'^') ? largest(id.mid(1).toStdString())
+               : target(which)       ? valueOf(id.toStdString(), *target(which), m_c)
+                                     : std::nullopt;
+    }
+    /// The statistic it names: of the direction that rules where it does not say.
+    [[nodiscard]] QString statisticOf(QString id) const {
+        const std::size_t which = id.endsWith(u'\'') ? 1 : 0;
+        id.chop(static_cast<qsizetype>(which));
+        const bool up = QString::fromUtf8(arrow(m_parameter.ruling[which])) == QStringLiteral("↑");
+        return id.replace(u'*', up ? u'+' : u'-');
+    }
+
     void addNumber(Formula &formula, QString id, int decimals, bool afterSign) const {
         if (id == QStringLiteral("=")) {
             formula.spans.push_back({shownResult(), false, true});
             return;
         }
-        const std::size_t which = id.endsWith(u'\'') ? 1 : 0;
-        if (which == 1)
-            id.chop(1);
-        if (id.contains(u'*')) {
-            const bool up = QString::fromUtf8(arrow(m_parameter.ruling[which])) == QStringLiteral("↑");
-            id.replace(u'*', up ? u'+' : u'-');
-        }
-        const std::optional<double> value = id.startsWith(u'Σ')   ? sum(id.mid(1).toStdString())
-                                            : id.startsWith(u'^') ? largest(id.mid(1).toStdString())
-                                            : target(which) ? valueOf(id.toStdString(), *target(which), m_c)
-                                                            : std::nullopt;
+        const std::optional<double> value = numberOf(id);
+        id = statisticOf(std::move(id));
         FormulaSpan span{value ? shown(*value, decimals) : QStringLiteral("–"), false, true};
         if (id.endsWith(u'+'))
             span.approach = Direction::positive;

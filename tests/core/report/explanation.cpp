@@ -8,7 +8,9 @@
 #include "report/results.h"
 #include "report/tables/resulttable.h"
 
+#include <QRegularExpression>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <random>
 
@@ -37,6 +39,39 @@ QString steps(const Explanation &explanation) {
 }
 
 } // namespace
+
+/// What a printed calculation comes to; brackets are replaced from the inside outwards.
+double comesTo(QString text) {
+    static const QRegularExpression inner(R"((max|min)?\(([^()]*)\)|\|([^|()]*)\|)");
+    for (auto match = inner.match(text); match.hasMatch(); match = inner.match(text)) {
+        const QString kind = match.captured(1);
+        double value = 0;
+        if (match.capturedLength(3) > 0) {
+            value = std::abs(comesTo(match.captured(3)));
+        } else {
+            std::vector<double> values;
+            for (const QString &one : match.captured(2).split(u"; "_s))
+                values.push_back(comesTo(one));
+            value = kind == "max"_L1 ? std::ranges::max(values) : std::ranges::min(values);
+        }
+        QString shown = QString::number(value, 'f', 12);
+        text.replace(match.capturedStart(), match.capturedLength(), shown.replace(u'-', u'−'));
+    }
+    const auto product = [](const QString &factors) {
+        double result = 1;
+        for (const QString &factor : factors.split(u'·')) {
+            QStringList parts = QString(factor).replace(u'−', u'-').split(u'/');
+            result *= parts.takeFirst().toDouble();
+            for (const QString &divisor : parts)
+                result /= divisor.toDouble();
+        }
+        return result;
+    };
+    double sum = 0;
+    for (const QString &part : text.replace(u" − "_s, u" + -1·"_s).split(u" + "_s))
+        sum += product(part);
+    return sum;
+}
 
 /// 36 points a sense on R 100: +3 µm at 0° and 180°, −2 µm at ±90°, clockwise 1 µm less; hence G = 5 µm about
 /// the programmed centre, exactly.
@@ -266,6 +301,49 @@ private slots:
             }
         }
         QVERIFY(count >= 100);
+    }
+
+    /// Whoever does the sum that is printed comes to what is printed behind it.
+    void printedSumsHold() {
+        std::mt19937 random(11);
+        std::normal_distribution<double> noise;
+        static const QRegularExpression word("\\p{L}");
+        int sums = 0;
+        for (int round = 0; round < 40; ++round) {
+            for (const Edition *edition : editions()) {
+                if (edition->kind != Kind::positioning)
+                    continue;
+                const double scale = std::pow(10.0, round % 5 - 2);
+                std::vector<std::vector<double>> runs[2];
+                for (int run = 0; run < 10; ++run) {
+                    std::vector<double> &readings = runs[run % 2].emplace_back();
+                    for (int i = 0; i < 6; ++i)
+                        readings.push_back(scale * (noise(random) + (run % 2) + i % 3));
+                }
+                const EvaluatedDocument evaluated = evaluatedDocument(
+                    positioningTest(edition->word, {0, 100, 210, 290, 400, 500}, runs[0], runs[1]));
+                for (const Parameter &parameter : evaluated.tests[0]->parameters) {
+                    const auto shown =
+                        explanation(evaluated, 0, parameterId(parameter), Language(Language::Id::english));
+                    QStringList sides = steps(*shown).replace(u'\n', u' ').split(u" = "_s);
+                    for (QString &side : sides)
+                        side = side.section(u'\u00a0', 0, 0).remove(u"= "_s).remove(u'\u202f');
+                    for (qsizetype i = 1; i < sides.size(); ++i) {
+                        if (QString(sides[i - 1]).remove("max"_L1).remove("min"_L1).contains(word))
+                            continue;
+                        const auto decimals = sides[i].section(u'.', -1).count(QRegularExpression("[0-9]"));
+                        // Each of its numbers is rounded.
+                        const auto numbers = static_cast<double>(sides[i].count(u'.'));
+                        const double half =
+                            (0.5 + 1e-6) * numbers * std::pow(10.0, -static_cast<double>(decimals));
+                        QVERIFY2(std::abs(comesTo(sides[i - 1]) - comesTo(sides[i])) <= half,
+                                 qPrintable(steps(*shown)));
+                        ++sums;
+                    }
+                }
+            }
+        }
+        QVERIFY(sums > 4000);
     }
 
     void barsShowTheTargetThatRules() {
