@@ -48,7 +48,7 @@ void Simulator::start(const EvaluatedDocument &evaluated, std::vector<std::size_
 bool Simulator::startMissing(const EvaluatedDocument &evaluated) {
     std::vector<std::size_t> tests;
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
-        if (isSimulationDue(evaluated, i, SimulateWhich::allWithBudget))
+        if (isSimulationDue(evaluated, i, SimulateWhich::forReport))
             tests.push_back(i);
     }
     if (tests.empty())

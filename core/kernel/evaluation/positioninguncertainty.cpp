@@ -28,16 +28,21 @@ const TargetStatistics &targetOf(const Ruling &ruling, Targets targets) {
     return targets[static_cast<std::size_t>(ruling.target) - 1];
 }
 
-/// The fewest readings at any target, in the directions the parameter looks at.
-RulingReadings fewest(const Row &row, Targets targets) {
-    int n = std::numeric_limits<int>::max();
+/// A mean over the targets, safe side: as if the target alone ruled whose readings leave it the least
+/// certain, in the directions the parameter looks at.
+Rulers leastCertain(const Row &row, const Coefficients &coefficients, Targets targets, double c) {
+    Rulers result;
+    double most = -1;
     for (const TargetStatistics &target : targets) {
-        if ((row.needs & upward) != 0)
-            n = std::min(n, target.positive.n);
-        if ((row.needs & downward) != 0)
-            n = std::min(n, target.negative.n);
+        const int up = (row.needs & upward) != 0 ? target.positive.n : target.negative.n;
+        const int down = (row.needs & downward) != 0 ? target.negative.n : target.positive.n;
+        const Rulers here{{up, down, {}}, {up, down, {}}, false};
+        if (const double factor = coefficients.ofEnvironment(here, c); factor > most) {
+            most = factor;
+            result = here;
+        }
     }
-    return {n, n, std::nullopt};
+    return result;
 }
 
 /// The direction by which R_i is as large as it is; null: both together with B_i.
@@ -55,10 +60,11 @@ Direction directionOfMean(const TargetStatistics &target, bool larger) {
                                                                     : Direction::negative;
 }
 
-Rulers rulersOf(const Parameter &p, const Row &row, Targets targets, double c) {
+Rulers rulersOf(const Parameter &p, const Row &row, const Coefficients &coefficients, Targets targets,
+                double c) {
     const auto &[first, second] = p.ruling;
     if (!first)
-        return {fewest(row, targets), fewest(row, targets), false};
+        return leastCertain(row, coefficients, targets, c);
     const auto end = [&](const Ruling &ruling) {
         const TargetStatistics &target = targetOf(ruling, targets);
         return RulingReadings{target.positive.n, target.negative.n, ruling.approach};
@@ -225,7 +231,7 @@ void addPositioningBudget(TestEvaluation &evaluation, const PositioningMeasureme
         const Coefficients *coefficients = palmer::coefficients(p.term.id);
         if (!p.value || !coefficients || !row)
             continue;
-        const Rulers rulers = rulersOf(p, *row, targets, c);
+        const Rulers rulers = rulersOf(p, *row, *coefficients, targets, c);
         p.budgetUncertainty = combined(*coefficients, *uncertainty.systematic, *environmental, rulers, c);
         if (!coefficients->systematic || !p.budgetUncertainty)
             continue;

@@ -60,7 +60,7 @@ double repeatability(const Rulers &r, double c) {
 
 /// The mean of R_i↑ or R_i↓ over the targets, safe side: as if one target and direction ruled.
 double meanRepeatability(const Rulers &r, double c) {
-    return 4 * c * c * ofScatter(r.upper.positive);
+    return 4 * c * c * std::max(ofScatter(r.upper.positive), ofScatter(r.upper.negative));
 }
 
 /// x̄↑ − x̄↓.

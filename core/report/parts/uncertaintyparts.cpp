@@ -2,10 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/parts/uncertaintyparts.h"
 
+#include "document/evaluateddocument.h"
 #include "figures/budgetfigure.h"
 #include "figures/driftfigure.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/decideuncertainty.h"
+#include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
 #include "language/rounding.h"
 #include "report/words/kindwords.h"
@@ -331,6 +333,12 @@ QString methodText(const TestPart &part, std::optional<int> before) {
         addMethodsAsFor(words, part, *before);
     else
         addMethods(words, part);
+    if (!uncertainty.simulation && uncertainty.wantsSimulation() && isTooLargeUnasked(part.test))
+        words << write.language().sentence(
+            {REPORT_TEXT_COUNTED("report", "Not simulated: %n reading(s); the method Monte Carlo "
+                                           "(--uncertainty monteCarlo) does it."),
+             {},
+             static_cast<int>(readingsOf(part.test))});
     if (uncertainty.simulation) {
         const QString differing =
             uncertainty.simulation->mayDecide() ? symbolsOf(part, methodsDiffer) : QString();

@@ -52,7 +52,7 @@ private slots:
             row(id, oneEnd, false, 4.0 * 4 / 4);
         }
         for (const char *id : {"r", "r+", "r-"})
-            row(id, oneEnd, false, 4.0 * 4 / 4);
+            row(id, bothDirections, false, 4.0 * 4 / 2); // the fewer
         for (const char *id : {"B", "Bmean", "Umax", "Umean"})
             row(id, bothDirections, false, means);
         row("P", twoTargets, true, means + 4 * 2 * scatters / 4);

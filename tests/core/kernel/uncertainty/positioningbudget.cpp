@@ -160,8 +160,8 @@ void PositioningBudgetTest::runsOfTheRulingTarget() {
     QCOMPARE(parameter(gap, "R+")->ruling[0]->target, 2);
     COMPARE_NEAR(uncertainty(whole, "R+"), 4 / std::sqrt(4.0) * 1.8, 1e-12);
     COMPARE_NEAR(uncertainty(gap, "R+"), 4 / std::sqrt(3.0) * 1.8, 1e-12);
-    // The mean over all targets: the fewest of all.
-    COMPARE_NEAR(uncertainty(gap, "Bmean"), std::sqrt(2.0 / 4) * 1.8, 1e-12);
+    // The mean over all targets: the one of 4 ↑ and 5 ↓ as if it ruled.
+    COMPARE_NEAR(uncertainty(gap, "Bmean"), std::sqrt(1 / 4.0 + 1 / 5.0) * 1.8, 1e-12);
 }
 
 void PositioningBudgetTest::oneDirectionRulesR() {
@@ -211,10 +211,13 @@ void PositioningBudgetTest::unequalRuns_data() {
     QTest::newRow("R↑: target 2") << iso << "R+" << 16 / 3.0;
     QTest::newRow("R: target 2, both") << iso << "R" << 1 / 4.0 + 1 / 3.0 + 4 * (1 / 3.0 + 1 / 2.0);
     QTest::newRow("B: target 2") << iso << "B" << 1 / 4.0 + 1 / 3.0;
-    QTest::newRow("B̄: the fewest of all") << iso << "Bmean" << 2 / 2.0;
+    QTest::newRow("B̄: target 3, safe side") << iso << "Bmean" << 1 / 2.0 + 1 / 6.0;
+    QTest::newRow("r̄: 3↑, safe side") << "ISO 230-2:1988" << "r" << 36 / 1.0;
+    QTest::newRow("r̄↓: 2↓, safe side") << "ISO 230-2:1988" << "r-" << 36 / 2.0;
     const char *vdi = "VDI/DGQ 3441:1977";
     QTest::newRow("Umax: target 2") << vdi << "Umax" << 1 / 4.0 + 1 / 3.0;
     QTest::newRow("Psmax: target 2") << vdi << "Psmax" << 9 * (1 / 3.0 + 1 / 2.0);
+    QTest::newRow("Psmean: target 3, safe side") << vdi << "Psmean" << 9 * (1 / 1.0 + 1 / 5.0);
     QTest::newRow("P: 3↑ and 1↓") << vdi << "P"
                                   << 1 / 2.0 + 1 / 5.0 + 9 / 4.0 * (1 / 1.0 + 1 / 5.0 + 1 / 4.0 + 1 / 5.0);
     QTest::newRow("Pa: targets 3 and 1") << vdi << "Pa" << (1 / 2.0 + 1 / 6.0 + 1 / 6.0 + 1 / 5.0) / 4;
