@@ -9,6 +9,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
 #include <QLockFile>
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -46,6 +47,13 @@ std::optional<FileState> stateIn(const json &head) {
     state.modified = QDateTime::fromString(text("modified"), Qt::ISODateWithMs);
     state.hash = QByteArray::fromHex(text("hash").toLatin1());
     return state;
+}
+
+/// By a program that lives.
+bool isHeld(const QString &copy) {
+    QLockFile lock(recoveryLock(copy));
+    lock.setStaleLockTime(0); // it keeps it however long
+    return !lock.tryLock(0);
 }
 
 } // namespace
@@ -93,20 +101,26 @@ Recovery readRecovery(const QByteArray &bytes) {
 std::vector<Recovery> abandonedRecoveries(const QString &folder) {
     std::vector<Recovery> found;
     const QDir directory(folder);
-    for (const QString &name :
-         directory.entryList({QStringLiteral("*.") + QLatin1StringView(suffix)}, QDir::Files)) {
+    const QString copies = QStringLiteral("*.") + QLatin1StringView(suffix);
+    for (const QString &name : directory.entryList({copies}, QDir::Files)) {
         const QString path = directory.filePath(name);
-        QLockFile lock(recoveryLock(path));
-        lock.setStaleLockTime(0); // a living program keeps it however long
-        if (!lock.tryLock(0))
+        if (isHeld(path))
             continue;
+        Recovery recovery;
         try {
-            Recovery recovery = readRecovery(readBytes(path));
-            recovery.file = path;
-            found.push_back(std::move(recovery));
-        } catch (const Error &) {
-            continue; // left for whoever can read it: nothing is thrown away unseen
+            recovery = readRecovery(readBytes(path));
+        } catch (const Error &error) {
+            recovery.origin.saved = QFileInfo(path).lastModified().toUTC();
+            recovery.refusal = error;
         }
+        recovery.file = path;
+        found.push_back(std::move(recovery));
+    }
+    for (const QString &name : directory.entryList({copies + QStringLiteral(".??????")}, QDir::Files)) {
+        const QString part = directory.filePath(name); // as QSaveFile names what it is writing
+        const QString path = part.first(part.lastIndexOf(u'.'));
+        if (!isHeld(path))
+            QFile::remove(part);
     }
     std::ranges::stable_sort(
         found, [](const Recovery &a, const Recovery &b) { return a.origin.saved > b.origin.saved; });

@@ -24,12 +24,13 @@ struct RecoveryOrigin {
     std::optional<FileState> file = {}; ///< of the user's file as the document knew it
 };
 
-/// A copy found, and what it holds; `document` is never null.
+/// A copy found, and what it holds.
 struct Recovery {
     QString file; ///< the copy itself
     RecoveryOrigin origin;
-    std::shared_ptr<const Document> document;
-    QString title; ///< of report or machine, to know it by
+    std::shared_ptr<const Document> document; ///< null: it cannot be read
+    QString title;                            ///< of report or machine, to know it by
+    std::optional<Error> refusal = {};        ///< why it cannot be read; its origin says the time of the file
 };
 
 /// What the user's file was when the document was read from it or saved to it last. Copies of former versions
@@ -42,7 +43,8 @@ struct Recovery {
 /// Throws Error for what is no such copy.
 [[nodiscard]] Recovery readRecovery(const QByteArray &bytes);
 
-/// The copies in that folder whose programs are gone, the latest first. Unreadable ones are passed over.
+/// The copies in that folder whose programs are gone, the latest first; those that cannot be read, too. What
+/// such a program left of a copy it was writing is removed.
 [[nodiscard]] std::vector<Recovery> abandonedRecoveries(const QString &folder);
 
 /// Removes a copy and its lock.

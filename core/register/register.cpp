@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/register.h"
 
+#include <QFile>
+#include <QFileInfo>
 #include <QStandardPaths>
 #include <array>
 #include <span>
@@ -60,6 +62,7 @@ constexpr int newest = static_cast<int>(schemaSteps.size());
 
 Register::Register(const QString &address, Open open)
     : m_address(address)
+    , m_newFile(address)
     , m_database(address) {
     if (m_database.isServer()) {
         // A place of its own beside what else the database holds.
@@ -70,6 +73,17 @@ Register::Register(const QString &address, Open open)
         rebuild();
     else
         makeSchema();
+    m_newFile.keep();
+}
+
+Register::NewFile::NewFile(const QString &address)
+    : m_path(isServerAddress(address) || QFileInfo::exists(address) ? QString() : address) {}
+
+Register::NewFile::~NewFile() {
+    if (m_path.isEmpty())
+        return;
+    for (const char *part : {"", "-wal", "-shm", "-journal"})
+        QFile::remove(m_path + QLatin1StringView(part));
 }
 
 QString Register::standardPath() {

@@ -34,7 +34,21 @@ private:
     [[nodiscard]] int schemaVersion();
     [[nodiscard]] std::vector<QVariantList> keptIntervals();
 
+    /// The file of a register that could not be made goes again.
+    class NewFile {
+    public:
+        explicit NewFile(const QString &address);
+        ~NewFile();
+        NewFile(const NewFile &) = delete;
+        NewFile &operator=(const NewFile &) = delete;
+        void keep() { m_path.clear(); }
+
+    private:
+        QString m_path; ///< empty: it was there before, or is on a server
+    };
+
     QString m_address;
+    NewFile m_newFile; ///< lives longer than what has it open
     Database m_database;
 };
 

@@ -76,6 +76,7 @@ private slots:
     void aReportIsAPlaceOfItsTest();
     void killedItGoesOn();
     void aFullDiskLosesNothing();
+    void aFullDiskLeavesNoEmptyRegister();
     void theHistoryIsPrinted();
     void theNumberOfAHistory_data();
     void theNumberOfAHistory();
@@ -327,6 +328,28 @@ void RegisterCommandTest::aFullDiskLosesNothing() {
     QVERIFY(reg({"list", "--json"}).out.size() >= before.size());
     QCOMPARE(reg({"scan", folder}).code, 0);
     QCOMPARE(reg({"list", "--json"}).out.count('\n'), 280);
+}
+
+/// Of a register that could not be made nothing is left, with room for nothing and for some of it.
+void RegisterCommandTest::aFullDiskLeavesNoEmptyRegister() {
+    for (const rlim_t limit : {rlim_t{0}, rlim_t{5000}, rlim_t{20'000}}) {
+        const QString folder = m_dir->filePath("full");
+        QVERIFY(QDir().mkpath(folder));
+        QProcess process;
+        process.setChildProcessModifier([limit] {
+            const rlimit most{limit, limit};
+            ::setrlimit(RLIMIT_FSIZE, &most);
+        });
+        process.start(PALMER_CLI, {"register", "scan", files(), "--register", folder + "/new.sqlite"});
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitStatus(), QProcess::NormalExit);
+        QCOMPARE(process.exitCode(), 3);
+        QCOMPARE(process.readAllStandardError().count('\n'), 1);
+        for (const QFileInfo &left : QDir(folder).entryInfoList(QDir::Files))
+            QVERIFY2(left.size() > 0, qPrintable(left.fileName()));
+        QVERIFY(limit > 5000 || QDir(folder).entryList(QDir::Files).isEmpty());
+        QVERIFY(QDir(folder).removeRecursively());
+    }
 }
 
 void RegisterCommandTest::theHistoryIsPrinted() {

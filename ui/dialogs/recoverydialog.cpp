@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/recoverydialog.h"
 
+#include "ui/windowlanguage.h"
+
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QLabel>
@@ -9,6 +11,7 @@
 #include <QLocale>
 #include <QPushButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 namespace palmer::ui {
 
@@ -21,15 +24,19 @@ RecoveryDialog::RecoveryDialog(std::vector<Recovery> recoveries, QWidget *parent
     m_list->setObjectName(QStringLiteral("recoveryList"));
     m_list->setAccessibleName(tr("Documents with unsaved changes"));
     for (const Recovery &recovery : m_recoveries) {
-        const QString name =
+        QString name =
             recovery.origin.path.isEmpty()
                 ? tr("Never saved: %1").arg(recovery.title.isEmpty() ? tr("Untitled") : recovery.title)
                 : QFileInfo(recovery.origin.path).fileName();
+        if (recovery.refusal)
+            name = tr("%1 cannot be read: %2")
+                       .arg(QFileInfo(recovery.file).fileName(),
+                            windowLanguage().sentence(recovery.refusal->message));
         const QString time = QLocale().toString(recovery.origin.saved.toLocalTime(), QLocale::ShortFormat);
         auto *item = new QListWidgetItem(tr("%1 — changes up to %2", "file, time").arg(name, time), m_list);
-        item->setToolTip(recovery.origin.path);
+        item->setToolTip(recovery.refusal ? recovery.file : recovery.origin.path);
         item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable);
-        item->setCheckState(Qt::Checked);
+        item->setCheckState(recovery.refusal ? Qt::Unchecked : Qt::Checked);
     }
     m_list->setCurrentRow(0);
     auto *sentence =
@@ -54,10 +61,15 @@ RecoveryDialog::RecoveryDialog(std::vector<Recovery> recoveries, QWidget *parent
     connect(m_recover, &QPushButton::clicked, this, &RecoveryDialog::recover);
     connect(m_discard, &QPushButton::clicked, this, &RecoveryDialog::discard);
     connect(later, &QPushButton::clicked, this, &QDialog::reject);
-    connect(m_list, &QListWidget::itemChanged, this, [this] {
-        m_recover->setEnabled(!checked().empty());
-        m_discard->setEnabled(!checked().empty());
-    });
+    connect(m_list, &QListWidget::itemChanged, this, &RecoveryDialog::enableButtons);
+    enableButtons();
+}
+
+void RecoveryDialog::enableButtons() {
+    const std::vector<std::size_t> chosen = checked();
+    m_discard->setEnabled(!chosen.empty());
+    m_recover->setEnabled(
+        std::ranges::any_of(chosen, [&](std::size_t index) { return !m_recoveries[index].refusal; }));
 }
 
 std::vector<std::size_t> RecoveryDialog::checked() const {
@@ -70,8 +82,10 @@ std::vector<std::size_t> RecoveryDialog::checked() const {
 }
 
 void RecoveryDialog::recover() {
-    for (const std::size_t index : checked())
-        emit recovered(m_recoveries[index]);
+    for (const std::size_t index : checked()) {
+        if (!m_recoveries[index].refusal)
+            emit recovered(m_recoveries[index]);
+    }
     accept();
 }
 

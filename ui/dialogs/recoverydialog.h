@@ -12,8 +12,8 @@ class QPushButton;
 
 namespace palmer::ui {
 
-/// After a crash: which documents had changes that were not saved, and what to do with them. Leaving it
-/// decides nothing; the copies are offered again at the next start.
+/// After a crash: which documents had changes that were not saved, and what to do with them; which copies
+/// cannot be read, and why. Leaving it decides nothing; the copies are offered again at the next start.
 class RecoveryDialog : public QDialog {
     Q_OBJECT
 
@@ -28,6 +28,7 @@ private:
     void recover();
     void discard();
     [[nodiscard]] std::vector<std::size_t> checked() const;
+    void enableButtons();
 
     std::vector<Recovery> m_recoveries;
     QListWidget *m_list;

@@ -50,6 +50,21 @@ private slots:
         QVERIFY_EXCEPTION_THROWN(std::ignore = readRecovery("3\n"), Error);
     }
 
+    /// A program that was killed while it wrote leaves a part; that of one that lives stays.
+    void removesWhatWasBeingWritten() {
+        const QTemporaryDir folder;
+        const QString part = folder.filePath("dead.recovery.AbCdEf");
+        const QString living = folder.filePath("living.recovery.AbCdEf");
+        const QString other = folder.filePath("living.recovery.notes");
+        for (const QString &name : {part, living, other})
+            saveBytes("half", name);
+        QLockFile lock(recoveryLock(folder.filePath("living.recovery")));
+        QVERIFY(lock.tryLock(0));
+        QVERIFY(abandonedRecoveries(folder.path()).empty());
+        QVERIFY(!QFile::exists(part) && QFile::exists(living) && QFile::exists(other));
+        QVERIFY(!QFile::exists(recoveryLock(folder.filePath("dead.recovery"))));
+    }
+
     void findsOnlyWhatNobodyHolds() {
         const QTemporaryDir folder;
         const auto put = [&](const char *name, const QDateTime &saved) {
@@ -60,16 +75,20 @@ private slots:
         const QString held = put("held.recovery", noon);
         const QString first = put("first.recovery", noon);
         const QString second = put("second.recovery", noon.addSecs(60));
-        saveBytes("no copy", folder.filePath("broken.recovery"));
+        const QString broken = folder.filePath("broken.recovery");
+        saveBytes("no copy", broken);
         QLockFile lock(recoveryLock(held));
         QVERIFY(lock.tryLock(0));
         const auto found = abandonedRecoveries(folder.path());
-        QCOMPARE(found.size(), std::size_t{2});
-        QCOMPARE(found[0].file, second); // the latest first
-        QCOMPARE(found[1].file, first);
-        QVERIFY(QFile::exists(folder.filePath("broken.recovery"))); // nothing is thrown away unseen
+        QCOMPARE(found.size(), std::size_t{3});
+        QCOMPARE(found[0].file, broken); // the latest first: what cannot be read has the time of its file
+        QVERIFY(found[0].refusal && !found[0].document);
+        QCOMPARE(found[1].file, second);
+        QVERIFY(!found[1].refusal);
+        QCOMPARE(found[2].file, first);
+        QVERIFY(QFile::exists(broken)); // nothing is thrown away unseen
         discardRecovery(first);
-        QCOMPARE(abandonedRecoveries(folder.path()).size(), std::size_t{1});
+        QCOMPARE(abandonedRecoveries(folder.path()).size(), std::size_t{2});
         QVERIFY(abandonedRecoveries(folder.filePath("missing")).empty());
     }
 };

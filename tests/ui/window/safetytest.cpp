@@ -277,6 +277,24 @@ private slots:
                  QStringList()); // no lock, no copy
     }
 
+    /// A copy that cannot be read is named with its reason and stays until it is discarded.
+    void namesCopiesThatCannotBeRead() {
+        QVERIFY(QDir().mkpath(Autosave::folder()));
+        const QString copy = Autosave::folder() + "/broken.recovery";
+        saveBytes("{\"format\": \"palm", copy);
+        const ShownWindow shown;
+        shown.window->offerRecoveries();
+        auto *list = shown.find<QListWidget>("recoveryList");
+        QCOMPARE(list->count(), 1);
+        QVERIFY2(list->item(0)->text().contains("broken.recovery cannot be read"),
+                 qPrintable(list->item(0)->text()));
+        QCOMPARE(list->item(0)->toolTip(), copy);
+        list->item(0)->setCheckState(Qt::Checked);
+        QVERIFY(!shown.find<QPushButton>("recover")->isEnabled());
+        shown.find<QPushButton>("discardRecovery")->click();
+        QVERIFY(!QFile::exists(copy));
+    }
+
     void offersWhatACrashLeft() {
         Document document = openDocument(examplePath("rotary-axis"));
         document.machine.name = "recovered lathe";
