@@ -276,5 +276,12 @@
             <numerusform>%n questions are open: nothing was imported; answer with --set, or take what is proposed with --accept</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>Not simulated: %n reading(s); the method Monte Carlo (--uncertainty monteCarlo) does it.</source>
+        <translation>
+            <numerusform>Not simulated: %n reading; the method Monte Carlo (--uncertainty monteCarlo) does it.</numerusform>
+            <numerusform>Not simulated: %n readings; the method Monte Carlo (--uncertainty monteCarlo) does it.</numerusform>
+        </translation>
+    </message>
 </context>
 </TS>

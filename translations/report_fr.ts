@@ -4734,16 +4734,8 @@
         <translation>fils d’exécution de la simulation&#x202f;; les chiffres restent les mêmes</translation>
     </message>
     <message>
-        <source>measurement travel, mm; of rotary axes degrees</source>
-        <translation>course de mesurage, mm&#x202f;; degrés pour un axe rotatif</translation>
-    </message>
-    <message>
         <source>a rotary axis</source>
         <translation>un axe rotatif</translation>
-    </message>
-    <message>
-        <source>where the measurement travel begins</source>
-        <translation>où commence la course de mesurage</translation>
     </message>
     <message>
         <source>targets per metre</source>
@@ -4784,10 +4776,6 @@
     <message>
         <source>distance beyond the ends, mm or degrees; without it 1</source>
         <translation>distance au-delà des extrémités, mm ou degrés&#x202f;; sans elle 1</translation>
-    </message>
-    <message>
-        <source>writes the part program in this dialect instead of the plan</source>
-        <translation>écrit le programme pièce dans ce dialecte au lieu du plan</translation>
     </message>
     <message>
         <source>the file to write: the plan as text, as .pdf or as .palmer to fill in; or the part program</source>
@@ -4932,8 +4920,8 @@
         <translation>Étalonnage du déplacement</translation>
     </message>
     <message>
-        <source>Expanded uncertainty of the instrument&apos;s displacement, from its certificate.</source>
-        <translation>Incertitude élargie du déplacement de l’instrument, d’après son certificat.</translation>
+        <source>Expanded uncertainty of the instrument&apos;s displacement, from its certificate. A simulation draws one error a trial for all points: F and D move by it, G does not. The budget counts it in G, too.</source>
+        <translation>Incertitude élargie du déplacement de l’instrument, d’après son certificat. Une simulation tire une seule erreur par essai pour tous les points&#xa0;: F et D s’en trouvent décalés, pas G. Le bilan la compte aussi dans G.</translation>
     </message>
     <message>
         <source>Noise of a point</source>
@@ -4948,8 +4936,8 @@
         <translation>Répétabilité</translation>
     </message>
     <message>
-        <source>Standard uncertainty of the result from repeated circles; empty: from the repetitions of the file.</source>
-        <translation>Incertitude type du résultat d’après des cercles répétés&#x202f;; vide&#xa0;: d’après les répétitions du fichier.</translation>
+        <source>Standard uncertainty of the result from repeated circles; empty: from the repetitions of the file. A simulation adds one draw a trial to each result, G among them, and moves no point by it.</source>
+        <translation>Incertitude type du résultat d’après des cercles répétés&#x202f;; vide&#xa0;: d’après les répétitions du fichier. Une simulation ajoute un tirage par essai à chaque résultat, G compris, sans déplacer aucun point.</translation>
     </message>
     <message>
         <source>Trials</source>
@@ -8999,6 +8987,77 @@
         <source>not stated</source>
         <comment>cycle</comment>
         <translation>non indiqué</translation>
+    </message>
+    <message>
+        <source>CSV of Palmer</source>
+        <translation>CSV de Palmer</translation>
+    </message>
+    <message>
+        <source>curve</source>
+        <translation>courbe</translation>
+    </message>
+    <message>
+        <source>this CSV does not state its “%1”; export it again</source>
+        <translation>ce CSV n’indique pas son «&#xa0;%1&#xa0;»&#x202f;; l’exporter de nouveau</translation>
+    </message>
+    <message>
+        <source>“%1” contradicts the unit stated above, %2</source>
+        <translation>«&#xa0;%1&#xa0;» contredit l’unité indiquée plus haut, %2</translation>
+    </message>
+    <message>
+        <source>“%1” contradicts the direction stated above, %2</source>
+        <translation>«&#xa0;%1&#xa0;» contredit le sens indiqué plus haut, %2</translation>
+    </message>
+    <message>
+        <source>“%1” is no number</source>
+        <translation>«&#xa0;%1&#xa0;» n’est pas un nombre</translation>
+    </message>
+    <message>
+        <source>the heading “%1” is missing</source>
+        <translation>l’en-tête «&#xa0;%1&#xa0;» manque</translation>
+    </message>
+    <message>
+        <source>Zone, to be agreed</source>
+        <translation>Zone à convenir</translation>
+    </message>
+    <message>
+        <source>Full test of a zone of the long axis</source>
+        <translation>Essai complet d’une zone de l’axe long</translation>
+    </message>
+    <message>
+        <source>travel of the axis, mm; of rotary axes degrees. With --range what is measured of it</source>
+        <translation>course de l’axe, mm&#x202f;; d’un axe rotatif, degrés. Avec --range, ce qui en est mesuré</translation>
+    </message>
+    <message>
+        <source>where the travel begins</source>
+        <translation>où commence la course</translation>
+    </message>
+    <message>
+        <source>the ends of the axis; without it those of the travel</source>
+        <translation>les extrémités de l’axe&#x202f;; sans cette option, celles de la course</translation>
+    </message>
+    <message>
+        <source>the zone that has the full test of an axis of more than 2 000 mm (360°); without it in the middle</source>
+        <translation>la zone qui reçoit l’essai complet d’un axe de plus de 2&#x202f;000&#xa0;mm (360°)&#x202f;; sans cette option, au milieu</translation>
+    </message>
+    <message>
+        <source>writes the part program in this dialect instead of the plan; of a long axis a second one, of its zone, into OUT-zone</source>
+        <translation>écrit le programme pièce dans ce dialecte à la place du plan&#x202f;; pour un axe long, un second, celui de sa zone, dans OUT-zone</translation>
+    </message>
+    <message>
+        <source>between the ends of the axis (--range) is no room for the travel and for the approach distance before and behind it</source>
+        <translation>entre les extrémités de l’axe (--range), il n’y a pas la place pour la course et pour la distance d’approche avant et après</translation>
+    </message>
+    <message numerus="yes">
+        <source>Not simulated: %n reading(s); the method Monte Carlo (--uncertainty monteCarlo) does it.</source>
+        <translation>
+            <numerusform>Non simulé&#xa0;: %n relevé&#x202f;; la méthode Monte-Carlo (--uncertainty monteCarlo) le fait.</numerusform>
+            <numerusform>Non simulés&#xa0;: %n relevés&#x202f;; la méthode Monte-Carlo (--uncertainty monteCarlo) le fait.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Contribution</source>
+        <translation>Contribution</translation>
     </message>
 </context>
 </TS>

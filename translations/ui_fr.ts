@@ -3967,8 +3967,8 @@
         <translation>à une position nominale + une part aléatoire&#xa0;: tous les %1, part aléatoire d’au plus %2. L’axe se déplace de %3 à %4.</translation>
     </message>
     <message>
-        <source>A long axis: once each way over the whole travel, and a full test of an agreed zone of %1 besides.</source>
-        <translation>Un axe long&#xa0;: une fois par sens sur toute la course, et un contrôle complet d’une zone convenue de %1 en plus.</translation>
+        <source>A long axis: once each way over the whole travel, and a full test of a zone besides, planned from %1 to %2; the zone is to be agreed.</source>
+        <translation>Un axe long&#xa0;: une fois par sens sur toute la course, et en plus un essai complet d’une zone, prévu de %1 à %2&#x202f;; la zone est à convenir.</translation>
     </message>
     <message>
         <source>That is beyond the ends of the axis.</source>
@@ -4338,6 +4338,10 @@
     <message>
         <source>&amp;Later</source>
         <translation>&amp;Plus tard</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read: %2</source>
+        <translation>%1 ne peut être lu&#xa0;: %2</translation>
     </message>
 </context>
 <context>

@@ -11,8 +11,13 @@
 #include "export/findingtext.h"
 #include "export/readingscsv.h"
 #include "export/resultsjson.h"
+#include "figures/figuredata.h"
+#include "figures/figureoftest.h"
+#include "import/importmeasurement.h"
 #include "kernel/evaluation/accordance.h"
+#include "kernel/measurement/testfacts.h"
 #include "language/visibletext.h"
+#include "print/figures/exportfigure.h"
 #include "print/pdf/writepdf.h"
 #include "print/proof/verifyreport.h"
 #include "register/registeredtest.h"
@@ -29,6 +34,7 @@
 #include <QBuffer>
 #include <QLocale>
 #include <QRegularExpression>
+#include <QXmlStreamReader>
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -184,6 +190,8 @@ QStringList numbersIn(const QString &text) {
     return found;
 }
 
+constexpr int filesOfAnSvg = 5; ///< one in so many: drawing takes its time
+
 /// Follows one file.
 class Follower {
 public:
@@ -218,6 +226,7 @@ public:
         }
         for (std::size_t i = 0; i < document().tests.size(); ++i) {
             csv(i);
+            figure(i);
             window(i);
         }
         limits();
@@ -468,8 +477,8 @@ private:
 
     /// Every target and every reading stands in the CSV as the number it is.
     void csv(std::size_t i) {
-        const QByteArray bytes = readingsCsv(*document().tests[i], *m_followed.evaluated.tests[i],
-                                             Language(Language::Id::english), '.');
+        readBack(i);
+        const QByteArray bytes = readingsCsv(m_followed.evaluated, i, Language(Language::Id::english), '.');
         harmless("the CSV", QString::fromUtf8(bytes));
         std::set<double> found;
         for (const QByteArray &line : bytes.split('\n')) {
@@ -501,6 +510,75 @@ private:
         }
     }
 
+    /// The CSV is read back as what it was made of, and gives the same results.
+    void readBack(std::size_t i) {
+        const char mark = m_counts.readBack++ % 2 == 0 ? '.' : ',';
+        const QByteArray bytes = readingsCsv(m_followed.evaluated, i, Language(Language::Id::english), mark);
+        Document document;
+        try {
+            addImported(document, importMeasurement(bytes, QStringLiteral("x.csv")), bytes,
+                        QStringLiteral("x.csv"), false);
+        } catch (const Error &error) {
+            violated("read back", std::string("the CSV is refused: ") + error.what() + ' ' + error.place);
+            return;
+        }
+        const EvaluatedDocument again = evaluate(std::make_shared<const Document>(std::move(document)));
+        const Document &one = *again.document;
+        const Test &read = *one.tests.front();
+        const Test &written = *this->document().tests[i];
+        const auto same = [](const auto &a, const auto &b) {
+            return std::visit(
+                [&](const auto &x) {
+                    auto y = std::get<std::decay_t<decltype(x)>>(b.measurement);
+                    if constexpr (requires { x.uncertainty; }) { // a drift test stays behind, not its range
+                        y.uncertainty.driftTest = x.uncertainty.driftTest;
+                        if (x.uncertainty.driftTest)
+                            y.uncertainty.environmentalVariation = x.uncertainty.environmentalVariation;
+                    }
+                    return x == y;
+                },
+                a.measurement);
+        };
+        if (read.measurement.index() != written.measurement.index() || !same(written, read))
+            violated("read back", "another measurement is read from the CSV");
+        if (read.edition != written.edition || read.title != written.title || read.date != written.date ||
+            read.limits != written.limits || read.agreedPoints != written.agreedPoints ||
+            read.decisionRule != written.decisionRule || read.purpose != written.purpose ||
+            read.role != written.role || read.extensions != written.extensions ||
+            (isJudged(written) && read.remarks != written.remarks))
+            violated("read back", "the CSV lost or changed a statement of the test");
+        if (!(one.machine == this->document().machine) || one.instruments.size() != read.instruments.size())
+            violated("read back", "the CSV lost the machine or an instrument");
+        const auto &parameters = m_followed.evaluated.tests[i]->parameters;
+        const auto equal = [](const Parameter &a, const Parameter &b) {
+            const double ua = a.expandedUncertainty.value_or(0);
+            const double ub = b.expandedUncertainty.value_or(0);
+            return parameterId(a) == parameterId(b) && a.value == b.value &&
+                   a.limit.has_value() == b.limit.has_value() &&
+                   a.expandedUncertainty.has_value() == b.expandedUncertainty.has_value() &&
+                   std::abs(ua - ub) <= 1e-12 * ua; // the range of a drift in another unit
+        };
+        if (!std::ranges::equal(parameters, again.tests.front()->parameters, equal))
+            violated("read back", "the CSV gives other results");
+    }
+
+    /// What a figure is exported as.
+    void figure(std::size_t i) {
+        const Language english(Language::Id::english);
+        const Figure figure = figureOfTest(*document().tests[i], *m_followed.evaluated.tests[i], english);
+        harmless("the CSV of a figure", QString::fromUtf8(figureCsv(figure, english, '.')));
+        if (i != 0 || ++m_counts.drawn % filesOfAnSvg != 0)
+            return;
+        const QByteArray svg =
+            figureAsSvg(figure, QString::fromStdString(document().tests[i]->title), english);
+        harmless("the SVG", QString::fromUtf8(svg));
+        QXmlStreamReader reader(svg);
+        while (!reader.atEnd())
+            reader.readNext();
+        if (reader.hasError())
+            violated("harmless", "the SVG is no XML");
+    }
+
     /// The window lists each finding on one page, counts those of the others, and sums up what there is.
     void window(std::size_t i) {
         const Language english(Language::Id::english);
@@ -511,17 +589,17 @@ private:
                 result += number.toInt();
             return result;
         };
-        FindingsModel model;
+        ui::FindingsModel model;
         std::multiset<QString> listed;
-        for (int place = 0; place <= static_cast<int>(Page::diagnosis); ++place) {
-            const auto page = static_cast<Page>(place);
+        for (int place = 0; place <= static_cast<int>(ui::Page::diagnosis); ++place) {
+            const auto page = static_cast<ui::Page>(place);
             model.show(m_followed.evaluated, i, page, english);
             for (int row = 0; row < model.rowCount(); ++row) {
-                const FindingsModel::Line &line = model.line(row);
+                const ui::FindingsModel::Line &line = model.line(row);
                 if (line.page == page)
                     listed.insert(line.text);
                 else if (sum(line.text) != std::ranges::count_if(findings, [&](const Finding &finding) {
-                             return pageOf(finding, document()) == line.page;
+                             return ui::pageOf(finding, document()) == line.page;
                          }))
                     violated("one count", "the window: " + line.text.toStdString());
             }
@@ -655,6 +733,8 @@ Counts &Counts::operator+=(const Counts &other) {
     numbers += other.numbers;
     pages += other.pages;
     reports += other.reports;
+    readBack += other.readBack;
+    drawn += other.drawn;
     for (const auto &[law, count] : other.violations)
         violations[law] += count;
     return *this;

@@ -29,6 +29,8 @@ struct Counts {
     int numbers = 0;
     int pages = 0;                         ///< composed once more without a statement
     int reports = 0;                       ///< as PDF
+    int readBack = 0;                      ///< tests as CSV
+    int drawn = 0;                         ///< figures
     std::map<std::string, int> violations; ///< by law
 
     Counts &operator+=(const Counts &other);

@@ -42,9 +42,9 @@ int main(int argc, char **argv) {
     const Counts all = followFiles(files, first, 0, print);
     std::printf("files %d, refused %d, tests %d, limits %d, results printed %d, statements taken away %d, "
                 "texts looked for %d, "
-                "numbers %d, pages compared %d, PDF %d\n",
+                "numbers %d, pages compared %d, PDF %d, CSV read back %d\n",
                 all.files, all.refused, all.tests, all.limits, all.results, all.statements, all.texts,
-                all.numbers, all.pages, all.reports);
+                all.numbers, all.pages, all.reports, all.readBack);
     int violations = all.refused;
     for (const auto &[law, count] : all.violations) {
         std::printf("%s: %d violations\n", law.c_str(), count);
