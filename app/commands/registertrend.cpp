@@ -5,6 +5,8 @@
 #include "commandline/editionoption.h"
 #include "commandline/outputfile.h"
 #include "commandline/streams.h"
+#include "print/figures/exportfigure.h"
+#include "print/pdf/writepdf.h"
 #include "register/history.h"
 #include "register/queries.h"
 #include "register/reevaluate.h"
@@ -13,8 +15,6 @@
 #include "register/trendfigure.h"
 #include "register/trendoutput.h"
 #include "report/blocks/plaintext.h"
-#include "print/figures/exportfigure.h"
-#include "print/pdf/writepdf.h"
 
 #include <QBuffer>
 #include <QDate>

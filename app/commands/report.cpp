@@ -10,10 +10,10 @@
 #include "commandline/simulations.h"
 #include "commandline/streams.h"
 #include "kernel/numerics/beside.h"
-#include "report/composereport.h"
-#include "report/parts/dataparts.h"
 #include "print/pdf/logo.h"
 #include "print/pdf/writepdf.h"
+#include "report/composereport.h"
+#include "report/parts/dataparts.h"
 #include "validation/validation.h"
 
 #include <QBuffer>
@@ -153,8 +153,8 @@ private:
             return std::pair(file, attachmentsOf(attachedFileName(*whole), file, {}));
         });
         const EvaluatedDocument evaluated =
-            simulated(evaluate(whole, nullptr, m_edition), SimulateWhich::forReport,
-                      m_inputs.several ? 1 : 0, m_invocation.language);
+            simulated(evaluate(whole, nullptr, m_edition), SimulateWhich::forReport, m_inputs.several ? 1 : 0,
+                      m_invocation.language);
         const QStringList languages = languagesOf(m_invocation, *evaluated.document);
         if (output == QLatin1StringView("-") && languages.size() > 1)
             throw UsageError(

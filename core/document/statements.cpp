@@ -71,8 +71,9 @@ Document withoutReadings(const Document &document, std::size_t index) {
     Document result;
     result.machine = document.machine;
     const std::vector<std::string> named = std::exchange(test.instruments, {});
-    std::ranges::copy_if(document.instruments, std::back_inserter(result.instruments),
-                         [&](const Instrument &one) { return std::ranges::find(named, one.id) != named.end(); });
+    std::ranges::copy_if(
+        document.instruments, std::back_inserter(result.instruments),
+        [&](const Instrument &one) { return std::ranges::find(named, one.id) != named.end(); });
     result.tests.push_back(std::make_shared<const Test>(std::move(test)));
     return result;
 }
@@ -95,7 +96,8 @@ json meaningOf(const std::string &value) {
 /// As it is where that says the same, else as a literal of JSON.
 std::string valueOf(const std::string &text) {
     const QString shown = QString::fromStdString(text);
-    const bool isPlain = meaningOf(text) == json(text) && cellText(shown) == shown && shown.trimmed() == shown;
+    const bool isPlain =
+        meaningOf(text) == json(text) && cellText(shown) == shown && shown.trimmed() == shown;
     return isPlain ? text : withJsonEscapes(json(text).dump());
 }
 
@@ -188,7 +190,8 @@ Document documentOf(std::span<const Statement> statements) {
         const json value = statement.number ? json(*statement.number) : meaningOf(statement.value);
         setAt(isOfTheFile(steps.front().key) ? file : test, steps, value, statement.path);
     }
-    if (const auto instruments = file.find("instruments"); instruments != file.end() && instruments->is_array()) {
+    if (const auto instruments = file.find("instruments");
+        instruments != file.end() && instruments->is_array()) {
         for (const json &instrument : *instruments)
             test["instruments"].push_back(instrument.is_object() ? instrument.value("id", json()) : json());
     }

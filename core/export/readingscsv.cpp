@@ -5,12 +5,12 @@
 #include "document/filewords.h"
 #include "document/json.h"
 #include "document/statements.h"
-#include "language/csvwriter.h"
 #include "export/resultsjson.h"
 #include "import/palmercsv.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "kernel/measurement/testfacts.h"
+#include "language/csvwriter.h"
 
 #include <nlohmann/json.hpp>
 

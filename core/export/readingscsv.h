@@ -10,11 +10,11 @@
 namespace palmer {
 
 /// Readings and results of one test as CSV, UTF-8: a line for each thing the test states ("# edition,ISO
-/// 230-2:2014"), the readings with the statistics of each target (what the figure draws), then the parameters.
-/// Lengths in mm, of rotary axes degrees, all digits, with the decimal mark given; `;` between the cells under
-/// a comma, else `,`. Missing ones are empty. The importer reads statements and readings back as they are:
-/// their evaluation gives the same results. Headings are the same in every language, as the keys of JSON are,
-/// with their unit in parentheses; names of parameters are in `language`.
+/// 230-2:2014"), the readings with the statistics of each target (what the figure draws), then the
+/// parameters. Lengths in mm, of rotary axes degrees, all digits, with the decimal mark given; `;` between
+/// the cells under a comma, else `,`. Missing ones are empty. The importer reads statements and readings back
+/// as they are: their evaluation gives the same results. Headings are the same in every language, as the keys
+/// of JSON are, with their unit in parentheses; names of parameters are in `language`.
 [[nodiscard]] QByteArray readingsCsv(const EvaluatedDocument &evaluated, std::size_t test,
                                      const Language &language, char decimalMark);
 

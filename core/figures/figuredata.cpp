@@ -97,8 +97,8 @@ void add(PointTable &table, const LineFigure &figure, const Language &language) 
 }
 
 void add(PointTable &table, const CircleFigure &figure, const Language &language) {
-    table.head(figure.title + QStringLiteral(", ") + figure.centre, curve(language),
-               QStringLiteral("φ (°)"), QStringLiteral("Δr (µm)"));
+    table.head(figure.title + QStringLiteral(", ") + figure.centre, curve(language), QStringLiteral("φ (°)"),
+               QStringLiteral("Δr (µm)"));
     int number = 0;
     for (const CircleTrace &trace : figure.traces) {
         const QString sense =
@@ -121,13 +121,15 @@ void add(PointTable &table, const BarFigure &figure, const Language &language) {
 void add(PointTable &table, const HistogramFigure &figure, const Language &language) {
     table.head(figure.title, curve(language), headingOf(figure.x), QStringLiteral("n"));
     for (std::size_t i = 0; i < figure.counts.size(); ++i)
-        table.point(figure.x.symbol + figure.x.subscript, figure.from + (static_cast<double>(i) + 0.5) * figure.width,
+        table.point(figure.x.symbol + figure.x.subscript,
+                    figure.from + (static_cast<double>(i) + 0.5) * figure.width,
                     static_cast<double>(figure.counts[i]));
 }
 
 void add(PointTable &table, const TrendFigure &figure, const Language &language) {
     if (!figure.panels.empty())
-        table.head(figure.title, curve(language), headingOf(figure.panels.front().x), headingOf(figure.panels.front().y));
+        table.head(figure.title, curve(language), headingOf(figure.panels.front().x),
+                   headingOf(figure.panels.front().y));
     for (const TrendPanel &panel : figure.panels) {
         for (const TrendValue &value : panel.values)
             table.point(panel.symbol, value.x, value.y);

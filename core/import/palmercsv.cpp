@@ -37,7 +37,8 @@ std::optional<std::pair<char, Delimiter>> delimiterOf(std::string_view text) {
     rest.remove_prefix(firstKey.size());
     if (rest.starts_with('"'))
         rest.remove_prefix(1);
-    const auto found = std::ranges::find_if(signs, [&](const auto &sign) { return rest.starts_with(sign.first); });
+    const auto found =
+        std::ranges::find_if(signs, [&](const auto &sign) { return rest.starts_with(sign.first); });
     const std::string_view word = palmercsv::formatWord;
     const std::size_t at = rest.find(word);
     return found != signs.end() && at <= 2 ? std::optional(*found) : std::nullopt; // quoted or not
@@ -149,9 +150,9 @@ private:
             if (found != statements->end())
                 return found->value;
         }
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "this CSV does not state its “%1”; export it again"),
-                     {std::string(key)}});
+        throw Error(
+            Error::Kind::content,
+            {REPORT_TEXT("report", "this CSV does not state its “%1”; export it again"), {std::string(key)}});
     }
 
     std::string settled(const char *choice, const std::string &found) {

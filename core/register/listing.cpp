@@ -4,9 +4,9 @@
 
 #include "document/filewords.h"
 #include "document/jsonprinter.h"
-#include "language/csvwriter.h"
 #include "export/resultsjson.h"
 #include "kernel/measurement/testfacts.h"
+#include "language/csvwriter.h"
 #include "language/rounding.h"
 #include "register/jsonmembers.h"
 #include "register/machinetrend.h"

@@ -31,9 +31,10 @@ KeyValues head(const TargetRequest &request, const TargetPlan &plan, const Cycle
         language.sentence({REPORT_TEXT("report", "%1 to %2"), {from, to}, {}}));
     if (request.zone)
         add(REPORT_TEXT("report", "Zone, to be agreed"),
-            language.sentence({REPORT_TEXT("report", "%1 to %2"),
-                               {Number{request.zone->from, position, -1}, Number{request.zone->to, position, -1}},
-                               {}}));
+            language.sentence(
+                {REPORT_TEXT("report", "%1 to %2"),
+                 {Number{request.zone->from, position, -1}, Number{request.zone->to, position, -1}},
+                 {}}));
     add(REPORT_TEXT("report", "Targets"),
         language.number(static_cast<double>(plan.targets.size()), Quantity::count));
     if (!plan.interval) {
@@ -104,11 +105,11 @@ void add(Report &report, const PlannedMeasurement &planned, const CycleProgram &
     const auto turning = [&](double target, Direction approach) {
         return Number{turningPoint(program, target, approach), position, request.decimals};
     };
-    report.blocks.emplace_back(Paragraph{
-        language.sentence({REPORT_TEXT("report", "The axis moves from %1 to %2."),
-                           {turning(plan.targets.front(), Direction::positive),
-                            turning(plan.targets.back(), Direction::negative)},
-                           {}})});
+    report.blocks.emplace_back(
+        Paragraph{language.sentence({REPORT_TEXT("report", "The axis moves from %1 to %2."),
+                                     {turning(plan.targets.front(), Direction::positive),
+                                      turning(plan.targets.back(), Direction::negative)},
+                                     {}})});
     report.blocks.emplace_back(
         Heading{2, language.text(REPORT_TEXT("report", "Readings, in the order they are taken"))});
     for (int first = 0; first < program.runs; first += runsBeside)

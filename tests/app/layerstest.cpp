@@ -89,13 +89,15 @@ int eachSource(const QString &folder, Visit visit) {
 void LayersTest::nothingOfTheWindow_data() {
     QTest::addColumn<QString>("folder");
     QTest::addColumn<QString>("forbidden");
-    QTest::newRow("no window in core") << root + "/core"
-                                       << R"(#include\s*<(Qt(Widgets|Charts|PrintSupport)\b|Q(Widget|Application|Chart)\b|QPrint))";
+    QTest::newRow("no window in core")
+        << root + "/core"
+        << R"(#include\s*<(Qt(Widgets|Charts|PrintSupport)\b|Q(Widget|Application|Chart)\b|QPrint))";
     for (const Layer &layer : layers) {
         const QString folder = layer.folder;
         if (folder.startsWith("core/") && folder != "core/print")
             QTest::addRow("no drawing in %s", layer.folder)
-                << root + '/' + folder << R"(#include\s*<(Qt(Gui|Svg)\b|Q(Painter|Pen|Color|Font|GuiApplication)\b))";
+                << root + '/' + folder
+                << R"(#include\s*<(Qt(Gui|Svg)\b|Q(Painter|Pen|Color|Font|GuiApplication)\b))";
     }
     QTest::newRow("no Qt in the kernel") << root + "/core/kernel"
                                          << R"(#include\s*<Q)";

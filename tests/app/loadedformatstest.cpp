@@ -5,12 +5,12 @@
 #include "document/documenterror.h"
 #include "document/sha256.h"
 #include "import/layouts/zipfile.h"
+#include "print/pdf/writepdf.h"
+#include "print/proof/pdfpages.h"
 #include "proof/readreportpdf.h"
 #include "report/attachedfile.h"
 #include "report/composereport.h"
 #include "ui/examples.h"
-#include "print/pdf/writepdf.h"
-#include "print/proof/pdfpages.h"
 
 #include <QBuffer>
 #include <QFile>
@@ -40,7 +40,7 @@ QByteArray reportPdf() {
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     writePdf(composeReport(evaluated, Language(Language::Id::english), {"Palmer", true, {}, {}}), buffer,
-                 attachedResults(evaluated));
+             attachedResults(evaluated));
     return buffer.data();
 }
 

@@ -25,7 +25,8 @@ private slots:
         const palmer::testdata::CliResult result = run(
             {"targets", "--travel", "1000", "--period", "10", "--seed", "7", "--language", "en", "-o", "-"});
         QCOMPARE(result.code, 0);
-        QVERIFY(result.out.contains("264.486")); // 1 + 244.5 + 18.986: the beginning, an interval, and up to 2 · 10
+        QVERIFY(result.out.contains(
+            "264.486")); // 1 + 244.5 + 18.986: the beginning, an interval, and up to 2 · 10
         const palmer::testdata::CliResult french =
             run({"targets", "--travel", "1000", "--language", "fr", "-o", "-"});
         QVERIFY(french.out.contains(QByteArray("Axe")));

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/circlefigure.h"
+#include "print/figures/exportfigure.h"
 #include "ui/circles.h"
 #include "ui/figures/circlecanvas.h"
-#include "print/figures/exportfigure.h"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/readdocument.h"
-#include "report/attachedfile.h"
-#include "report/composereport.h"
 #include "print/pdf/writepdf.h"
 #include "print/proof/verifyreport.h"
+#include "report/attachedfile.h"
+#include "report/composereport.h"
 
 #include <QBuffer>
 #include <QFile>

@@ -5,8 +5,8 @@
 #include "figures/extremes.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/evaluation/resultsof.h"
-#include "ui/circles/arctexts.h"
 #include "print/figures/style.h"
+#include "ui/circles/arctexts.h"
 #include "ui/theme.h"
 
 #include <QApplication>

@@ -3,8 +3,8 @@
 #include "ui/diagnosis/feedsview.h"
 
 #include "figures/circlefigure.h"
-#include "ui/figures/circlecanvas.h"
 #include "print/figures/drawfigure.h"
+#include "ui/figures/circlecanvas.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 

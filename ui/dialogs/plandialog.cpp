@@ -10,21 +10,21 @@
 #include "kernel/evaluation/positioningcase.h"
 #include "language/decimals.h"
 #include "language/entry.h"
+#include "print/pdf/pages.h"
+#include "print/pdf/writepdf.h"
 #include "report/planreport.h"
 #include "ui/dialogs/cycleview.h"
 #include "ui/dialogs/limits.h"
 #include "ui/errorbox.h"
 #include "ui/model/documentmodel.h"
-#include "print/pdf/pages.h"
-#include "print/pdf/writepdf.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
 #include <QBuffer>
 #include <QComboBox>
-#include <QEvent>
 #include <QDir>
+#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -462,10 +462,10 @@ QString PlanDialog::summary() const {
                    "from %2 to %3.")
                     .arg(random, from, to);
     if (const auto zone = m_plans.back().request.zone; zone && m_plans.size() > 1)
-        text += u' ' +
-                tr("A long axis: once each way over the whole travel, and a full test of a zone besides, "
-                   "planned from %1 to %2; the zone is to be agreed.")
-                    .arg(language.quantity(zone->from, position), language.quantity(zone->to, position));
+        text +=
+            u' ' + tr("A long axis: once each way over the whole travel, and a full test of a zone besides, "
+                      "planned from %1 to %2; the zone is to be agreed.")
+                       .arg(language.quantity(zone->from, position), language.quantity(zone->to, position));
     const auto *measurement = measured<PositioningMeasurement>(*m_model.document(), m_test);
     if (measurement && measurement->axis.range &&
         (low < measurement->axis.range->from || high > measurement->axis.range->to))
@@ -544,9 +544,8 @@ bool PlanDialog::saveProgram(const QString &path) {
         const QString ending = file.suffix().isEmpty() ? QString() : u'.' + file.suffix();
         const QString ofZone =
             file.dir().filePath(file.completeBaseName() + QStringLiteral("-zone") + ending);
-        return write(one.request.zone && m_plans.size() > 1 ? ofZone : path, [&] {
-            return partProgram(programOf(one, m_program), dialect(), windowLanguage());
-        });
+        return write(one.request.zone && m_plans.size() > 1 ? ofZone : path,
+                     [&] { return partProgram(programOf(one, m_program), dialect(), windowLanguage()); });
     });
 }
 

@@ -38,7 +38,8 @@ public:
     [[nodiscard]] const TargetPlan &plan() const { return m_plan; }
     [[nodiscard]] const CycleProgram &program() const { return m_program; }
 
-    /// Writes the part program of the dialect chosen, of a long axis that of its zone beside it; false, and a message, when that fails.
+    /// Writes the part program of the dialect chosen, of a long axis that of its zone beside it; false, and a
+    /// message, when that fails.
     bool saveProgram(const QString &path);
     /// Writes the plan as a PDF; likewise.
     bool savePlan(const QString &path);

@@ -4,6 +4,7 @@
 
 #include "document/savefiles.h"
 #include "document/testfile.h"
+#include "print/pdf/writepdf.h"
 #include "report/composereport.h"
 #include "report/parts/dataparts.h"
 #include "ui/dialogs/pagecolumn.h"
@@ -11,7 +12,6 @@
 #include "ui/errorbox.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/model/page.h"
-#include "print/pdf/writepdf.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"

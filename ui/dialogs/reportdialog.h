@@ -3,11 +3,11 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "print/pdf/pages.h"
 #include "report/blocks/report.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/evaluator.h"
 #include "ui/model/simulator.h"
-#include "print/pdf/pages.h"
 
 #include <QDialog>
 #include <functional>

@@ -3,9 +3,9 @@
 #include "ui/figures/circlecanvas.h"
 
 #include "kernel/measurement/testfacts.h"
-#include "ui/figures/canvaslabel.h"
 #include "print/figures/drawcirclefigure.h"
 #include "print/figures/metrics.h"
+#include "ui/figures/canvaslabel.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 

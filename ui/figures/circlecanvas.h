@@ -5,8 +5,8 @@
 #include "document/evaluateddocument.h"
 #include "figures/circlefigure.h"
 #include "language/language.h"
-#include "report/explanations/explanation.h"
 #include "print/figures/drawfigure.h"
+#include "report/explanations/explanation.h"
 #include "ui/model/background.h"
 #include "ui/model/selection.h"
 

@@ -4,8 +4,8 @@
 
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/evaluation/resultsof.h"
-#include "ui/figures/circlecanvas.h"
 #include "print/figures/style.h"
+#include "ui/figures/circlecanvas.h"
 #include "ui/theme.h"
 
 #include <QComboBox>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figures/figurecanvas.h"
 
-#include "ui/figures/canvaslabel.h"
 #include "print/figures/metrics.h"
+#include "ui/figures/canvaslabel.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 

@@ -4,8 +4,8 @@
 
 #include "figures/thinning.h"
 #include "figures/ticks.h"
-#include "ui/figures/canvaslabel.h"
 #include "print/figures/drawlinefigure.h"
+#include "ui/figures/canvaslabel.h"
 #include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 

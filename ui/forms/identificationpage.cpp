@@ -4,8 +4,8 @@
 
 #include "document/bounds.h"
 #include "document/savedocument.h"
-#include "ui/forms/templatebutton.h"
 #include "print/pdf/logo.h"
+#include "ui/forms/templatebutton.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>

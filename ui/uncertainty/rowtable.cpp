@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/uncertainty/rowtable.h"
 
-#include "ui/circles/quiettable.h"
 #include "print/figures/drawbarfigure.h"
 #include "print/figures/drawhistogramfigure.h"
+#include "ui/circles/quiettable.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
 

@@ -24,7 +24,7 @@ struct TargetRequest {
     std::optional<double> axisTravel = {};
     std::optional<Interval> axisRange = {}; ///< ends of the axis, where they are stated
     std::optional<Interval> zone = {};      ///< of a long axis: what is planned is the full test in it
-    int decimals = 3; ///< of the positions: the resolution of the axis, 0 … 9
+    int decimals = 3;                       ///< of the positions: the resolution of the axis, 0 … 9
     std::uint64_t seed = 1;
 };
 
@@ -62,9 +62,10 @@ inline constexpr std::size_t mostTargets = 10'000;
 /// has no target of its own. They are rounded to the resolution towards its inside. The same seed gives
 /// the same plan on every machine. Approaches: 5 each way; 1 over more than 2 000 mm or 360° (1988: mm),
 /// where the standard asks for a full test of an agreed zone besides, of which 5. That the random parts may
-/// leave less than that is allowed for where the travel of the axis is not stated. A plan meets what its edition asks of targets and approaches: random parts are
-/// drawn anew until it does. Bad input (travel or number not positive, not finite, more than 10 000 targets,
-/// a resolution too coarse to tell the targets apart) gives a plan without targets.
+/// leave less than that is allowed for where the travel of the axis is not stated. A plan meets what its
+/// edition asks of targets and approaches: random parts are drawn anew until it does. Bad input (travel or
+/// number not positive, not finite, more than 10 000 targets, a resolution too coarse to tell the targets
+/// apart) gives a plan without targets.
 [[nodiscard]] TargetPlan planTargets(const TargetRequest &request);
 
 /// The request for an axis with these ends, which approaches its targets from both sides: between them with
@@ -72,9 +73,9 @@ inline constexpr std::size_t mostTargets = 10'000;
 /// turns (1988) is to reach both, and its ends lie beyond.
 [[nodiscard]] TargetRequest withinAxis(TargetRequest request, const Interval &ends, double approach);
 
-/// All that an axis is to be measured for: the travel asked for, and of a long axis the full test of a zone of
-/// 2 000 mm (360°) besides, which lies in the middle where none is asked for. None where the request has no
-/// answer. 1988 has no long rotary axes.
+/// All that an axis is to be measured for: the travel asked for, and of a long axis the full test of a zone
+/// of 2 000 mm (360°) besides, which lies in the middle where none is asked for. None where the request has
+/// no answer. 1988 has no long rotary axes.
 [[nodiscard]] std::vector<PlannedMeasurement> planMeasurements(const TargetRequest &request,
                                                                const std::optional<Interval> &zone = {});
 

@@ -83,8 +83,8 @@ private:
         if (take(u'|'))
             return closed(std::abs(sum()), u'|');
         m_rest = m_rest.trimmed();
-        const auto *const end = std::ranges::find_if(
-            m_rest, [](QChar c) { return !(c >= u'0' && c <= u'9') && c != u'.'; });
+        const auto *const end =
+            std::ranges::find_if(m_rest, [](QChar c) { return !(c >= u'0' && c <= u'9') && c != u'.'; });
         const QStringView number = m_rest.first(end - m_rest.begin());
         m_rest = m_rest.mid(number.size());
         return number.toDouble();

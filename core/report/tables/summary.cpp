@@ -3,10 +3,10 @@
 #include "report/tables/summary.h"
 
 #include "document/filewords.h"
-#include "language/csvwriter.h"
 #include "export/resultsjson.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/words/shortest.h"
+#include "language/csvwriter.h"
 #include "report/blocks/plaintext.h"
 #include "report/tables/resulttable.h"
 #include "report/words/accordancetext.h"

@@ -81,7 +81,8 @@ private slots:
     }
 
     void saysInTheTableWhichPathIsSynthetic() {
-        const QByteArray csv = figureCsv(diagnosisFigure(diagnosed(mixedCircle()), english()), english(), '.');
+        const QByteArray csv =
+            figureCsv(diagnosisFigure(diagnosed(mixedCircle()), english()), english(), '.');
         QVERIFY(csv.contains("1 ↺,"));
         QVERIFY(csv.contains("3 ↺ *,"));
         QVERIFY(!csv.contains("2 ↻ *"));

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figures/circlecanvas.h"
 
+#include "print/figures/drawcirclefigure.h"
+#include "print/figures/drawfigure.h"
+#include "print/figures/metrics.h"
 #include "report/explanations/explanation.h"
 #include "ui/circles.h"
 #include "ui/figures/circlefigureview.h"
-#include "print/figures/drawcirclefigure.h"
-#include "print/figures/drawfigure.h"
 #include "ui/figures/figureview.h"
-#include "print/figures/metrics.h"
 
 #include <QClipboard>
 #include <QComboBox>

@@ -141,7 +141,8 @@ private slots:
     }
 
     /// 300 plans of each rule: every phase of the period is as likely, at the first and the last target, too,
-    /// whose random part no end of the travel cuts off. χ² over 10 classes; its bound is exceeded once in 10⁵.
+    /// whose random part no end of the travel cuts off. χ² over 10 classes; its bound is exceeded once in
+    /// 10⁵.
     void everyPhaseIsAsLikely() {
         constexpr double bound = 39.3; // 9 degrees of freedom, 1 − 10⁻⁵
         for (const TargetRule rule : {TargetRule::nominalInterval, TargetRule::pitches1988}) {
@@ -188,7 +189,8 @@ private slots:
             const TargetPlan plan = planTargets(request);
             QCOMPARE(plan.interval, std::optional(45.0));
             const double closing = plan.targets.front() + 360 - plan.targets.back();
-            QVERIFY(closing >= 45 - 2 * plan.randomPart - 0.001 && closing <= 45 + 2 * plan.randomPart + 0.001);
+            QVERIFY(closing >= 45 - 2 * plan.randomPart - 0.001 &&
+                    closing <= 45 + 2 * plan.randomPart + 0.001);
         }
     }
 

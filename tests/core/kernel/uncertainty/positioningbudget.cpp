@@ -212,8 +212,10 @@ void PositioningBudgetTest::unequalRuns_data() {
     QTest::newRow("R: target 2, both") << iso << "R" << 1 / 4.0 + 1 / 3.0 + 4 * (1 / 3.0 + 1 / 2.0);
     QTest::newRow("B: target 2") << iso << "B" << 1 / 4.0 + 1 / 3.0;
     QTest::newRow("B̄: target 3, safe side") << iso << "Bmean" << 1 / 2.0 + 1 / 6.0;
-    QTest::newRow("r̄: 3↑, safe side") << "ISO 230-2:1988" << "r" << 36 / 1.0;
-    QTest::newRow("r̄↓: 2↓, safe side") << "ISO 230-2:1988" << "r-" << 36 / 2.0;
+    QTest::newRow("r̄: 3↑, safe side") << "ISO 230-2:1988"
+                                      << "r" << 36 / 1.0;
+    QTest::newRow("r̄↓: 2↓, safe side") << "ISO 230-2:1988"
+                                       << "r-" << 36 / 2.0;
     const char *vdi = "VDI/DGQ 3441:1977";
     QTest::newRow("Umax: target 2") << vdi << "Umax" << 1 / 4.0 + 1 / 3.0;
     QTest::newRow("Psmax: target 2") << vdi << "Psmax" << 9 * (1 / 3.0 + 1 / 2.0);

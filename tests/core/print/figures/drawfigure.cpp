@@ -3,9 +3,9 @@
 #include "print/figures/drawfigure.h"
 
 #include "core/kernel/evaluation/positioningdata.h"
+#include "core/print/figures/recordedtexts.h"
 #include "figures/deviationfigure.h"
 #include "figures/ticks.h"
-#include "core/print/figures/recordedtexts.h"
 #include "print/fonts.h"
 
 #include <QFontInfo>

@@ -3,9 +3,9 @@
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
 #include "print/figures/drawtrendfigure.h"
+#include "core/print/figures/recordedtexts.h"
 #include "figures/ticks.h"
 #include "language/language.h"
-#include "core/print/figures/recordedtexts.h"
 #include "print/fonts.h"
 
 #include <QPainter>

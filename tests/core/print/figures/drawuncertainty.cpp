@@ -5,11 +5,11 @@
 #include "figures/histogramfigure.h"
 
 #include "core/kernel/uncertainty/uncertaintydata.h"
+#include "core/print/figures/recordedtexts.h"
 #include "kernel/simulation/simulate.h"
 #include "print/figures/drawbarfigure.h"
 #include "print/figures/drawfigure.h"
 #include "print/figures/drawhistogramfigure.h"
-#include "core/print/figures/recordedtexts.h"
 
 #include <QImage>
 #include <QPainter>

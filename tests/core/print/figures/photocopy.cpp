@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/circlefigure.h"
 #include "figures/ticks.h"
-#include "ui/circles.h"
 #include "print/figures/drawfigure.h"
 #include "print/figures/style.h"
+#include "ui/circles.h"
 
 #include <QImage>
 #include <QPainter>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/blocks/pagetext.h"
 #include "core/print/pdf/reports.h"
 #include "print/pdf/textblock.h"
+#include "report/blocks/pagetext.h"
 
 #include <QXmlStreamReader>
 #include <set>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/pdf/pages.h"
 
-#include "document/bounds.h"
 #include "core/print/pdf/reports.h"
+#include "document/bounds.h"
 
 #include <QXmlStreamReader>
 

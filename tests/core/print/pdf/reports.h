@@ -3,8 +3,8 @@
 #pragma once
 
 #include "document/readdocument.h"
-#include "report/composereport.h"
 #include "print/pdf/writepdf.h"
+#include "report/composereport.h"
 
 #include <QBuffer>
 #include <QFile>

@@ -4,9 +4,9 @@
 
 #include "print/pdf/textblock.h"
 
-#include "report/blocks/report.h"
 #include "print/pdf/pages.h"
 #include "print/pdf/tablestrips.h"
+#include "report/blocks/report.h"
 
 #include <QGuiApplication>
 #include <QTest>

@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/pdf/writepdf.h"
 
-#include "report/blocks/pagetext.h"
+#include "core/print/pdf/reports.h"
 #include "print/figures/exportfigure.h"
 #include "print/pdf/pages.h"
-#include "core/print/pdf/reports.h"
+#include "report/blocks/pagetext.h"
 
-#include <QGuiApplication>
 #include <QColorSpace>
+#include <QGuiApplication>
 #include <QHashSeed>
 #include <ctime>
 #include <qpdf/QPDF.hh>

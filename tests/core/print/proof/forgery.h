@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "report/composereport.h"
 #include "print/pdf/writepdf.h"
 #include "print/proof/verifyreport.h"
+#include "report/composereport.h"
 
 #include <QBuffer>
 #include <QByteArray>

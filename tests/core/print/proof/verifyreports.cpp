@@ -8,12 +8,12 @@
 // attachments and pages, read with other programs, are still the same. Prints the counts; ends with 1 and
 // what it found when one is not as it has to be.
 
-#include "document/readdocument.h"
 #include "core/print/proof/forgery.h"
+#include "document/readdocument.h"
 
-#include <QGuiApplication>
 #include <QDir>
 #include <QElapsedTimer>
+#include <QGuiApplication>
 #include <QHashSeed>
 #include <QProcess>
 #include <QTemporaryDir>
