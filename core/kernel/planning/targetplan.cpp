@@ -217,8 +217,11 @@ TargetRequest withinAxis(TargetRequest request, const Interval &ends, double app
     return request;
 }
 
-std::vector<PlannedMeasurement> planMeasurements(const TargetRequest &request,
-                                                 const std::optional<Interval> &zone) {
+std::vector<PlannedMeasurement> planMeasurements(TargetRequest request, std::optional<Interval> zone) {
+    zone = zone ? zone : request.zone;
+    if (request.zone &&
+        (request.from < request.zone->from || request.from + request.travel > request.zone->to))
+        request.zone.reset();
     std::vector<PlannedMeasurement> result{{request, planTargets(request)}};
     if (result.front().plan.targets.empty())
         return {};

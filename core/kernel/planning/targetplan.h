@@ -74,10 +74,11 @@ inline constexpr std::size_t mostTargets = 10'000;
 [[nodiscard]] TargetRequest withinAxis(TargetRequest request, const Interval &ends, double approach);
 
 /// All that an axis is to be measured for: the travel asked for, and of a long axis the full test of a zone
-/// of 2 000 mm (360°) besides, which lies in the middle where none is asked for. None where the request has
-/// no answer. 1988 has no long rotary axes.
-[[nodiscard]] std::vector<PlannedMeasurement> planMeasurements(const TargetRequest &request,
-                                                               const std::optional<Interval> &zone = {});
+/// of 2 000 mm (360°) besides, which lies in the middle where none is asked for. The zone of the request is
+/// that one too, unless the travel lies inside. None where the request has no answer. 1988 has no long rotary
+/// axes.
+[[nodiscard]] std::vector<PlannedMeasurement> planMeasurements(TargetRequest request,
+                                                               std::optional<Interval> zone = {});
 
 /// One stop of the measuring cycle: which target is approached from which side in which run, from 0.
 struct Stop {

@@ -223,6 +223,16 @@ private slots:
         QVERIFY(elsewhere[1].plan.targets.front() >= 1 && elsewhere[1].plan.targets.back() <= 2000);
         QCOMPARE(planMeasurements(withinAxis(linear(0), {0, 2000}, 1)).size(), std::size_t(1));
         QCOMPARE(planMeasurements(withinAxis(rotary(0), {0, 720}, 1)).size(), std::size_t(2));
+        // A zone that was agreed: of the whole travel it is the second test, inside it all there is.
+        request.zone = Interval{0, 2000};
+        const auto agreed = planMeasurements(request);
+        QCOMPARE(agreed.size(), std::size_t(2));
+        QVERIFY(agreed[0].plan.runs == 1 && !agreed[0].request.zone &&
+                agreed[1].request.zone == request.zone);
+        TargetRequest inside = request;
+        inside.travel = 1900;
+        QCOMPARE(planMeasurements(inside).size(), std::size_t(1));
+        QCOMPARE(planMeasurements(inside)[0].plan.runs, 5);
         request.travel = -1;
         QVERIFY(planMeasurements(request).empty());
     }
