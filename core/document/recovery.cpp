@@ -56,6 +56,35 @@ bool isHeld(const QString &copy) {
     return !lock.tryLock(0);
 }
 
+/// The line of JSON that a copy begins with.
+RecoveryOrigin originIn(const QByteArray &bytes) {
+    const auto end = bytes.indexOf('\n');
+    const json head = parseJson(bytes.left(std::max<qsizetype>(end, 0)).toStdString());
+    const auto text = [&](const char *key) {
+        const auto found = head.find(key);
+        if (!head.is_object() || found == head.end() || !found->is_string())
+            throw Error(Error::Kind::format,
+                        {REPORT_TEXT("report", "this is no copy of a test file that was being edited")});
+        return QString::fromStdString(found->get<std::string>());
+    };
+    if (text("format") != QLatin1StringView(recoveryFormat))
+        throw Error(Error::Kind::format,
+                    {REPORT_TEXT("report", "this is no copy of a test file that was being edited")});
+    return {text("path"), QDateTime::fromString(text("saved"), Qt::ISODateWithMs), stateIn(head)};
+}
+
+/// Of a copy that cannot be read: what still says whose it was, and when.
+Recovery refused(const QString &path, const Error &error) {
+    Recovery recovery;
+    try {
+        recovery.origin = originIn(readBytes(path));
+    } catch (const Error &) {
+        recovery.origin.saved = QFileInfo(path).lastModified().toUTC();
+    }
+    recovery.refusal = error;
+    return recovery;
+}
+
 } // namespace
 
 FileState knownFile(const RecoveryOrigin &origin) {
@@ -77,21 +106,9 @@ QByteArray writeRecovery(const Document &document, const RecoveryOrigin &origin)
 }
 
 Recovery readRecovery(const QByteArray &bytes) {
-    const auto end = bytes.indexOf('\n');
-    const json head = parseJson(bytes.left(std::max<qsizetype>(end, 0)).toStdString());
-    const auto text = [&](const char *key) {
-        const auto found = head.find(key);
-        if (!head.is_object() || found == head.end() || !found->is_string())
-            throw Error(Error::Kind::format,
-                        {REPORT_TEXT("report", "this is no copy of a test file that was being edited")});
-        return QString::fromStdString(found->get<std::string>());
-    };
-    if (text("format") != QLatin1StringView(recoveryFormat))
-        throw Error(Error::Kind::format,
-                    {REPORT_TEXT("report", "this is no copy of a test file that was being edited")});
     Recovery recovery;
-    recovery.origin = {text("path"), QDateTime::fromString(text("saved"), Qt::ISODateWithMs), stateIn(head)};
-    recovery.document = std::make_shared<const Document>(readUnbounded(bytes.mid(end + 1)));
+    recovery.origin = originIn(bytes);
+    recovery.document = std::make_shared<const Document>(readUnbounded(bytes.mid(bytes.indexOf('\n') + 1)));
     const Document &document = *recovery.document;
     recovery.title =
         QString::fromStdString(document.report.title.empty() ? document.machine.name : document.report.title);
@@ -110,8 +127,7 @@ std::vector<Recovery> abandonedRecoveries(const QString &folder) {
         try {
             recovery = readRecovery(readBytes(path));
         } catch (const Error &error) {
-            recovery.origin.saved = QFileInfo(path).lastModified().toUTC();
-            recovery.refusal = error;
+            recovery = refused(path, error);
         }
         recovery.file = path;
         found.push_back(std::move(recovery));

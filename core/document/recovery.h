@@ -30,7 +30,8 @@ struct Recovery {
     RecoveryOrigin origin;
     std::shared_ptr<const Document> document; ///< null: it cannot be read
     QString title;                            ///< of report or machine, to know it by
-    std::optional<Error> refusal = {};        ///< why it cannot be read; its origin says the time of the file
+    std::optional<Error> refusal =
+        {}; ///< why it cannot be read; its origin is what its first line says, or the time of the file
 };
 
 /// What the user's file was when the document was read from it or saved to it last. Copies of former versions

@@ -23,6 +23,9 @@ RecoveryDialog::RecoveryDialog(std::vector<Recovery> recoveries, QWidget *parent
     setWindowTitle(tr("Unsaved changes"));
     m_list->setObjectName(QStringLiteral("recoveryList"));
     m_list->setAccessibleName(tr("Documents with unsaved changes"));
+    m_list->setWordWrap(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_list->setResizeMode(QListView::Adjust);
     for (const Recovery &recovery : m_recoveries) {
         QString name =
             recovery.origin.path.isEmpty()
@@ -30,7 +33,7 @@ RecoveryDialog::RecoveryDialog(std::vector<Recovery> recoveries, QWidget *parent
                 : QFileInfo(recovery.origin.path).fileName();
         if (recovery.refusal)
             name = tr("%1 cannot be read: %2")
-                       .arg(QFileInfo(recovery.file).fileName(),
+                       .arg(recovery.origin.path.isEmpty() ? QFileInfo(recovery.file).fileName() : name,
                             windowLanguage().sentence(recovery.refusal->message));
         const QString time = QLocale().toString(recovery.origin.saved.toLocalTime(), QLocale::ShortFormat);
         auto *item = new QListWidgetItem(tr("%1 — changes up to %2", "file, time").arg(name, time), m_list);

@@ -12,6 +12,7 @@
 #include <QLockFile>
 #include <QTemporaryDir>
 #include <QTest>
+#include <algorithm>
 
 using namespace palmer;
 using namespace palmer::testdata;
@@ -89,6 +90,13 @@ private slots:
         QVERIFY(QFile::exists(broken)); // nothing is thrown away unseen
         discardRecovery(first);
         QCOMPARE(abandonedRecoveries(folder.path()).size(), std::size_t{2});
+        // Cut off behind its first line it still says whose it is.
+        const QByteArray whole = writeRecovery(example(), {"mine.palmer", noon});
+        saveBytes(whole.first(whole.size() - 20), second);
+        const auto again = abandonedRecoveries(folder.path());
+        const auto cut = std::ranges::find(again, second, &Recovery::file);
+        QVERIFY(cut != again.end() && cut->refusal);
+        QCOMPARE(cut->origin.path, "mine.palmer");
         QVERIFY(abandonedRecoveries(folder.filePath("missing")).empty());
     }
 };
