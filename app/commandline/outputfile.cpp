@@ -4,50 +4,28 @@
 
 #include "commandline/streams.h"
 #include "document/savedocument.h"
+#include "import/formats.h"
 
 #include <QDir>
 #include <QFileInfo>
 #include <algorithm>
-#include <array>
-#include <iterator>
 #include <map>
-#include <string_view>
 
 namespace palmer {
 
 namespace {
 
-// Endings that say what a file is: those this program reads and writes, and those of everybody's files.
-constexpr auto knownEndings = std::to_array<std::string_view>({"palmer",   "palmer-template",
-                                                               "recovery", "pdf",
-                                                               "svg",      "png",
-                                                               "csv",      "tsv",
-                                                               "txt",      "json",
-                                                               "xlsx",     "xls",
-                                                               "ods",      "rtl",
-                                                               "rtx",      "b5r",
-                                                               "b5r64",    "ren",
-                                                               "pos",      "comp",
-                                                               "nc",       "ngc",
-                                                               "mpf",      "spf",
-                                                               "h",        "iso",
-                                                               "cnc",      "tap",
-                                                               "ini",      "hal",
-                                                               "xml",      "html",
-                                                               "htm",      "md",
-                                                               "rtf",      "doc",
-                                                               "docx",     "odt",
-                                                               "ppt",      "pptx",
-                                                               "odp",      "jpg",
-                                                               "jpeg",     "gif",
-                                                               "bmp",      "tif",
-                                                               "tiff",     "webp",
-                                                               "eps",      "ps",
-                                                               "zip",      "gz",
-                                                               "7z",       "tar",
-                                                               "exe",      "sh",
-                                                               "py",       "yaml",
-                                                               "yml",      "toml"});
+/// Endings that say what a file is: of what this program reads and writes, and of everybody's files.
+bool isKnown(const QString &ending) {
+    static const QStringList known =
+        importEndings() +
+        QString::fromLatin1("palmer palmer-template recovery pdf svg png json comp xls b5r64 "
+                            "nc ngc mpf spf h iso cnc tap ini hal xml html htm md rtf doc "
+                            "docx odt ppt pptx odp jpg jpeg gif bmp tif tiff webp eps ps "
+                            "zip gz 7z tar exe sh py yaml yml toml")
+            .split(u' ');
+    return known.contains(ending);
+}
 
 /// The name under which the system knows it.
 QString systemName(const QString &file, const char *standard) {
@@ -72,11 +50,10 @@ void demandOutput(const Invocation &invocation, const QString &file,
                                                     "name for what is written"),
                               {file.toStdString()}});
     }
-    const std::string ending = QFileInfo(file).suffix().toLower().toStdString();
+    const QString ending = QFileInfo(file).suffix().toLower();
     const bool isOwn =
-        std::ranges::any_of(endings, [&](const char *own) { return own == std::string_view(ending); });
-    if (isOwn || invocation.has(QLatin1StringView(forceOption.name)) ||
-        std::ranges::find(knownEndings, ending) == knownEndings.end())
+        std::ranges::any_of(endings, [&](const char *own) { return ending == QLatin1StringView(own); });
+    if (isOwn || invocation.has(QLatin1StringView(forceOption.name)) || !isKnown(ending))
         return;
     std::string expected;
     for (const char *own : endings)

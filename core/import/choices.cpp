@@ -3,6 +3,7 @@
 #include "import/choices.h"
 
 #include "document/documenterror.h"
+#include "import/formats.h"
 #include "import/layouts/columnrole.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/words/shortest.h"
@@ -12,22 +13,23 @@
 #include <array>
 #include <charconv>
 #include <span>
+#include <vector>
 
 namespace palmer {
 
 namespace {
 
-constexpr std::array formatWords{
-    ImportWord{"table", REPORT_TEXT("report", "table")},
-    ImportWord{"palmer", REPORT_TEXT("report", "CSV of Palmer")},
-    ImportWord{"workbook", REPORT_TEXT("report", "workbook (.xlsx, .ods)")},
-    ImportWord{"rtl", REPORT_TEXT("report", "Renishaw laser data (.rtl)")},
-    ImportWord{"b5r", REPORT_TEXT("report", "Renishaw ballbar (.b5r)")},
-    ImportWord{"rtx", REPORT_TEXT("report", "Renishaw dynamic capture (.rtx)")},
-    ImportWord{"indexed", REPORT_TEXT("report", "values with indexes (TGT_DATA)")},
-    ImportWord{"pos", REPORT_TEXT("report", "API laser data (.pos)")},
-    ImportWord{"ren", REPORT_TEXT("report", "compensation text (.REN)")},
-};
+std::span<const ImportWord> formatWords() {
+    static const auto words = [] {
+        std::vector<ImportWord> named;
+        for (const ImportFormat &format : importFormats()) {
+            if (!format.name.empty())
+                named.push_back({format.word, format.name});
+        }
+        return named;
+    }();
+    return words;
+}
 constexpr std::array encodingWords{
     ImportWord{"UTF-8", REPORT_TEXT("report", "UTF-8")},
     ImportWord{"UTF-16LE", REPORT_TEXT("report", "UTF-16, little end first")},
@@ -121,8 +123,8 @@ constexpr std::array leaveWords{
     ImportWord{"leave", REPORT_TEXT("report", "leave out")},
 };
 
-constexpr std::array keys{
-    ImportKey{"format", REPORT_TEXT("report", "Format"), ImportValue::word, formatWords},
+const std::array keys{
+    ImportKey{"format", REPORT_TEXT("report", "Format"), ImportValue::word, formatWords()},
     ImportKey{"encoding", REPORT_TEXT("report", "Encoding"), ImportValue::word, encodingWords},
     ImportKey{"delimiter", REPORT_TEXT("report", "Delimiter"), ImportValue::word, delimiterWords},
     ImportKey{"decimalMark", REPORT_TEXT("report", "Decimal mark"), ImportValue::word, markWords},

@@ -10,6 +10,7 @@
 #include "document/sha256.h"
 #include "document/testfile.h"
 #include "import/doubts.h"
+#include "import/formats.h"
 #include "import/layouts/headings.h"
 #include "import/readers.h"
 #include "tables/dates.h"
@@ -24,19 +25,6 @@
 namespace palmer {
 
 namespace {
-
-constexpr std::array formats{
-    ImportFormat{"palmer", isPalmerCsv, readPalmerCsv},
-    ImportFormat{"workbook", isWorkbook, readWorkbook},
-    ImportFormat{"rtl", isRtl, readRtl},
-    ImportFormat{"rtx", isRtx, readRtx},
-    ImportFormat{"b5r", isBallbarXml, readBallbarXml},
-    ImportFormat{"indexed", isIndexedText, readIndexedText},
-    ImportFormat{"ren", isRenText, readRenText},
-    ImportFormat{"compensation", isCompensationTable, readCompensationTable},
-    ImportFormat{"pos", isPosText, readPosText},
-    ImportFormat{"table", isAnything, readTextTable},
-};
 
 bool isUtf16(QByteArrayView bytes) {
     return bytes.startsWith("\xFF\xFE") || bytes.startsWith("\xFE\xFF");
@@ -54,12 +42,12 @@ QByteArray inUtf8(QByteArrayView bytes) {
 const ImportFormat &formatOf(QByteArrayView bytes, const ImportOptions &options) {
     const auto chosen = options.find("format");
     const QByteArray plain = isUtf16(bytes) ? inUtf8(bytes) : QByteArray();
-    for (const ImportFormat &format : formats) {
+    for (const ImportFormat &format : importFormats()) {
         if (chosen != options.end() ? chosen->second == format.word
                                     : format.recognises(bytes) || format.recognises(plain))
             return format;
     }
-    return formats.back();
+    return importFormats().back();
 }
 
 CorrectionTo20 correctionOf(std::string_view word) {
@@ -174,14 +162,6 @@ std::string wishedId(const Test &test) {
         c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
     return name;
 }
-
-} // namespace
-
-std::span<const ImportFormat> importFormats() {
-    return formats;
-}
-
-namespace {
 
 /// A test file has to hold all that comes in: texts and readings keep to its bounds.
 void demandStorable(const Imported &imported) {

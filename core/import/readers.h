@@ -16,16 +16,6 @@ struct ImportSource {
     const ImportOptions &options;
 };
 
-/// A format: how it is known by its content, and its reader. Readers throw Error for what cannot be used.
-struct ImportFormat {
-    const char *word = nullptr;
-    bool (*recognises)(QByteArrayView bytes) = nullptr;
-    void (*read)(const ImportSource &source, Choices &choices, Imported &imported) = nullptr;
-};
-
-/// The formats in the order they are asked in; a table takes what no other recognises.
-[[nodiscard]] std::span<const ImportFormat> importFormats();
-
 // One reader a file.
 [[nodiscard]] bool isRtl(QByteArrayView bytes);
 void readRtl(const ImportSource &source, Choices &choices, Imported &imported);

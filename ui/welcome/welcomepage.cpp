@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/welcome/welcomepage.h"
 
+#include "import/formats.h"
 #include "kernel/evaluation/edition.h"
 #include "ui/theme.h"
 #include "ui/welcome/examples.h"
@@ -241,7 +242,9 @@ void WelcomePage::retranslate() {
                      QKeySequence(QKeySequence::Open).toString(QKeySequence::NativeText));
     m_import->setTexts(tr("&Import…"), tr("tables and files of instruments"),
                        QKeySequence(Qt::CTRL | Qt::Key_I).toString(QKeySequence::NativeText));
-    m_dropHint->setText(tr("or drop files into the window — .palmer, .pdf, .csv, .xlsx, .rtl, .b5r …"));
+    m_dropHint->setText(
+        tr("or drop files into the window — %1")
+            .arg(QStringLiteral(".palmer, .pdf, .") + importEndings().join(QStringLiteral(", ."))));
     m_recentTitle->setText(tr("Recent files"));
     m_noRecent->setText(tr("No file yet. Begin with an example."));
     m_examplesTitle->setText(tr("Examples"));

@@ -11,6 +11,7 @@
 #include "document/testfile.h"
 #include "editing/newtest.h"
 #include "editing/takestatements.h"
+#include "import/formats.h"
 #include "print/proof/verifyreport.h"
 #include "ui/circles/circlespage.h"
 #include "ui/dialogs/comparedialog.h"
@@ -316,8 +317,7 @@ void MainWindow::chooseMeasurements() {
                        QSettings().value(QStringLiteral("window/importFolder")).toString());
     dialog.setObjectName(QStringLiteral("importDialog"));
     dialog.setFileMode(QFileDialog::ExistingFiles);
-    dialog.setNameFilters(
-        {tr("Measurements (*.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.rtx *.ren)"), tr("All files (*)")});
+    dialog.setNameFilters({tr("Measurements (%1)").arg(importPatterns()), tr("All files (*)")});
     if (dialog.exec() != QDialog::Accepted)
         return;
     QSettings().setValue(QStringLiteral("window/importFolder"), dialog.directory().absolutePath());
