@@ -135,7 +135,8 @@ void settleLanguage(Invocation &invocation) {
 
 void demandFiles(const Command &command, const Invocation &invocation) {
     const bool takesFiles = *command.arguments != 0;
-    if (takesFiles && invocation.arguments.isEmpty())
+    const bool needsFiles = takesFiles && *command.arguments != '[';
+    if (needsFiles && invocation.arguments.isEmpty())
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file (%2)"),
                           {std::string(command.name), std::string(command.arguments)}});
     if (!takesFiles && !invocation.arguments.isEmpty())

@@ -11,6 +11,7 @@
 #include "export/partprogram.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/evaluation/positioningcase.h"
+#include "kernel/measurement/testfacts.h"
 #include "print/pdf/writepdf.h"
 #include "report/blocks/plaintext.h"
 #include "report/planreport.h"
@@ -21,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -29,6 +31,7 @@ namespace palmer {
 namespace {
 
 constexpr std::array targetsOptions{
+    Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first")},
     Option{"axis", "X", REPORT_TEXT("report", "name of the axis")},
     Option{"travel", "1000",
            REPORT_TEXT("report", "travel of the axis, mm; of rotary axes degrees. With --range what is "
@@ -72,9 +75,36 @@ std::optional<int> whole(const Invocation &invocation, const char *option, int l
     return given ? std::optional(static_cast<int>(wholeBetween(option, *given, least, most))) : std::nullopt;
 }
 
-Cycle cycle(const Invocation &invocation) {
-    return invocation.value(QLatin1StringView("cycle")) == QLatin1StringView("step") ? Cycle::step
-                                                                                     : Cycle::standard;
+/// What options are about to change: what a test of the file says, or a new plan.
+struct Begun {
+    TargetRequest request;
+    CycleProgram program;
+    const Edition *edition = &defaultEdition(Kind::positioning);
+    bool isOfFile = false;
+};
+
+/// Nothing for questions about the file that were printed.
+std::optional<Begun> begun(const Invocation &invocation) {
+    Begun result;
+    if (invocation.arguments.isEmpty()) {
+        if (invocation.has(QLatin1StringView("test")))
+            throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
+                              {std::string("--test"), std::string("FILE")}});
+        return result;
+    }
+    if (invocation.arguments.size() > 1)
+        throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("targets")}});
+    const auto document = documentFrom(invocation.arguments.front(), invocation);
+    if (!document)
+        return std::nullopt;
+    const Test &test = *document->tests[testIndex(invocation, document->tests.size())];
+    if (kindOf(test) != Kind::positioning)
+        throw UsageError({REPORT_TEXT("report", "only of a positioning test targets are planned"), {}});
+    std::tie(result.request, result.program) = plannedFor(test);
+    if (const Edition *edition = findEdition(test.edition))
+        result.edition = edition;
+    result.isOfFile = true;
+    return result;
 }
 
 std::optional<Dialect> dialect(const Invocation &invocation) {
@@ -86,28 +116,28 @@ std::optional<Dialect> dialect(const Invocation &invocation) {
     return found->dialect; // parseArguments() has refused other words
 }
 
-const Edition &edition(const Invocation &invocation) {
-    const Edition *asked = editionAsked(invocation, Kind::positioning);
-    return asked ? *asked : defaultEdition(Kind::positioning);
-}
-
 std::optional<Interval> interval(const Invocation &invocation, const char *option) {
     const auto given = invocation.value(QLatin1StringView(option));
     return given ? std::optional(intervalGiven(option, *given)) : std::nullopt;
 }
 
 /// What is measured lies between the ends of the axis, with the approach distance on either side.
-TargetRequest request(const Invocation &invocation, double approach) {
-    TargetRequest result;
-    result.rule = edition(invocation).targetRule;
-    result.motion = invocation.has(QLatin1StringView("rotary")) ? Motion::rotary : Motion::linear;
-    result.perMetre = number(invocation, "per-metre", 0).value_or(5);
-    result.period = number(invocation, "period", 0);
-    result.decimals = whole(invocation, "decimals", 0, 9).value_or(3);
-    result.seed = static_cast<std::uint64_t>(seedOf(invocation).value_or(1));
+TargetRequest request(const Invocation &invocation, const Begun &begun, double approach) {
+    TargetRequest result = begun.request;
+    result.rule = begun.edition->targetRule;
+    if (invocation.has(QLatin1StringView("rotary")))
+        result.motion = Motion::rotary;
+    result.perMetre = number(invocation, "per-metre", 0).value_or(result.perMetre);
+    if (const auto period = number(invocation, "period", 0))
+        result.period = period;
+    result.decimals = whole(invocation, "decimals", 0, 9).value_or(result.decimals);
+    result.seed =
+        static_cast<std::uint64_t>(seedOf(invocation).value_or(static_cast<long long>(result.seed)));
     const auto travel = number(invocation, "travel", 0);
     const auto from = numberOf(invocation, "from");
     const auto range = interval(invocation, "range");
+    if (begun.isOfFile && !travel && !range && !from)
+        return result;
     if (!travel && !range)
         throw UsageError(
             {REPORT_TEXT("report", "the command %1 needs --%2"), {std::string("targets"), "travel"}});
@@ -129,13 +159,13 @@ TargetRequest request(const Invocation &invocation, double approach) {
 }
 
 QByteArray planned(std::span<const PlannedMeasurement> plans, const CycleProgram &program,
-                   const Invocation &invocation, const QString &ending) {
+                   const Invocation &invocation, const Edition &edition, const QString &ending) {
     if (ending == QLatin1StringView("palmer")) {
         Document document;
         document.writtenBy = "Palmer " PALMER_VERSION;
         for (const PlannedMeasurement &one : plans)
             document.tests.push_back(std::make_shared<const Test>(
-                plannedTest(one.request, one.plan, programOf(one, program), edition(invocation).word)));
+                plannedTest(one.request, one.plan, programOf(one, program), edition.word)));
         return writeDocument(document);
     }
     const Report report = composePlan(plans, program, invocation.language);
@@ -147,13 +177,14 @@ QByteArray planned(std::span<const PlannedMeasurement> plans, const CycleProgram
     return pdf.data();
 }
 
-CycleProgram program(const Invocation &invocation, double approach, int runs) {
-    CycleProgram result;
-    result.axis =
-        invocation.value(QLatin1StringView("axis")).value_or(QStringLiteral("X")).trimmed().toStdString();
-    result.cycle = cycle(invocation);
+CycleProgram program(const Invocation &invocation, CycleProgram result, double approach, int runs) {
+    if (const auto axis = invocation.value(QLatin1StringView("axis")))
+        result.axis = axis->trimmed().toStdString();
+    if (const auto cycle = invocation.value(QLatin1StringView("cycle")))
+        result.cycle = *cycle == QLatin1StringView("step") ? Cycle::step : Cycle::standard;
     result.runs = whole(invocation, "runs", 1, 1000).value_or(runs);
-    result.feed = number(invocation, "feed", 0);
+    if (const auto feed = number(invocation, "feed", 0))
+        result.feed = feed;
     result.dwell = number(invocation, "dwell", 0).value_or(result.dwell);
     result.approach = approach;
     return result;
@@ -162,12 +193,12 @@ CycleProgram program(const Invocation &invocation, double approach, int runs) {
 /// What is to be written where: the plan, or the part program of each of its measurements.
 std::vector<std::pair<QString, QByteArray>> filesOf(const Invocation &invocation, const QString &output,
                                                     std::span<const PlannedMeasurement> plans,
-                                                    const CycleProgram &cycle) {
+                                                    const CycleProgram &cycle, const Edition &edition) {
     const auto chosen = dialect(invocation);
     const QString ending = QFileInfo(output).suffix().toLower();
     if (!chosen) {
         demandOutput(invocation, output, {"palmer", "pdf", "txt"});
-        return {{output, planned(plans, cycle, invocation, ending)}};
+        return {{output, planned(plans, cycle, invocation, edition, ending)}};
     }
     std::vector<std::pair<QString, QByteArray>> files;
     for (const PlannedMeasurement &one : plans) {
@@ -185,14 +216,17 @@ std::vector<std::pair<QString, QByteArray>> filesOf(const Invocation &invocation
 }
 
 int runTargets(const Invocation &invocation) {
-    if (!invocation.arguments.isEmpty())
-        throw UsageError({REPORT_TEXT("report", "the command %1 takes no file"), {std::string("targets")}});
     const auto output = invocation.value(QLatin1StringView("o"));
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("targets"), std::string("-o OUT")}});
-    const double approach = number(invocation, "approach", 0).value_or(CycleProgram().approach);
-    const auto plans = planMeasurements(request(invocation, approach), interval(invocation, "zone"));
+    auto base = begun(invocation);
+    if (!base)
+        return cannotRead;
+    if (const Edition *asked = editionAsked(invocation, Kind::positioning))
+        base->edition = asked;
+    const double approach = number(invocation, "approach", 0).value_or(base->program.approach);
+    const auto plans = planMeasurements(request(invocation, *base, approach), interval(invocation, "zone"));
     const bool isEmpty = plans.empty() || plans.back().plan.targets.empty();
     if (isEmpty)
         throw UsageError(
@@ -205,8 +239,8 @@ int runTargets(const Invocation &invocation) {
             {REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
              {std::string("--zone"), "--travel > " + std::to_string(std::lround(longestShort(motion)))}});
     const CycleProgram cycle =
-        programOf(plans.front(), program(invocation, approach, plans.front().plan.runs));
-    for (const auto &[path, bytes] : filesOf(invocation, *output, plans, cycle)) {
+        programOf(plans.front(), program(invocation, base->program, approach, plans.front().plan.runs));
+    for (const auto &[path, bytes] : filesOf(invocation, *output, plans, cycle, *base->edition)) {
         try {
             writeOutput(bytes, path);
         } catch (const Error &error) {
@@ -221,8 +255,10 @@ int runTargets(const Invocation &invocation) {
 
 Command targetsCommand() {
     return {"targets",
-            "",
-            REPORT_TEXT("report", "plans the targets of a positioning test, writes the part program"),
+            "[FILE]",
+            REPORT_TEXT("report",
+                        "plans the targets of a positioning test, writes the part program; with FILE as "
+                        "its test states axis and cycle"),
             targetsOptions,
             runTargets,
             true};

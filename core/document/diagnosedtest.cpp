@@ -75,4 +75,12 @@ std::vector<std::vector<std::size_t>> testsAtSeveralFeeds(const EvaluatedDocumen
     return groups;
 }
 
+std::vector<std::size_t> testsAtFeedsWith(const EvaluatedDocument &evaluated, std::size_t test) {
+    for (std::vector<std::size_t> &group : testsAtSeveralFeeds(evaluated)) {
+        if (std::ranges::find(group, test) != group.end())
+            return std::move(group);
+    }
+    return {};
+}
+
 } // namespace palmer

@@ -353,4 +353,22 @@ withSimulations(EvaluatedDocument evaluated, SimulateWhich which, int threads, c
     return evaluated;
 }
 
+std::optional<Accordance> worstAccordance(const EvaluatedDocument &evaluated) {
+    const auto isOf = [&](Accordance wanted) {
+        for (std::size_t test = 0; test < evaluated.tests.size(); ++test) {
+            const TestEvaluation &evaluation = *evaluated.tests[test];
+            if (evaluation.edition && countsForVerdict(*evaluated.document, test) &&
+                evaluation.accordance() == wanted)
+                return true;
+        }
+        return false;
+    };
+    for (const Accordance accordance : {Accordance::no, Accordance::notShown, Accordance::notChecked,
+                                        Accordance::partly, Accordance::yes}) {
+        if (isOf(accordance))
+            return accordance;
+    }
+    return std::nullopt;
+}
+
 } // namespace palmer

@@ -103,4 +103,7 @@ withSimulations(EvaluatedDocument evaluated, SimulateWhich which, int threads = 
                 const std::stop_token &stop = {},
                 const std::function<void(std::size_t test, const SimulationProgress &)> &progress = {});
 
+/// The worst accordance of the tests that the verdict rests on; null where none was evaluated.
+[[nodiscard]] std::optional<Accordance> worstAccordance(const EvaluatedDocument &evaluated);
+
 } // namespace palmer

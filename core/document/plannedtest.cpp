@@ -2,7 +2,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/plannedtest.h"
 
+#include "kernel/evaluation/edition.h"
+#include "kernel/evaluation/positioningcase.h"
+#include "kernel/measurement/testfacts.h"
+
+#include <algorithm>
+#include <optional>
+#include <variant>
+
 namespace palmer {
+
+namespace {
+
+/// The travel to measure (see plannedFor); null: none is known.
+std::optional<Interval> travelOf(const PositioningMeasurement &measurement, double approach) {
+    constexpr double turn = 360;
+    std::optional<Interval> travel;
+    if (measurement.axis.range)
+        travel = Interval{measurement.axis.range->from + approach, measurement.axis.range->to - approach};
+    else if (measurement.targets.size() > 1)
+        travel = Interval{measurement.targets.front(),
+                          measurement.targets.front() + measurementTravel(measurement)};
+    else if (measurement.axis.travel)
+        travel = Interval{approach, *measurement.axis.travel - approach};
+    if (!travel || !(travel->to > travel->from))
+        return std::nullopt;
+    if (measurement.axis.motion == Motion::rotary && travel->to - travel->from > turn) {
+        // A little more than a turn is there to approach its ends, not to be measured.
+        const double from = travel->from <= 0 && travel->to >= turn ? 0 : travel->from;
+        return Interval{from, from + turn};
+    }
+    return travel;
+}
+
+} // namespace
 
 Test plannedTest(const TargetRequest &request, const TargetPlan &plan, const CycleProgram &program,
                  const std::string &edition) {
@@ -29,6 +62,39 @@ Test plannedTest(const TargetRequest &request, const TargetPlan &plan, const Cyc
     test.edition = edition;
     test.measurement = std::move(measurement);
     return test;
+}
+
+std::pair<TargetRequest, CycleProgram> plannedFor(const Test &test) {
+    TargetRequest request;
+    CycleProgram program;
+    const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+    if (!measurement)
+        return {request, program};
+    if (const Edition *edition = findEdition(test.edition))
+        request.rule = edition->targetRule;
+    request.motion = measurement->axis.motion;
+    if (!measurement->axis.name.empty())
+        program.axis = measurement->axis.name;
+    if (measurement->conditions.approachDistance && *measurement->conditions.approachDistance > 0)
+        program.approach = *measurement->conditions.approachDistance;
+    if (const auto travel = travelOf(*measurement, program.approach)) {
+        request.from = travel->from;
+        request.travel = travel->to - travel->from;
+    }
+    request.axisTravel = measurement->axis.travel;
+    request.axisRange = measurement->axis.range;
+    if (measurement->zone && isLongAxis(*measurement)) {
+        request.zone = measurement->zone;
+        request.from = measurement->zone->from;
+        request.travel = measurement->zone->to - measurement->zone->from;
+    }
+    request.period = measurement->targetChoice.period;
+    request.seed = static_cast<std::uint64_t>(std::max(0LL, measurement->targetChoice.seed.value_or(1)));
+    program.cycle = measurement->cycle.value_or(program.cycle);
+    program.feed = measurement->conditions.feed;
+    if (measurement->conditions.dwell && *measurement->conditions.dwell > 0)
+        program.dwell = *measurement->conditions.dwell;
+    return {request, program};
 }
 
 } // namespace palmer

@@ -76,6 +76,23 @@ private slots:
             QVERIFY2(!checked.out.contains(unmet), checked.out.constData());
     }
 
+    /// What a test states of axis and cycle, as the window plans it; options say otherwise.
+    void plansForATest() {
+        const QStringList asked{"targets", EXAMPLES "long-axis-with-zone.palmer", "--language", "en", "-o",
+                                "-"};
+        const palmer::testdata::CliResult zone = run(asked);
+        QCOMPARE(zone.code, 0);
+        for (const char *line :
+             {"2\u202f000\u00a0mm to 4\u202f000\u00a0mm", "10\u202f000\u00a0mm/min", "2302"})
+            QVERIFY2(zone.out.contains(line), line);
+        const palmer::testdata::CliResult whole =
+            run(asked + QStringList{"--range", "0:6000", "--seed", "7"});
+        QCOMPARE(whole.code, 0);
+        QVERIFY(whole.out.contains("Full test of a zone"));
+        QVERIFY(whole.out.contains("2\u202f000\u00a0mm to 4\u202f000\u00a0mm") &&
+                !whole.out.contains("2302"));
+    }
+
     void writesAPdf() {
         QTemporaryDir folder;
         QCOMPARE(run({"targets", "--travel", "1000", "-o", folder.filePath("plan.pdf")}).code, 0);
@@ -101,7 +118,12 @@ private slots:
             << QStringList{"--travel", "9", "--axis", "X axis", "--program", "iso", "-o", "-"};
         QTest::newRow("an axis with a number where the dialect has none")
             << QStringList{"--travel", "9", "--axis", "X1", "--program", "haas", "-o", "-"};
-        QTest::newRow("a file to read") << QStringList{"x.palmer", "--travel", "9", "-o", "-"};
+        QTest::newRow("two files") << QStringList{"x.palmer", "y.palmer", "-o", "-"};
+        QTest::newRow("a circular test")
+            << QStringList{EXAMPLES "iso230-4-full-circles-xy.palmer", "-o", "-"};
+        QTest::newRow("a test there is not")
+            << QStringList{EXAMPLES "one-direction.palmer", "--test", "3", "-o", "-"};
+        QTest::newRow("a zone of a short axis") << QStringList{"--travel", "9", "--zone", "1:2", "-o", "-"};
     }
     void refusesWhatMakesNoPlan() {
         QFETCH(QStringList, arguments);

@@ -4,20 +4,9 @@
 
 #include "kernel/diagnosis/traces.h"
 
-#include <algorithm>
-
 namespace palmer::ui {
 
 namespace {
-
-/// The tests at several feeds that `test` belongs to.
-std::vector<std::size_t> feedsWith(const EvaluatedDocument &evaluated, std::size_t test) {
-    for (std::vector<std::size_t> &group : testsAtSeveralFeeds(evaluated)) {
-        if (std::ranges::find(group, test) != group.end())
-            return std::move(group);
-    }
-    return {};
-}
 
 ShownDiagnosis diagnosed(const EvaluatedDocument &evaluated, std::size_t test, const Language &language,
                          const std::stop_token &stop) {
@@ -29,7 +18,7 @@ ShownDiagnosis diagnosed(const EvaluatedDocument &evaluated, std::size_t test, c
     shown.prevailing = prevailingSources(*shown.test);
     shown.residual = residualFigure(*shown.test, language, 0);
     shown.spectrum = spectrumFigure(*shown.test, language, 0);
-    for (const std::size_t other : feedsWith(evaluated, test)) {
+    for (const std::size_t other : testsAtFeedsWith(evaluated, test)) {
         if (stop.stop_requested())
             return shown;
         if (auto one = other == test ? shown.test : diagnosedTest(evaluated, other))

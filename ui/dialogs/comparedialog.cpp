@@ -5,6 +5,7 @@
 #include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/testfile.h"
+#include "import/formats.h"
 #include "import/importmeasurement.h"
 #include "kernel/measurement/testfacts.h"
 #include "ui/circles/quiettable.h"
@@ -202,11 +203,6 @@ QStringList fill(QTableWidget &table, const ResultComparison &comparison, const 
     return footnotes;
 }
 
-/// Whether two tests are of the same axis, or of the same plane.
-bool isOfSameAxis(const Test &a, const Test &b) {
-    return isJudged(a) && kindOf(a) == kindOf(b) && axesOf(a) == axesOf(b);
-}
-
 /// The tests of a test file, or the one of a file of measurements; its guesses go into `guesses`.
 Document readTests(const QString &path, std::vector<Message> &guesses) {
     const QByteArray bytes = readBytes(path);
@@ -349,7 +345,7 @@ void CompareDialog::offer(const EvaluatedDocument &evaluated, const QString &fil
         };
         for (int number = 2; std::ranges::any_of(m_offers, isNamed(name)); ++number)
             name = QStringLiteral("%1 (%2)").arg(testName(test)).arg(number);
-        m_offers.push_back({{evaluated, i, name}, !file.isEmpty() || isOfSameAxis(first, test)});
+        m_offers.push_back({{evaluated, i, name}, !file.isEmpty() || areOfSameAxis(first, test)});
     }
 }
 
@@ -440,7 +436,7 @@ void CompareDialog::chooseFile() {
     dialog.setObjectName(QStringLiteral("compareFileDialog"));
     dialog.setFileMode(QFileDialog::ExistingFiles);
     dialog.setNameFilters(
-        {tr("Tests and measurements (*.palmer *.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.ren)"),
+        {tr("Tests and measurements (%1)").arg(QStringLiteral("*.palmer ") + importPatterns()),
          tr("All files (*)")});
     if (dialog.exec() != QDialog::Accepted)
         return;

@@ -7,7 +7,6 @@
 #include "document/savedocument.h"
 #include "document/testfile.h"
 #include "kernel/evaluation/edition.h"
-#include "kernel/evaluation/positioningcase.h"
 #include "language/decimals.h"
 #include "language/entry.h"
 #include "print/pdf/pages.h"
@@ -38,6 +37,7 @@
 #include <QScrollBar>
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace palmer::ui {
 
@@ -56,28 +56,6 @@ bool hasReadings(const PositioningMeasurement &measurement) {
                                    });
                                }) ||
            !measurement.excluded.empty();
-}
-
-/// The travel to measure: between the ends of the axis, which it approaches its targets within; where they
-/// are not stated that of the test, or of the axis. Of a rotary axis one turn. Null: none is known.
-std::optional<Interval> travelOf(const PositioningMeasurement &measurement, double approach) {
-    constexpr double turn = 360;
-    std::optional<Interval> travel;
-    if (measurement.axis.range)
-        travel = Interval{measurement.axis.range->from + approach, measurement.axis.range->to - approach};
-    else if (measurement.targets.size() > 1)
-        travel = Interval{measurement.targets.front(),
-                          measurement.targets.front() + measurementTravel(measurement)};
-    else if (measurement.axis.travel)
-        travel = Interval{approach, *measurement.axis.travel - approach};
-    if (!travel || !(travel->to > travel->from))
-        return std::nullopt;
-    if (measurement.axis.motion == Motion::rotary && travel->to - travel->from > turn) {
-        // A little more than a turn is there to approach its ends, not to be measured.
-        const double from = travel->from <= 0 && travel->to >= turn ? 0 : travel->from;
-        return Interval{from, from + turn};
-    }
-    return travel;
 }
 
 using Setter = std::function<QString(const std::optional<double> &)>;
@@ -284,7 +262,7 @@ QWidget *PlanDialog::makeFields() {
               [this] { return m_request.motion == Motion::linear ? Quantity::feed : Quantity::angularFeed; },
               [this] { return m_program.feed; }, positiveOrNone(m_program.feed)),
           addNumber(
-              "dwell", QT_TR_NOOP("Dwell at the target"), false, [] { return Quantity::time; },
+              "dwell", QT_TR_NOOP("Dwell at target"), false, [] { return Quantity::time; },
               [this] { return m_program.dwell; }, needed(m_program.dwell, true)));
     place(addNumber(
               "approach", QT_TR_NOOP("Approach distance"), false, position,
@@ -354,35 +332,11 @@ Field *PlanDialog::addNumber(const char *name, const char *label, bool whole,
 }
 
 void PlanDialog::begin(std::size_t test) {
-    const auto &tests = m_model.document()->tests;
-    const auto *measurement = measured<PositioningMeasurement>(*m_model.document(), test);
-    if (!measurement)
+    if (!measured<PositioningMeasurement>(*m_model.document(), test))
         return;
-    m_edition = tests[test]->edition;
-    if (const Edition *edition = findEdition(m_edition))
-        m_request.rule = edition->targetRule;
-    m_request.motion = measurement->axis.motion;
-    if (!measurement->axis.name.empty())
-        m_program.axis = measurement->axis.name;
-    if (measurement->conditions.approachDistance && *measurement->conditions.approachDistance > 0)
-        m_program.approach = *measurement->conditions.approachDistance;
-    if (const auto travel = travelOf(*measurement, m_program.approach)) {
-        m_request.from = travel->from;
-        m_request.travel = travel->to - travel->from;
-    }
-    m_request.axisTravel = measurement->axis.travel;
-    m_request.axisRange = measurement->axis.range;
-    if (measurement->zone && isLongAxis(*measurement)) {
-        m_request.zone = measurement->zone;
-        m_request.from = measurement->zone->from;
-        m_request.travel = measurement->zone->to - measurement->zone->from;
-    }
-    m_request.period = measurement->targetChoice.period;
-    m_request.seed = static_cast<std::uint64_t>(std::max(0LL, measurement->targetChoice.seed.value_or(1)));
-    m_program.cycle = measurement->cycle.value_or(m_program.cycle);
-    m_program.feed = measurement->conditions.feed;
-    if (measurement->conditions.dwell && *measurement->conditions.dwell > 0)
-        m_program.dwell = *measurement->conditions.dwell;
+    const Test &shown = *m_model.document()->tests[test];
+    m_edition = shown.edition;
+    std::tie(m_request, m_program) = plannedFor(shown);
 }
 
 void PlanDialog::replan() {
@@ -462,10 +416,13 @@ QString PlanDialog::summary() const {
                    "from %2 to %3.")
                     .arg(random, from, to);
     if (const auto zone = m_plans.back().request.zone; zone && m_plans.size() > 1)
-        text +=
-            u' ' + tr("A long axis: once each way over the whole travel, and a full test of a zone besides, "
-                      "planned from %1 to %2; the zone is to be agreed.")
-                       .arg(language.quantity(zone->from, position), language.quantity(zone->to, position));
+        text += u' ' +
+                (m_request.zone
+                     ? tr("A long axis: once each way over the whole travel, and a full test of the agreed "
+                          "zone besides, from %1 to %2.")
+                     : tr("A long axis: once each way over the whole travel, and a full test of a zone "
+                          "besides, planned from %1 to %2; the zone is to be agreed."))
+                    .arg(language.quantity(zone->from, position), language.quantity(zone->to, position));
     const auto *measurement = measured<PositioningMeasurement>(*m_model.document(), m_test);
     if (measurement && measurement->axis.range &&
         (low < measurement->axis.range->from || high > measurement->axis.range->to))

@@ -40,7 +40,7 @@ std::optional<Verdict> verdictOf(const QString &text) {
     return std::nullopt;
 }
 
-/// From the worst to the best; the words are those of the settings.
+/// The words of the settings.
 struct AccordanceWord {
     Accordance accordance = Accordance::notChecked;
     const char *word = nullptr;
@@ -59,21 +59,6 @@ QString wordOf(std::optional<Accordance> accordance) {
 std::optional<Accordance> accordanceOf(const QString &text) {
     const auto found = std::ranges::find(accordanceWords, text,
                                          [](const auto &entry) { return QString::fromLatin1(entry.word); });
-    return found == accordanceWords.end() ? std::nullopt : std::optional(found->accordance);
-}
-
-std::optional<Accordance> worstAccordance(const EvaluatedDocument &evaluated) {
-    const auto isOf = [&](Accordance wanted) {
-        for (std::size_t test = 0; test < evaluated.tests.size(); ++test) {
-            const TestEvaluation &evaluation = *evaluated.tests[test];
-            if (evaluation.edition && countsForVerdict(*evaluated.document, test) &&
-                evaluation.accordance() == wanted)
-                return true;
-        }
-        return false;
-    };
-    const auto found =
-        std::ranges::find_if(accordanceWords, [&](const auto &entry) { return isOf(entry.accordance); });
     return found == accordanceWords.end() ? std::nullopt : std::optional(found->accordance);
 }
 

@@ -136,4 +136,16 @@ bool isUnfinished(const Test &test) {
     return std::visit([](const auto &measurement) { return isIncomplete(measurement); }, test.measurement);
 }
 
+bool asksPerMetre(const Test &test) {
+    const bool linear = motionOf(test) == Motion::linear;
+    return partOr(false, test.measurement,
+                  [linear](auto &m) -> decltype(m.uncertainty.device.perMetre.has_value()) {
+                      return linear || m.uncertainty.device.perMetre.value_or(0) != 0;
+                  });
+}
+
+bool areOfSameAxis(const Test &a, const Test &b) {
+    return isJudged(a) && kindOf(a) == kindOf(b) && axesOf(a) == axesOf(b);
+}
+
 } // namespace palmer

@@ -86,6 +86,13 @@ void withUncertainty(AnyTest &test, Use use) {
 [[nodiscard]] std::optional<double> rangeOf(const DriftMeasurement &measurement);
 [[nodiscard]] std::optional<double> rangeAtRest(const Test &test);
 
+/// Whether the device has an uncertainty per metre to state: a rotary axis has no metres, but what a file
+/// says of them is there to be taken out.
+[[nodiscard]] bool asksPerMetre(const Test &test);
+
+/// Judged tests of one kind and of the same axis, or plane.
+[[nodiscard]] bool areOfSameAxis(const Test &a, const Test &b);
+
 /// Readings with the missing ones, points of circles.
 [[nodiscard]] std::size_t readingsOf(const Test &test);
 
