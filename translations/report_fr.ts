@@ -1589,14 +1589,6 @@
         <translation>vitesse programmée</translation>
     </message>
     <message>
-        <source>Feed between targets</source>
-        <translation>Avance entre points</translation>
-    </message>
-    <message>
-        <source>Dwell at target</source>
-        <translation>Arrêt au point visé</translation>
-    </message>
-    <message>
         <source>Approach distance</source>
         <translation>Distance d’approche</translation>
     </message>
@@ -1647,7 +1639,7 @@
     </message>
     <message>
         <source>Choice of targets</source>
-        <translation>Choix des points</translation>
+        <translation>Choix des points visés</translation>
     </message>
     <message>
         <source>Target positions</source>
@@ -1656,14 +1648,6 @@
     <message>
         <source>Zero of displacement</source>
         <translation>Origine du déplacement</translation>
-    </message>
-    <message>
-        <source>Soak</source>
-        <translation>Stabilisation thermique</translation>
-    </message>
-    <message>
-        <source>Thermal shielding</source>
-        <translation>Protection thermique</translation>
     </message>
     <message>
         <source>Maker’s thermal guidelines</source>
@@ -2651,28 +2635,28 @@
         <translation>tableau</translation>
     </message>
     <message>
-        <source>workbook (.xlsx, .ods)</source>
-        <translation>classeur (.xlsx, .ods)</translation>
+        <source>workbook</source>
+        <translation>classeur</translation>
     </message>
     <message>
-        <source>Renishaw laser data (.rtl)</source>
-        <translation>données laser Renishaw (.rtl)</translation>
+        <source>Renishaw laser data</source>
+        <translation>données laser Renishaw</translation>
     </message>
     <message>
-        <source>Renishaw ballbar (.b5r)</source>
-        <translation>ballbar Renishaw (.b5r)</translation>
+        <source>Renishaw ballbar</source>
+        <translation>ballbar Renishaw</translation>
     </message>
     <message>
-        <source>Renishaw dynamic capture (.rtx)</source>
-        <translation>acquisition dynamique Renishaw (.rtx)</translation>
+        <source>Renishaw dynamic capture</source>
+        <translation>acquisition dynamique Renishaw</translation>
     </message>
     <message>
         <source>values with indexes (TGT_DATA)</source>
         <translation>valeurs indexées (TGT_DATA)</translation>
     </message>
     <message>
-        <source>compensation text (.REN)</source>
-        <translation>texte de compensation (.REN)</translation>
+        <source>compensation text</source>
+        <translation>texte de compensation</translation>
     </message>
     <message>
         <source>UTF-8</source>
@@ -4151,8 +4135,8 @@
         <translation>L’avance entre les points, telle que programmée&#x202f;; ou rapide.</translation>
     </message>
     <message>
-        <source>Dwell at the target</source>
-        <translation>Temps d’arrêt au point</translation>
+        <source>Dwell at target</source>
+        <translation>Arrêt au point visé</translation>
     </message>
     <message>
         <source>How long the axis rests before the reading is taken.</source>
@@ -4185,10 +4169,6 @@
     <message>
         <source>At the place of the test and not reduced to sea level: the wavelength of a laser depends on it.</source>
         <translation>Au lieu de l’essai et non ramenée au niveau de la mer&#xa0;: la longueur d’onde d’un laser en dépend.</translation>
-    </message>
-    <message>
-        <source>Air humidity</source>
-        <translation>Humidité de l’air</translation>
     </message>
     <message>
         <source>Relative humidity at the machine.</source>
@@ -4231,10 +4211,6 @@
         <translation>X, Y, Z de la référence de la pièce à la ligne de mesure. 0 est une indication, vide n’en est pas une.</translation>
     </message>
     <message>
-        <source>Complete, in working order</source>
-        <translation>Machine complète, en état de marche</translation>
-    </message>
-    <message>
         <source>The machine was completely assembled and in working order; guards may be absent.</source>
         <translation>La machine était complètement assemblée et en état de marche&#x202f;; les protecteurs peuvent manquer.</translation>
     </message>
@@ -4245,10 +4221,6 @@
     <message>
         <source>Levelling and geometric alignment were done before the test.</source>
         <translation>La mise à niveau et l’alignement géométrique ont été faits avant l’essai.</translation>
-    </message>
-    <message>
-        <source>Unloaded</source>
-        <translation>Machine à vide</translation>
     </message>
     <message>
         <source>The test was made without workpiece.</source>
@@ -4788,10 +4760,6 @@
     <message>
         <source>these numbers give no plan: too many targets, or too few decimals to tell them apart</source>
         <translation>ces nombres ne donnent aucun plan&#xa0;: trop de points, ou trop peu de décimales pour les distinguer</translation>
-    </message>
-    <message>
-        <source>plans the targets of a positioning test, writes the part program</source>
-        <translation>planifie les points visés d’un essai de positionnement, écrit le programme pièce</translation>
     </message>
     <message>
         <source>s from the range in %1, from the squares in %2.</source>
@@ -5342,8 +5310,8 @@
         <translation>Source</translation>
     </message>
     <message>
-        <source>API laser data (.pos)</source>
-        <translation>données laser API (.pos)</translation>
+        <source>API laser data</source>
+        <translation>données laser API</translation>
     </message>
     <message>
         <source>the numbers are right</source>
@@ -6547,10 +6515,6 @@
         <source>continuous</source>
         <comment>scale</comment>
         <translation>règle continue</translation>
-    </message>
-    <message>
-        <source>Continuous device</source>
-        <translation>Échelle continue</translation>
     </message>
     <message>
         <source>over the %1 h before the test and during it</source>
@@ -9058,6 +9022,62 @@
     <message>
         <source>Contribution</source>
         <translation>Contribution</translation>
+    </message>
+    <message>
+        <source>Machine complete, in working order</source>
+        <translation>Machine complète, en état de marche</translation>
+    </message>
+    <message>
+        <source>Machine unloaded</source>
+        <translation>Machine à vide</translation>
+    </message>
+    <message>
+        <source>Range of α, machine: %1</source>
+        <translation>Étendue α machine&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>gives U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2</source>
+        <translation>donne U(α) = 2&#xa0;µm/(m·°C), le minimum usuel selon l’ISO 230-2</translation>
+    </message>
+    <message>
+        <source>Laser interferometer: α 0</source>
+        <translation>Interféromètre laser&#xa0;: α 0</translation>
+    </message>
+    <message>
+        <source>light has no material that expands</source>
+        <translation>la lumière n’a pas de matière qui se dilate</translation>
+    </message>
+    <message>
+        <source>Resolution: %1</source>
+        <translation>Résolution&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>as stated for the instrument %1</source>
+        <translation>indiquée pour l’instrument %1</translation>
+    </message>
+    <message>
+        <source>u of α, machine: %1</source>
+        <translation>u de α machine&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>half of U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2</source>
+        <translation>moitié de U(α) = 2&#xa0;µm/(m·°C), le minimum usuel selon l’ISO 230-2</translation>
+    </message>
+    <message>
+        <source>drift test %1</source>
+        <translation>essai de dérive %1</translation>
+    </message>
+    <message>
+        <source>E_VE: %1</source>
+        <translation>E_VE&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>only of a positioning test targets are planned</source>
+        <translation>les points visés ne se planifient que pour un essai de positionnement</translation>
+    </message>
+    <message>
+        <source>plans the targets of a positioning test, writes the part program; with FILE as its test states axis and cycle</source>
+        <translation>planifie les points visés d’un essai de positionnement, écrit le programme pièce&#x202f;; avec FILE, d’après l’axe et le cycle de son essai</translation>
     </message>
 </context>
 </TS>

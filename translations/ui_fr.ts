@@ -416,10 +416,6 @@
         <translation>réglé</translation>
     </message>
     <message>
-        <source>not agreed</source>
-        <translation>non convenu</translation>
-    </message>
-    <message>
         <source>Agreed</source>
         <translation>Convenu</translation>
     </message>
@@ -434,10 +430,6 @@
     <message>
         <source>text of the agreement</source>
         <translation>texte de l’accord</translation>
-    </message>
-    <message>
-        <source>%1, clause %2</source>
-        <translation>%1, article %2</translation>
     </message>
     <message>
         <source>Text of an agreement</source>
@@ -459,20 +451,12 @@
         <translation>%1 caractères, alors qu’un fichier d’essai en admet %2 au plus&#xa0;: le texte précédent est conservé.</translation>
     </message>
     <message>
-        <source>not declared</source>
-        <translation>non déclaré</translation>
-    </message>
-    <message>
         <source>Not declared</source>
         <translation>Non déclaré</translation>
     </message>
     <message>
         <source>Number of an agreement</source>
         <translation>Valeur d’un accord</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>%1: number</source>
@@ -639,10 +623,6 @@
         <translation>De chaque sens, le premier arc est évalué&#x202f;; les suivants sont des répétitions</translation>
     </message>
     <message>
-        <source>Sense</source>
-        <translation>Sens</translation>
-    </message>
-    <message>
         <source>points</source>
         <translation>points</translation>
     </message>
@@ -687,24 +667,12 @@
         <translation>Toutes les trajectoires en une figure, ou les figures de la norme, chacune autour de son centre</translation>
     </message>
     <message>
-        <source>anticlockwise</source>
-        <translation>sens antihoraire</translation>
-    </message>
-    <message>
         <source>Show the path anticlockwise</source>
         <translation>Afficher la trajectoire en sens antihoraire</translation>
     </message>
     <message>
-        <source>clockwise</source>
-        <translation>sens horaire</translation>
-    </message>
-    <message>
         <source>Show the path clockwise</source>
         <translation>Afficher la trajectoire en sens horaire</translation>
-    </message>
-    <message>
-        <source>repetitions</source>
-        <translation>répétitions</translation>
     </message>
     <message>
         <source>Show repeated paths</source>
@@ -722,28 +690,12 @@
 <context>
     <name>palmer::ui::CirclesPage</name>
     <message>
-        <source>anticlockwise</source>
-        <translation>sens antihoraire</translation>
-    </message>
-    <message>
-        <source>clockwise</source>
-        <translation>sens horaire</translation>
+        <source>Contouring feed</source>
+        <translation>Avance de contournage</translation>
     </message>
     <message>
         <source>%1, point %2: %3 · %4</source>
         <translation>%1, point %2&#xa0;: %3 · %4</translation>
-    </message>
-    <message>
-        <source>Plane</source>
-        <translation>Plan</translation>
-    </message>
-    <message>
-        <source>Nominal radius</source>
-        <translation>Rayon nominal</translation>
-    </message>
-    <message>
-        <source>Contouring feed</source>
-        <translation>Avance de contournage</translation>
     </message>
     <message>
         <source>Source</source>
@@ -758,16 +710,8 @@
         <translation>Centrage pour F</translation>
     </message>
     <message>
-        <source>Angle</source>
-        <translation>Angle</translation>
-    </message>
-    <message>
         <source>external</source>
         <translation>externe</translation>
-    </message>
-    <message>
-        <source>feedback signal</source>
-        <translation>signal de retour</translation>
     </message>
     <message>
         <source>minimum zone (MZC)</source>
@@ -776,10 +720,6 @@
     <message>
         <source>least squares (LSC)</source>
         <translation>moindres carrés (LSC)</translation>
-    </message>
-    <message>
-        <source>set-up of the instrument</source>
-        <translation>réglage de l’instrument</translation>
     </message>
     <message>
         <source>of the point (polar)</source>
@@ -854,10 +794,6 @@
         <translation>Arcs</translation>
     </message>
     <message>
-        <source>Points</source>
-        <translation>Points</translation>
-    </message>
-    <message>
         <source>Radial deviation over the angle</source>
         <translation>Écart radial en fonction de l’angle</translation>
     </message>
@@ -926,10 +862,6 @@
     <message>
         <source>not above the lower end of the range</source>
         <translation>pas supérieur au début de l’étendue</translation>
-    </message>
-    <message>
-        <source>What the evaluated range leaves out</source>
-        <translation>Ce que la plage évaluée laisse de côté</translation>
     </message>
     <message>
         <source>What the evaluated range leaves out: feed-in, overshoot…</source>
@@ -1038,10 +970,6 @@
         <translation>Tous les fichiers (*)</translation>
     </message>
     <message>
-        <source>Compare</source>
-        <translation>Comparer</translation>
-    </message>
-    <message>
         <source>&amp;Editions</source>
         <translation>&amp;Éditions</translation>
     </message>
@@ -1070,10 +998,6 @@
         <translation>Éditions</translation>
     </message>
     <message>
-        <source>Tests</source>
-        <translation>Essais</translation>
-    </message>
-    <message>
         <source>Results by edition</source>
         <translation>Résultats par édition</translation>
     </message>
@@ -1082,8 +1006,8 @@
         <translation>Résultats par essai</translation>
     </message>
     <message>
-        <source>Tests and measurements (*.palmer *.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.ren)</source>
-        <translation>Essais et mesures (*.palmer *.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.ren)</translation>
+        <source>Tests and measurements (%1)</source>
+        <translation>Essais et mesures (%1)</translation>
     </message>
     <message>
         <source>Deviations of the tests over one another</source>
@@ -1129,10 +1053,6 @@
         <translation>Table de compensation</translation>
     </message>
     <message>
-        <source>Control</source>
-        <translation>Commande</translation>
-    </message>
-    <message>
         <source>any (CSV)</source>
         <translation>autre (CSV)</translation>
     </message>
@@ -1143,22 +1063,6 @@
     <message>
         <source>corrections, added to the command</source>
         <translation>corrections, ajoutées à la consigne</translation>
-    </message>
-    <message>
-        <source>deviations</source>
-        <translation>écarts</translation>
-    </message>
-    <message>
-        <source>Decimal mark</source>
-        <translation>Séparateur décimal</translation>
-    </message>
-    <message>
-        <source>point .</source>
-        <translation>point .</translation>
-    </message>
-    <message>
-        <source>comma ,</source>
-        <translation>virgule ,</translation>
     </message>
     <message>
         <source>&amp;Each direction apart</source>
@@ -1179,18 +1083,6 @@
     <message>
         <source>Prediction</source>
         <translation>Prévision</translation>
-    </message>
-    <message>
-        <source>Quantity</source>
-        <translation>Grandeur</translation>
-    </message>
-    <message>
-        <source>measured</source>
-        <translation>mesuré</translation>
-    </message>
-    <message>
-        <source>predicted</source>
-        <translation>prévu</translation>
     </message>
     <message>
         <source>&amp;Save the table…</source>
@@ -1221,10 +1113,6 @@
         <translation>%1 ne peut pas être comparé</translation>
     </message>
     <message>
-        <source>Measuring system</source>
-        <translation>Système de mesure</translation>
-    </message>
-    <message>
         <source>first (0)</source>
         <translation>premier (0)</translation>
     </message>
@@ -1236,10 +1124,6 @@
         <source>Compare &amp;with a table…</source>
         <translation>C&amp;omparer à une table…</translation>
     </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
-    </message>
 </context>
 <context>
     <name>palmer::ui::ConditionsPage</name>
@@ -1248,40 +1132,16 @@
         <translation>choisis librement</translation>
     </message>
     <message>
-        <source>faces of the polygon</source>
-        <translation>faces du polygone</translation>
-    </message>
-    <message>
         <source>given by the device</source>
         <translation>imposés par l’appareil</translation>
-    </message>
-    <message>
-        <source>not applied</source>
-        <translation>non appliquée</translation>
     </message>
     <message>
         <source>by the instrument</source>
         <translation>par l’instrument</translation>
     </message>
     <message>
-        <source>applied here</source>
-        <translation>appliquée ici</translation>
-    </message>
-    <message>
-        <source>dry run</source>
-        <translation>essai à blanc préalable</translation>
-    </message>
-    <message>
-        <source>set-up movements only</source>
-        <translation>mouvements de réglage seulement</translation>
-    </message>
-    <message>
         <source>rapid</source>
         <translation>vitesse rapide</translation>
-    </message>
-    <message>
-        <source>Temperatures</source>
-        <translation>Températures</translation>
     </message>
     <message>
         <source>Air, start</source>
@@ -1290,10 +1150,6 @@
     <message>
         <source>Air, end</source>
         <translation>Air, fin</translation>
-    </message>
-    <message>
-        <source>Correction to 20 °C</source>
-        <translation>Correction à 20 °C</translation>
     </message>
     <message>
         <source>Machine, start</source>
@@ -1316,56 +1172,12 @@
         <translation>Instrument, fin</translation>
     </message>
     <message>
-        <source>Air pressure</source>
-        <translation>Pression de l’air</translation>
-    </message>
-    <message>
-        <source>Relative humidity</source>
-        <translation>Humidité relative</translation>
-    </message>
-    <message>
-        <source>Temperature gradient</source>
-        <translation>Gradient de température</translation>
-    </message>
-    <message>
         <source>Cycle and load</source>
         <translation>Cycle et charge</translation>
     </message>
     <message>
-        <source>Feed rate</source>
-        <translation>Vitesse d’avance</translation>
-    </message>
-    <message>
-        <source>Dwell at the target</source>
-        <translation>Temps d’arrêt</translation>
-    </message>
-    <message>
-        <source>Load</source>
-        <translation>Charge</translation>
-    </message>
-    <message>
-        <source>Warm-up</source>
-        <translation>Mise en température</translation>
-    </message>
-    <message>
-        <source>Active compensation</source>
-        <translation>Compensation active</translation>
-    </message>
-    <message>
-        <source>Levelled and aligned</source>
-        <translation>Mise à niveau et alignée</translation>
-    </message>
-    <message>
         <source>Positions</source>
         <translation>Positions</translation>
-    </message>
-    <message>
-        <source>Position of the instrument</source>
-        <translation>Position de l’instrument</translation>
-    </message>
-    <message>
-        <source>Axes not under test</source>
-        <translation>Axes non concernés</translation>
     </message>
     <message>
         <source>Offset to tool, X</source>
@@ -1394,26 +1206,6 @@
     <message>
         <source>Test and axis</source>
         <translation>Essai et axe</translation>
-    </message>
-    <message>
-        <source>Date of test</source>
-        <translation>Date de l’essai</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Axe</translation>
-    </message>
-    <message>
-        <source>Axis travel</source>
-        <translation>Longueur d’axe</translation>
-    </message>
-    <message>
-        <source>Measuring system of the axis</source>
-        <translation>Système de mesure de l’axe</translation>
-    </message>
-    <message>
-        <source>Choice of targets</source>
-        <translation>Choix des points visés</translation>
     </message>
     <message>
         <source>Air %1, start</source>
@@ -1448,10 +1240,6 @@
         <translation>Capteur non attribué, fin</translation>
     </message>
     <message>
-        <source>Remarks</source>
-        <translation>Remarques</translation>
-    </message>
-    <message>
         <source>Remarks on the test</source>
         <translation>Remarques sur l’essai</translation>
     </message>
@@ -1484,36 +1272,8 @@
         <translation>programmée</translation>
     </message>
     <message>
-        <source>Approach distance</source>
-        <translation>Distance d’approche</translation>
-    </message>
-    <message>
-        <source>Contouring feed</source>
-        <translation>Vitesse d’avance de contournage</translation>
-    </message>
-    <message>
-        <source>Data smoothing</source>
-        <translation>Lissage des données</translation>
-    </message>
-    <message>
-        <source>Re-centred between the runs</source>
-        <translation>Recentré entre les passes</translation>
-    </message>
-    <message>
         <source>Warm-up, details</source>
         <translation>Mise en température, détails</translation>
-    </message>
-    <message>
-        <source>Soaking time</source>
-        <translation>Durée de stabilisation</translation>
-    </message>
-    <message>
-        <source>Shielded from draughts and radiation</source>
-        <translation>Protégée des courants d’air, du rayonnement</translation>
-    </message>
-    <message>
-        <source>Thermal guidelines of the maker</source>
-        <translation>Directives thermiques du constructeur</translation>
     </message>
     <message>
         <source>Centre of the circle, X</source>
@@ -1528,14 +1288,6 @@
         <translation>Centre du cercle, Z</translation>
     </message>
     <message>
-        <source>Start point</source>
-        <translation>Point de départ</translation>
-    </message>
-    <message>
-        <source>Stop point</source>
-        <translation>Point d’arrivée</translation>
-    </message>
-    <message>
         <source>Title of the test</source>
         <translation>Titre de l’essai</translation>
     </message>
@@ -1544,52 +1296,8 @@
         <translation>Heure</translation>
     </message>
     <message>
-        <source>Motion</source>
-        <translation>Mouvement</translation>
-    </message>
-    <message>
-        <source>linear</source>
-        <translation>linéaire</translation>
-    </message>
-    <message>
-        <source>rotary</source>
-        <translation>rotatif</translation>
-    </message>
-    <message>
-        <source>Ends of the axis</source>
-        <translation>Extrémités de l’axe</translation>
-    </message>
-    <message>
-        <source>Agreed working zone</source>
-        <translation>Zone de travail convenue</translation>
-    </message>
-    <message>
-        <source>Zero of the displacement</source>
-        <translation>Origine du déplacement</translation>
-    </message>
-    <message>
-        <source>Nominal interval</source>
-        <translation>Intervalle nominal</translation>
-    </message>
-    <message>
         <source>Period of the error</source>
         <translation>Période de l’erreur périodique</translation>
-    </message>
-    <message>
-        <source>Test cycle</source>
-        <translation>Cycle d’essai</translation>
-    </message>
-    <message>
-        <source>standard test cycle</source>
-        <translation>cycle d’essai normal</translation>
-    </message>
-    <message>
-        <source>step cycle</source>
-        <translation>cycle en pas</translation>
-    </message>
-    <message>
-        <source>Standard deviation</source>
-        <translation>Écart-type</translation>
     </message>
     <message>
         <source>by calculation</source>
@@ -1612,32 +1320,12 @@
         <translation>procédure convenue ou du constructeur</translation>
     </message>
     <message>
-        <source>Room temperature can be controlled</source>
-        <translation>Température de la salle réglable</translation>
-    </message>
-    <message>
-        <source>Thermally stable before the test</source>
-        <translation>Stabilité thermique avant l’essai</translation>
-    </message>
-    <message>
-        <source>Compensation by the instrument</source>
-        <translation>Compensation par l’instrument</translation>
-    </message>
-    <message>
         <source>switched on</source>
         <translation>en service</translation>
     </message>
     <message>
         <source>switched off</source>
         <translation>hors service</translation>
-    </message>
-    <message>
-        <source>the instrument has none</source>
-        <translation>sans objet pour l’instrument</translation>
-    </message>
-    <message>
-        <source>Gradient: hours before the test</source>
-        <translation>Gradient&#xa0;: heures avant l’essai</translation>
     </message>
     <message>
         <source>Agreed limit of the gradient</source>
@@ -1660,24 +1348,12 @@
         <translation>Vitesse d’avance convenue</translation>
     </message>
     <message>
-        <source>Continuous measuring device</source>
-        <translation>Dispositif à échelle continue</translation>
-    </message>
-    <message>
         <source>Specified diameter</source>
         <translation>Diamètre spécifié</translation>
     </message>
     <message>
         <source>Specified feed</source>
         <translation>Vitesse d’avance spécifiée</translation>
-    </message>
-    <message>
-        <source>Purpose of the test</source>
-        <translation>But de l’essai</translation>
-    </message>
-    <message>
-        <source>type test</source>
-        <translation>essai de type</translation>
     </message>
     <message>
         <source>acceptance</source>
@@ -1688,36 +1364,8 @@
         <translation>comparaison</translation>
     </message>
     <message>
-        <source>periodic check</source>
-        <translation>contrôle périodique</translation>
-    </message>
-    <message>
         <source>compensation</source>
         <translation>compensation</translation>
-    </message>
-    <message>
-        <source>after repair</source>
-        <translation>après réparation</translation>
-    </message>
-    <message>
-        <source>after collision</source>
-        <translation>après collision</translation>
-    </message>
-    <message>
-        <source>other purpose</source>
-        <translation>autre but</translation>
-    </message>
-    <message>
-        <source>As found or as left</source>
-        <translation>Avant ou après réglage</translation>
-    </message>
-    <message>
-        <source>as found</source>
-        <translation>avant réglage</translation>
-    </message>
-    <message>
-        <source>as left</source>
-        <translation>après réglage</translation>
     </message>
     <message>
         <source>Rest of the requirements declared met by</source>
@@ -1738,14 +1386,6 @@
     <message>
         <source>Element of the scale (0: continuous)</source>
         <translation>Élément de l’échelle (0&#xa0;: continue)</translation>
-    </message>
-    <message>
-        <source>Machine complete, in working order</source>
-        <translation>Machine complète, en état de marche</translation>
-    </message>
-    <message>
-        <source>Machine unloaded</source>
-        <translation>Machine à vide</translation>
     </message>
     <message>
         <source>Declarations</source>
@@ -1795,10 +1435,6 @@
         <translation>Fermer</translation>
     </message>
     <message>
-        <source>Compare curves</source>
-        <translation>Comparer les courbes</translation>
-    </message>
-    <message>
         <source>Difference</source>
         <translation>Écart</translation>
     </message>
@@ -1818,17 +1454,9 @@
         <source>common travel %1 to %2</source>
         <translation>course commune %1 à %2</translation>
     </message>
-    <message>
-        <source>Test</source>
-        <translation>Essai</translation>
-    </message>
 </context>
 <context>
     <name>palmer::ui::DiagnosisPage</name>
-    <message>
-        <source>The evaluated points are too few for a diagnosis.</source>
-        <translation>Les points évalués sont trop peu nombreux pour un diagnostic.</translation>
-    </message>
     <message>
         <source>The circle is being diagnosed…</source>
         <translation>Diagnostic du cercle en cours…</translation>
@@ -1862,10 +1490,6 @@
         <translation>Aucun cercle seul ne le dit.</translation>
     </message>
     <message>
-        <source>one wave a turn is %1 Hz</source>
-        <translation>une onde par tour fait %1 Hz</translation>
-    </message>
-    <message>
         <source>the frequency needs the contouring feed</source>
         <translation>la fréquence demande l’avance de contournage</translation>
     </message>
@@ -1894,10 +1518,6 @@
         <translation>Dessiner sur le tracé mesuré celui des sources cochées</translation>
     </message>
     <message>
-        <source>Rest</source>
-        <translation>Reste</translation>
-    </message>
-    <message>
         <source>Spectrum</source>
         <translation>Spectre</translation>
     </message>
@@ -1908,14 +1528,6 @@
     <message>
         <source>What no source explains, by its waves: a vibration stands out</source>
         <translation>Ce qu’aucune source n’explique, par ses ondes&#xa0;: une vibration ressort</translation>
-    </message>
-    <message>
-        <source>Sources</source>
-        <translation>Sources</translation>
-    </message>
-    <message>
-        <source>Circles at several feeds</source>
-        <translation>Cercles à plusieurs avances</translation>
     </message>
     <message>
         <source>Chart</source>
@@ -2089,10 +1701,6 @@
 <context>
     <name>palmer::ui::FeedDialog</name>
     <message>
-        <source>Contouring feed</source>
-        <translation>Vitesse d’avance de contournage</translation>
-    </message>
-    <message>
         <source>Feed of the test V₁</source>
         <translation>Avance de l’essai V₁</translation>
     </message>
@@ -2207,10 +1815,6 @@
         <translation>%1 ne peut pas être enregistré</translation>
     </message>
     <message>
-        <source>at 20 °C</source>
-        <translation>à 20 °C</translation>
-    </message>
-    <message>
         <source>Figure copied</source>
         <translation>Figure copiée</translation>
     </message>
@@ -2229,28 +1833,12 @@
         <translation>Identification</translation>
     </message>
     <message>
-        <source>Machine</source>
-        <translation>Machine</translation>
-    </message>
-    <message>
-        <source>Instruments</source>
-        <translation>Instruments</translation>
-    </message>
-    <message>
-        <source>Readings</source>
-        <translation>Relevés</translation>
-    </message>
-    <message>
         <source>Conditions</source>
         <translation>Conditions</translation>
     </message>
     <message>
         <source>Agreed points</source>
         <translation>Points convenus</translation>
-    </message>
-    <message>
-        <source>Limits</source>
-        <translation>Limites</translation>
     </message>
     <message>
         <source>Required</source>
@@ -2273,11 +1861,6 @@
             <numerusform>%n constat</numerusform>
             <numerusform>%n constats</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <comment>page: what is found there</comment>
-        <translation>%1&#xa0;: %2</translation>
     </message>
     <message numerus="yes">
         <source>%n requirement(s) not met</source>
@@ -2322,10 +1905,6 @@
 </context>
 <context>
     <name>palmer::ui::FindingsPanel</name>
-    <message>
-        <source>Findings</source>
-        <translation>Constats</translation>
-    </message>
     <message>
         <source>Show the findings</source>
         <translation>Afficher les constats</translation>
@@ -2391,20 +1970,8 @@
         <translation>non indiqué</translation>
     </message>
     <message>
-        <source>yes</source>
-        <translation>oui</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>non</translation>
-    </message>
-    <message>
         <source>Next (F8)</source>
         <translation>Suivante (F8)</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
     </message>
 </context>
 <context>
@@ -2424,10 +1991,6 @@
     <message>
         <source>&amp;Close</source>
         <translation>&amp;Fermer</translation>
-    </message>
-    <message>
-        <source>Validation</source>
-        <translation>Validation</translation>
     </message>
     <message>
         <source>Search, Enter: next place</source>
@@ -2473,10 +2036,6 @@
         <translation>Numéro</translation>
     </message>
     <message>
-        <source>Revision</source>
-        <translation>Révision</translation>
-    </message>
-    <message>
         <source>Replaces</source>
         <translation>Remplace</translation>
     </message>
@@ -2493,40 +2052,12 @@
         <translation>au</translation>
     </message>
     <message>
-        <source>Place</source>
-        <translation>Lieu</translation>
-    </message>
-    <message>
-        <source>Operator</source>
-        <translation>Opérateur</translation>
-    </message>
-    <message>
-        <source>Order</source>
-        <translation>Commande</translation>
-    </message>
-    <message>
-        <source>Procedure</source>
-        <translation>Procédure</translation>
-    </message>
-    <message>
-        <source>Laboratory</source>
-        <translation>Laboratoire</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
         <source>Accreditation</source>
         <translation>Accréditation</translation>
     </message>
     <message>
         <source>Address</source>
         <translation>Adresse</translation>
-    </message>
-    <message>
-        <source>Authorised by</source>
-        <translation>Autorisé par</translation>
     </message>
     <message>
         <source>Function</source>
@@ -2537,28 +2068,12 @@
         <translation>Client et fournisseur</translation>
     </message>
     <message>
-        <source>Customer</source>
-        <translation>Client</translation>
-    </message>
-    <message>
         <source>Address of the customer</source>
         <translation>Adresse du client</translation>
     </message>
     <message>
-        <source>Supplier</source>
-        <translation>Fournisseur</translation>
-    </message>
-    <message>
         <source>Address of the supplier</source>
         <translation>Adresse du fournisseur</translation>
-    </message>
-    <message>
-        <source>Remarks</source>
-        <translation>Remarques</translation>
-    </message>
-    <message>
-        <source>Adjustments made</source>
-        <translation>Réglages effectués</translation>
     </message>
     <message>
         <source>Logo</source>
@@ -2583,10 +2098,6 @@
     <message>
         <source>Remove the mark</source>
         <translation>Supprimer la marque</translation>
-    </message>
-    <message>
-        <source>Signatures</source>
-        <translation>Signatures</translation>
     </message>
     <message>
         <source>Choose a picture</source>
@@ -2626,10 +2137,6 @@
     <message>
         <source>Import another file</source>
         <translation>Importer un autre fichier</translation>
-    </message>
-    <message>
-        <source>%1: %2</source>
-        <translation>%1&#xa0;: %2</translation>
     </message>
     <message>
         <source>none</source>
@@ -2779,10 +2286,6 @@
         </translation>
     </message>
     <message>
-        <source>Remarks</source>
-        <translation>Remarques</translation>
-    </message>
-    <message>
         <source>No measurement can be read yet: what is missing is said below.</source>
         <translation>Aucune mesure ne peut encore être lue&#xa0;: ce qui manque est indiqué ci-dessous.</translation>
     </message>
@@ -2832,48 +2335,12 @@
 <context>
     <name>palmer::ui::InstrumentsPage</name>
     <message>
-        <source>Instrument</source>
-        <translation>Instrument</translation>
-    </message>
-    <message>
         <source>Description</source>
         <translation>Désignation</translation>
     </message>
     <message>
         <source>Short name</source>
         <translation>Nom court</translation>
-    </message>
-    <message>
-        <source>Manufacturer</source>
-        <translation>Constructeur</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Type</translation>
-    </message>
-    <message>
-        <source>Serial number</source>
-        <translation>Numéro de série</translation>
-    </message>
-    <message>
-        <source>Calibration certificate</source>
-        <translation>Certificat d’étalonnage</translation>
-    </message>
-    <message>
-        <source>Calibrated by</source>
-        <translation>Étalonné par</translation>
-    </message>
-    <message>
-        <source>Calibrated on</source>
-        <translation>Étalonné le</translation>
-    </message>
-    <message>
-        <source>Calibration due</source>
-        <translation>Prochain étalonnage</translation>
-    </message>
-    <message>
-        <source>Resolution</source>
-        <translation>Résolution</translation>
     </message>
     <message>
         <source>Add an instrument</source>
@@ -2951,24 +2418,12 @@
 <context>
     <name>palmer::ui::LimitsPage</name>
     <message>
-        <source>simple acceptance</source>
-        <translation>acceptation simple</translation>
-    </message>
-    <message>
         <source>ISO 14253-1: conformity is to be proven</source>
         <translation>ISO 14253-1&#xa0;: conformité à prouver</translation>
     </message>
     <message>
         <source>non-conformity is to be proven</source>
         <translation>non-conformité à prouver</translation>
-    </message>
-    <message>
-        <source>Decision rule</source>
-        <translation>Règle de décision</translation>
-    </message>
-    <message>
-        <source>Rule</source>
-        <translation>Règle</translation>
     </message>
     <message>
         <source>Guard band, times U</source>
@@ -2987,10 +2442,6 @@
         <translation>Pour l’édition</translation>
     </message>
     <message>
-        <source>Source</source>
-        <translation>Origine</translation>
-    </message>
-    <message>
         <source>of the test</source>
         <translation>de l’essai</translation>
     </message>
@@ -3005,10 +2456,6 @@
     <message>
         <source>Nothing was pasted</source>
         <translation>Rien n’a été collé</translation>
-    </message>
-    <message>
-        <source>Limit</source>
-        <translation>Limite</translation>
     </message>
     <message>
         <source>the larger of %1 and %2 in size</source>
@@ -3048,40 +2495,12 @@
 <context>
     <name>palmer::ui::MachinePage</name>
     <message>
-        <source>Machine</source>
-        <translation>Machine</translation>
-    </message>
-    <message>
-        <source>Name</source>
-        <translation>Nom</translation>
-    </message>
-    <message>
-        <source>Manufacturer</source>
-        <translation>Constructeur</translation>
-    </message>
-    <message>
-        <source>Type</source>
-        <translation>Type</translation>
-    </message>
-    <message>
-        <source>Serial number</source>
-        <translation>Numéro de série</translation>
-    </message>
-    <message>
         <source>Year of construction</source>
         <translation>Année de construction</translation>
     </message>
     <message>
-        <source>Numerical control</source>
-        <translation>Commande numérique</translation>
-    </message>
-    <message>
         <source>Location</source>
         <translation>Emplacement</translation>
-    </message>
-    <message>
-        <source>Condition</source>
-        <translation>État</translation>
     </message>
 </context>
 <context>
@@ -3435,8 +2854,8 @@
         <translation>Importer des fichiers de mesure</translation>
     </message>
     <message>
-        <source>Measurements (*.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.rtx *.ren)</source>
-        <translation>Mesures (*.csv *.txt *.tsv *.xlsx *.ods *.rtl *.b5r *.rtx *.ren)</translation>
+        <source>Measurements (%1)</source>
+        <translation>Mesures (%1)</translation>
     </message>
     <message>
         <source>%1 cannot be imported</source>
@@ -3616,18 +3035,6 @@
         <translation>Identification</translation>
     </message>
     <message>
-        <source>Machine</source>
-        <translation>Machine</translation>
-    </message>
-    <message>
-        <source>Instruments</source>
-        <translation>Instruments</translation>
-    </message>
-    <message>
-        <source>Tests</source>
-        <translation>Essais</translation>
-    </message>
-    <message>
         <source>unfinished</source>
         <translation>en cours</translation>
     </message>
@@ -3652,10 +3059,6 @@
     <message>
         <source>external</source>
         <translation>externe</translation>
-    </message>
-    <message>
-        <source>feedback signal</source>
-        <translation>signal de retour</translation>
     </message>
     <message>
         <source>not stated</source>
@@ -3705,20 +3108,8 @@
         <translation>Nouvel essai de positionnement</translation>
     </message>
     <message>
-        <source>linear</source>
-        <translation>linéaire</translation>
-    </message>
-    <message>
-        <source>rotary</source>
-        <translation>rotatif</translation>
-    </message>
-    <message>
         <source>standard cycle</source>
         <translation>cycle normal</translation>
-    </message>
-    <message>
-        <source>step cycle</source>
-        <translation>cycle en pas</translation>
     </message>
     <message>
         <source>from &amp;both sides</source>
@@ -3857,10 +3248,6 @@
         <translation>Virgule</translation>
     </message>
     <message>
-        <source>Point</source>
-        <translation>Point</translation>
-    </message>
-    <message>
         <source>The decimal mark of the block is the comma: 5,4</source>
         <translation>Le séparateur décimal du tableau est la virgule&#xa0;: 5,4</translation>
     </message>
@@ -3916,10 +3303,6 @@
         <translation>Début de la course</translation>
     </message>
     <message>
-        <source>Measurement travel</source>
-        <translation>Course de mesurage</translation>
-    </message>
-    <message>
         <source>Targets per metre</source>
         <translation>Points par mètre</translation>
     </message>
@@ -3932,24 +3315,8 @@
         <translation>Décimales</translation>
     </message>
     <message>
-        <source>Seed</source>
-        <translation>Germe</translation>
-    </message>
-    <message>
-        <source>Runs each way</source>
-        <translation>Passes par sens</translation>
-    </message>
-    <message>
         <source>Feed rate (empty: rapid)</source>
         <translation>Vitesse d’avance (vide&#xa0;: rapide)</translation>
-    </message>
-    <message>
-        <source>Dwell at the target</source>
-        <translation>Temps d’arrêt au point</translation>
-    </message>
-    <message>
-        <source>Approach distance</source>
-        <translation>Distance d’approche</translation>
     </message>
     <message>
         <source>These numbers give no plan: too many targets, or too few decimals to tell them apart.</source>
@@ -3965,6 +3332,10 @@
     <message>
         <source>at a nominal position + a random part: every %1, the random part at most %2. The axis moves from %3 to %4.</source>
         <translation>à une position nominale + une part aléatoire&#xa0;: tous les %1, part aléatoire d’au plus %2. L’axe se déplace de %3 à %4.</translation>
+    </message>
+    <message>
+        <source>A long axis: once each way over the whole travel, and a full test of the agreed zone besides, from %1 to %2.</source>
+        <translation>Un axe long&#xa0;: une fois par sens sur toute la course, et en plus un essai complet de la zone convenue, de %1 à %2.</translation>
     </message>
     <message>
         <source>A long axis: once each way over the whole travel, and a full test of a zone besides, planned from %1 to %2; the zone is to be agreed.</source>
@@ -3993,38 +3364,6 @@
     <message>
         <source>Plan of measurement</source>
         <translation>Plan de mesure</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Axe</translation>
-    </message>
-    <message>
-        <source>Motion</source>
-        <translation>Mouvement</translation>
-    </message>
-    <message>
-        <source>linear</source>
-        <translation>linéaire</translation>
-    </message>
-    <message>
-        <source>rotary</source>
-        <translation>rotatif</translation>
-    </message>
-    <message>
-        <source>Choice of targets</source>
-        <translation>Choix des points visés</translation>
-    </message>
-    <message>
-        <source>Test cycle</source>
-        <translation>Cycle d’essai</translation>
-    </message>
-    <message>
-        <source>standard test cycle</source>
-        <translation>cycle d’essai normal</translation>
-    </message>
-    <message>
-        <source>step cycle</source>
-        <translation>cycle en pas</translation>
     </message>
     <message>
         <source>&amp;Other targets</source>
@@ -4057,10 +3396,6 @@
     <message>
         <source>&amp;Close</source>
         <translation>&amp;Fermer</translation>
-    </message>
-    <message>
-        <source>Control</source>
-        <translation>Commande numérique</translation>
     </message>
     <message>
         <source>Measuring cycle</source>
@@ -4107,10 +3442,6 @@
     <message>
         <source>Number of the target</source>
         <translation>Numéro du point visé</translation>
-    </message>
-    <message>
-        <source>Target position</source>
-        <translation>Point visé</translation>
     </message>
     <message>
         <source>Run %1 %2</source>
@@ -4193,10 +3524,6 @@
     <message>
         <source>All runs of one direction side by side</source>
         <translation>Toutes les passes d’un sens côte à côte</translation>
-    </message>
-    <message>
-        <source>Readings</source>
-        <translation>Relevés</translation>
     </message>
     <message>
         <source>Set aside</source>
@@ -4546,28 +3873,12 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Copier le graphique</translation>
     </message>
     <message>
-        <source>Register</source>
-        <translation>Registre</translation>
-    </message>
-    <message>
         <source>Machine, serial number, type</source>
         <translation>Machine, n° de série, type</translation>
     </message>
     <message>
         <source>Search machines</source>
         <translation>Chercher une machine</translation>
-    </message>
-    <message>
-        <source>Machines</source>
-        <translation>Machines</translation>
-    </message>
-    <message>
-        <source>Tests</source>
-        <translation>Essais</translation>
-    </message>
-    <message>
-        <source>Interval</source>
-        <translation>Périodicité</translation>
     </message>
     <message>
         <source>Clear filters</source>
@@ -4577,10 +3888,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <source>Evaluate all under…</source>
         <translation>Évaluer tout sous…</translation>
     </message>
-    <message>
-        <source>none</source>
-        <translation>aucune</translation>
-    </message>
     <message numerus="yes">
         <source>%n month(s)</source>
         <translation>
@@ -4589,20 +3896,8 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         </translation>
     </message>
     <message>
-        <source>not identified: no serial number</source>
-        <translation>non identifiée&#xa0;: pas de numéro de série</translation>
-    </message>
-    <message>
-        <source>No. %1</source>
-        <translation>n° %1</translation>
-    </message>
-    <message>
         <source>overdue since %1</source>
         <translation>en retard depuis le %1</translation>
-    </message>
-    <message>
-        <source>next test before %1</source>
-        <translation>prochain essai avant le %1</translation>
     </message>
     <message>
         <source>not stated</source>
@@ -4617,40 +3912,12 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Toutes</translation>
     </message>
     <message>
-        <source>Axis</source>
-        <translation>Axe</translation>
-    </message>
-    <message>
         <source>Since</source>
         <translation>Depuis</translation>
     </message>
     <message>
-        <source>Edition</source>
-        <translation>Édition</translation>
-    </message>
-    <message>
-        <source>Purpose</source>
-        <translation>But</translation>
-    </message>
-    <message>
-        <source>Role</source>
-        <translation>Rôle</translation>
-    </message>
-    <message>
-        <source>Limits</source>
-        <translation>Limites</translation>
-    </message>
-    <message>
-        <source>Test</source>
-        <translation>Essai</translation>
-    </message>
-    <message>
         <source>Axis %1</source>
         <translation>Axe %1</translation>
-    </message>
-    <message>
-        <source>Trend</source>
-        <translation>Tendance</translation>
     </message>
     <message>
         <source>Trend of %1, %2</source>
@@ -4739,10 +4006,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Show the trend alone</source>
         <translation>Montrer la tendance seule</translation>
-    </message>
-    <message>
-        <source>History report</source>
-        <translation>Historique imprimé</translation>
     </message>
     <message>
         <source>Number of the history, printed on every page; may be empty:</source>
@@ -4880,40 +4143,12 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Valeurs par point visé</translation>
     </message>
     <message>
-        <source>Readings</source>
-        <translation>Relevés</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Constats</translation>
-    </message>
-    <message>
-        <source>Signatures</source>
-        <translation>Signatures</translation>
-    </message>
-    <message>
         <source>Single readings in the figure</source>
         <translation>Relevés dans la figure</translation>
     </message>
     <message>
         <source>Mean repeatability (1988)</source>
         <translation>Répétabilité moyenne (1988)</translation>
-    </message>
-    <message>
-        <source>Operator</source>
-        <translation>Opérateur</translation>
-    </message>
-    <message>
-        <source>Laboratory</source>
-        <translation>Laboratoire</translation>
-    </message>
-    <message>
-        <source>Supplier</source>
-        <translation>Fournisseur</translation>
-    </message>
-    <message>
-        <source>Customer</source>
-        <translation>Client</translation>
     </message>
     <message numerus="yes">
         <source>%n required statement(s) missing; printed as “–”</source>
@@ -4925,10 +4160,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Report</source>
         <translation>Rapport</translation>
-    </message>
-    <message>
-        <source>Report %1</source>
-        <translation>Rapport %1</translation>
     </message>
     <message numerus="yes">
         <source>%n page(s) %1 · preview = PDF = paper</source>
@@ -5026,10 +4257,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>&amp;Fermer</translation>
     </message>
     <message>
-        <source>Monte Carlo: %1 trials</source>
-        <translation>Monte-Carlo&#xa0;: %1 tirages</translation>
-    </message>
-    <message>
         <source>%1 s left</source>
         <translation>encore %1&#xa0;s</translation>
     </message>
@@ -5123,10 +4350,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>provisoire</translation>
     </message>
     <message>
-        <source>Results</source>
-        <translation>Résultats</translation>
-    </message>
-    <message>
         <source>Copy the results as a table (%1)</source>
         <translation>Copier les résultats en tableau (%1)</translation>
     </message>
@@ -5172,24 +4395,12 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Figure</translation>
     </message>
     <message>
-        <source>Results</source>
-        <translation>Résultats</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Constats</translation>
-    </message>
-    <message>
         <source>Figure, results, findings</source>
         <translation>Figure, résultats, constats</translation>
     </message>
     <message>
         <source>Being computed; shown is what was before</source>
         <translation>Calcul en cours&#x202f;; affiché&#xa0;: l’état précédent</translation>
-    </message>
-    <message>
-        <source>Page</source>
-        <translation>Page</translation>
     </message>
 </context>
 <context>
@@ -5523,28 +4734,12 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Axe %1</translation>
     </message>
     <message>
-        <source>linear</source>
-        <translation>linéaire</translation>
-    </message>
-    <message>
-        <source>rotary</source>
-        <translation>rotatif</translation>
-    </message>
-    <message>
         <source>standard cycle</source>
         <translation>cycle normal</translation>
     </message>
     <message>
-        <source>step cycle</source>
-        <translation>cycle en pas</translation>
-    </message>
-    <message>
         <source>Plane %1</source>
         <translation>Plan %1</translation>
-    </message>
-    <message>
-        <source>drift test</source>
-        <translation>essai de dérive</translation>
     </message>
     <message>
         <source>View; test: %1</source>
@@ -5607,41 +4802,9 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <source>not checked</source>
         <translation>non vérifié</translation>
     </message>
-    <message>
-        <source>Limits</source>
-        <translation>Limites</translation>
-    </message>
-    <message>
-        <source>Test</source>
-        <translation>Essai</translation>
-    </message>
-    <message>
-        <source>Date</source>
-        <translation>Date</translation>
-    </message>
-    <message>
-        <source>Axis</source>
-        <translation>Axe</translation>
-    </message>
-    <message>
-        <source>Edition</source>
-        <translation>Édition</translation>
-    </message>
-    <message>
-        <source>Purpose</source>
-        <translation>But</translation>
-    </message>
-    <message>
-        <source>Role</source>
-        <translation>Rôle</translation>
-    </message>
 </context>
 <context>
     <name>palmer::ui::TrendChart</name>
-    <message>
-        <source>Trend</source>
-        <translation>Tendance</translation>
-    </message>
     <message>
         <source>today</source>
         <translation>aujourd’hui</translation>
@@ -5656,14 +4819,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Files of the register</source>
         <translation>Fichiers du registre</translation>
-    </message>
-    <message>
-        <source>File</source>
-        <translation>Fichier</translation>
-    </message>
-    <message>
-        <source>Reason</source>
-        <translation>Raison</translation>
     </message>
     <message>
         <source>not found any more</source>
@@ -5691,54 +4846,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>not every uncertainty stated</source>
         <translation>incertitudes non toutes indiquées</translation>
-    </message>
-    <message>
-        <source>Range of α, machine: %1</source>
-        <translation>Étendue α machine&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>gives U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2</source>
-        <translation>donne U(α) = 2 µm/(m·°C), le minimum usuel selon l’ISO 230-2</translation>
-    </message>
-    <message>
-        <source>Laser interferometer: α 0</source>
-        <translation>Interféromètre laser&#xa0;: α 0</translation>
-    </message>
-    <message>
-        <source>light has no material that expands</source>
-        <translation>la lumière n’a pas de matière qui se dilate</translation>
-    </message>
-    <message>
-        <source>Resolution: %1</source>
-        <translation>Résolution&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>as stated for the instrument %1</source>
-        <translation>indiquée pour l’instrument %1</translation>
-    </message>
-    <message>
-        <source>u of α, machine: %1</source>
-        <translation>u de α machine&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>half of U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2</source>
-        <translation>moitié de U(α) = 2 µm/(m·°C), le minimum usuel selon l’ISO 230-2</translation>
-    </message>
-    <message>
-        <source>drift test %1</source>
-        <translation>essai de dérive %1</translation>
-    </message>
-    <message>
-        <source>E_VE: %1</source>
-        <translation>E_VE&#xa0;: %1</translation>
-    </message>
-    <message>
-        <source>Instrument</source>
-        <translation>Instrument</translation>
-    </message>
-    <message>
-        <source>Misalignment</source>
-        <translation>Défaut d’alignement</translation>
     </message>
     <message>
         <source>Temperature, machine</source>
@@ -5788,14 +4895,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>E_VE selon</translation>
     </message>
     <message>
-        <source>Trials</source>
-        <translation>Tirages</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Germe</translation>
-    </message>
-    <message>
         <source>Instrument by</source>
         <translation>Instrument selon</translation>
     </message>
@@ -5818,10 +4917,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>k of the certificate</source>
         <translation>k du certificat</translation>
-    </message>
-    <message>
-        <source>Length L</source>
-        <translation>Longueur L</translation>
     </message>
     <message>
         <source>Range of θ, machine</source>
@@ -5848,10 +4943,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Longueur de réf., U</translation>
     </message>
     <message>
-        <source>Resolution</source>
-        <translation>Résolution</translation>
-    </message>
-    <message>
         <source>Noise of a point, u</source>
         <translation>Bruit d’un point, u</translation>
     </message>
@@ -5862,10 +4953,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Centring, u</source>
         <translation>Centrage, u</translation>
-    </message>
-    <message>
-        <source>Temperature sensors</source>
-        <translation>Capteurs de température</translation>
     </message>
     <message>
         <source>one each</source>
@@ -5926,14 +5013,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Decision</source>
         <translation>Décision</translation>
-    </message>
-    <message>
-        <source>Rule</source>
-        <translation>Règle</translation>
-    </message>
-    <message>
-        <source>simple acceptance</source>
-        <translation>acceptation simple</translation>
     </message>
     <message>
         <source>ISO 14253-1: conformity is to be proven</source>
@@ -6018,10 +5097,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Contributions to the uncertainty, the largest first</source>
         <translation>Contributions à l’incertitude, la plus grande d’abord</translation>
-    </message>
-    <message>
-        <source>Contribution</source>
-        <translation>Contribution</translation>
     </message>
     <message>
         <source>Calculation</source>
@@ -6165,26 +5240,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>limites non applicables ici</translation>
     </message>
     <message>
-        <source>no limit agreed</source>
-        <translation>aucune limite convenue</translation>
-    </message>
-    <message>
-        <source>limits met</source>
-        <translation>limites respectées</translation>
-    </message>
-    <message>
-        <source>limits not proven</source>
-        <translation>limites non prouvées</translation>
-    </message>
-    <message>
-        <source>limits exceeded</source>
-        <translation>limites dépassées</translation>
-    </message>
-    <message>
-        <source>text of the edition not available</source>
-        <translation>texte de l’édition non disponible</translation>
-    </message>
-    <message>
         <source>NOT in accordance with the edition</source>
         <translation>NON conforme à l’édition</translation>
     </message>
@@ -6252,8 +5307,8 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>tableaux et fichiers d’instruments</translation>
     </message>
     <message>
-        <source>or drop files into the window — .palmer, .pdf, .csv, .xlsx, .rtl, .b5r …</source>
-        <translation>ou déposez des fichiers dans la fenêtre — .palmer, .pdf, .csv, .xlsx, .rtl, .b5r …</translation>
+        <source>or drop files into the window — %1</source>
+        <translation>ou déposez des fichiers dans la fenêtre — %1</translation>
     </message>
     <message>
         <source>New &amp;circular test…</source>
@@ -6344,10 +5399,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         </translation>
     </message>
     <message>
-        <source>Test</source>
-        <translation>Essai</translation>
-    </message>
-    <message>
         <source>Add a test</source>
         <translation>Ajouter un essai</translation>
     </message>
@@ -6423,10 +5474,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>%1 circle</source>
         <translation>Cercle %1</translation>
-    </message>
-    <message>
-        <source>%1 axis</source>
-        <translation>Axe %1</translation>
     </message>
 </context>
 </TS>

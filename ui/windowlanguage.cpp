@@ -45,13 +45,22 @@ Choice restored(const char *key, const Words &words) {
     return found == words.end() ? Choice{} : static_cast<Choice>(found - words.begin());
 }
 
+/// What window and report share stands in the catalogue of the report, whatever class says it here.
+class SharedTexts : public QTranslator {
+public:
+    QString translate(const char * /*context*/, const char *source, const char *comment,
+                      int count) const override {
+        return QTranslator::translate("report", source, comment, count);
+    }
+};
+
 Language &current() {
     static Language language(Language::Id::english);
     return language;
 }
 
 void install(Language::Id id) {
-    static std::array<std::unique_ptr<QTranslator>, 2> installed;
+    static std::array<std::unique_ptr<QTranslator>, 3> installed;
     current() = Language(id).withUnits(current().units());
     const bool french = id == Language::Id::french;
     QLocale::setDefault(french ? QLocale(QLocale::French, QLocale::France)
@@ -59,10 +68,12 @@ void install(Language::Id id) {
     for (auto &translator : installed)
         translator.reset(); // removes itself
     // The one installed last is asked first: ours has what Qt's own lacks, and what it calls otherwise.
-    const std::array names{QStringLiteral(":/translations/qtbase_%1.qm").arg(current().code()),
+    const std::array names{QStringLiteral(":/translations/report_%1.qm").arg(current().code()),
+                           QStringLiteral(":/translations/qtbase_%1.qm").arg(current().code()),
                            QStringLiteral(":/translations/ui_%1.qm").arg(current().code())};
     for (std::size_t i = 0; i < names.size(); ++i) {
-        auto translator = std::make_unique<QTranslator>();
+        std::unique_ptr<QTranslator> translator =
+            i == 0 ? std::make_unique<SharedTexts>() : std::make_unique<QTranslator>();
         if (!translator->load(names[i])) // English is what Qt speaks itself
             continue;
         QCoreApplication::installTranslator(translator.get());

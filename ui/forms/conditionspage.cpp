@@ -4,6 +4,7 @@
 
 #include "document/edits.h"
 #include "document/filewords.h"
+#include "document/statedthings.h"
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "language/decimals.h"
@@ -148,24 +149,13 @@ Member<std::optional<double>> faces() {
 struct Declaration {
     const char *id = nullptr;  ///< of its row
     const char *key = nullptr; ///< of its field
-    const char *label = nullptr;
     std::optional<bool> Conditions::*member = nullptr;
 };
-constexpr std::array declarations{
-    Declaration{"soak", "stabilised",
-                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Thermally stable before the test"),
-                &Conditions::stabilised},
-    Declaration{"shielded", "shielded",
-                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Shielded from draughts and radiation"),
-                &Conditions::shielded},
-    Declaration{"complete", "complete",
-                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine complete, in working order"),
-                &Conditions::complete},
-    Declaration{"levelled", "levelled",
-                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Levelled and aligned"),
-                &Conditions::levelled},
-    Declaration{"unloaded", "unloaded", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Machine unloaded"),
-                &Conditions::unloaded}};
+constexpr std::array declarations{Declaration{"soak", "stabilised", &Conditions::stabilised},
+                                  Declaration{"shielded", "shielded", &Conditions::shielded},
+                                  Declaration{"complete", "complete", &Conditions::complete},
+                                  Declaration{"levelled", "levelled", &Conditions::levelled},
+                                  Declaration{"unloaded", "unloaded", &Conditions::unloaded}};
 
 Member<std::optional<bool>> ofDeclaration(std::optional<bool> Conditions::*member) {
     return ofTest([member](auto &test) {
@@ -250,7 +240,7 @@ void ConditionsPage::addFields(const Measurement &measurement) {
     addPlace(measurement);
     addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks"));
     beginColumns();
-    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks on the test"),
+    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks on the test")},
                 ofTest([](auto &test) { return &test.remarks; }), 12);
     addStretch();
 }
@@ -259,12 +249,12 @@ void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal) {
     beginColumns();
     const SensorLabels labels = labelsOf(what, ordinal > 0);
     const QString argument = ordinal > 0 ? QString::number(ordinal + 1) : QString();
-    Field *start = addNumber("sensors", labels.start, Quantity::temperature, startOf(what, ordinal), 3,
+    Field *start = addNumber({"sensors", labels.start}, Quantity::temperature, startOf(what, ordinal), 3,
                              Allowed::celsius);
     start->setLabelArgument(argument);
-    addNumber("sensors", labels.end, Quantity::temperature, endOf(what, ordinal), 3, Allowed::celsius)
+    addNumber({"sensors", labels.end}, Quantity::temperature, endOf(what, ordinal), 3, Allowed::celsius)
         ->setLabelArgument(argument);
-    addText("sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Sensor position"),
+    addText({"sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Sensor position")},
             ofSensor<&Sensor::position>(what, ordinal),
             what == SensorMeasures::air && ordinal == 0 ? 6 : 3); // the others have something beside them
     m_lastSensors[what] = start;
@@ -289,11 +279,11 @@ void ConditionsPage::addTemperatures(const Conditions &conditions) {
                     },
                     3);
             } else if (what == SensorMeasures::machine) {
-                addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"),
+                addNumber({"expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α")},
                           Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::machine>(), 3,
                           Allowed::coefficient);
             } else if (what == SensorMeasures::instrument) {
-                addNumber("expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α"),
+                addNumber({"expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α")},
                           Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::instrument>(),
                           3, Allowed::coefficient);
             }
@@ -307,7 +297,7 @@ void ConditionsPage::addTemperatures(const Conditions &conditions) {
 /// With room for its words, and its size beside it.
 void ConditionsPage::addCorrection() {
     beginColumns();
-    addChoice("correctionTo20", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Correction to 20 °C"),
+    addChoice("correctionTo20",
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not applied"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by the instrument"),
@@ -355,11 +345,8 @@ void ConditionsPage::addSensorButtons() {
 
 void ConditionsPage::addRoom() {
     beginColumns();
-    addYesNo("temperatureControlled",
-             QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Room temperature can be controlled"),
-             common<&Conditions::temperatureControlled>(), 6);
+    addYesNo("temperatureControlled", common<&Conditions::temperatureControlled>(), 6);
     addChoice("instrumentCompensation",
-              QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Compensation by the instrument"),
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "switched on"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "switched off"),
@@ -374,54 +361,47 @@ void ConditionsPage::addRoom() {
 void ConditionsPage::addAir(const PositioningMeasurement & /*measurement*/) {
     constexpr auto conditionsMember = &PositioningMeasurement::conditions;
     beginColumns();
-    addNumber("airPressure", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Air pressure"),
-              Quantity::pressure, positioning<conditionsMember, &PositioningConditions::airPressure>(), 4);
-    addNumber("airHumidity", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Relative humidity"),
-              Quantity::percent, positioning<conditionsMember, &PositioningConditions::airHumidity>(), 4);
-    addNumber("gradientPerHour", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Temperature gradient"),
-              Quantity::gradient, positioning<conditionsMember, &PositioningConditions::gradientPerHour>(),
-              4);
+    addNumber("airPressure", Quantity::pressure,
+              positioning<conditionsMember, &PositioningConditions::airPressure>(), 4);
+    addNumber("airHumidity", Quantity::percent,
+              positioning<conditionsMember, &PositioningConditions::airHumidity>(), 4);
+    addNumber("gradientPerHour", Quantity::gradient,
+              positioning<conditionsMember, &PositioningConditions::gradientPerHour>(), 4);
     beginColumns();
-    addNumber("gradientHoursBefore",
-              QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Gradient: hours before the test"),
-              Quantity::number, positioning<conditionsMember, &PositioningConditions::gradientHoursBefore>(),
-              6);
-    addNumber("gradient", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed limit of the gradient"),
+    addNumber("gradientHoursBefore", Quantity::number,
+              positioning<conditionsMember, &PositioningConditions::gradientHoursBefore>(), 6);
+    addNumber({"gradient", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed limit of the gradient")},
               Quantity::gradient, agreedValue("gradient"), 6);
 }
 
 void ConditionsPage::addCycle(const PositioningMeasurement &measurement) {
     constexpr auto conditionsMember = &PositioningMeasurement::conditions;
-    addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Feed rate"),
-              feedQuantity(*shownTest()), positioning<conditionsMember, &PositioningConditions::feed>(), 3);
+    addNumber("feed", feedQuantity(*shownTest()),
+              positioning<conditionsMember, &PositioningConditions::feed>(), 3);
     addChoice(
-        "", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Kind of feed"),
+        {"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Kind of feed")},
         {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
          QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "programmed"),
          QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "rapid")},
         choiceOf<std::optional<FeedMode>>(positioning<conditionsMember, &PositioningConditions::feedMode>(),
                                           {std::nullopt, FeedMode::programmed, FeedMode::rapid}),
         true, 3);
-    addNumber("dwell", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Dwell at the target"), Quantity::time,
-              positioning<conditionsMember, &PositioningConditions::dwell>(), 3);
-    addNumber("approachDistance", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Approach distance"),
-              positionQuantity(measurement.axis),
+    addNumber("dwell", Quantity::time, positioning<conditionsMember, &PositioningConditions::dwell>(), 3);
+    addNumber("approachDistance", positionQuantity(measurement.axis),
               positioning<conditionsMember, &PositioningConditions::approachDistance>(), 3);
 }
 
 void ConditionsPage::addCycle(const CircularMeasurement & /*measurement*/) {
-    addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Contouring feed"), Quantity::feed,
+    addNumber({"feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Contouring feed")}, Quantity::feed,
               circular<&CircularMeasurement::feed>(), 4);
-    addText("smoothing", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Data smoothing"),
-            circular<&CircularMeasurement::conditions, &CircularConditions::smoothing>(), 4);
+    addText("smoothing", circular<&CircularMeasurement::conditions, &CircularConditions::smoothing>(), 4);
     addYesNo("recentredBetweenRuns",
-             QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Re-centred between the runs"),
              circular<&CircularMeasurement::conditions, &CircularConditions::recentredBetweenRuns>(), 4);
 }
 
 void ConditionsPage::addWarmUp() {
     beginColumns();
-    addChoice("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up"),
+    addChoice("warmUp",
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "agreed or the maker's procedure"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "dry run"),
@@ -430,13 +410,13 @@ void ConditionsPage::addWarmUp() {
                   commonPart<&Conditions::warmUp, &WarmUp::kind>(),
                   {WarmUpKind::notStated, WarmUpKind::procedure, WarmUpKind::dryRun, WarmUpKind::setUpOnly}),
               true, 6);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up, details"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up, details")},
             commonPart<&Conditions::warmUp, &WarmUp::text>(), 6);
 }
 
 void ConditionsPage::addSpecifiedBy(int width) {
     beginColumns();
-    addChoice("warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up specified by"),
+    addChoice({"warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up specified by")},
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "the maker"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "agreement")},
@@ -449,33 +429,29 @@ void ConditionsPage::addAgreedCycle(const PositioningMeasurement &measurement) {
     const bool isRotary = measurement.axis.motion == Motion::rotary;
     const int width = isRotary ? 4 : 6; // three or two in a row
     addSpecifiedBy(width);
-    addNumber("feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed feed rate"),
+    addNumber({"feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed feed rate")},
               feedQuantity(*shownTest()), agreedValue("feed"), width);
     if (isRotary)
         addYesNo("continuousDevice",
-                 QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Continuous measuring device"),
                  positioning<&PositioningMeasurement::conditions, &PositioningConditions::continuousDevice>(),
                  width);
 }
 
 void ConditionsPage::addAgreedCycle(const CircularMeasurement & /*measurement*/) {
     addSpecifiedBy(4);
-    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified diameter"), Quantity::position,
+    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified diameter")}, Quantity::position,
               circular<&CircularMeasurement::specified, &SpecifiedCircle::diameter>(), 4, Allowed::positive);
-    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified feed"), Quantity::feed,
+    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified feed")}, Quantity::feed,
               circular<&CircularMeasurement::specified, &SpecifiedCircle::feed>(), 4, Allowed::positive);
 }
 
 void ConditionsPage::addLoad() {
     beginColumns();
-    addText("compensation", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Active compensation"),
-            common<&Conditions::compensation>(), 6);
-    addText("load", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Load"), common<&Conditions::load>(), 6);
+    addText("compensation", common<&Conditions::compensation>(), 6);
+    addText("load", common<&Conditions::load>(), 6);
     beginColumns();
-    addText("soak", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Soaking time"),
-            common<&Conditions::soak>(), 4);
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Thermal guidelines of the maker"),
-            common<&Conditions::thermalGuidelines>(), 8);
+    addText("soak", common<&Conditions::soak>(), 4);
+    addText("thermalGuidelines", common<&Conditions::thermalGuidelines>(), 8);
 }
 
 void ConditionsPage::addDeclarations(const Edition *edition) {
@@ -500,12 +476,12 @@ void ConditionsPage::addDeclarations(const Edition *edition) {
     for (const std::string &clause : clauses)
         addDeclarationsOf(edition, clause);
     beginColumns();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Rest of the requirements declared met by"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Rest of the requirements declared met by")},
             ofTest([](auto &test) { return &test.declaredAccordance.by; }), 6);
-    addDate("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declared on"),
+    addDate({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declared on")},
             ofTest([](auto &test) { return &test.declaredAccordance.date; }), 6);
     beginColumns();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Text of the declaration"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Text of the declaration")},
             ofTest([](auto &test) { return &test.declaredAccordance.text; }), 12);
 }
 
@@ -525,8 +501,7 @@ void ConditionsPage::addDeclarationsOf(const Edition *edition, const std::string
                 addWidget(label);
             }
         }
-        addYesNo(declaration.key, declaration.label, ofDeclaration(declaration.member),
-                 begins && !clause.empty() ? 5 : 6);
+        addYesNo(declaration.key, ofDeclaration(declaration.member), begins && !clause.empty() ? 5 : 6);
     }
 }
 
@@ -534,24 +509,21 @@ void ConditionsPage::addPositions() {
     constexpr auto position = Quantity::position;
     addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Positions"));
     beginColumns();
-    addText("instrumentPosition",
-            QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Position of the instrument"),
-            common<&Conditions::instrumentPosition>(), 6);
-    addText("otherAxes", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axes not under test"),
-            common<&Conditions::otherAxes>(), 6);
+    addText("instrumentPosition", common<&Conditions::instrumentPosition>(), 6);
+    addText("otherAxes", common<&Conditions::otherAxes>(), 6);
     beginColumns();
-    addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, X"), position,
+    addNumber({"toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, X")}, position,
               coordinate<&Conditions::toolOffset, 0>(), 4);
-    addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Y"), position,
+    addNumber({"toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Y")}, position,
               coordinate<&Conditions::toolOffset, 1>(), 4);
-    addNumber("toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Z"), position,
+    addNumber({"toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Z")}, position,
               coordinate<&Conditions::toolOffset, 2>(), 4);
     beginColumns();
-    addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, X"),
+    addNumber({"workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, X")},
               position, coordinate<&Conditions::workpieceOffset, 0>(), 4);
-    addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Y"),
+    addNumber({"workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Y")},
               position, coordinate<&Conditions::workpieceOffset, 1>(), 4);
-    addNumber("workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Z"),
+    addNumber({"workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Z")},
               position, coordinate<&Conditions::workpieceOffset, 2>(), 4);
 }
 
@@ -561,30 +533,27 @@ void ConditionsPage::addPlace(const CircularMeasurement & /*measurement*/) {
         return circular<&CircularMeasurement::conditions, &CircularConditions::centre, axis>();
     };
     beginColumns();
-    addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, X"), position,
-              centre.operator()<0>(), 4);
-    addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Y"), position,
-              centre.operator()<1>(), 4);
-    addNumber("centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Z"), position,
-              centre.operator()<2>(), 4);
+    addNumber({"centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, X")},
+              position, centre.operator()<0>(), 4);
+    addNumber({"centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Y")},
+              position, centre.operator()<1>(), 4);
+    addNumber({"centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Z")},
+              position, centre.operator()<2>(), 4);
     beginColumns();
-    addText("startPoint", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Start point"),
-            circular<&CircularMeasurement::conditions, &CircularConditions::startPoint>(), 6);
-    addText("stopPoint", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Stop point"),
-            circular<&CircularMeasurement::conditions, &CircularConditions::stopPoint>(), 6);
+    addText("startPoint", circular<&CircularMeasurement::conditions, &CircularConditions::startPoint>(), 6);
+    addText("stopPoint", circular<&CircularMeasurement::conditions, &CircularConditions::stopPoint>(), 6);
 }
 
 void ConditionsPage::addTestAndPurpose() {
     addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test and axis"));
     beginColumns();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Title of the test"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Title of the test")},
             ofTest([](auto &test) { return &test.title; }), 5);
-    addDate("date", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Date of test"),
-            ofTest([](auto &test) { return &test.date; }), 4);
-    addTime("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Time"),
+    addDate("date", ofTest([](auto &test) { return &test.date; }), 4);
+    addTime({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Time")},
             ofTest([](auto &test) { return &test.time; }), 3);
     beginColumns();
-    addChoice("purpose", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Purpose of the test"),
+    addChoice("purpose",
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "type test"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "acceptance"),
@@ -599,7 +568,7 @@ void ConditionsPage::addTestAndPurpose() {
                                  Purpose::periodic, Purpose::compensation, Purpose::afterRepair,
                                  Purpose::afterCollision, Purpose::other}),
               true, 6);
-    addChoice("role", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "As found or as left"),
+    addChoice("role",
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "as found"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "as left")},
@@ -611,38 +580,30 @@ void ConditionsPage::addTestAndPurpose() {
 
 void ConditionsPage::addAxis(const CircularMeasurement & /*measurement*/) {
     beginColumns();
-    addText("positionFeedback",
-            QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Measuring system of the axis"),
-            circular<&CircularMeasurement::positionFeedback>(), 6);
-    addYesNo("referenceLength",
-             QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Reference length calibrated"),
-             circular<&CircularMeasurement::referenceLength, &ReferenceLength::calibrated>(), 6);
+    addText("positionFeedback", circular<&CircularMeasurement::positionFeedback>(), 6);
+    addYesNo(
+        {"referenceLength", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Reference length calibrated")},
+        circular<&CircularMeasurement::referenceLength, &ReferenceLength::calibrated>(), 6);
 }
 
 void ConditionsPage::addAxis(const PositioningMeasurement &measurement) {
     using Measurement = PositioningMeasurement;
     const Quantity position = positionQuantity(measurement.axis);
     beginColumns();
-    addText("name", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis"),
+    addText({"name", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis")},
             positioning<&Measurement::axis, &Axis::name>(), 2);
     addChoice(
-        "", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Motion"),
+        {"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Motion")},
         {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "linear"),
          QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "rotary")},
         choiceOf<Motion>(positioning<&Measurement::axis, &Axis::motion>(), {Motion::linear, Motion::rotary}),
         false, 3);
-    addNumber("travel", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis travel"), position,
-              positioning<&Measurement::axis, &Axis::travel>(), 3, Allowed::positive);
-    addInterval("range", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Ends of the axis"), position,
-                positioning<&Measurement::axis, &Axis::range>(), 4);
+    addNumber("travel", position, positioning<&Measurement::axis, &Axis::travel>(), 3, Allowed::positive);
+    addInterval("range", position, positioning<&Measurement::axis, &Axis::range>(), 4);
     beginColumns();
-    addText("positionFeedback",
-            QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Measuring system of the axis"),
-            positioning<&Measurement::axis, &Axis::positionFeedback>(), 4);
-    addInterval("zone", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed working zone"), position,
-                positioning<&Measurement::zone>(), 4);
-    addNumber("referencePosition",
-              QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Zero of the displacement"), position,
+    addText("positionFeedback", positioning<&Measurement::axis, &Axis::positionFeedback>(), 4);
+    addInterval("zone", position, positioning<&Measurement::zone>(), 4);
+    addNumber("referencePosition", position,
               positioning<&Measurement::conditions, &PositioningConditions::referencePosition>(), 4);
     addTargets(measurement);
 }
@@ -651,7 +612,7 @@ void ConditionsPage::addTargets(const PositioningMeasurement &measurement) {
     using Measurement = PositioningMeasurement;
     const Quantity position = positionQuantity(measurement.axis);
     beginColumns();
-    addChoice("targetChoice", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Choice of targets"),
+    addChoice("targetChoice",
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "chosen freely"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "faces of the polygon"),
@@ -660,19 +621,19 @@ void ConditionsPage::addTargets(const PositioningMeasurement &measurement) {
                                          {TargetChoiceKind::notStated, TargetChoiceKind::free,
                                           TargetChoiceKind::polygon, TargetChoiceKind::fixed}),
               true, 4);
-    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Nominal interval"), position,
+    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Nominal interval")}, position,
               positioning<&Measurement::targetChoice, &TargetChoice::interval>(), 4);
-    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Period of the error"), position,
+    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Period of the error")}, position,
               positioning<&Measurement::targetChoice, &TargetChoice::period>(), 4);
     beginColumns();
-    addNumber("faces", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Faces of the polygon, number"),
+    addNumber({"faces", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Faces of the polygon, number")},
               Quantity::count, faces(), 6, Allowed::positive);
     if (measurement.axis.motion == Motion::linear)
-        addNumber("scaleElement",
-                  QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Element of the scale (0: continuous)"),
+        addNumber({"scaleElement",
+                   QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Element of the scale (0: continuous)")},
                   position, positioning<&Measurement::axis, &Axis::scaleElement>(), 6);
     beginColumns();
-    addChoice("cycle", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test cycle"),
+    addChoice("cycle",
               {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "standard test cycle"),
                QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "step cycle")},
@@ -680,7 +641,7 @@ void ConditionsPage::addTargets(const PositioningMeasurement &measurement) {
                                              {std::nullopt, Cycle::standard, Cycle::step}),
               true, 6);
     if (m_built.contains(QStringLiteral(" range"))) {
-        addChoice("", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Standard deviation"),
+        addChoice({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Standard deviation")},
                   {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by calculation"),
                    QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by the range method")},
                   choiceOf<DeviationMethod>(positioning<&Measurement::standardDeviation>(),
@@ -748,7 +709,7 @@ QString ConditionsPage::declarationSummary() const {
         const std::optional<bool> declared = conditions ? conditions->*declaration.member : std::nullopt;
         apply += declared == true;
         if (declared == false)
-            parts << tr("%1: no").arg(word(declaration.label));
+            parts << tr("%1: no").arg(word(statedThing(declaration.key)->name.source));
     }
     parts << tr("%1 of %2 apply").arg(apply).arg(declarations.size());
     return parts.join(QStringLiteral(" · "));

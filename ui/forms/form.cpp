@@ -4,6 +4,7 @@
 
 #include "document/bounds.h"
 #include "document/fields.h"
+#include "document/statedthings.h"
 #include "ui/forms/columnslayout.h"
 #include "ui/forms/sectionhead.h"
 #include "ui/measures.h"
@@ -195,25 +196,27 @@ void Form::addToPlace(QLayout *row) {
     static_cast<QVBoxLayout *>(section->content->layout())->addLayout(row);
 }
 
-Field *Form::add(Field::Kind kind, const char *key, const char *label, const QString &unit, int weight) {
+Form::Topic::Topic(const char *thing)
+    : Topic(thing, statedThing(thing)->name.source) {}
+
+Field *Form::add(Field::Kind kind, const Topic &topic, const QString &unit, int weight) {
     auto *field = new Field(kind, body());
     field->setUnit(unit);
-    field->edit()->setObjectName(QStringLiteral("field.") + QString::fromLatin1(key) + u'.' +
+    field->edit()->setObjectName(QStringLiteral("field.") + QString::fromLatin1(topic.key) + u'.' +
                                  QString::number(m_entries.size()));
-    field->edit()->setProperty("helpTopic", QString::fromLatin1(key));
+    field->edit()->setProperty("helpTopic", QString::fromLatin1(topic.key));
     addWidget(field, weight);
     connect(field, &Field::begun, this, [this, place = m_entries.size()] {
         ++m_visit;
         m_place = place;
     });
     connect(field, &Field::entered, this, [this, field] { commit(field); });
-    m_entries.push_back({field, key, label, {}, {}, false, {}, {}, {}});
+    m_entries.push_back({field, topic.key, topic.label, {}, {}, false, {}, {}, {}});
     return field;
 }
 
-Field *Form::addText(const char *key, const char *label, Member<std::string> member, int weight,
-                     Field::Kind kind) {
-    Field *field = add(kind, key, label, {}, weight);
+Field *Form::addText(const Topic &topic, Member<std::string> member, int weight, Field::Kind kind) {
+    Field *field = add(kind, topic, {}, weight);
     last().value = [read = member.read](const FormSource &source) { return stated(read(source)); };
     last().change = [this, field, write = std::move(member.write)]() -> Change {
         return [write, test = m_test, text = field->valueText().toStdString()](Document &document) {
@@ -223,13 +226,13 @@ Field *Form::addText(const char *key, const char *label, Member<std::string> mem
     return field;
 }
 
-Field *Form::addLongText(const char *key, const char *label, Member<std::string> member, int weight) {
-    return addText(key, label, std::move(member), weight, Field::Kind::longText);
+Field *Form::addLongText(const Topic &topic, Member<std::string> member, int weight) {
+    return addText(topic, std::move(member), weight, Field::Kind::longText);
 }
 
-Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Member<Amount> member,
-                       int weight, Allowed allowed) {
-    Field *field = add(Field::Kind::number, key, label, m_language.unit(quantity), weight);
+Field *Form::addNumber(const Topic &topic, Quantity quantity, Member<Amount> member, int weight,
+                       Allowed allowed) {
+    Field *field = add(Field::Kind::number, topic, m_language.unit(quantity), weight);
     last().quantity = quantity;
     const auto shown = [this, quantity, allowed](const Amount &value) {
         // Years and seeds are names more than numbers: no groups.
@@ -265,9 +268,9 @@ Field *Form::addNumber(const char *key, const char *label, Quantity quantity, Me
     return field;
 }
 
-Field *Form::addInterval(const char *key, const char *label, Quantity quantity,
-                         Member<std::optional<Interval>> member, int weight) {
-    Field *field = add(Field::Kind::number, key, label, m_language.unit(quantity), weight);
+Field *Form::addInterval(const Topic &topic, Quantity quantity, Member<std::optional<Interval>> member,
+                         int weight) {
+    Field *field = add(Field::Kind::number, topic, m_language.unit(quantity), weight);
     last().quantity = quantity;
     const auto shown = [this, quantity](const std::optional<Interval> &interval) {
         return interval ? QStringLiteral("%1 … %2").arg(m_language.number(interval->from, quantity),
@@ -288,8 +291,8 @@ Field *Form::addInterval(const char *key, const char *label, Quantity quantity,
     return field;
 }
 
-Field *Form::addDate(const char *key, const char *label, Member<Moment> member, int weight) {
-    Field *field = add(Field::Kind::text, key, label, {}, weight);
+Field *Form::addDate(const Topic &topic, Member<Moment> member, int weight) {
+    Field *field = add(Field::Kind::text, topic, {}, weight);
     field->setReader([this](const QString &typed) -> Field::Reading {
         const MomentEntry entry = enteredDate(typed);
         return entry.refusal ? Field::Reading{{}, m_language.text(*entry.refusal)}
@@ -306,8 +309,8 @@ Field *Form::addDate(const char *key, const char *label, Member<Moment> member, 
     return field;
 }
 
-Field *Form::addTime(const char *key, const char *label, Member<Moment> member, int weight) {
-    Field *field = add(Field::Kind::text, key, label, {}, weight);
+Field *Form::addTime(const Topic &topic, Member<Moment> member, int weight) {
+    Field *field = add(Field::Kind::text, topic, {}, weight);
     field->setReader([this](const QString &typed) -> Field::Reading {
         const MomentEntry entry = enteredTime(typed);
         return entry.refusal ? Field::Reading{{}, m_language.text(*entry.refusal)}
@@ -324,9 +327,9 @@ Field *Form::addTime(const char *key, const char *label, Member<Moment> member, 
     return field;
 }
 
-Field *Form::addChoice(const char *key, const char *label, std::vector<const char *> words,
-                       Member<int> member, bool none, int weight) {
-    Field *field = add(Field::Kind::choice, key, label, {}, weight);
+Field *Form::addChoice(const Topic &topic, std::vector<const char *> words, Member<int> member, bool none,
+                       int weight) {
+    Field *field = add(Field::Kind::choice, topic, {}, weight);
     last().words = std::move(words);
     last().none = none;
     last().choice = std::move(member.read);
@@ -338,10 +341,10 @@ Field *Form::addChoice(const char *key, const char *label, std::vector<const cha
     return field;
 }
 
-Field *Form::addYesNo(const char *key, const char *label, Member<std::optional<bool>> member, int weight) {
+Field *Form::addYesNo(const Topic &topic, Member<std::optional<bool>> member, int weight) {
     using Answer = std::optional<bool>;
     return addChoice(
-        key, label,
+        topic,
         {QT_TRANSLATE_NOOP("palmer::ui::Form", "not stated"), QT_TRANSLATE_NOOP("palmer::ui::Form", "yes"),
          QT_TRANSLATE_NOOP("palmer::ui::Form", "no")},
         choiceOf<Answer>(std::move(member), {Answer(), Answer(true), Answer(false)}), true, weight);

@@ -76,6 +76,19 @@ protected:
     /// What the file format demands of a number.
     enum class Allowed { any, notNegative, positive, whole, counting, celsius, coefficient };
 
+    /// What a field states: a StatedThing, whose name is the label where no other is given. Its key is the id
+    /// of the findings that say it is missing; empty: never asked for.
+    struct Topic {
+        // NOLINTNEXTLINE(google-explicit-constructor): as it is written in the pages
+        Topic(const char *thing);
+        Topic(const char *thing, const char *name)
+            : key(thing)
+            , label(name) {}
+
+        const char *key;
+        const char *label;
+    };
+
     // Building, in the constructor or in prepare(). Labels are marked for translation with QT_TRANSLATE_NOOP
     // of the context.
     void addSection(const char *title, const QString &argument = {});
@@ -92,22 +105,20 @@ protected:
     void beginRow();
     /// Begins a row of twelve columns, which are the same in all of them; a weight is a number of columns.
     void beginColumns();
-    /// `key`: id of the findings that say it is missing, which is the key in the file; empty: never asked
-    /// for.
-    Field *addText(const char *key, const char *label, Member<std::string> member, int weight = 1,
+    Field *addText(const Topic &topic, Member<std::string> member, int weight = 1,
                    Field::Kind kind = Field::Kind::text);
-    Field *addLongText(const char *key, const char *label, Member<std::string> member, int weight = 1);
+    Field *addLongText(const Topic &topic, Member<std::string> member, int weight = 1);
     /// `unit`: empty takes that of the quantity.
-    Field *addNumber(const char *key, const char *label, Quantity quantity, Member<Amount> member,
-                     int weight = 1, Allowed allowed = Allowed::any);
-    Field *addInterval(const char *key, const char *label, Quantity quantity,
-                       Member<std::optional<Interval>> member, int weight = 1);
-    Field *addDate(const char *key, const char *label, Member<Moment> member, int weight = 1);
-    Field *addTime(const char *key, const char *label, Member<Moment> member, int weight = 1);
+    Field *addNumber(const Topic &topic, Quantity quantity, Member<Amount> member, int weight = 1,
+                     Allowed allowed = Allowed::any);
+    Field *addInterval(const Topic &topic, Quantity quantity, Member<std::optional<Interval>> member,
+                       int weight = 1);
+    Field *addDate(const Topic &topic, Member<Moment> member, int weight = 1);
+    Field *addTime(const Topic &topic, Member<Moment> member, int weight = 1);
     /// `none`: the first word says that nothing is stated.
-    Field *addChoice(const char *key, const char *label, std::vector<const char *> words, Member<int> member,
-                     bool none, int weight = 1);
-    Field *addYesNo(const char *key, const char *label, Member<std::optional<bool>> member, int weight = 1);
+    Field *addChoice(const Topic &topic, std::vector<const char *> words, Member<int> member, bool none,
+                     int weight = 1);
+    Field *addYesNo(const Topic &topic, Member<std::optional<bool>> member, int weight = 1);
     /// A button below the rows, or in one.
     QPushButton *addButton(const char *text, std::function<void()> pressed, int weight = 1);
     void addWidget(QWidget *widget, int weight = 1);
@@ -176,7 +187,7 @@ private:
         std::size_t begin = 0;
     };
 
-    Field *add(Field::Kind kind, const char *key, const char *label, const QString &unit, int weight);
+    Field *add(Field::Kind kind, const Topic &topic, const QString &unit, int weight);
     Entry &last() { return m_entries.back(); }
     void commit(const Field *field);
     void refreshTexts();

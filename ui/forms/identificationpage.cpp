@@ -56,28 +56,31 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
     addToBar(new TemplateButton(TemplateButton::Kind::laboratory, model, selection, this));
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Report"));
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Title"), ofReport<&ReportHead::title>());
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Title")},
+            ofReport<&ReportHead::title>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Number"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Number")},
             ofReport<&ReportHead::number>());
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Revision"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Revision")},
             ofReport<&ReportHead::revision>());
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Replaces"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Replaces")},
             ofReport<&ReportHead::replaces>());
     beginRow();
-    addDate("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Date of issue"),
+    addDate({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Date of issue")},
             ofReport<&ReportHead::date>());
-    addDate("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Performed from"),
+    addDate({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Performed from")},
             ofReport<&ReportHead::performedFrom>());
-    addDate("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "to"),
+    addDate({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "to")},
             ofReport<&ReportHead::performedTo>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Place"), ofReport<&ReportHead::place>());
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Operator"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Place")},
+            ofReport<&ReportHead::place>());
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Operator")},
             ofReport<&ReportHead::operatorName>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Order"), ofReport<&ReportHead::order>());
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Procedure"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Order")},
+            ofReport<&ReportHead::order>());
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Procedure")},
             ofReport<&ReportHead::procedure>());
     addLaboratory();
     addParties();
@@ -89,17 +92,17 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
 void IdentificationPage::addLaboratory() {
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Laboratory"));
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Name"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Name")},
             within<&ReportHead::laboratory, &Laboratory::name>());
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Accreditation"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Accreditation")},
             within<&ReportHead::laboratory, &Laboratory::accreditation>());
     beginRow();
-    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address"),
+    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address")},
                 within<&ReportHead::laboratory, &Laboratory::address>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Authorised by"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Authorised by")},
             within<&ReportHead::authorisedBy, &Authorisation::name>());
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Function"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Function")},
             within<&ReportHead::authorisedBy, &Authorisation::function>());
 
     addPicture(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Logo"),
@@ -113,14 +116,14 @@ void IdentificationPage::addLaboratory() {
 void IdentificationPage::addParties() {
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Customer and supplier"));
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Customer"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Customer")},
             within<&ReportHead::customer, &Party::name>());
-    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address of the customer"),
+    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address of the customer")},
                 within<&ReportHead::customer, &Party::address>());
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Supplier"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Supplier")},
             within<&ReportHead::supplier, &Party::name>());
-    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address of the supplier"),
+    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address of the supplier")},
                 within<&ReportHead::supplier, &Party::address>());
 
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Signatures"));
@@ -130,11 +133,11 @@ void IdentificationPage::addParties() {
 void IdentificationPage::addRemarks() {
     addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks"));
     beginRow();
-    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Adjustments made"),
+    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Adjustments made")},
                 ofReport<&ReportHead::adjustments>())
         ->setMost(mostOfLine);
     beginRow();
-    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks"),
+    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks")},
                 ofReport<&ReportHead::remarks>());
 }
 

@@ -102,10 +102,10 @@ void InstrumentsPage::addFields(std::size_t k) {
         })->setObjectName(QStringLiteral("removeInstrument%1").arg(k));
     }
     beginRow();
-    m_descriptions.push_back(addText("instruments",
-                                     QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Description"),
-                                     ofInstrument<&Instrument::description>(k), 2));
-    Field *id = addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Short name"), idOf(k));
+    m_descriptions.push_back(
+        addText({"instruments", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Description")},
+                ofInstrument<&Instrument::description>(k), 2));
+    Field *id = addText({"", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Short name")}, idOf(k));
     id->edit()->setObjectName(QStringLiteral("field.id.%1").arg(k));
     id->setReader([this, k](const QString &typed) -> Field::Reading {
         const auto &instruments = m_documents.document()->instruments;
@@ -119,23 +119,19 @@ void InstrumentsPage::addFields(std::size_t k) {
         return {typed, {}};
     });
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Manufacturer"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Manufacturer")},
             ofInstrument<&Instrument::manufacturer>(k));
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Type"),
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Type")},
             ofInstrument<&Instrument::model>(k));
-    addText("serialNumber", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Serial number"),
-            ofInstrument<&Instrument::serialNumber>(k));
+    addText("serialNumber", ofInstrument<&Instrument::serialNumber>(k));
     beginRow();
-    addText("certificate", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibration certificate"),
-            ofInstrument<&Instrument::certificate>(k));
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibrated by"),
+    addText("certificate", ofInstrument<&Instrument::certificate>(k));
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibrated by")},
             ofInstrument<&Instrument::calibratedBy>(k));
     beginRow();
-    addDate("calibrationDate", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibrated on"),
-            ofInstrument<&Instrument::calibrationDate>(k));
-    addDate("calibrationDue", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibration due"),
-            ofInstrument<&Instrument::calibrationDue>(k));
-    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Resolution"), m_resolutions[k],
+    addDate("calibrationDate", ofInstrument<&Instrument::calibrationDate>(k));
+    addDate("calibrationDue", ofInstrument<&Instrument::calibrationDue>(k));
+    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Resolution")}, m_resolutions[k],
               ofInstrument<&Instrument::resolution>(k), 1, Allowed::notNegative);
 }
 

@@ -179,12 +179,12 @@ void LimitsPage::prepare() {
     clear();
     addSection(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Decision rule"));
     beginRow();
-    addChoice("decisionRule", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Rule"),
+    addChoice({"decisionRule", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Rule")},
               {QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "simple acceptance"),
                QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "ISO 14253-1: conformity is to be proven"),
                QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "non-conformity is to be proven")},
               decisionRuleMember(), false, 2);
-    addNumber("guardFactor", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Guard band, times U"),
+    addNumber({"guardFactor", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Guard band, times U")},
               Quantity::number, guardFactorMember(), 1, Allowed::notNegative);
     addSection(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed limits"));
     addSectionButton(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Paste"), [this] {
@@ -193,7 +193,7 @@ void LimitsPage::prepare() {
     for (const LimitRow &row : rows)
         addLimit(row.symbol, row.terms, row.id, edition->kind);
     beginRow();
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Origin of all limits"), originOfAll());
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Origin of all limits")}, originOfAll());
     addStretch();
 }
 
@@ -215,8 +215,8 @@ void LimitsPage::addLimit(const Formula &symbol, const std::vector<const Term *>
     place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(place, 4);
     m_names.push_back({label, terms});
-    Field *limit = addNumber("limits", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Limit of %1"), m_quantity,
-                             ofLimit<&Limit::value>(id), 2);
+    Field *limit = addNumber({"limits", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Limit of %1")},
+                             m_quantity, ofLimit<&Limit::value>(id), 2);
     limit->setLabelArgument(symbol.plain());
     limit->edit()->installEventFilter(this);
     m_ids.push_back({id, symbol.plain()});
@@ -227,10 +227,10 @@ void LimitsPage::addLimit(const Formula &symbol, const std::vector<const Term *>
         words.push_back(edition->word);
         values.emplace_back(edition->word);
     }
-    Field *edition = addChoice("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed for edition"), words,
+    Field *edition = addChoice({"", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed for edition")}, words,
                                choiceOf(ofLimit<&Limit::edition>(id), values), false, 3);
     Field *origin =
-        addText("", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Source"), ofLimit<&Limit::source>(id), 3);
+        addText({"", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Source")}, ofLimit<&Limit::source>(id), 3);
     if (first) {
         m_first = limit;
         return;

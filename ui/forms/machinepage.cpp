@@ -27,15 +27,13 @@ MachinePage::MachinePage(DocumentModel &model, Selection &selection, QWidget *pa
     addToBar(new TemplateButton(TemplateButton::Kind::machine, model, selection, this));
     addSection(QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Machine"));
     beginRow();
-    addText("name", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Name"), ofMachine<&Machine::name>());
+    addText("name", ofMachine<&Machine::name>());
     beginRow();
-    addText("manufacturer", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Manufacturer"),
-            ofMachine<&Machine::manufacturer>());
-    addText("model", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Type"), ofMachine<&Machine::model>());
+    addText("manufacturer", ofMachine<&Machine::manufacturer>());
+    addText("model", ofMachine<&Machine::model>());
     beginRow();
-    addText("serialNumber", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Serial number"),
-            ofMachine<&Machine::serialNumber>());
-    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Year of construction"), Quantity::count,
+    addText("serialNumber", ofMachine<&Machine::serialNumber>());
+    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Year of construction")}, Quantity::count,
               converted<Amount, std::optional<int>>(
                   ofMachine<&Machine::year>(),
                   [](const std::optional<int> &year) { return year ? Amount(*year) : Amount(); },
@@ -44,11 +42,10 @@ MachinePage::MachinePage(DocumentModel &model, Selection &selection, QWidget *pa
                   }),
               1, Allowed::whole);
     beginRow();
-    addText("controller", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Numerical control"),
-            ofMachine<&Machine::controller>());
-    addText("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Location"), ofMachine<&Machine::location>());
+    addText("controller", ofMachine<&Machine::controller>());
+    addText({"", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Location")}, ofMachine<&Machine::location>());
     beginRow();
-    addLongText("", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Condition"),
+    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Condition")},
                 ofMachine<&Machine::condition>())
         ->setMost(mostOfLine);
     addStretch();

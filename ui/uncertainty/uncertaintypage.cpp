@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/uncertainty/uncertaintypage.h"
 
+#include "editing/typicalvalues.h"
 #include "figures/budgetfigure.h"
 #include "figures/histogramfigure.h"
 #include "kernel/evaluation/decideuncertainty.h"
@@ -20,7 +21,6 @@
 #include "ui/uncertainty/figurecard.h"
 #include "ui/uncertainty/rowtable.h"
 #include "ui/uncertainty/simulationrow.h"
-#include "ui/uncertainty/typicalvalues.h"
 
 #include <QApplication>
 #include <QButtonGroup>
@@ -64,15 +64,6 @@ auto circular() {
 template <auto member>
 auto length() {
     return ofMeasurement<CircularMeasurement, &CircularMeasurement::referenceLength, member>();
-}
-
-/// A rotary axis has no metres; what a file says of them is shown to be taken out.
-bool asksPerMetre(const Test &test) {
-    const bool linear = motionOf(test) == Motion::linear;
-    return partOr(false, test.measurement,
-                  [linear](auto &m) -> decltype(m.uncertainty.device.perMetre.has_value()) {
-                      return linear || m.uncertainty.device.perMetre.value_or(0) != 0;
-                  });
 }
 
 bool asksForCentring(const Test &test) {
@@ -320,7 +311,7 @@ void UncertaintyPage::prepare() {
     std::vector<std::string> drifts;
     for (const TestPointer &drift : driftTestsFor(*evaluated().document, *shown)) {
         drifts.push_back(drift->id);
-        driftNames.push_back(driftTestName(*drift).toUtf8());
+        driftNames.push_back(driftTestName(*drift, language()).toUtf8());
         wanted << QString::fromStdString(drift->id) << QString::fromUtf8(driftNames.back());
     }
     if (*method == UncertaintyMethod::direct) {
@@ -418,24 +409,23 @@ void UncertaintyPage::fillTypical() {
 
 /// What E_VE is and where it comes from; the choice only where there is one.
 void UncertaintyPage::addEnvironment(Quantity size, Member<Amount> member) {
-    m_environment = addNumber("environmentalVariation",
-                              QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Env. variation E_VE"), size,
-                              std::move(member), 1, Allowed::notNegative);
+    m_environment = addNumber(
+        {"environmentalVariation", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Env. variation E_VE")},
+        size, std::move(member), 1, Allowed::notNegative);
     m_fields[environmentalVariationId] = m_environment;
     if (m_drifts.empty())
         return;
     std::vector<const char *> words{QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "typed in")};
     for (const QByteArray &name : m_driftNames)
         words.push_back(name.constData());
-    addChoice("driftTest", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "E_VE from"), words,
+    addChoice({"driftTest", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "E_VE from")}, words,
               environmentFrom(m_drifts), false);
 }
 
 /// How the simulation is run.
 void UncertaintyPage::addTrials(Member<std::optional<long long>> trials, Member<long long> seed) {
-    m_trials = addNumber("trials", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Trials"),
-                         Quantity::count, trialsOf(std::move(trials)), 1, Allowed::counting);
-    addNumber("seed", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Seed"), Quantity::count,
+    m_trials = addNumber("trials", Quantity::count, trialsOf(std::move(trials)), 1, Allowed::counting);
+    addNumber({"seed", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Seed")}, Quantity::count,
               seedOf(std::move(seed)), 1, Allowed::whole);
 }
 
@@ -445,30 +435,30 @@ void UncertaintyPage::addInputs(const PositioningUncertaintyInputs & /*inputs*/)
     const bool rotary = motionOf(*shownTest()) == Motion::rotary;
     const Quantity size = rotary ? Quantity::arcSeconds : Quantity::micrometres;
     beginRow();
-    addChoice("device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument by"),
+    addChoice({"device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument by")},
               {QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "certificate"),
                QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "range of its error")},
               choiceOf<DeviceKind>(positioning<&Inputs::device, &DeviceUncertainty::kind>(),
                                    {DeviceKind::certificate, DeviceKind::range}),
               false);
     m_fields[deviceId] =
-        addNumber("device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument, fixed part"), size,
-                  positioning<&Inputs::device, &DeviceUncertainty::fixed>(), 1, Allowed::notNegative);
+        addNumber({"device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument, fixed part")},
+                  size, positioning<&Inputs::device, &DeviceUncertainty::fixed>(), 1, Allowed::notNegative);
     if (asksPerMetre(*shownTest()))
         m_perMetre = addNumber(
-            "device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument, per metre"), size,
+            {"device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument, per metre")}, size,
             positioning<&Inputs::device, &DeviceUncertainty::perMetre>(), 1, Allowed::notNegative);
-    addNumber("coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the certificate"),
+    addNumber({"coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the certificate")},
               Quantity::number,
               coverageOf(positioning<&Inputs::device, &DeviceUncertainty::coverageFactor>()), 1,
               Allowed::positive);
     beginRow();
     if (!rotary) {
         m_fields[misalignmentId] =
-            addNumber("misalignmentRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Misalignment"),
-                      Quantity::position, positioning<&Inputs::misalignmentRange>(), 1, Allowed::notNegative);
-        m_length = addNumber("length", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Length L"),
-                             Quantity::position, positioning<&Inputs::length>(), 1, Allowed::positive);
+            addNumber("misalignmentRange", Quantity::position, positioning<&Inputs::misalignmentRange>(), 1,
+                      Allowed::notNegative);
+        m_length =
+            addNumber("length", Quantity::position, positioning<&Inputs::length>(), 1, Allowed::positive);
     }
     addEnvironment(size, positioning<&Inputs::environmentalVariation>());
     if (!rotary) {
@@ -476,19 +466,19 @@ void UncertaintyPage::addInputs(const PositioningUncertaintyInputs & /*inputs*/)
             addWidget(new QWidget(body()));
         beginRow();
         m_fields["temperatureMachine"] = addNumber(
-            "temperatureRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of θ, machine"),
+            {"temperatureRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of θ, machine")},
             Quantity::temperature, positioning<&Inputs::temperatureRange, &Both::machine>(), 1,
             Allowed::notNegative);
         m_fields["temperatureInstrument"] = addNumber(
-            "temperatureRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of θ, instr."),
+            {"temperatureRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of θ, instr.")},
             Quantity::temperature, positioning<&Inputs::temperatureRange, &Both::instrument>(), 1,
             Allowed::notNegative);
         m_fields["expansionMachine"] = addNumber(
-            "expansionRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of α, machine"),
+            {"expansionRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of α, machine")},
             Quantity::expansion, positioning<&Inputs::expansionRange, &Both::machine>(), 1,
             Allowed::notNegative);
         m_fields["expansionInstrument"] = addNumber(
-            "expansionRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of α, instr."),
+            {"expansionRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of α, instr.")},
             Quantity::expansion, positioning<&Inputs::expansionRange, &Both::instrument>(), 1,
             Allowed::notNegative);
     }
@@ -500,52 +490,55 @@ void UncertaintyPage::addInputs(const CircularUncertaintyInputs & /*inputs*/) {
     constexpr Quantity size = Quantity::micrometres;
     beginRow();
     m_fields[displacementId] =
-        addNumber("displacement", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Displacement, U"), size,
+        addNumber({"displacement", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Displacement, U")}, size,
                   circular<&Inputs::displacement, &ExpandedValue::expanded>(), 1, Allowed::notNegative);
-    addNumber("coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the displacement"),
+    addNumber({"coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the displacement")},
               Quantity::number, coverageOf(circular<&Inputs::displacement, &ExpandedValue::coverageFactor>()),
               1, Allowed::positive);
-    m_fields[referenceLengthId] =
-        addNumber("referenceLength", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Reference length, U"),
-                  size, length<&ReferenceLength::expandedUncertainty>(), 1, Allowed::notNegative);
-    addNumber("coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the length"),
+    m_fields[referenceLengthId] = addNumber(
+        {"referenceLength", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Reference length, U")}, size,
+        length<&ReferenceLength::expandedUncertainty>(), 1, Allowed::notNegative);
+    addNumber({"coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the length")},
               Quantity::number, coverageOf(length<&ReferenceLength::coverageFactor>()), 1, Allowed::positive);
     beginRow();
     m_fields[resolutionId] =
-        addNumber("resolution", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Resolution"), size,
+        addNumber({"resolution", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Resolution")}, size,
                   circular<&Inputs::resolution>(), 1, Allowed::notNegative);
     m_fields[pointNoiseId] =
-        addNumber("pointNoise", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Noise of a point, u"), size,
-                  circular<&Inputs::pointNoise>(), 1, Allowed::notNegative);
+        addNumber({"pointNoise", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Noise of a point, u")},
+                  size, circular<&Inputs::pointNoise>(), 1, Allowed::notNegative);
     m_repeatability =
-        addNumber("repeatability", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Repeatability, u"), size,
-                  circular<&Inputs::repeatability>(), 1, Allowed::notNegative);
+        addNumber({"repeatability", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Repeatability, u")},
+                  size, circular<&Inputs::repeatability>(), 1, Allowed::notNegative);
     m_fields[repeatabilityId] = m_repeatability;
     if (asksForCentring(*shownTest()))
         m_fields[centringId] =
-            addNumber("centring", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Centring, u"), size,
+            addNumber({"centring", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Centring, u")}, size,
                       circular<&Inputs::centring>(), 1, Allowed::notNegative);
     beginRow();
     addEnvironment(size, circular<&Inputs::environmentalVariation>());
-    addChoice("sameSensor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Temperature sensors"),
+    addChoice({"sameSensor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Temperature sensors")},
               {QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "one each"),
                QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "one for machine and instrument")},
               choiceOf<bool>(circular<&Inputs::sameSensor>(), {false, true}), false);
     beginRow();
-    m_fields[correctionId] = addNumber(
-        "temperatureStandardUncertainty", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of θ, machine"),
-        Quantity::temperature, circular<&Inputs::temperatureStandardUncertainty, &Both::machine>(), 1,
+    m_fields[correctionId] =
+        addNumber({"temperatureStandardUncertainty",
+                   QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of θ, machine")},
+                  Quantity::temperature, circular<&Inputs::temperatureStandardUncertainty, &Both::machine>(),
+                  1, Allowed::notNegative);
+    addNumber({"temperatureStandardUncertainty",
+               QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of θ, instr.")},
+              Quantity::temperature, circular<&Inputs::temperatureStandardUncertainty, &Both::instrument>(),
+              1, Allowed::notNegative);
+    addNumber(
+        {"expansionStandardUncertainty", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of α, machine")},
+        Quantity::expansion, circular<&Inputs::expansionStandardUncertainty, &Both::machine>(), 1,
         Allowed::notNegative);
-    addNumber("temperatureStandardUncertainty",
-              QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of θ, instr."), Quantity::temperature,
-              circular<&Inputs::temperatureStandardUncertainty, &Both::instrument>(), 1,
-              Allowed::notNegative);
-    addNumber("expansionStandardUncertainty",
-              QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of α, machine"), Quantity::expansion,
-              circular<&Inputs::expansionStandardUncertainty, &Both::machine>(), 1, Allowed::notNegative);
-    addNumber("expansionStandardUncertainty",
-              QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of α, instr."), Quantity::expansion,
-              circular<&Inputs::expansionStandardUncertainty, &Both::instrument>(), 1, Allowed::notNegative);
+    addNumber(
+        {"expansionStandardUncertainty", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of α, instr.")},
+        Quantity::expansion, circular<&Inputs::expansionStandardUncertainty, &Both::instrument>(), 1,
+        Allowed::notNegative);
 }
 
 void UncertaintyPage::addStatedUncertainties(const Edition &edition, bool rotary) {
@@ -557,7 +550,7 @@ void UncertaintyPage::addStatedUncertainties(const Edition &edition, bool rotary
         if (count++ % fieldsInRow == 0)
             beginRow();
         Field *field =
-            addNumber("expanded", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "U(%1)"), size,
+            addNumber({"expanded", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "U(%1)")}, size,
                       statedFor(edition.circles ? circular<&CircularUncertaintyInputs::expanded>()
                                                 : positioning<&PositioningUncertaintyInputs::expanded>(),
                                 result.key),
@@ -623,7 +616,7 @@ void UncertaintyPage::addResults(bool linear) {
     beginRow();
     if (linear) {
         addTrials(positioning<&Positioning::trials>(), positioning<&Positioning::seed>());
-        addChoice("driftModel", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Drift of the readings"),
+        addChoice({"driftModel", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Drift of the readings")},
                   {QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "independent"),
                    QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "linear in time")},
                   choiceOf<DriftModel>(positioning<&Positioning::driftModel>(),
@@ -640,12 +633,12 @@ void UncertaintyPage::addDecision() {
     addWidget(makeRule(body()));
     addSection(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Decision"));
     beginRow();
-    addChoice("", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Rule"),
+    addChoice({"", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Rule")},
               {QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "simple acceptance"),
                QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "ISO 14253-1: conformity is to be proven"),
                QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "non-conformity is to be proven")},
               decisionRuleMember(), false, 2);
-    addNumber("", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Guard band, times U"), Quantity::number,
+    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Guard band, times U")}, Quantity::number,
               guardFactorMember(), 1, Allowed::notNegative);
     beginRow();
     m_rule = new QLabel(body());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/parts/conditionparts.h"
 
+#include "document/statedthings.h"
 #include "figures/linefigure.h"
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/measurement/testfacts.h"
@@ -123,12 +124,19 @@ public:
     void add(const Text &label, const QString &value) {
         m_values.rows.push_back({m_write.text(label), value});
     }
+    /// Under the name of a StatedThing.
+    template <class Value>
+    void add(const char *key, const Value &value) {
+        add(statedThing(key)->name, value);
+    }
     void add(const Text &label, const std::string &value) { add(label, QString::fromStdString(value)); }
-    void addStated(const Text &label, const QString &value) {
+    template <class Label>
+    void addStated(const Label &label, const QString &value) {
         if (!value.isEmpty())
             add(label, value);
     }
-    void addStated(const Text &label, const std::string &value) {
+    template <class Label>
+    void addStated(const Label &label, const std::string &value) {
         addStated(label, QString::fromStdString(value));
     }
     [[nodiscard]] KeyValues take() { return std::move(m_values); }
@@ -186,10 +194,9 @@ QString furtherStatements(const TestPart &part) {
 
 void addLoadAndState(ConditionRows &rows, const TestPart &part, const Conditions &conditions) {
     const Writer &write = part.write;
-    rows.add(REPORT_TEXT("report", "Load"),
-             joined({stated(write, conditions.unloaded, part.edition().unloaded,
-                            REPORT_TEXT("report", "machine loaded")),
-                     QString::fromStdString(conditions.load)}));
+    rows.add("load", joined({stated(write, conditions.unloaded, part.edition().unloaded,
+                                    REPORT_TEXT("report", "machine loaded")),
+                             QString::fromStdString(conditions.load)}));
     rows.add(
         REPORT_TEXT("report", "State of the machine"),
         joined({stated(write, conditions.complete, REPORT_TEXT("report", "complete and in working order"),
@@ -218,7 +225,7 @@ void addPurpose(ConditionRows &rows, const TestPart &part) {
     QStringList texts{purpose.empty() ? QString() : part.write.text(purpose),
                       role.empty() ? QString() : part.write.text(role)};
     texts.removeAll(QString());
-    rows.addStated(REPORT_TEXT("report", "Purpose of the test"), texts.join(QStringLiteral(", ")));
+    rows.addStated("purpose", texts.join(QStringLiteral(", ")));
     const DeclaredAccordance &declared = part.test.declaredAccordance;
     rows.addStated(REPORT_TEXT("report", "Declared by the laboratory"),
                    joined({joined({QString::fromStdString(declared.by), dateText(part.write, declared.date)}),
@@ -234,11 +241,10 @@ void addThermalPreparation(ConditionRows &rows, const Writer &write, const Condi
                    stated(write, conditions.stabilised,
                           REPORT_TEXT("report", "machine and instruments thermally stable"),
                           REPORT_TEXT("report", "machine or instruments not thermally stable")));
-    rows.addStated(REPORT_TEXT("report", "Compensation by the instrument"),
-                   compensationText(write, conditions.instrumentCompensation));
-    rows.addStated(REPORT_TEXT("report", "Soak"), conditions.soak);
-    rows.addStated(REPORT_TEXT("report", "Thermal shielding"), yesNo(write, conditions.shielded));
-    rows.addStated(REPORT_TEXT("report", "Maker’s thermal guidelines"), conditions.thermalGuidelines);
+    rows.addStated("instrumentCompensation", compensationText(write, conditions.instrumentCompensation));
+    rows.addStated("soak", conditions.soak);
+    rows.addStated("shielded", yesNo(write, conditions.shielded));
+    rows.addStated("thermalGuidelines", conditions.thermalGuidelines);
 }
 
 KeyValues rowsOf(const PositioningPart &part) {
@@ -248,40 +254,36 @@ KeyValues rowsOf(const PositioningPart &part) {
     const Quantity feed = feedQuantity(part.test);
     ConditionRows rows(write);
     addPurpose(rows, part);
-    rows.add(REPORT_TEXT("report", "Warm-up"), warmUpText(write, common.warmUp));
+    rows.add("warmUp", warmUpText(write, common.warmUp));
     QString feedText = write.quantity(conditions.feed, feed);
     if (conditions.feedMode == FeedMode::rapid)
         feedText = joined({write.text(REPORT_TEXT("report", "rapid feed")), feedText});
     else if (conditions.feedMode && feedText.isEmpty())
         feedText = write.text(REPORT_TEXT("report", "programmed feed"));
-    rows.add(REPORT_TEXT("report", "Feed between targets"), feedText);
-    rows.add(REPORT_TEXT("report", "Dwell at target"), write.quantity(conditions.dwell, Quantity::time));
-    rows.addStated(REPORT_TEXT("report", "Approach distance"),
-                   write.quantity(conditions.approachDistance, part.along()));
+    rows.add("feed", feedText);
+    rows.add("dwell", write.quantity(conditions.dwell, Quantity::time));
+    rows.addStated("approachDistance", write.quantity(conditions.approachDistance, part.along()));
     addLoadAndState(rows, part, common);
-    rows.add(REPORT_TEXT("report", "Active compensation"), common.compensation);
-    rows.add(REPORT_TEXT("report", "Other axes"), common.otherAxes);
+    rows.add("compensation", common.compensation);
+    rows.add("otherAxes", common.otherAxes);
     rows.add(REPORT_TEXT("report", "Measuring line"), measuringLineText(write, common));
-    rows.add(REPORT_TEXT("report", "Instrument"), common.instrumentPosition);
-    rows.add(REPORT_TEXT("report", "Choice of targets"), targetChoiceText(part));
+    rows.add("instrumentPosition", common.instrumentPosition);
+    rows.add("targetChoice", targetChoiceText(part));
     if (part.leavesOut(ReportPart::targetTable) && part.leavesOut(ReportPart::readings))
         rows.add(REPORT_TEXT("report", "Target positions"), targetList(part)); // in the tables otherwise
     if (const auto &ends = part.measurement.axis.range)
-        rows.add(REPORT_TEXT("report", "Ends of the axis"),
-                 write.say(REPORT_TEXT("report", "%1 to %2"),
-                           {Number{ends->from, part.along()}, Number{ends->to, part.along()}}));
+        rows.add("range", write.say(REPORT_TEXT("report", "%1 to %2"),
+                                    {Number{ends->from, part.along()}, Number{ends->to, part.along()}}));
     const auto &element = part.measurement.axis.scaleElement;
     if (element)
-        rows.add(REPORT_TEXT("report", "Element of the scale"),
-                 *element > 0 ? write.quantity(element, Quantity::position)
-                              : write.text(REPORT_TEXT_FOR("report", "continuous", "scale")));
-    rows.addStated(REPORT_TEXT("report", "Continuous device"), yesNo(write, conditions.continuousDevice));
+        rows.add("scaleElement", *element > 0 ? write.quantity(element, Quantity::position)
+                                              : write.text(REPORT_TEXT_FOR("report", "continuous", "scale")));
+    rows.addStated("continuousDevice", yesNo(write, conditions.continuousDevice));
     if (conditions.referencePosition)
-        rows.add(REPORT_TEXT("report", "Zero of displacement"),
-                 write.quantity(conditions.referencePosition, part.along()));
+        rows.add("referencePosition", write.quantity(conditions.referencePosition, part.along()));
     addThermalPreparation(rows, write, common);
     if (conditions.gradientHoursBefore)
-        rows.add(REPORT_TEXT("report", "Temperature gradient"),
+        rows.add("gradientPerHour",
                  write.say(REPORT_TEXT("report", "over the %1 h before the test and during it"),
                            {Number{*conditions.gradientHoursBefore, Quantity::number, -1}}));
     rows.addStated(REPORT_TEXT("report", "Further statements"), furtherStatements(part));
@@ -331,11 +333,11 @@ KeyValues rowsOf(const CircularPart &part) {
     const Conditions &common = conditions.common;
     ConditionRows rows(write);
     addPurpose(rows, part);
-    rows.add(REPORT_TEXT("report", "Warm-up"), warmUpText(write, common.warmUp));
+    rows.add("warmUp", warmUpText(write, common.warmUp));
     addLoadAndState(rows, part, common);
     rows.addStated(REPORT_TEXT("report", "Specified circle"), specifiedCircle(part));
     rows.addStated(REPORT_TEXT("report", "Left out"), leftOut(part));
-    rows.addStated(REPORT_TEXT("report", "Instrument"), common.instrumentPosition);
+    rows.addStated("instrumentPosition", common.instrumentPosition);
     rows.addStated(REPORT_TEXT("report", "Angles"), angleReferenceText(part));
     if (!part.feedback() && part.results.paths.size() > 1)
         rows.add(REPORT_TEXT("report", "Between the runs"),
@@ -360,8 +362,9 @@ public:
             addTemperatures(what, temperaturesOf(conditions, what));
     }
 
-    void add(const Text &name, std::optional<double> value, Quantity quantity) {
-        m_table.rows.push_back({label(name, quantity), shown(value, quantity, -1), blankCell()});
+    void add(const char *key, std::optional<double> value, Quantity quantity) {
+        m_table.rows.push_back(
+            {label(statedThing(key)->name, quantity), shown(value, quantity, -1), blankCell()});
     }
     void addExpansion(const Expansion &expansion) {
         m_table.rulesAfter.push_back(m_table.rows.size() - 1);
@@ -399,9 +402,9 @@ private:
 Table environment(const PositioningPart &part) {
     const PositioningConditions &conditions = part.measurement.conditions;
     EnvironmentTable table(part, conditions.common);
-    table.add(REPORT_TEXT("report", "Air pressure"), conditions.airPressure, Quantity::pressure);
-    table.add(REPORT_TEXT("report", "Relative humidity"), conditions.airHumidity, Quantity::percent);
-    table.add(REPORT_TEXT("report", "Temperature gradient"), conditions.gradientPerHour, Quantity::gradient);
+    table.add("airPressure", conditions.airPressure, Quantity::pressure);
+    table.add("airHumidity", conditions.airHumidity, Quantity::percent);
+    table.add("gradientPerHour", conditions.gradientPerHour, Quantity::gradient);
     const Expansion &expansion = conditions.common.expansion;
     if (part.measurement.axis.motion == Motion::linear || expansion.machine || expansion.instrument)
         table.addExpansion(expansion);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/uncertainty/uncertaintypage.h"
+#include "editing/typicalvalues.h"
 #include "kernel/evaluation/decideuncertainty.h"
 #include "ui/circles.h"
 #include "ui/examples.h"
@@ -11,7 +12,6 @@
 #include "ui/theme.h"
 #include "ui/uncertainty/figurecard.h"
 #include "ui/uncertainty/rowtable.h"
-#include "ui/uncertainty/typicalvalues.h"
 #include "ui/wheelguard.h"
 
 #include <QComboBox>

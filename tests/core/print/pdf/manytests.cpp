@@ -227,9 +227,9 @@ void ManyTests::theTestsFollowTheirNumbers() {
     for (const std::vector<Cell> &row : rows) {
         if (!row[0].blank)
             key = row[0].text.plain();
-        if (key == u"Soak")
+        if (key == u"Soaking time")
             said << row[1].text.plain() + u": "_s + row[2].text.plain();
-        if (key == u"Thermal shielding")
+        if (key == u"Shielded from draughts and radiation")
             shielded << row[1].text.plain() + u": "_s + row[2].text.plain();
     }
     QCOMPARE(said, (QStringList{u"1, 5: soak 1"_s, u"2: soak 2"_s, u"3: soak 3"_s, u"4: soak 4"_s,

@@ -9,7 +9,7 @@
 #include <functional>
 #include <vector>
 
-namespace palmer::ui {
+namespace palmer {
 
 /// A value that a budget may take, and where it comes from.
 struct TypicalValue {
@@ -28,6 +28,6 @@ struct TypicalValue {
 [[nodiscard]] std::vector<TestPointer> driftTestsFor(const Document &document, const Test &test);
 
 /// Title of a drift test, or the name of its axis.
-[[nodiscard]] QString driftTestName(const Test &drift);
+[[nodiscard]] QString driftTestName(const Test &drift, const Language &language);
 
-} // namespace palmer::ui
+} // namespace palmer
