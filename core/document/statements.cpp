@@ -106,7 +106,7 @@ bool hasKeys(const json &object) {
     const auto isKey = [](const std::string &key) {
         return !key.empty() && key.find_first_of(".[") == std::string::npos;
     };
-    const json::object_t &members = object.get_ref<const json::object_t &>();
+    const auto &members = object.get_ref<const json::object_t &>();
     return std::ranges::all_of(members, [&](const auto &member) { return isKey(member.first); });
 }
 

@@ -24,7 +24,7 @@ struct Statement {
 /// and of the instruments it was made with ("machine.name", "instruments[0].model"). What is not stated is
 /// left out, but whether the readings are corrected to 20 °C. Of a drift test that the test names stays its
 /// range. Texts are of one line and show what they hold.
-[[nodiscard]] std::vector<Statement> statementsOf(const Document &document, std::size_t test);
+[[nodiscard]] std::vector<Statement> statementsOf(const Document &document, std::size_t index);
 
 /// The document that such statements say: one test, with the readings among them as lists of JSON
 /// ("runs[0].deviations"). Throws Error as readDocument, and for what is no path.

@@ -15,7 +15,7 @@ namespace palmer {
 /// the cells under a comma, else `,`. Missing ones are empty. The importer reads statements and readings back
 /// as they are: their evaluation gives the same results. Headings are the same in every language, as the keys
 /// of JSON are, with their unit in parentheses; names of parameters are in `language`.
-[[nodiscard]] QByteArray readingsCsv(const EvaluatedDocument &evaluated, std::size_t test,
+[[nodiscard]] QByteArray readingsCsv(const EvaluatedDocument &evaluated, std::size_t index,
                                      const Language &language, char decimalMark);
 
 /// The results as resultsJson gives them, each test with its readings: `targets` and `runs`, `arcs`, or

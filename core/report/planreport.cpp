@@ -99,7 +99,8 @@ Table table(const TargetPlan &plan, const TargetRequest &request, int first, int
 /// What is planned of one travel.
 void add(Report &report, const PlannedMeasurement &planned, const CycleProgram &program,
          const Language &language) {
-    const auto &[request, plan] = planned;
+    const TargetRequest &request = planned.request;
+    const TargetPlan &plan = planned.plan;
     report.blocks.emplace_back(head(request, plan, program, language));
     const Quantity position = request.motion == Motion::linear ? Quantity::position : Quantity::angle;
     const auto turning = [&](double target, Direction approach) {

@@ -134,6 +134,7 @@ std::vector<Pass> inOrder(std::vector<PlacedPass> placed, TableReading &reading)
             return std::pair(each.number, *each.direction == Direction::negative);
         });
     std::vector<Pass> passes;
+    passes.reserve(placed.size());
     for (PlacedPass &each : placed)
         passes.push_back(std::move(each.pass));
     if (isStated || !both || inTurn)
