@@ -45,7 +45,7 @@ Choice restored(const char *key, const Words &words) {
     return found == words.end() ? Choice{} : static_cast<Choice>(found - words.begin());
 }
 
-/// What window and report share stands in the catalogue of the report, whatever class says it here.
+/// Texts shared with the report, which stand in its catalogue, whatever class asks for them.
 class SharedTexts : public QTranslator {
 public:
     QString translate(const char * /*context*/, const char *source, const char *comment,

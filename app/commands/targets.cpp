@@ -75,7 +75,7 @@ std::optional<int> whole(const Invocation &invocation, const char *option, int l
     return given ? std::optional(static_cast<int>(wholeBetween(option, *given, least, most))) : std::nullopt;
 }
 
-/// What options are about to change: what a test of the file says, or a new plan.
+/// The plan before the options change it: that of a test of the file, or a new one.
 struct Begun {
     TargetRequest request;
     CycleProgram program;
@@ -83,7 +83,7 @@ struct Begun {
     bool isOfFile = false;
 };
 
-/// Nothing for questions about the file that were printed.
+/// Null: the file raised questions, which were printed.
 std::optional<Begun> begun(const Invocation &invocation) {
     Begun result;
     if (invocation.arguments.isEmpty()) {
@@ -121,7 +121,7 @@ std::optional<Interval> interval(const Invocation &invocation, const char *optio
     return given ? std::optional(intervalGiven(option, *given)) : std::nullopt;
 }
 
-/// What is measured lies between the ends of the axis, with the approach distance on either side.
+/// The measurement travel lies between the ends of the axis, with the approach distance on either side.
 TargetRequest request(const Invocation &invocation, const Begun &begun, double approach) {
     TargetRequest result = begun.request;
     result.rule = begun.edition->targetRule;
@@ -190,7 +190,7 @@ CycleProgram program(const Invocation &invocation, CycleProgram result, double a
     return result;
 }
 
-/// What is to be written where: the plan, or the part program of each of its measurements.
+/// The files to write: the plan, or the part program of each of its measurements.
 std::vector<std::pair<QString, QByteArray>> filesOf(const Invocation &invocation, const QString &output,
                                                     std::span<const PlannedMeasurement> plans,
                                                     const CycleProgram &cycle, const Edition &edition) {

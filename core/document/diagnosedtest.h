@@ -33,7 +33,7 @@ struct DiagnosedTest {
 /// diagnosed together. Places of the tests.
 [[nodiscard]] std::vector<std::vector<std::size_t>> testsAtSeveralFeeds(const EvaluatedDocument &evaluated);
 
-/// Those of them that the test belongs to; none where it belongs to none.
+/// The tests at several feeds that this test belongs to; empty if it belongs to none.
 [[nodiscard]] std::vector<std::size_t> testsAtFeedsWith(const EvaluatedDocument &evaluated, std::size_t test);
 
 } // namespace palmer

@@ -34,7 +34,8 @@ void setAt(nlohmann::json &place, std::span<const FieldStep> steps, const nlohma
 /// The test file of a document as JSON.
 [[nodiscard]] nlohmann::json fileOf(const Document &document);
 
-/// What the words may mean, the likeliest first: a literal of JSON, a number with a comma, the text itself.
+/// The possible meanings of a value, the likeliest first: a literal of JSON, a number with a comma, the text
+/// itself.
 [[nodiscard]] std::vector<nlohmann::json> meaningsOf(std::string_view value);
 
 } // namespace palmer

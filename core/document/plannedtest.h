@@ -16,10 +16,10 @@ namespace palmer {
 [[nodiscard]] Test plannedTest(const TargetRequest &request, const TargetPlan &plan,
                                const CycleProgram &program, const std::string &edition);
 
-/// What is to be planned for a positioning test as it stands, from what it states; where it says nothing, the
-/// values of a new plan. The travel lies between the ends of the axis, which it approaches its targets
-/// within; where they are not stated it is that of the test, or of the axis; of a rotary axis one turn; of a
-/// long axis its agreed zone.
+/// The plan that a positioning test asks for by what it states; where it says nothing, the values of a new
+/// plan. The travel, mm or degrees, leaves room at both ends of the axis to approach the targets. Without
+/// stated ends it is the travel of the test, or else that of the axis. A rotary axis gets one turn, a long
+/// axis its agreed zone.
 [[nodiscard]] std::pair<TargetRequest, CycleProgram> plannedFor(const Test &test);
 
 } // namespace palmer

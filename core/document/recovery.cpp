@@ -73,7 +73,7 @@ RecoveryOrigin originIn(const QByteArray &bytes) {
     return {text("path"), QDateTime::fromString(text("saved"), Qt::ISODateWithMs), stateIn(head)};
 }
 
-/// Of a copy that cannot be read: what still says whose it was, and when.
+/// A copy that cannot be read, with what its first line still says of its origin.
 Recovery refused(const QString &path, const Error &error) {
     Recovery recovery;
     try {

@@ -114,7 +114,7 @@ bool areScalars(const json &list) {
     return std::ranges::none_of(list, [](const json &element) { return element.is_structured(); });
 }
 
-/// Walks through a file and says what it finds beside what is said of nothing.
+/// Walks through a file and collects what differs from a file that states nothing.
 class Collector {
 public:
     void collect(const json &value, const json &unsaid, const std::string &path) {

@@ -13,7 +13,8 @@
 
 namespace palmer {
 
-/// What a test file says at a path, for outputs that have a line for each: "conditions.expansion.machine".
+/// A value that a test file states at a path, for outputs that have a line for each:
+/// "conditions.expansion.machine".
 struct Statement {
     std::string path;
     std::string value;                 ///< a literal of JSON, or a text
@@ -22,8 +23,8 @@ struct Statement {
 
 /// All that a document says of a test but its readings: paths of the test ("conditions.feed"), of its machine
 /// and of the instruments it was made with ("machine.name", "instruments[0].model"). What is not stated is
-/// left out, but whether the readings are corrected to 20 °C. Of a drift test that the test names stays its
-/// range. Texts are of one line and show what they hold.
+/// left out, except whether the readings are corrected to 20 °C. A drift test that the test names is replaced
+/// by its range. Texts fit on one line and show their control characters.
 [[nodiscard]] std::vector<Statement> statementsOf(const Document &document, std::size_t index);
 
 /// The document that such statements say: one test, with the readings among them as lists of JSON

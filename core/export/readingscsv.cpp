@@ -29,7 +29,7 @@ const char *unitOf(Motion motion) {
     return motion == Motion::linear ? "mm" : "°";
 }
 
-/// What the numbers follow from: the statements, the unit, the sign.
+/// Writes all that the numbers follow from: the statements, the unit, the sign.
 void writeStatements(CsvWriter &csv, const Document &document, std::size_t index) {
     const Test &test = *document.tests[index];
     csv.statement(palmercsv::format, palmercsv::formatWord);

@@ -16,9 +16,7 @@ namespace palmer {
 
 namespace {
 
-constexpr std::string_view firstKey = "# format";
-
-/// What stands before the key of the first line: byte order mark, quotation mark.
+/// Length of the byte order mark and the quotation mark that may precede the first line.
 std::size_t startOf(std::string_view text) {
     constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
     std::size_t start = text.starts_with(byteOrderMark) ? byteOrderMark.size() : 0;
@@ -27,14 +25,16 @@ std::size_t startOf(std::string_view text) {
     return start;
 }
 
-/// What stands between the cells: behind the key of the first line.
+/// The delimiter is the character after the key of the first line; null: another file.
 std::optional<std::pair<char, Delimiter>> delimiterOf(std::string_view text) {
     constexpr std::array signs{std::pair{'\t', Delimiter::tab}, std::pair{';', Delimiter::semicolon},
                                std::pair{',', Delimiter::comma}, std::pair{'|', Delimiter::bar}};
     std::string_view rest = text.substr(std::min(startOf(text), text.size()));
-    if (!rest.starts_with(firstKey))
-        return {};
-    rest.remove_prefix(firstKey.size());
+    for (const std::string_view part : {palmercsv::mark, palmercsv::format}) {
+        if (!rest.starts_with(part))
+            return {};
+        rest.remove_prefix(part.size());
+    }
     if (rest.starts_with('"'))
         rest.remove_prefix(1);
     const auto found =
@@ -113,7 +113,7 @@ private:
         }
     }
 
-    /// Of a line that states something, which may be longer than a cell.
+    /// The value that a line states; it may be longer than a cell can hold.
     [[nodiscard]] std::string valueOf(const TableRow &row) const {
         const std::string &all = m_table.text();
         const std::size_t cell = m_table.cells(row).front().begin;
@@ -184,7 +184,7 @@ private:
         return said ? said : m_unit;
     }
 
-    /// In mm, degrees or s; nothing of an empty cell.
+    /// The number in a cell, in mm, degrees or s; null if the cell is empty.
     [[nodiscard]] std::optional<double> number(const TableRow &row, std::size_t column, const Unit &unit,
                                                CellRole role) {
         if (column < row.count)

@@ -34,7 +34,7 @@ private:
     [[nodiscard]] int schemaVersion();
     [[nodiscard]] std::vector<QVariantList> keptIntervals();
 
-    /// The file of a register that could not be made goes again.
+    /// Removes the file of a register that could not be made.
     class NewFile {
     public:
         explicit NewFile(const QString &address);

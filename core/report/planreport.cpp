@@ -96,7 +96,7 @@ Table table(const TargetPlan &plan, const TargetRequest &request, int first, int
     return result;
 }
 
-/// What is planned of one travel.
+/// Adds the plan of one travel.
 void add(Report &report, const PlannedMeasurement &planned, const CycleProgram &program,
          const Language &language) {
     const TargetRequest &request = planned.request;

@@ -330,7 +330,7 @@ void RegisterCommandTest::aFullDiskLosesNothing() {
     QCOMPARE(reg({"list", "--json"}).out.count('\n'), 280);
 }
 
-/// Of a register that could not be made nothing is left, with room for nothing and for some of it.
+/// A register that cannot be made leaves no file, whether the disk is full at once or only later.
 void RegisterCommandTest::aFullDiskLeavesNoEmptyRegister() {
     for (const rlim_t limit : {rlim_t{0}, rlim_t{5000}, rlim_t{20'000}}) {
         const QString folder = m_dir->filePath("full");

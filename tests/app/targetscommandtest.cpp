@@ -76,7 +76,7 @@ private slots:
             QVERIFY2(!checked.out.contains(unmet), checked.out.constData());
     }
 
-    /// What a test states of axis and cycle, as the window plans it; options say otherwise.
+    /// Plans for a test of a file as the window does; options override what the test states.
     void plansForATest() {
         const QStringList asked{"targets", EXAMPLES "long-axis-with-zone.palmer", "--language", "en", "-o",
                                 "-"};

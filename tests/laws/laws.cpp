@@ -92,7 +92,7 @@ bool isGood(Accordance accordance) {
     return accordance == Accordance::yes || accordance == Accordance::partly;
 }
 
-/// Who has to prove the rejection proves nothing without U: not proven, and no reason to reject.
+/// Without U nobody can prove a rejection: the verdict becomes "not proven", which is no reason to reject.
 bool isUnprovenNow(const Followed &before, const Followed &after) {
     for (std::size_t i = 0; i < before.evaluated.tests.size(); ++i) {
         const Test &test = *before.evaluated.document->tests[i];
@@ -574,7 +574,7 @@ private:
             violated("read back", "the CSV gives other results");
     }
 
-    /// What a figure is exported as.
+    /// The exports of a figure harm nobody.
     void figure(std::size_t i) {
         const Language english(Language::Id::english);
         const Figure figure = figureOfTest(*document().tests[i], *m_followed.evaluated.tests[i], english);

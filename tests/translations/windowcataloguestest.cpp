@@ -56,7 +56,7 @@ QSet<QString> keysOf(const QString &path) {
     return keys;
 }
 
-/// What the report says and the window may say in the same words: French by source.
+/// Texts of the report that the window may share: French by source.
 QMap<QString, QString> textsOfTheReport() {
     QMap<QString, QString> texts;
     for (const Entry &entry : entriesOf(QString(CATALOGUES) + "/report_fr.ts")) {
@@ -188,7 +188,7 @@ void WindowCataloguesTest::areFrench() {
     }
 }
 
-/// What window and report share stands in the catalogue of the report alone.
+/// Texts that window and report share stand only in the catalogue of the report.
 void WindowCataloguesTest::sayNothingTwice() {
     const auto shared = textsOfTheReport();
     QVERIFY(!shared.isEmpty());

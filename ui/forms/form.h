@@ -76,8 +76,8 @@ protected:
     /// What the file format demands of a number.
     enum class Allowed { any, notNegative, positive, whole, counting, celsius, coefficient };
 
-    /// What a field states: a StatedThing, whose name is the label where no other is given. Its key is the id
-    /// of the findings that say it is missing; empty: never asked for.
+    /// The StatedThing that a field shows. Its name is the label unless another is given; its key is the id
+    /// of the findings that say it is missing (empty: never asked for).
     struct Topic {
         // NOLINTNEXTLINE(google-explicit-constructor): as it is written in the pages
         Topic(const char *thing);

@@ -30,7 +30,7 @@ double scatter(std::span<const PlacedPass> passes, const std::function<Direction
             for (const PassReading &reading : passes[j].pass.readings) {
                 if (reading.isMissing)
                     continue;
-                // Welford: readings may be positions, of which the squares leave no digit to the scatter.
+                // Welford's method: readings may be positions, whose squares leave no digits for the scatter.
                 auto &[count, mean] = moments[reading.position];
                 const double d = reading.value - mean;
                 mean += d / ++count;

@@ -28,8 +28,8 @@ const TargetStatistics &targetOf(const Ruling &ruling, Targets targets) {
     return targets[static_cast<std::size_t>(ruling.target) - 1];
 }
 
-/// A mean over the targets, safe side: as if the target alone ruled whose readings leave it the least
-/// certain, in the directions the parameter looks at.
+/// For a mean over the targets, on the safe side: the target with the largest uncertainty, as if it ruled
+/// alone, in the directions the parameter looks at.
 Rulers leastCertain(const Row &row, const Coefficients &coefficients, Targets targets, double c) {
     Rulers result;
     double most = -1;

@@ -29,7 +29,7 @@ private:
     std::mt19937_64 m_generator;
 };
 
-/// What the targets are counted for: the travel of a short axis and a zone reach beyond that measured.
+/// The travel that the number of targets follows from: a short axis and a zone reach beyond what is measured.
 double countedTravel(const TargetRequest &request) {
     if (request.zone)
         return std::max(request.travel, request.zone->to - request.zone->from);
@@ -37,7 +37,7 @@ double countedTravel(const TargetRequest &request) {
     return axis <= longestShort(request.motion) ? std::max(request.travel, axis) : request.travel;
 }
 
-/// The end of it is its beginning.
+/// A full turn ends where it begins.
 bool isFullTurn(const TargetRequest &request) {
     return request.motion == Motion::rotary && std::abs(request.travel - fullTurn) < 1e-9;
 }
@@ -137,8 +137,8 @@ int approaches(const TargetRequest &request, const TargetPlan &plan) {
     return judged > longestShort(request.motion) ? 1 : 5;
 }
 
-/// The nominal interval and the largest random part: the first target is the beginning and up to two random
-/// parts, so is what lies behind the last.
+/// Sets the nominal interval and the largest random part. The first target lies up to two random parts behind
+/// the beginning of the travel, the last one up to two before its end.
 void space(const TargetRequest &request, std::size_t count, TargetPlan &plan) {
     const auto steps = static_cast<double>(count - 1);
     if (request.rule == TargetRule::pitches1988 && request.period &&

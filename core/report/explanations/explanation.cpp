@@ -169,7 +169,7 @@ private:
 
     // ---- Formulas ----------------------------------------------------------------------------------------
 
-    /// What stands between the equals signs of a step and has numbers.
+    /// The sides of a step, split at its equals signs, that contain numbers.
     [[nodiscard]] static QStringList sidesOf(const char *step) {
         QString text = QString::fromUtf8(step);
         const QString result = QStringLiteral("[=]");
@@ -221,7 +221,7 @@ private:
         return decimals;
     }
 
-    /// What is bracketed, or chosen from, beside its number on the other side; else the whole.
+    /// Compares bracket by bracket (or candidate by candidate) where both sides have as many, else the whole.
     [[nodiscard]] static bool comesTo(const Calculation &left, const Calculation &right, int decimals) {
         const double half = (0.5 + 1e-6) * std::pow(10.0, -decimals);
         const auto equal = [half](double a, double b) { return std::abs(a - b) <= half; };
@@ -297,7 +297,7 @@ private:
         return before.endsWith(u'+') || before.endsWith(u'−') || before.endsWith(u'·');
     }
 
-    /// What a name in a recipe stands for.
+    /// The value that a name in a recipe stands for.
     [[nodiscard]] std::optional<double> numberOf(QString id) const {
         if (id == QStringLiteral("="))
             return m_parameter.value;

@@ -124,7 +124,7 @@ public:
     void add(const Text &label, const QString &value) {
         m_values.rows.push_back({m_write.text(label), value});
     }
-    /// Under the name of a StatedThing.
+    /// Adds a row named after a StatedThing.
     template <class Value>
     void add(const char *key, const Value &value) {
         add(statedThing(key)->name, value);

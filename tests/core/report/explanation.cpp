@@ -40,7 +40,7 @@ QString steps(const Explanation &explanation) {
 
 } // namespace
 
-/// What a printed calculation comes to; brackets are replaced from the inside outwards.
+/// The value of a printed calculation; brackets are replaced from the inside outwards.
 double comesTo(QString text) {
     static const QRegularExpression inner(R"((max|min)?\(([^()]*)\)|\|([^|()]*)\|)");
     for (auto match = inner.match(text); match.hasMatch(); match = inner.match(text)) {
@@ -303,7 +303,7 @@ private slots:
         QVERIFY(count >= 100);
     }
 
-    /// Whoever does the sum that is printed comes to what is printed behind it.
+    /// A reader who does the printed sum gets the printed result.
     void printedSumsHold() {
         std::mt19937 random(11);
         std::normal_distribution<double> noise;

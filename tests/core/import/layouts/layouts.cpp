@@ -811,7 +811,7 @@ void LayoutsTest::anOrderThatIsNotStatedIsInTurn() {
 }
 
 /// Readings that are not read are all named, in a question.
-/// Of positions near a kilometre the squares have no digits left for half a micrometre of scatter.
+/// The squares of positions near a kilometre keep no digits for half a micrometre of scatter.
 void LayoutsTest::directionsOfFarPositionsAreGuessedAsOfNearOnes() {
     std::mt19937 random(1);
     std::normal_distribution<double> noise(0, 0.0005);

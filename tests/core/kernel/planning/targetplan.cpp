@@ -209,7 +209,7 @@ private slots:
         QVERIFY(quarters.axisRange == (Interval{-1, 181}));
     }
 
-    /// Of a long axis the zone is planned as well, with five approaches.
+    /// The zone of a long axis is planned as well, with five approaches.
     void theZoneOfALongAxisIsPlanned() {
         TargetRequest request = withinAxis(linear(0), {0, 3000}, 1);
         const auto plans = planMeasurements(request);
