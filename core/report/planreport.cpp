@@ -128,6 +128,8 @@ Report composePlan(std::span<const PlannedMeasurement> planned, const CycleProgr
         language.sentence({REPORT_TEXT("report", "Plan of measurement, axis %1"), {program.axis}, {}});
     report.blocks.emplace_back(Heading{1, report.title});
     for (const PlannedMeasurement &part : planned) {
+        if (&part != &planned.front())
+            report.blocks.emplace_back(PageBreak{}); // each is filled in at the machine by itself
         if (part.request.zone)
             report.blocks.emplace_back(
                 Heading{1, language.text(REPORT_TEXT("report", "Full test of a zone of the long axis"))});

@@ -65,6 +65,22 @@ class PlanReportTest : public QObject {
     Q_OBJECT
 
 private slots:
+    /// A long axis has two measurements, on pages of their own.
+    void theZoneOfALongAxisHasItsPage() {
+        TargetRequest whole;
+        whole.travel = 3000;
+        whole.axisTravel = 3000;
+        const auto plans = planMeasurements(whole);
+        QCOMPARE(plans.size(), std::size_t(2));
+        const Report report =
+            composePlan(plans, programOf(plans.front(), {}), Language(Language::Id::english));
+        const auto isBreak = [](const Block &block) { return std::holds_alternative<PageBreak>(block); };
+        QCOMPARE(std::ranges::count_if(report.blocks, isBreak), 1);
+        const auto next = std::next(std::ranges::find_if(report.blocks, isBreak));
+        const auto *title = std::get_if<Heading>(&*next);
+        QVERIFY(title && title->text.contains("zone of the long axis"));
+    }
+
     void saysWhatWasPlannedAndHow() {
         const Report report = composed(request(), plan(), program());
         QCOMPARE(value(report, "Axis"), QString("X"));
