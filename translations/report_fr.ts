@@ -9079,5 +9079,17 @@
         <source>plans the targets of a positioning test, writes the part program; with FILE as its test states axis and cycle</source>
         <translation>planifie les points visés d’un essai de positionnement, écrit le programme pièce&#x202f;; avec FILE, d’après l’axe et le cycle de son essai</translation>
     </message>
+    <message>
+        <source>Kind of feed</source>
+        <translation>Type d’avance</translation>
+    </message>
+    <message>
+        <source>--typical takes no parameter</source>
+        <translation>--typical ne prend pas de paramètre</translation>
+    </message>
+    <message>
+        <source>what the budget of the uncertainty may take where nothing is stated, and where it comes from, as --set takes it</source>
+        <translation>ce que le bilan d’incertitude peut prendre là où rien n’est déclaré, et d’où cela vient, tel que --set le prend</translation>
+    </message>
 </context>
 </TS>

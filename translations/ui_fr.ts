@@ -1128,22 +1128,6 @@
 <context>
     <name>palmer::ui::ConditionsPage</name>
     <message>
-        <source>chosen freely</source>
-        <translation>choisis librement</translation>
-    </message>
-    <message>
-        <source>given by the device</source>
-        <translation>imposés par l’appareil</translation>
-    </message>
-    <message>
-        <source>by the instrument</source>
-        <translation>par l’instrument</translation>
-    </message>
-    <message>
-        <source>rapid</source>
-        <translation>vitesse rapide</translation>
-    </message>
-    <message>
         <source>Air, start</source>
         <translation>Air, début</translation>
     </message>
@@ -1264,14 +1248,6 @@
         <translation>Autre capteur d’instrument</translation>
     </message>
     <message>
-        <source>Kind of feed</source>
-        <translation>Type d’avance</translation>
-    </message>
-    <message>
-        <source>programmed</source>
-        <translation>programmée</translation>
-    </message>
-    <message>
         <source>Warm-up, details</source>
         <translation>Mise en température, détails</translation>
     </message>
@@ -1316,18 +1292,6 @@
         <translation>Longueur de référence étalonnée</translation>
     </message>
     <message>
-        <source>agreed or the maker&apos;s procedure</source>
-        <translation>procédure convenue ou du constructeur</translation>
-    </message>
-    <message>
-        <source>switched on</source>
-        <translation>en service</translation>
-    </message>
-    <message>
-        <source>switched off</source>
-        <translation>hors service</translation>
-    </message>
-    <message>
         <source>Agreed limit of the gradient</source>
         <translation>Limite convenue du gradient</translation>
     </message>
@@ -1354,18 +1318,6 @@
     <message>
         <source>Specified feed</source>
         <translation>Vitesse d’avance spécifiée</translation>
-    </message>
-    <message>
-        <source>acceptance</source>
-        <translation>réception</translation>
-    </message>
-    <message>
-        <source>comparison</source>
-        <translation>comparaison</translation>
-    </message>
-    <message>
-        <source>compensation</source>
-        <translation>compensation</translation>
     </message>
     <message>
         <source>Rest of the requirements declared met by</source>

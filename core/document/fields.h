@@ -26,6 +26,9 @@ enum Demand : unsigned {
     celsius = 1U << 10U,     ///< a temperature, no less than `leastTemperature`
     coefficient = 1U << 11U, ///< of expansion, within ± `mostOfExpansion`
     leftOut = 1U << 12U,     ///< written only where it says something, for older programs know no null
+    declared = 1U << 13U,    ///< alike of every test in a place: a template of conditions holds it
+    shared = 1U << 14U,      ///< alike of all tests of a machine: taken over from another one
+    alike = 1U << 15U,       ///< likewise, of tests of one kind of axes of one motion
 };
 
 // The fields of the test file: one function for each struct, used by reader and writer alike, so a key exists
@@ -173,45 +176,45 @@ void fields(Visit &visit, T &sensor) {
 
 template <class Visit, Like<Expansion> T>
 void fields(Visit &visit, T &expansion) {
-    visit("machine", expansion.machine, coefficient);
-    visit("instrument", expansion.instrument, coefficient);
+    visit("machine", expansion.machine, coefficient | shared);
+    visit("instrument", expansion.instrument, coefficient | alike);
 }
 
 template <class Visit, Like<Conditions> T>
 void fields(Visit &visit, T &conditions) {
-    visit("warmUp", conditions.warmUp);
-    visit("compensation", conditions.compensation);
+    visit("warmUp", conditions.warmUp, declared | shared);
+    visit("compensation", conditions.compensation, declared | shared);
     visit("otherAxes", conditions.otherAxes);
-    visit("load", conditions.load);
-    visit("levelled", conditions.levelled);
-    visit("complete", conditions.complete);
-    visit("unloaded", conditions.unloaded);
-    visit("soak", conditions.soak);
-    visit("shielded", conditions.shielded);
-    visit("temperatureControlled", conditions.temperatureControlled, added);
-    visit("stabilised", conditions.stabilised, added);
-    visit("instrumentCompensation", conditions.instrumentCompensation, added);
-    visit("thermalGuidelines", conditions.thermalGuidelines);
+    visit("load", conditions.load, declared | shared);
+    visit("levelled", conditions.levelled, declared | shared);
+    visit("complete", conditions.complete, declared | shared);
+    visit("unloaded", conditions.unloaded, declared | shared);
+    visit("soak", conditions.soak, declared | shared);
+    visit("shielded", conditions.shielded, declared | shared);
+    visit("temperatureControlled", conditions.temperatureControlled, added | declared | shared);
+    visit("stabilised", conditions.stabilised, added | declared | shared);
+    visit("instrumentCompensation", conditions.instrumentCompensation, added | declared | alike);
+    visit("thermalGuidelines", conditions.thermalGuidelines, declared | shared);
     visit("toolOffset", conditions.toolOffset);
     visit("workpieceOffset", conditions.workpieceOffset);
     visit("instrumentPosition", conditions.instrumentPosition);
     visit("sensors", conditions.sensors);
     visit("expansion", conditions.expansion);
-    visit("correctionTo20", conditions.correctionTo20);
+    visit("correctionTo20", conditions.correctionTo20, alike);
 }
 
 template <class Visit, Like<PositioningConditions> T>
 void fields(Visit &visit, T &conditions) {
     fields(visit, conditions.common);
-    visit("feed", conditions.feed);
-    visit("feedMode", conditions.feedMode, leftOut);
-    visit("dwell", conditions.dwell);
-    visit("approachDistance", conditions.approachDistance);
+    visit("feed", conditions.feed, alike);
+    visit("feedMode", conditions.feedMode, leftOut | alike);
+    visit("dwell", conditions.dwell, alike);
+    visit("approachDistance", conditions.approachDistance, alike);
     visit("airPressure", conditions.airPressure);
     visit("airHumidity", conditions.airHumidity);
     visit("gradientPerHour", conditions.gradientPerHour);
     visit("gradientHoursBefore", conditions.gradientHoursBefore, notNegative | added);
-    visit("continuousDevice", conditions.continuousDevice, added);
+    visit("continuousDevice", conditions.continuousDevice, added | alike);
     visit("referencePosition", conditions.referencePosition);
 }
 
@@ -221,8 +224,8 @@ void fields(Visit &visit, T &conditions) {
     visit("centre", conditions.centre);
     visit("startPoint", conditions.startPoint);
     visit("stopPoint", conditions.stopPoint);
-    visit("smoothing", conditions.smoothing);
-    visit("recentredBetweenRuns", conditions.recentredBetweenRuns);
+    visit("smoothing", conditions.smoothing, alike);
+    visit("recentredBetweenRuns", conditions.recentredBetweenRuns, alike);
 }
 
 // Inputs of uncertainties may be anything: what makes no sense, such as a negative range, is a finding of the
@@ -244,16 +247,16 @@ void fields(Visit &visit, T &pair) {
 
 template <class Visit, Like<PositioningUncertaintyInputs> T>
 void fields(Visit &visit, T &uncertainty) {
-    visit("method", uncertainty.method);
-    visit("device", uncertainty.device);
+    visit("method", uncertainty.method, alike);
+    visit("device", uncertainty.device, alike);
     visit("misalignmentRange", uncertainty.misalignmentRange);
-    visit("temperatureRange", uncertainty.temperatureRange);
-    visit("expansionRange", uncertainty.expansionRange);
+    visit("temperatureRange", uncertainty.temperatureRange, alike);
+    visit("expansionRange", uncertainty.expansionRange, alike);
     visit("environmentalVariation", uncertainty.environmentalVariation);
     visit("driftTest", uncertainty.driftTest);
     visit("driftModel", uncertainty.driftModel);
     visit("length", uncertainty.length);
-    visit("trials", uncertainty.trials, trialCount);
+    visit("trials", uncertainty.trials, trialCount | alike);
     visit("seed", uncertainty.seed);
     visit("expanded", uncertainty.expanded, notNegative);
 }
@@ -266,18 +269,18 @@ void fields(Visit &visit, T &value) {
 
 template <class Visit, Like<CircularUncertaintyInputs> T>
 void fields(Visit &visit, T &uncertainty) {
-    visit("method", uncertainty.method);
-    visit("displacement", uncertainty.displacement);
-    visit("resolution", uncertainty.resolution);
-    visit("pointNoise", uncertainty.pointNoise);
+    visit("method", uncertainty.method, alike);
+    visit("displacement", uncertainty.displacement, alike);
+    visit("resolution", uncertainty.resolution, alike);
+    visit("pointNoise", uncertainty.pointNoise, alike);
     visit("repeatability", uncertainty.repeatability);
     visit("environmentalVariation", uncertainty.environmentalVariation);
     visit("driftTest", uncertainty.driftTest);
     visit("centring", uncertainty.centring);
-    visit("sameSensor", uncertainty.sameSensor);
-    visit("temperatureStandardUncertainty", uncertainty.temperatureStandardUncertainty);
-    visit("expansionStandardUncertainty", uncertainty.expansionStandardUncertainty);
-    visit("trials", uncertainty.trials, trialCount);
+    visit("sameSensor", uncertainty.sameSensor, alike);
+    visit("temperatureStandardUncertainty", uncertainty.temperatureStandardUncertainty, alike);
+    visit("expansionStandardUncertainty", uncertainty.expansionStandardUncertainty, alike);
+    visit("trials", uncertainty.trials, trialCount | alike);
     visit("seed", uncertainty.seed);
     visit("expanded", uncertainty.expanded, notNegative);
 }

@@ -6,6 +6,7 @@
 #include "kernel/evaluation/edition.h"
 
 #include <array>
+#include <optional>
 #include <string_view>
 
 namespace palmer {
@@ -166,6 +167,15 @@ template <class Enumeration>
         if (row.value == value)
             return row.word;
     return "";
+}
+
+/// Its value; null where it is none.
+template <class Enumeration>
+[[nodiscard]] constexpr std::optional<Enumeration> ofFileWord(std::string_view word) {
+    for (const auto &row : fileWords<Enumeration>)
+        if (row.word == word)
+            return row.value;
+    return std::nullopt;
 }
 
 } // namespace palmer

@@ -3,8 +3,8 @@
 #include "document/readdocument.h"
 
 #include "document/bounds.h"
+#include "document/copyfields.h"
 #include "document/digit.h"
-#include "document/fields.h"
 #include "document/fileversion.h"
 #include "document/filewords.h"
 #include "document/json.h"
@@ -71,28 +71,17 @@ bool isBase64(std::string_view text) {
     });
 }
 
-// The keys of a struct, as the field functions name them.
-class KeyCollector {
-public:
-    template <class T>
-    void operator()(const char *key, const T &, unsigned = nothing) {
-        m_keys.emplace_back(key);
-    }
-    void object(const char *key, const auto &) { m_keys.emplace_back(key); }
-    void extensions(const char *key, const std::string &) { m_keys.emplace_back(key); }
-
-    void demandKnown(const json &object, const Place &place, std::initializer_list<std::string_view> others) {
-        m_keys.insert(m_keys.end(), others);
-        for (const auto &[key, value] : object.get_ref<const json::object_t &>())
-            if (std::find(m_keys.begin(), m_keys.end(), key) == m_keys.end())
-                refuseAt(Place(place, key),
-                         REPORT_TEXT("report", "this key is unknown; what others want to add goes "
-                                               "into “extensions”"));
-    }
-
-private:
-    std::vector<std::string_view> m_keys;
-};
+/// Refuses keys that are neither fields of the struct nor the others.
+void demandKnown(FieldKeys &fieldKeys, const json &object, const Place &place,
+                 std::initializer_list<std::string_view> others) {
+    auto keys = fieldKeys.take();
+    keys.insert(keys.end(), others);
+    for (const auto &[key, value] : object.get_ref<const json::object_t &>())
+        if (std::find(keys.begin(), keys.end(), key) == keys.end())
+            refuseAt(Place(place, key),
+                     REPORT_TEXT("report", "this key is unknown; what others want to add goes "
+                                           "into “extensions”"));
+}
 
 // ---- Checks of what a type cannot say
 // -------------------------------------------------------------------------
@@ -310,9 +299,9 @@ public:
             return;
         const Place place(m_place, key);
         demandObject(*entry, place);
-        KeyCollector keys;
+        FieldKeys keys;
         members(keys);
-        keys.demandKnown(*entry, place, {});
+        demandKnown(keys, *entry, place, {});
         ObjectReader reader(*entry, place);
         members(reader);
     }
@@ -335,9 +324,9 @@ public:
     static void readStruct(const json &value, Struct &member, const Place &place,
                            std::initializer_list<std::string_view> otherKeys) {
         demandObject(value, place);
-        KeyCollector keys;
+        FieldKeys keys;
         fields(keys, member);
-        keys.demandKnown(value, place, otherKeys);
+        demandKnown(keys, value, place, otherKeys);
         ObjectReader reader(value, place);
         fields(reader, member);
         check(member, place);

@@ -9,6 +9,36 @@ namespace palmer {
 
 namespace {
 
+using In = FieldForm::Section;
+
+// Words to choose from, in the order of their enumerations. An empty one states nothing.
+constexpr std::array purposeWords{Text{},
+                                  REPORT_TEXT("report", "type test"),
+                                  REPORT_TEXT_FOR("report", "acceptance", "purpose"),
+                                  REPORT_TEXT_FOR("report", "comparison", "purpose"),
+                                  REPORT_TEXT("report", "periodic check"),
+                                  REPORT_TEXT_FOR("report", "compensation", "purpose"),
+                                  REPORT_TEXT("report", "after repair"),
+                                  REPORT_TEXT("report", "after collision"),
+                                  REPORT_TEXT("report", "other purpose")};
+constexpr std::array roleWords{Text{}, REPORT_TEXT("report", "as found"), REPORT_TEXT("report", "as left")};
+constexpr std::array correctionWords{Text{}, REPORT_TEXT("report", "not applied"),
+                                     REPORT_TEXT("report", "applied by the instrument"),
+                                     REPORT_TEXT("report", "applied here")};
+constexpr std::array warmUpWords{Text{}, REPORT_TEXT("report", "agreed or maker’s procedure"),
+                                 REPORT_TEXT("report", "dry run"),
+                                 REPORT_TEXT("report", "set-up movements only")};
+constexpr std::array compensationWords{Text{}, REPORT_TEXT_FOR("report", "switched on", "compensation"),
+                                       REPORT_TEXT_FOR("report", "switched off", "compensation"),
+                                       REPORT_TEXT("report", "the instrument has none")};
+constexpr std::array targetChoiceWords{Text{}, REPORT_TEXT("report", "chosen freely"),
+                                       REPORT_TEXT("report", "faces of the polygon"),
+                                       REPORT_TEXT("report", "fixed by the instrument")};
+constexpr std::array cycleWords{Text{}, REPORT_TEXT("report", "standard test cycle"),
+                                REPORT_TEXT("report", "step cycle")};
+constexpr std::array feedModeWords{Text{}, REPORT_TEXT("report", "programmed feed"),
+                                   REPORT_TEXT("report", "rapid feed")};
+
 // clang-format off
 constexpr std::array things{
     StatedThing{"date", REPORT_TEXT("report", "Date of the test"), REPORT_TEXT("report", "The day the readings were taken: 12.03.2026, 2026-03-12 or in words. The day stands first.")},
@@ -20,45 +50,46 @@ constexpr std::array things{
     StatedThing{"instruments", REPORT_TEXT("report", "Instrument"), REPORT_TEXT("report", "The measuring instrument. Each test names those it was measured with; the first one is taken for all tests.")},
     StatedThing{"certificate", REPORT_TEXT("report", "Calibration certificate"), REPORT_TEXT("report", "Number of the certificate that makes the readings traceable.")},
     StatedThing{"calibrationDate", REPORT_TEXT("report", "Calibrated on"), REPORT_TEXT("report", "The day of the calibration, not of its end of validity.")},
-    StatedThing{"travel", REPORT_TEXT("report", "Axis travel"), REPORT_TEXT("report", "The whole travel of the axis, not that between the first and the last target: the number of targets and the kind of test follow from it.")},
-    StatedThing{"range", REPORT_TEXT("report", "Ends of the axis"), REPORT_TEXT("report", "Both ends of the travel in coordinates of the axis, as “0 … 1800”: shows whether the first and the last target can be approached from both sides.")},
-    StatedThing{"zone", REPORT_TEXT("report", "Agreed working zone"), REPORT_TEXT("report", "The 2 000 mm (360°) of a long axis that were agreed for the full test. A test whose targets lie inside is judged as that of a short axis.")},
+    StatedThing{"travel", REPORT_TEXT("report", "Axis travel"), REPORT_TEXT("report", "The whole travel of the axis, not that between the first and the last target: the number of targets and the kind of test follow from it."), {.quantity = Quantity::position}},
+    StatedThing{"range", REPORT_TEXT("report", "Ends of the axis"), REPORT_TEXT("report", "Both ends of the travel in coordinates of the axis, as “0 … 1800”: shows whether the first and the last target can be approached from both sides."), {.quantity = Quantity::position}},
+    StatedThing{"zone", REPORT_TEXT("report", "Agreed working zone"), REPORT_TEXT("report", "The 2 000 mm (360°) of a long axis that were agreed for the full test. A test whose targets lie inside is judged as that of a short axis."), {.quantity = Quantity::position}},
     StatedThing{"positionFeedback", REPORT_TEXT("report", "Measuring system of the axis"), REPORT_TEXT("report", "How the axis knows its position: linear scale, rotary encoder at the screw, …")},
-    StatedThing{"targetChoice", REPORT_TEXT("report", "Choice of targets"), REPORT_TEXT("report", "Freely chosen targets have a random part, so that periodic errors do not stay hidden; the plan proposes them.")},
-    StatedThing{"cycle", REPORT_TEXT("report", "Test cycle"), REPORT_TEXT("report", "Standard: all targets up, all down, again. Step: all approaches at one target, then the next; only by written agreement. Not stated: the report says so.")},
-    StatedThing{"feed", REPORT_TEXT("report", "Feed rate"), REPORT_TEXT("report", "The feed between the targets, as programmed; or rapid.")},
-    StatedThing{"dwell", REPORT_TEXT("report", "Dwell at target"), REPORT_TEXT("report", "How long the axis rests before the reading is taken.")},
-    StatedThing{"approachDistance", REPORT_TEXT("report", "Approach distance"), REPORT_TEXT("report", "How far the axis goes beyond a target before it comes back to it: beyond the first and the last one it needs that room.")},
+    StatedThing{"targetChoice", REPORT_TEXT("report", "Choice of targets"), REPORT_TEXT("report", "Freely chosen targets have a random part, so that periodic errors do not stay hidden; the plan proposes them."), {.words = targetChoiceWords}},
+    StatedThing{"cycle", REPORT_TEXT("report", "Test cycle"), REPORT_TEXT("report", "Standard: all targets up, all down, again. Step: all approaches at one target, then the next; only by written agreement. Not stated: the report says so."), {.words = cycleWords}},
+    StatedThing{"feed", REPORT_TEXT("report", "Feed rate"), REPORT_TEXT("report", "The feed between the targets, as programmed; or rapid."), {.quantity = Quantity::feed}},
+    StatedThing{"feedMode", REPORT_TEXT("report", "Kind of feed"), {}, {.words = feedModeWords}},
+    StatedThing{"dwell", REPORT_TEXT("report", "Dwell at target"), REPORT_TEXT("report", "How long the axis rests before the reading is taken."), {.quantity = Quantity::time}},
+    StatedThing{"approachDistance", REPORT_TEXT("report", "Approach distance"), REPORT_TEXT("report", "How far the axis goes beyond a target before it comes back to it: beyond the first and the last one it needs that room."), {.quantity = Quantity::position}},
     StatedThing{"sensors", REPORT_TEXT("report", "Temperatures"), REPORT_TEXT("report", "Start and end of the test for each sensor, and where it was. The mean of machine and instrument is what the correction to 20 °C uses.")},
     StatedThing{"expansion", REPORT_TEXT("report", "Expansion coefficient α"), REPORT_TEXT("report", "Of the measuring system of the machine and of the instrument, in µm/(m·°C): steel about 11.5, glass scales about 8. Needed to correct to 20 °C. An instrument that compensates the air only: 0.")},
-    StatedThing{"correctionTo20", REPORT_TEXT("report", "Correction to 20 °C"), REPORT_TEXT("report", "By the instrument: its material compensation was on, nothing is added. Applied here: Palmer adds the nominal differential expansion. Never both: that costs 35 µm/m at 3 °C.")},
-    StatedThing{"airPressure", REPORT_TEXT("report", "Air pressure"), REPORT_TEXT("report", "At the place of the test and not reduced to sea level: the wavelength of a laser depends on it.")},
-    StatedThing{"airHumidity", REPORT_TEXT("report", "Relative humidity"), REPORT_TEXT("report", "Relative humidity at the machine.")},
-    StatedThing{"gradientPerHour", REPORT_TEXT("report", "Temperature gradient"), REPORT_TEXT("report", "Largest change of the air temperature in one hour, in the 12 hours before the test and during it.")},
-    StatedThing{"warmUp", REPORT_TEXT("report", "Warm-up"), REPORT_TEXT("report", "Agreed, the maker's, a dry run, or the movements needed to set up the instrument alone.")},
-    StatedThing{"compensation", REPORT_TEXT("report", "Active compensation"), REPORT_TEXT("report", "Which compensation of the control was on: pitch error, reversal, temperature; or none.")},
-    StatedThing{"otherAxes", REPORT_TEXT("report", "Axes not under test"), REPORT_TEXT("report", "Where the other axes stood: squareness and pitch of the axis move the readings with them.")},
+    StatedThing{"correctionTo20", REPORT_TEXT("report", "Correction to 20 °C"), REPORT_TEXT("report", "By the instrument: its material compensation was on, nothing is added. Applied here: Palmer adds the nominal differential expansion. Never both: that costs 35 µm/m at 3 °C."), {.words = correctionWords}},
+    StatedThing{"airPressure", REPORT_TEXT("report", "Air pressure"), REPORT_TEXT("report", "At the place of the test and not reduced to sea level: the wavelength of a laser depends on it."), {.quantity = Quantity::pressure, .section = In::air, .columns = 4}},
+    StatedThing{"airHumidity", REPORT_TEXT("report", "Relative humidity"), REPORT_TEXT("report", "Relative humidity at the machine."), {.quantity = Quantity::percent, .section = In::air, .columns = 4}},
+    StatedThing{"gradientPerHour", REPORT_TEXT("report", "Temperature gradient"), REPORT_TEXT("report", "Largest change of the air temperature in one hour, in the 12 hours before the test and during it."), {.quantity = Quantity::gradient, .section = In::air, .columns = 4}},
+    StatedThing{"warmUp", REPORT_TEXT("report", "Warm-up"), REPORT_TEXT("report", "Agreed, the maker's, a dry run, or the movements needed to set up the instrument alone."), {.words = warmUpWords}},
+    StatedThing{"compensation", REPORT_TEXT("report", "Active compensation"), REPORT_TEXT("report", "Which compensation of the control was on: pitch error, reversal, temperature; or none."), {.section = In::load, .columns = 6}},
+    StatedThing{"load", REPORT_TEXT("report", "Load"), REPORT_TEXT("report", "What was on the machine during the test; none is a statement."), {.section = In::load, .columns = 6}},
     StatedThing{"toolOffset", REPORT_TEXT("report", "Offset to the tool reference"), REPORT_TEXT("report", "X, Y, Z from the tool reference to the measuring line. 0 is a statement, empty is none.")},
     StatedThing{"workpieceOffset", REPORT_TEXT("report", "Offset to the workpiece reference"), REPORT_TEXT("report", "X, Y, Z from the workpiece reference to the measuring line. 0 is a statement, empty is none.")},
     StatedThing{"complete", REPORT_TEXT("report", "Machine complete, in working order"), REPORT_TEXT("report", "The machine was completely assembled and in working order; guards may be absent.")},
     StatedThing{"levelled", REPORT_TEXT("report", "Levelled and aligned"), REPORT_TEXT("report", "Levelling and geometric alignment were done before the test.")},
     StatedThing{"unloaded", REPORT_TEXT("report", "Machine unloaded"), REPORT_TEXT("report", "The test was made without workpiece.")},
     StatedThing{"calibrationDue", REPORT_TEXT("report", "Calibration due"), REPORT_TEXT("report", "The day the calibration ends. A test made after it is noted.")},
-    StatedThing{"scaleElement", REPORT_TEXT("report", "Element of the scale"), REPORT_TEXT("report", "Length of one element of the axis's measuring device; 0: continuous. A long axis has a target in each element, of a continuous one every 250 mm.")},
+    StatedThing{"scaleElement", REPORT_TEXT("report", "Element of the scale"), REPORT_TEXT("report", "Length of one element of the axis's measuring device; 0: continuous. A long axis has a target in each element, of a continuous one every 250 mm."), {.quantity = Quantity::position}},
     StatedThing{"faces", REPORT_TEXT("report", "Faces of the polygon"), REPORT_TEXT("report", "How many faces the polygon has: as many targets are asked for.")},
     StatedThing{"continuousDevice", REPORT_TEXT("report", "Continuous measuring device"), REPORT_TEXT("report", "Whether a rotary device with a continuous scale of suitable accuracy was at hand: then three further targets are chosen freely.")},
-    StatedThing{"referencePosition", REPORT_TEXT("report", "Zero of displacement")},
-    StatedThing{"thermalGuidelines", REPORT_TEXT("report", "Maker’s thermal guidelines")},
-    StatedThing{"purpose", REPORT_TEXT("report", "Purpose of the test"), REPORT_TEXT("report", "Acceptance, periodic check, comparison, … The step cycle is no reference for acceptance.")},
-    StatedThing{"role", REPORT_TEXT("report", "As found or as left"), REPORT_TEXT("report", "Before or after an adjustment. The verdict of the report rests on all tests except those as found.")},
-    StatedThing{"load", REPORT_TEXT("report", "Load"), REPORT_TEXT("report", "What was on the machine during the test; none is a statement.")},
-    StatedThing{"instrumentPosition", REPORT_TEXT("report", "Position of the instrument"), REPORT_TEXT("report", "Where the measuring device stood, in words; both offsets complete say it as well.")},
-    StatedThing{"temperatureControlled", REPORT_TEXT("report", "Room temperature can be controlled"), REPORT_TEXT("report", "Where it can, 20 °C are asked for (1988: ± 0.5 °C; the same bound is taken for circles, whose text has none).")},
+    StatedThing{"referencePosition", REPORT_TEXT("report", "Zero of displacement"), {}, {.quantity = Quantity::position}},
+    StatedThing{"purpose", REPORT_TEXT("report", "Purpose of the test"), REPORT_TEXT("report", "Acceptance, periodic check, comparison, … The step cycle is no reference for acceptance."), {.words = purposeWords}},
+    StatedThing{"role", REPORT_TEXT("report", "As found or as left"), REPORT_TEXT("report", "Before or after an adjustment. The verdict of the report rests on all tests except those as found."), {.words = roleWords}},
+    StatedThing{"instrumentPosition", REPORT_TEXT("report", "Position of the instrument"), REPORT_TEXT("report", "Where the measuring device stood, in words; both offsets complete say it as well."), {.section = In::positions, .columns = 6}},
+    StatedThing{"otherAxes", REPORT_TEXT("report", "Axes not under test"), REPORT_TEXT("report", "Where the other axes stood: squareness and pitch of the axis move the readings with them."), {.section = In::positions, .columns = 6}},
+    StatedThing{"temperatureControlled", REPORT_TEXT("report", "Room temperature can be controlled"), REPORT_TEXT("report", "Where it can, 20 °C are asked for (1988: ± 0.5 °C; the same bound is taken for circles, whose text has none)."), {.section = In::room, .columns = 6}},
     StatedThing{"stabilised", REPORT_TEXT("report", "Thermally stable before the test"), REPORT_TEXT("report", "Machine and instruments were long enough in their environment to be thermally stable.")},
-    StatedThing{"soak", REPORT_TEXT("report", "Soaking time"), REPORT_TEXT("report", "How long machine and instruments stood in their environment before the test: 12 h. Whether that made them stable is declared beside it.")},
+    StatedThing{"soak", REPORT_TEXT("report", "Soaking time"), REPORT_TEXT("report", "How long machine and instruments stood in their environment before the test: 12 h. Whether that made them stable is declared beside it."), {.section = In::load, .columns = 4}},
+    StatedThing{"thermalGuidelines", REPORT_TEXT("report", "Maker’s thermal guidelines"), {}, {.section = In::load, .columns = 8}},
     StatedThing{"shielded", REPORT_TEXT("report", "Shielded from draughts and radiation"), REPORT_TEXT("report", "Machine and instruments were protected from draughts and from radiation, of the sun or of heaters.")},
-    StatedThing{"instrumentCompensation", REPORT_TEXT("report", "Compensation by the instrument"), REPORT_TEXT("report", "Whether the instrument's compensation for the air and the machine's temperature was switched on; nothing is asked of one that has none.")},
-    StatedThing{"gradientHoursBefore", REPORT_TEXT("report", "Gradient: hours before the test"), REPORT_TEXT("report", "How many hours before the test the gradient covers: 12 are asked for.")},
+    StatedThing{"instrumentCompensation", REPORT_TEXT("report", "Compensation by the instrument"), REPORT_TEXT("report", "Whether the instrument's compensation for the air and the machine's temperature was switched on; nothing is asked of one that has none."), {.words = compensationWords, .section = In::room, .columns = 6}},
+    StatedThing{"gradientHoursBefore", REPORT_TEXT("report", "Gradient: hours before the test"), REPORT_TEXT("report", "How many hours before the test the gradient covers: 12 are asked for."), {.quantity = Quantity::number}},
     StatedThing{"cutOff", REPORT_TEXT("report", "What the evaluated range leaves out"), REPORT_TEXT("report", "Feed-in, feed-out, overshoot: all other points of the path are to be used.")},
     StatedThing{"referenceLength", REPORT_TEXT("report", "Reference length"), REPORT_TEXT("report", "Whether the reference length of the instrument is calibrated: F and D need it.")},
     StatedThing{"centring", REPORT_TEXT("report", "Set-up error"), REPORT_TEXT("report", "Standard uncertainty of the centring; of an arc F contains the set-up error.")},
@@ -66,10 +97,10 @@ constexpr std::array things{
     StatedThing{"plane", REPORT_TEXT("report", "Plane"), REPORT_TEXT("report", "The two axes that were moved. Sense and angle run from the first towards the second.")},
     StatedThing{"requiredResults", REPORT_TEXT("report", "Required results"), REPORT_TEXT("report", "The results that supplier and user ask for: G, G(b), F, D. Bi-directional ones need a path of each sense.")},
     StatedThing{"centre", REPORT_TEXT("report", "Centre of the circle"), REPORT_TEXT("report", "X, Y, Z of the centre in coordinates of the machine.")},
-    StatedThing{"startPoint", REPORT_TEXT("report", "Start point"), REPORT_TEXT("report", "Where the path began, as an angle or an axis.")},
-    StatedThing{"stopPoint", REPORT_TEXT("report", "Stop point"), REPORT_TEXT("report", "Where the path ended.")},
-    StatedThing{"smoothing", REPORT_TEXT("report", "Data smoothing"), REPORT_TEXT("report", "Filters of the instrument or its program that the data went through; or none.")},
-    StatedThing{"recentredBetweenRuns", REPORT_TEXT("report", "Re-centred between the runs"), REPORT_TEXT("report", "Bi-directional results need both paths measured one after the other without re-centring.")},
+    StatedThing{"startPoint", REPORT_TEXT("report", "Start point"), REPORT_TEXT("report", "Where the path began, as an angle or an axis."), {.section = In::points, .columns = 6}},
+    StatedThing{"stopPoint", REPORT_TEXT("report", "Stop point"), REPORT_TEXT("report", "Where the path ended."), {.section = In::points, .columns = 6}},
+    StatedThing{"smoothing", REPORT_TEXT("report", "Data smoothing"), REPORT_TEXT("report", "Filters of the instrument or its program that the data went through; or none."), {.section = In::circle, .columns = 4}},
+    StatedThing{"recentredBetweenRuns", REPORT_TEXT("report", "Re-centred between the runs"), REPORT_TEXT("report", "Bi-directional results need both paths measured one after the other without re-centring."), {.section = In::circle, .columns = 4}},
     StatedThing{"device", REPORT_TEXT("report", "Instrument"), REPORT_TEXT("report", "As its certificate states it: a fixed part and a part that grows with the length, brought to k = 2. Or the full width of the range its error lies in.")},
     StatedThing{"misalignmentRange", REPORT_TEXT("report", "Misalignment"), REPORT_TEXT("report", "The largest distance by which the measuring line may have left the axis over the travel, in mm: it enters as a cosine error.")},
     StatedThing{"temperatureRange", REPORT_TEXT("report", "Range of the temperature"), REPORT_TEXT("report", "The full width in which the mean temperature of machine or instrument is sure to lie: sensors, their places, changes between start and end.")},
@@ -98,6 +129,19 @@ std::span<const StatedThing> statedThings() {
 const StatedThing *statedThing(std::string_view key) {
     const auto found = std::ranges::find(things, key, &StatedThing::key);
     return found == things.end() ? nullptr : &*found;
+}
+
+Quantity quantityOf(const StatedThing &thing, Motion motion) {
+    const Quantity quantity = thing.form.quantity.value();
+    if (motion == Motion::linear)
+        return quantity;
+    return quantity == Quantity::position ? Quantity::angle
+           : quantity == Quantity::feed   ? Quantity::angularFeed
+                                          : quantity;
+}
+
+Text statedWord(std::string_view key, std::size_t value) {
+    return statedThing(key)->form.words[value];
 }
 
 } // namespace palmer

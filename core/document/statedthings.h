@@ -2,12 +2,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "kernel/measurement/axis.h"
+#include "kernel/words/quantity.h"
 #include "kernel/words/text.h"
 
+#include <cstddef>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <type_traits>
 
 namespace palmer {
+
+/// How something is entered, where that is all there is to say of it.
+struct FieldForm {
+    /// Of the form of conditions.
+    enum class Section { none, room, air, load, positions, circle, points };
+
+    std::optional<Quantity> quantity = {}; ///< of a linear axis; see quantityOf
+    std::span<const Text> words = {};      ///< to choose from, as its enumeration counts; empty: says nothing
+    Section section = Section::none;       ///< where the form shows it; none: it has a place of its own there
+    int columns = 0;                       ///< of twelve
+};
 
 /// Something that a test file can state: what window, report and help call it, and a sentence that says what
 /// to enter.
@@ -15,6 +31,7 @@ struct StatedThing {
     std::string_view key; ///< in the file, and of the findings that miss it
     Text name;
     Text meaning = {}; ///< none where the name says it all
+    FieldForm form = {};
 };
 
 /// In the order of the help.
@@ -22,5 +39,16 @@ struct StatedThing {
 
 /// Null: none has that key.
 [[nodiscard]] const StatedThing *statedThing(std::string_view key);
+
+/// Of a test of that motion. The thing has one.
+[[nodiscard]] Quantity quantityOf(const StatedThing &thing, Motion motion);
+
+/// What the words to choose from call a value of its enumeration; empty where that states nothing.
+[[nodiscard]] Text statedWord(std::string_view key, std::size_t value);
+template <class Enumeration>
+requires std::is_enum_v<Enumeration>
+[[nodiscard]] Text statedWord(std::string_view key, Enumeration value) {
+    return statedWord(key, static_cast<std::size_t>(value));
+}
 
 } // namespace palmer

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/templatefile.h"
 
+#include "document/copyfields.h"
 #include "document/edits.h"
 #include "document/fileversion.h"
 #include "document/filewords.h"
@@ -16,6 +17,7 @@
 #include <array>
 #include <nlohmann/json.hpp>
 #include <string_view>
+#include <vector>
 
 namespace palmer {
 namespace {
@@ -40,34 +42,22 @@ constexpr auto templateParts = std::to_array<TemplatePart>({{"machine", "machine
                                                             {"conditions", "tests[0].conditions"}});
 
 /// The keys of Declarations.
-constexpr auto declared = std::to_array<std::string_view>(
-    {"warmUp", "compensation", "load", "levelled", "complete", "unloaded", "soak", "shielded",
-     "temperatureControlled", "stabilised", "instrumentCompensation", "thermalGuidelines"});
-
-/// Calls `take` with every member of Declarations.
-void eachDeclared(auto take) {
-    take(&Conditions::warmUp);
-    take(&Conditions::compensation);
-    take(&Conditions::load);
-    take(&Conditions::levelled);
-    take(&Conditions::complete);
-    take(&Conditions::unloaded);
-    take(&Conditions::soak);
-    take(&Conditions::shielded);
-    take(&Conditions::temperatureControlled);
-    take(&Conditions::stabilised);
-    take(&Conditions::instrumentCompensation);
-    take(&Conditions::thermalGuidelines);
+std::vector<std::string_view> declaredKeys() {
+    FieldKeys keys(declared);
+    const Conditions unstated;
+    fields(keys, unstated);
+    return keys.take();
 }
 
 /// What of the written conditions of a test is a part of the template and says something.
 json declaredIn(const json &conditions) {
     json result = json::object();
+    const auto keys = declaredKeys();
     const json nothing = json::parse(R"({"kind": "notStated", "text": ""})");
     for (const auto &[key, value] : conditions.items()) {
         // NOLINTNEXTLINE(readability-container-size-empty): no JSON text is empty()
         const bool saysSomething = value != "" && value != nothing;
-        if (std::ranges::find(declared, key) != declared.end() && !value.is_null() && saysSomething)
+        if (std::ranges::find(keys, key) != keys.end() && !value.is_null() && saysSomething)
             result[key] = value;
     }
     return result;
@@ -173,8 +163,9 @@ void demandKnownKeys(const json &file, const TemplatePart &part) {
     const auto conditions = file.find("conditions");
     if (conditions == file.end() || !conditions->is_object())
         return;
+    const auto keys = declaredKeys();
     for (const auto &[key, value] : conditions->items()) {
-        if (std::ranges::find(declared, key) == declared.end())
+        if (std::ranges::find(keys, key) == keys.end())
             refuse(REPORT_TEXT("report", "this key is unknown"), {}, "conditions." + excerpt(key));
     }
 }
@@ -257,7 +248,7 @@ QByteArray writeTemplate(const Template &content) {
 Declarations declarationsOf(const Test &test) {
     Declarations result;
     if (const Conditions *conditions = conditionsOf(test))
-        eachDeclared([&](auto member) { result.conditions.*member = conditions->*member; });
+        copyFields(result.conditions, *conditions, declared);
     return result;
 }
 
@@ -265,11 +256,7 @@ bool applyDeclarations(Test &test, const Declarations &declarations) {
     Conditions *conditions = conditionsOf(test);
     if (!conditions)
         return false;
-    eachDeclared([&](auto member) {
-        const auto &stated = declarations.conditions.*member;
-        if (stated != std::remove_cvref_t<decltype(stated)>())
-            conditions->*member = stated;
-    });
+    copyFields(*conditions, declarations.conditions, declared, Copied::whatIsStated);
     return true;
 }
 

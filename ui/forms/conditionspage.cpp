@@ -3,6 +3,7 @@
 #include "ui/forms/conditionspage.h"
 
 #include "document/edits.h"
+#include "document/fieldvalue.h"
 #include "document/filewords.h"
 #include "document/statedthings.h"
 #include "kernel/evaluation/agreedpoints.h"
@@ -29,15 +30,7 @@ constexpr const char *conditionsContext = "palmer::ui::ConditionsPage";
 constexpr std::array kinds{SensorMeasures::air, SensorMeasures::machine, SensorMeasures::instrument,
                            SensorMeasures::notStated};
 
-/// What positioning and circular tests state alike.
-template <auto member>
-auto common() {
-    return ofTest([](auto &test) {
-        auto *conditions = conditionsOf(test);
-        return conditions ? &(conditions->*member) : nullptr;
-    });
-}
-
+/// A part of what positioning and circular tests state alike.
 template <auto part, auto member>
 auto commonPart() {
     return ofTest([](auto &test) {
@@ -149,19 +142,13 @@ Member<std::optional<double>> faces() {
 struct Declaration {
     const char *id = nullptr;  ///< of its row
     const char *key = nullptr; ///< of its field
-    std::optional<bool> Conditions::*member = nullptr;
 };
-constexpr std::array declarations{Declaration{"soak", "stabilised", &Conditions::stabilised},
-                                  Declaration{"shielded", "shielded", &Conditions::shielded},
-                                  Declaration{"complete", "complete", &Conditions::complete},
-                                  Declaration{"levelled", "levelled", &Conditions::levelled},
-                                  Declaration{"unloaded", "unloaded", &Conditions::unloaded}};
+constexpr std::array declarations{Declaration{"soak", "stabilised"}, Declaration{"shielded", "shielded"},
+                                  Declaration{"complete", "complete"}, Declaration{"levelled", "levelled"},
+                                  Declaration{"unloaded", "unloaded"}};
 
-Member<std::optional<bool>> ofDeclaration(std::optional<bool> Conditions::*member) {
-    return ofTest([member](auto &test) {
-        auto *conditions = conditionsOf(test);
-        return conditions ? &(conditions->*member) : nullptr;
-    });
+std::optional<bool> declared(const Test &test, const Declaration &declaration) {
+    return std::get<std::optional<bool>>(fieldValue(test, declaration.key));
 }
 
 /// The clause of the edition that asks for it; empty where its text was not read.
@@ -235,7 +222,7 @@ void ConditionsPage::addFields(const Measurement &measurement) {
     addCycle(measurement);
     addWarmUp();
     addAgreedCycle(measurement);
-    addLoad();
+    addThings(FieldForm::Section::load);
     addPositions();
     addPlace(measurement);
     addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remarks"));
@@ -291,21 +278,13 @@ void ConditionsPage::addTemperatures(const Conditions &conditions) {
     }
     addCorrection();
     addSensorButtons();
-    addRoom();
+    addThings(FieldForm::Section::room);
 }
 
 /// With room for its words, and its size beside it.
 void ConditionsPage::addCorrection() {
     beginColumns();
-    addChoice("correctionTo20",
-              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not applied"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by the instrument"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "applied here")},
-              choiceOf<CorrectionTo20>(common<&Conditions::correctionTo20>(),
-                                       {CorrectionTo20::notStated, CorrectionTo20::notApplied,
-                                        CorrectionTo20::appliedByInstrument, CorrectionTo20::appliedHere}),
-              true, 4);
+    addThing("correctionTo20", 4);
     m_correction = new QLabel(body());
     m_correction->setObjectName(QStringLiteral("correctionSize"));
     m_correction->setFont(themeFont(TextSize::small));
@@ -343,73 +322,29 @@ void ConditionsPage::addSensorButtons() {
     addWidget(new QWidget(body()));
 }
 
-void ConditionsPage::addRoom() {
-    beginColumns();
-    addYesNo("temperatureControlled", common<&Conditions::temperatureControlled>(), 6);
-    addChoice("instrumentCompensation",
-              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "switched on"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "switched off"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "the instrument has none")},
-              choiceOf<InstrumentCompensation>(common<&Conditions::instrumentCompensation>(),
-                                               {InstrumentCompensation::notStated, InstrumentCompensation::on,
-                                                InstrumentCompensation::off, InstrumentCompensation::none}),
-              true, 6);
-}
-
 /// Of linear and rotary axes: what a laser and a drift of the room ask for.
 void ConditionsPage::addAir(const PositioningMeasurement & /*measurement*/) {
-    constexpr auto conditionsMember = &PositioningMeasurement::conditions;
+    addThings(FieldForm::Section::air);
     beginColumns();
-    addNumber("airPressure", Quantity::pressure,
-              positioning<conditionsMember, &PositioningConditions::airPressure>(), 4);
-    addNumber("airHumidity", Quantity::percent,
-              positioning<conditionsMember, &PositioningConditions::airHumidity>(), 4);
-    addNumber("gradientPerHour", Quantity::gradient,
-              positioning<conditionsMember, &PositioningConditions::gradientPerHour>(), 4);
-    beginColumns();
-    addNumber("gradientHoursBefore", Quantity::number,
-              positioning<conditionsMember, &PositioningConditions::gradientHoursBefore>(), 6);
+    addThing("gradientHoursBefore", 6);
     addNumber({"gradient", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed limit of the gradient")},
               Quantity::gradient, agreedValue("gradient"), 6);
 }
 
-void ConditionsPage::addCycle(const PositioningMeasurement &measurement) {
-    constexpr auto conditionsMember = &PositioningMeasurement::conditions;
-    addNumber("feed", feedQuantity(*shownTest()),
-              positioning<conditionsMember, &PositioningConditions::feed>(), 3);
-    addChoice(
-        {"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Kind of feed")},
-        {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
-         QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "programmed"),
-         QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "rapid")},
-        choiceOf<std::optional<FeedMode>>(positioning<conditionsMember, &PositioningConditions::feedMode>(),
-                                          {std::nullopt, FeedMode::programmed, FeedMode::rapid}),
-        true, 3);
-    addNumber("dwell", Quantity::time, positioning<conditionsMember, &PositioningConditions::dwell>(), 3);
-    addNumber("approachDistance", positionQuantity(measurement.axis),
-              positioning<conditionsMember, &PositioningConditions::approachDistance>(), 3);
+void ConditionsPage::addCycle(const PositioningMeasurement & /*measurement*/) {
+    for (const char *thing : {"feed", "feedMode", "dwell", "approachDistance"})
+        addThing(thing, 3);
 }
 
 void ConditionsPage::addCycle(const CircularMeasurement & /*measurement*/) {
     addNumber({"feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Contouring feed")}, Quantity::feed,
               circular<&CircularMeasurement::feed>(), 4);
-    addText("smoothing", circular<&CircularMeasurement::conditions, &CircularConditions::smoothing>(), 4);
-    addYesNo("recentredBetweenRuns",
-             circular<&CircularMeasurement::conditions, &CircularConditions::recentredBetweenRuns>(), 4);
+    addThings(FieldForm::Section::circle, 4);
 }
 
 void ConditionsPage::addWarmUp() {
     beginColumns();
-    addChoice("warmUp",
-              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "agreed or the maker's procedure"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "dry run"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "set-up movements only")},
-              choiceOf<WarmUpKind>(
-                  commonPart<&Conditions::warmUp, &WarmUp::kind>(),
-                  {WarmUpKind::notStated, WarmUpKind::procedure, WarmUpKind::dryRun, WarmUpKind::setUpOnly}),
-              true, 6);
+    addWords("warmUp", commonPart<&Conditions::warmUp, &WarmUp::kind>(), 6);
     addText({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up, details")},
             commonPart<&Conditions::warmUp, &WarmUp::text>(), 6);
 }
@@ -432,9 +367,7 @@ void ConditionsPage::addAgreedCycle(const PositioningMeasurement &measurement) {
     addNumber({"feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed feed rate")},
               feedQuantity(*shownTest()), agreedValue("feed"), width);
     if (isRotary)
-        addYesNo("continuousDevice",
-                 positioning<&PositioningMeasurement::conditions, &PositioningConditions::continuousDevice>(),
-                 width);
+        addThing("continuousDevice", width);
 }
 
 void ConditionsPage::addAgreedCycle(const CircularMeasurement & /*measurement*/) {
@@ -445,25 +378,14 @@ void ConditionsPage::addAgreedCycle(const CircularMeasurement & /*measurement*/)
               circular<&CircularMeasurement::specified, &SpecifiedCircle::feed>(), 4, Allowed::positive);
 }
 
-void ConditionsPage::addLoad() {
-    beginColumns();
-    addText("compensation", common<&Conditions::compensation>(), 6);
-    addText("load", common<&Conditions::load>(), 6);
-    beginColumns();
-    addText("soak", common<&Conditions::soak>(), 4);
-    addText("thermalGuidelines", common<&Conditions::thermalGuidelines>(), 8);
-}
-
 void ConditionsPage::addDeclarations(const Edition *edition) {
     addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declarations"),
                       [this] { return declarationSummary(); });
     addSectionButton(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "All of these apply"), [this] {
         edit(QT_TRANSLATE_NOOP("edits", "declare what was not declared"), [&](Document &document) {
             editTest(document, this->test(), [](Test &changed) {
-                for (const Declaration &declaration : declarations) {
-                    std::optional<bool> &declared = conditionsOf(changed)->*declaration.member;
-                    declared = declared.value_or(true);
-                }
+                for (const Declaration &declaration : declarations)
+                    setFieldValue(changed, declaration.key, declared(changed, declaration).value_or(true));
             });
         });
     })->setObjectName(QStringLiteral("allApply"));
@@ -501,16 +423,14 @@ void ConditionsPage::addDeclarationsOf(const Edition *edition, const std::string
                 addWidget(label);
             }
         }
-        addYesNo(declaration.key, ofDeclaration(declaration.member), begins && !clause.empty() ? 5 : 6);
+        addThing(declaration.key, begins && !clause.empty() ? 5 : 6);
     }
 }
 
 void ConditionsPage::addPositions() {
     constexpr auto position = Quantity::position;
     addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Positions"));
-    beginColumns();
-    addText("instrumentPosition", common<&Conditions::instrumentPosition>(), 6);
-    addText("otherAxes", common<&Conditions::otherAxes>(), 6);
+    addThings(FieldForm::Section::positions);
     beginColumns();
     addNumber({"toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, X")}, position,
               coordinate<&Conditions::toolOffset, 0>(), 4);
@@ -539,9 +459,7 @@ void ConditionsPage::addPlace(const CircularMeasurement & /*measurement*/) {
               position, centre.operator()<1>(), 4);
     addNumber({"centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Z")},
               position, centre.operator()<2>(), 4);
-    beginColumns();
-    addText("startPoint", circular<&CircularMeasurement::conditions, &CircularConditions::startPoint>(), 6);
-    addText("stopPoint", circular<&CircularMeasurement::conditions, &CircularConditions::stopPoint>(), 6);
+    addThings(FieldForm::Section::points);
 }
 
 void ConditionsPage::addTestAndPurpose() {
@@ -553,34 +471,14 @@ void ConditionsPage::addTestAndPurpose() {
     addTime({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Time")},
             ofTest([](auto &test) { return &test.time; }), 3);
     beginColumns();
-    addChoice("purpose",
-              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "type test"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "acceptance"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "comparison"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "periodic check"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "compensation"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "after repair"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "after collision"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "other purpose")},
-              choiceOf<Purpose>(ofTest([](auto &test) { return &test.purpose; }),
-                                {Purpose::notStated, Purpose::type, Purpose::acceptance, Purpose::comparison,
-                                 Purpose::periodic, Purpose::compensation, Purpose::afterRepair,
-                                 Purpose::afterCollision, Purpose::other}),
-              true, 6);
-    addChoice("role",
-              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "as found"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "as left")},
-              choiceOf<TestRole>(ofTest([](auto &test) { return &test.role; }),
-                                 {TestRole::notStated, TestRole::asFound, TestRole::asLeft}),
-              true, 6);
+    addThing("purpose", 6);
+    addThing("role", 6);
     addInstruments();
 }
 
 void ConditionsPage::addAxis(const CircularMeasurement & /*measurement*/) {
     beginColumns();
-    addText("positionFeedback", circular<&CircularMeasurement::positionFeedback>(), 6);
+    addThing("positionFeedback", 6);
     addYesNo(
         {"referenceLength", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Reference length calibrated")},
         circular<&CircularMeasurement::referenceLength, &ReferenceLength::calibrated>(), 6);
@@ -603,8 +501,7 @@ void ConditionsPage::addAxis(const PositioningMeasurement &measurement) {
     beginColumns();
     addText("positionFeedback", positioning<&Measurement::axis, &Axis::positionFeedback>(), 4);
     addInterval("zone", position, positioning<&Measurement::zone>(), 4);
-    addNumber("referencePosition", position,
-              positioning<&Measurement::conditions, &PositioningConditions::referencePosition>(), 4);
+    addThing("referencePosition", 4);
     addTargets(measurement);
 }
 
@@ -612,15 +509,7 @@ void ConditionsPage::addTargets(const PositioningMeasurement &measurement) {
     using Measurement = PositioningMeasurement;
     const Quantity position = positionQuantity(measurement.axis);
     beginColumns();
-    addChoice("targetChoice",
-              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "chosen freely"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "faces of the polygon"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "given by the device")},
-              choiceOf<TargetChoiceKind>(positioning<&Measurement::targetChoice, &TargetChoice::kind>(),
-                                         {TargetChoiceKind::notStated, TargetChoiceKind::free,
-                                          TargetChoiceKind::polygon, TargetChoiceKind::fixed}),
-              true, 4);
+    addWords("targetChoice", positioning<&Measurement::targetChoice, &TargetChoice::kind>(), 4);
     addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Nominal interval")}, position,
               positioning<&Measurement::targetChoice, &TargetChoice::interval>(), 4);
     addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Period of the error")}, position,
@@ -631,15 +520,9 @@ void ConditionsPage::addTargets(const PositioningMeasurement &measurement) {
     if (measurement.axis.motion == Motion::linear)
         addNumber({"scaleElement",
                    QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Element of the scale (0: continuous)")},
-                  position, positioning<&Measurement::axis, &Axis::scaleElement>(), 6);
+                  position, positioning<&Measurement::axis, &Axis::scaleElement>(), 6, Allowed::notNegative);
     beginColumns();
-    addChoice("cycle",
-              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "standard test cycle"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "step cycle")},
-              choiceOf<std::optional<Cycle>>(positioning<&Measurement::cycle>(),
-                                             {std::nullopt, Cycle::standard, Cycle::step}),
-              true, 6);
+    addThing("cycle", 6);
     if (m_built.contains(QStringLiteral(" range"))) {
         addChoice({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Standard deviation")},
                   {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by calculation"),
@@ -702,13 +585,12 @@ QString ConditionsPage::temperatureSummary() const {
 /// What does not apply by name, the rest as a number.
 QString ConditionsPage::declarationSummary() const {
     const Test *shown = shownTest();
-    const Conditions *conditions = shown ? conditionsOf(*shown) : nullptr;
     QStringList parts;
     int apply = 0;
     for (const Declaration &declaration : declarations) {
-        const std::optional<bool> declared = conditions ? conditions->*declaration.member : std::nullopt;
-        apply += declared == true;
-        if (declared == false)
+        const std::optional<bool> applies = shown ? declared(*shown, declaration) : std::nullopt;
+        apply += applies == true;
+        if (applies == false)
             parts << tr("%1: no").arg(word(statedThing(declaration.key)->name.source));
     }
     parts << tr("%1 of %2 apply").arg(apply).arg(declarations.size());

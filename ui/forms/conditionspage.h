@@ -29,7 +29,6 @@ private:
     void addTemperatures(const Conditions &conditions);
     void addCorrection();
     void addSensorButtons();
-    void addRoom();
     template <class Measurement>
     void addFields(const Measurement &measurement);
     // What tests of one kind state.
@@ -46,7 +45,6 @@ private:
     void addSensor(SensorMeasures what, std::size_t ordinal);
     void addWarmUp();
     void addSpecifiedBy(int width);
-    void addLoad();
     /// What only a declaration can meet, by clause of the edition, and a button that says yes to the rest.
     void addDeclarations(const Edition *edition);
     void addDeclarationsOf(const Edition *edition, const std::string &clause);

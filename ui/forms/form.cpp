@@ -4,6 +4,7 @@
 
 #include "document/bounds.h"
 #include "document/fields.h"
+#include "document/fieldvalue.h"
 #include "document/statedthings.h"
 #include "ui/forms/columnslayout.h"
 #include "ui/forms/sectionhead.h"
@@ -86,8 +87,8 @@ void Form::addToBar(QWidget *widget) {
     m_bar->addWidget(widget);
 }
 
-QString Form::word(const char *source) const {
-    return QCoreApplication::translate(m_context, source);
+QString Form::word(const char *source, const char *comment) const {
+    return QCoreApplication::translate(m_context, source, comment);
 }
 
 QWidget *Form::body() const {
@@ -327,8 +328,80 @@ Field *Form::addTime(const Topic &topic, Member<Moment> member, int weight) {
     return field;
 }
 
-Field *Form::addChoice(const Topic &topic, std::vector<const char *> words, Member<int> member, bool none,
-                       int weight) {
+Field *Form::addChoice(const Topic &topic, const std::vector<const char *> &words, Member<int> member,
+                       bool none, int weight) {
+    std::vector<Text> texts;
+    for (const char *word : words)
+        texts.push_back({word, ""});
+    return addChoiceOf(topic, std::move(texts), std::move(member), none, weight);
+}
+
+Field *Form::addWordsOf(const char *thing, Member<std::size_t> member, int weight) {
+    const auto words = statedThing(thing)->form.words;
+    std::vector<Text> texts(words.begin(), words.end());
+    const bool none = texts.front().empty();
+    if (none)
+        texts.front() = {QT_TRANSLATE_NOOP("palmer::ui::Form", "not stated"), ""};
+    return addChoiceOf(thing, std::move(texts),
+                       converted<int, std::size_t>(
+                           std::move(member),
+                           [](const std::size_t &place) { return static_cast<int>(place); },
+                           [](const int &index) { return static_cast<std::size_t>(index); }),
+                       none, weight);
+}
+
+namespace {
+
+template <class T>
+Member<T> memberOfTest(const char *key) {
+    return {[key](const FormSource &source) {
+                const FieldValue value = source.test ? fieldValue(*source.test, key) : FieldValue();
+                const T *own = std::get_if<T>(&value);
+                return own ? *own : T();
+            },
+            [key](Document &document, std::size_t index, const T &value) {
+                editTest(document, index, [&](Test &test) { setFieldValue(test, key, value); });
+            }};
+}
+
+} // namespace
+
+Field *Form::addThing(const char *thing, int weight) {
+    const FieldValue value = fieldValue(*shownTest(), thing);
+    if (std::holds_alternative<std::string>(value))
+        return addText(thing, memberOfTest<std::string>(thing), weight);
+    if (std::holds_alternative<std::optional<bool>>(value))
+        return addYesNo(thing, memberOfTest<std::optional<bool>>(thing), weight);
+    if (std::holds_alternative<std::size_t>(value))
+        return addWordsOf(thing, memberOfTest<std::size_t>(thing), weight);
+    if (!std::holds_alternative<Amount>(value))
+        return nullptr;
+    const unsigned demands = fieldDemands(*shownTest(), thing);
+    return addNumber(thing, quantityOf(*statedThing(thing), motionOf(*shownTest())),
+                     memberOfTest<Amount>(thing), weight,
+                     (demands & positive) != 0      ? Allowed::positive
+                     : (demands & notNegative) != 0 ? Allowed::notNegative
+                                                    : Allowed::any);
+}
+
+void Form::addThings(FieldForm::Section section, int taken) {
+    constexpr int columns = 12;
+    for (const StatedThing &thing : statedThings()) {
+        const bool isThere =
+            thing.form.section == section && fieldValue(*shownTest(), thing.key).index() != 0;
+        if (!isThere)
+            continue;
+        if (taken + thing.form.columns > columns) {
+            beginColumns();
+            taken = 0;
+        }
+        addThing(thing.key.data(), thing.form.columns);
+        taken += thing.form.columns;
+    }
+}
+
+Field *Form::addChoiceOf(const Topic &topic, std::vector<Text> words, Member<int> member, bool none,
+                         int weight) {
     Field *field = add(Field::Kind::choice, topic, {}, weight);
     last().words = std::move(words);
     last().none = none;
@@ -499,10 +572,10 @@ void Form::refreshTexts() {
         if (entry.words.empty())
             continue;
         QStringList words;
-        for (const char *source : entry.words) {
-            const QString own = word(source);
-            words << (own == QString::fromUtf8(source)
-                          ? QCoreApplication::translate("palmer::ui::Form", source)
+        for (const Text &text : entry.words) {
+            const QString own = word(text.source, text.comment);
+            words << (own == QString::fromUtf8(text.source)
+                          ? QCoreApplication::translate("palmer::ui::Form", text.source, text.comment)
                           : own);
         }
         entry.field->setChoices(words, entry.none);
@@ -575,7 +648,7 @@ QString Form::valuesOf(const Section &section) const {
         const QString text = entry.field->text().simplified();
         if (text.isEmpty())
             continue;
-        const bool answers = entry.words.size() > 1 && std::string_view(entry.words[1]) == "yes";
+        const bool answers = entry.words.size() > 1 && std::string_view(entry.words[1].source) == "yes";
         const QString unit = entry.quantity ? m_language.unit(*entry.quantity) : QString();
         const bool apart = !unit.isEmpty() && unit != u"°" && unit != u"″"; // as in Language::quantity
         values << (answers ? tr("%1: %2").arg(word(entry.label), text)

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "document/statedthings.h"
 #include "language/entry.h"
 #include "language/language.h"
 #include "ui/forms/field.h"
@@ -116,8 +117,23 @@ protected:
     Field *addDate(const Topic &topic, Member<Moment> member, int weight = 1);
     Field *addTime(const Topic &topic, Member<Moment> member, int weight = 1);
     /// `none`: the first word says that nothing is stated.
-    Field *addChoice(const Topic &topic, std::vector<const char *> words, Member<int> member, bool none,
-                     int weight = 1);
+    Field *addChoice(const Topic &topic, const std::vector<const char *> &words, Member<int> member,
+                     bool none, int weight = 1);
+    /// Among the words of the thing; its first one may say nothing.
+    template <class Enumeration>
+    Field *addWords(const char *thing, Member<Enumeration> member, int weight = 1) {
+        return addWordsOf(thing,
+                          converted<std::size_t, Enumeration>(
+                              std::move(member),
+                              [](const Enumeration &word) { return static_cast<std::size_t>(word); },
+                              [](const std::size_t &place) { return static_cast<Enumeration>(place); }),
+                          weight);
+    }
+    /// What the test in view or its conditions say under the key of the thing; null: tests of its kind have
+    /// no such key.
+    Field *addThing(const char *thing, int weight = 1);
+    /// All things of a section in rows of twelve columns, of the first of which so many are taken.
+    void addThings(FieldForm::Section section, int taken = 12);
     Field *addYesNo(const Topic &topic, Member<std::optional<bool>> member, int weight = 1);
     /// A button below the rows, or in one.
     QPushButton *addButton(const char *text, std::function<void()> pressed, int weight = 1);
@@ -137,7 +153,7 @@ protected:
     /// The test in view; null where there is none.
     [[nodiscard]] const Test *shownTest() const;
     [[nodiscard]] const Language &language() const { return m_language; }
-    [[nodiscard]] QString word(const char *source) const;
+    [[nodiscard]] QString word(const char *source, const char *comment = nullptr) const;
     /// The parent of what is added next.
     [[nodiscard]] QWidget *body() const;
 
@@ -161,7 +177,7 @@ private:
         const char *key = nullptr;
         const char *label = nullptr;
         std::optional<Quantity> quantity;                 ///< of a number: its unit may change
-        std::vector<const char *> words;                  ///< of a choice
+        std::vector<Text> words;                          ///< of a choice
         bool none = false;                                ///< the first of them states nothing
         std::function<QString(const FormSource &)> value; ///< of all but choices
         std::function<int(const FormSource &)> choice;
@@ -187,6 +203,9 @@ private:
         std::size_t begin = 0;
     };
 
+    Field *addWordsOf(const char *thing, Member<std::size_t> member, int weight);
+    Field *addChoiceOf(const Topic &topic, std::vector<Text> words, Member<int> member, bool none,
+                       int weight);
     Field *add(Field::Kind kind, const Topic &topic, const QString &unit, int weight);
     Entry &last() { return m_entries.back(); }
     void commit(const Field *field);

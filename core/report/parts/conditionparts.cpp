@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/parts/conditionparts.h"
 
+#include "document/fieldvalue.h"
 #include "document/statedthings.h"
 #include "figures/linefigure.h"
 #include "kernel/evaluation/agreedpoints.h"
@@ -24,12 +25,6 @@ constexpr double conditionsWidth = 98; ///< mm, beside the environment of 68
 constexpr double conditionLabels = 30; ///< mm
 constexpr int correctionDecimals = 2;
 
-QString yesNo(const Writer &write, std::optional<bool> value) {
-    if (!value)
-        return {};
-    return write.text(*value ? REPORT_TEXT("report", "yes") : REPORT_TEXT("report", "no"));
-}
-
 QString stated(const Writer &write, std::optional<bool> value, const Text &yes, const Text &no) {
     return value ? write.text(*value ? yes : no) : QString();
 }
@@ -47,20 +42,11 @@ QString specifiedText(const Writer &write, SpecifiedBy by) {
 }
 
 QString warmUpText(const Writer &write, const WarmUp &warmUp) {
-    QString text = QString::fromStdString(warmUp.text);
     const QString by = specifiedText(write, warmUp.specifiedBy);
-    switch (warmUp.kind) {
-    case WarmUpKind::notStated:
-        return joined({by, text});
-    case WarmUpKind::procedure:
-        return joined(
-            {by.isEmpty() ? write.text(REPORT_TEXT("report", "agreed or maker’s procedure")) : by, text});
-    case WarmUpKind::dryRun:
-        return joined({write.text(REPORT_TEXT("report", "dry run")), by, text});
-    case WarmUpKind::setUpOnly:
-        return joined({write.text(REPORT_TEXT("report", "set-up movements only")), text});
-    }
-    return text;
+    const bool saysBy = warmUp.kind == WarmUpKind::procedure && !by.isEmpty();
+    return joined({saysBy ? QString() : write.text(statedWord("warmUp", warmUp.kind)),
+                   warmUp.kind == WarmUpKind::setUpOnly ? QString() : by,
+                   QString::fromStdString(warmUp.text)});
 }
 
 QString targetChoiceText(const PositioningPart &part) {
@@ -68,21 +54,10 @@ QString targetChoiceText(const PositioningPart &part) {
     const Writer &write = part.write;
     const auto distance = [&](double value) { return Number{value, part.along(), -1}; };
     QStringList texts;
-    switch (choice.kind) {
-    case TargetChoiceKind::notStated:
-        break;
-    case TargetChoiceKind::free:
-        texts << write.text(REPORT_TEXT("report", "chosen freely"));
-        break;
-    case TargetChoiceKind::polygon:
-        texts << (choice.faces ? write.say(REPORT_TEXT("report", "polygon of %1 faces"),
-                                           {Number{static_cast<double>(*choice.faces), Quantity::count, 0}})
-                               : write.text(REPORT_TEXT("report", "faces of the polygon")));
-        break;
-    case TargetChoiceKind::fixed:
-        texts << write.text(REPORT_TEXT("report", "fixed by the instrument"));
-        break;
-    }
+    texts << (choice.kind == TargetChoiceKind::polygon && choice.faces
+                  ? write.say(REPORT_TEXT("report", "polygon of %1 faces"),
+                              {Number{static_cast<double>(*choice.faces), Quantity::count, 0}})
+                  : write.text(statedWord("targetChoice", choice.kind)));
     if (choice.interval)
         texts << write.say(REPORT_TEXT("report", "nominal interval %1"), {distance(*choice.interval)});
     if (choice.period)
@@ -113,37 +88,71 @@ QString measuringLineText(const Writer &write, const Conditions &conditions) {
     return lines.join(u'\n');
 }
 
+/// Conditions that stand elsewhere in the report, or in a row with others.
+constexpr auto placedConditions = std::to_array<std::string_view>(
+    {"feedMode", "unloaded", "complete", "levelled", "temperatureControlled", "stabilised", "correctionTo20",
+     "airPressure", "airHumidity", "gradientPerHour", "gradientHoursBefore"});
+constexpr auto placedOfCircles = std::to_array<std::string_view>(
+    {"compensation", "otherAxes", "startPoint", "stopPoint", "smoothing", "recentredBetweenRuns"});
+
 /// The rows of a table of conditions.
 class ConditionRows {
 public:
-    explicit ConditionRows(const Writer &write)
-        : m_write(write) {
+    explicit ConditionRows(const TestPart &part)
+        : m_test(part.test)
+        , m_write(part.write) {
         m_values.labelWidth = conditionLabels;
     }
 
     void add(const Text &label, const QString &value) {
         m_values.rows.push_back({m_write.text(label), value});
     }
-    /// Adds a row named after a StatedThing.
-    template <class Value>
-    void add(const char *key, const Value &value) {
-        add(statedThing(key)->name, value);
-    }
-    void add(const Text &label, const std::string &value) { add(label, QString::fromStdString(value)); }
-    template <class Label>
-    void addStated(const Label &label, const QString &value) {
+    void addStated(const Text &label, const QString &value) {
         if (!value.isEmpty())
             add(label, value);
     }
-    template <class Label>
-    void addStated(const Label &label, const std::string &value) {
-        addStated(label, QString::fromStdString(value));
+    /// A row named after a StatedThing.
+    void add(const char *key, const QString &value) {
+        m_keys.emplace_back(key);
+        add(statedThing(key)->name, value);
+    }
+    void addStated(const char *key, const QString &value) {
+        if (!value.isEmpty())
+            add(key, value);
+    }
+    /// What the test says of it.
+    void add(const char *key) { add(key, said(key)); }
+    void addStated(const char *key) { addStated(key, said(key)); }
+    /// What it states and no row has yet: nothing is lost because nobody thought of it here.
+    void addRest() {
+        for (const std::string_view key : conditionKeys(m_test)) {
+            const auto isOneOf = [key](const auto &keys) {
+                return std::ranges::find(keys, key) != keys.end();
+            };
+            const bool placed =
+                isOneOf(placedConditions) || isOneOf(m_keys) || (!axisOf(m_test) && isOneOf(placedOfCircles));
+            if (!placed)
+                addStated(key.data());
+        }
+    }
+    [[nodiscard]] QString said(std::string_view key) const {
+        const FieldValue value = fieldValue(m_test, key);
+        if (const auto *text = std::get_if<std::string>(&value))
+            return QString::fromStdString(*text);
+        if (const auto *answer = std::get_if<std::optional<bool>>(&value))
+            return stated(m_write, *answer, REPORT_TEXT("report", "yes"), REPORT_TEXT("report", "no"));
+        if (const auto *number = std::get_if<std::optional<double>>(&value))
+            return m_write.quantity(*number, quantityOf(*statedThing(key), motionOf(m_test)));
+        const auto *word = std::get_if<std::size_t>(&value);
+        return word ? m_write.text(statedWord(key, *word)) : QString();
     }
     [[nodiscard]] KeyValues take() { return std::move(m_values); }
 
 private:
+    const Test &m_test;
     const Writer &m_write;
     KeyValues m_values;
+    std::vector<std::string_view> m_keys; ///< of the rows
 };
 
 /// Whether a contribution of the printed budget is computed from the number; a 0 needs no place in a formula.
@@ -205,20 +214,6 @@ void addLoadAndState(ConditionRows &rows, const TestPart &part, const Conditions
                        REPORT_TEXT("report", "not levelled"))}));
 }
 
-QString compensationText(const Writer &write, InstrumentCompensation compensation) {
-    switch (compensation) {
-    case InstrumentCompensation::notStated:
-        break;
-    case InstrumentCompensation::on:
-        return write.text(REPORT_TEXT_FOR("report", "switched on", "compensation"));
-    case InstrumentCompensation::off:
-        return write.text(REPORT_TEXT_FOR("report", "switched off", "compensation"));
-    case InstrumentCompensation::none:
-        return write.text(REPORT_TEXT("report", "the instrument has none"));
-    }
-    return {};
-}
-
 void addPurpose(ConditionRows &rows, const TestPart &part) {
     const Text role = roleText(part.test.role);
     const Text purpose = purposeText(part.test.purpose);
@@ -241,33 +236,27 @@ void addThermalPreparation(ConditionRows &rows, const Writer &write, const Condi
                    stated(write, conditions.stabilised,
                           REPORT_TEXT("report", "machine and instruments thermally stable"),
                           REPORT_TEXT("report", "machine or instruments not thermally stable")));
-    rows.addStated("instrumentCompensation", compensationText(write, conditions.instrumentCompensation));
-    rows.addStated("soak", conditions.soak);
-    rows.addStated("shielded", yesNo(write, conditions.shielded));
-    rows.addStated("thermalGuidelines", conditions.thermalGuidelines);
+    for (const char *key : {"instrumentCompensation", "soak", "shielded", "thermalGuidelines"})
+        rows.addStated(key);
 }
 
 KeyValues rowsOf(const PositioningPart &part) {
     const Writer &write = part.write;
     const PositioningConditions &conditions = part.measurement.conditions;
     const Conditions &common = conditions.common;
-    const Quantity feed = feedQuantity(part.test);
-    ConditionRows rows(write);
+    ConditionRows rows(part);
     addPurpose(rows, part);
     rows.add("warmUp", warmUpText(write, common.warmUp));
-    QString feedText = write.quantity(conditions.feed, feed);
-    if (conditions.feedMode == FeedMode::rapid)
-        feedText = joined({write.text(REPORT_TEXT("report", "rapid feed")), feedText});
-    else if (conditions.feedMode && feedText.isEmpty())
-        feedText = write.text(REPORT_TEXT("report", "programmed feed"));
-    rows.add("feed", feedText);
-    rows.add("dwell", write.quantity(conditions.dwell, Quantity::time));
-    rows.addStated("approachDistance", write.quantity(conditions.approachDistance, part.along()));
+    const QString feed = write.quantity(conditions.feed, feedQuantity(part.test));
+    const bool isRapid = conditions.feedMode == FeedMode::rapid;
+    rows.add("feed", joined({isRapid || feed.isEmpty() ? rows.said("feedMode") : QString(), feed}));
+    rows.add("dwell");
+    rows.addStated("approachDistance");
     addLoadAndState(rows, part, common);
-    rows.add("compensation", common.compensation);
-    rows.add("otherAxes", common.otherAxes);
+    rows.add("compensation");
+    rows.add("otherAxes");
     rows.add(REPORT_TEXT("report", "Measuring line"), measuringLineText(write, common));
-    rows.add("instrumentPosition", common.instrumentPosition);
+    rows.add("instrumentPosition");
     rows.add("targetChoice", targetChoiceText(part));
     if (part.leavesOut(ReportPart::targetTable) && part.leavesOut(ReportPart::readings))
         rows.add(REPORT_TEXT("report", "Target positions"), targetList(part)); // in the tables otherwise
@@ -278,14 +267,14 @@ KeyValues rowsOf(const PositioningPart &part) {
     if (element)
         rows.add("scaleElement", *element > 0 ? write.quantity(element, Quantity::position)
                                               : write.text(REPORT_TEXT_FOR("report", "continuous", "scale")));
-    rows.addStated("continuousDevice", yesNo(write, conditions.continuousDevice));
-    if (conditions.referencePosition)
-        rows.add("referencePosition", write.quantity(conditions.referencePosition, part.along()));
+    rows.addStated("continuousDevice");
+    rows.addStated("referencePosition");
     addThermalPreparation(rows, write, common);
     if (conditions.gradientHoursBefore)
         rows.add("gradientPerHour",
                  write.say(REPORT_TEXT("report", "over the %1 h before the test and during it"),
                            {Number{*conditions.gradientHoursBefore, Quantity::number, -1}}));
+    rows.addRest();
     rows.addStated(REPORT_TEXT("report", "Further statements"), furtherStatements(part));
     return rows.take();
 }
@@ -331,13 +320,13 @@ KeyValues rowsOf(const CircularPart &part) {
     const Writer &write = part.write;
     const CircularConditions &conditions = part.measurement.conditions;
     const Conditions &common = conditions.common;
-    ConditionRows rows(write);
+    ConditionRows rows(part);
     addPurpose(rows, part);
     rows.add("warmUp", warmUpText(write, common.warmUp));
     addLoadAndState(rows, part, common);
     rows.addStated(REPORT_TEXT("report", "Specified circle"), specifiedCircle(part));
     rows.addStated(REPORT_TEXT("report", "Left out"), leftOut(part));
-    rows.addStated("instrumentPosition", common.instrumentPosition);
+    rows.addStated("instrumentPosition");
     rows.addStated(REPORT_TEXT("report", "Angles"), angleReferenceText(part));
     if (!part.feedback() && part.results.paths.size() > 1)
         rows.add(REPORT_TEXT("report", "Between the runs"),
@@ -345,6 +334,7 @@ KeyValues rowsOf(const CircularPart &part) {
                         REPORT_TEXT("report", "instrument re-centred"),
                         REPORT_TEXT("report", "measured consecutively, without re-centring")));
     addThermalPreparation(rows, write, common);
+    rows.addRest();
     rows.addStated(REPORT_TEXT("report", "Further statements"), furtherStatements(part));
     return rows.take();
 }
@@ -362,7 +352,8 @@ public:
             addTemperatures(what, temperaturesOf(conditions, what));
     }
 
-    void add(const char *key, std::optional<double> value, Quantity quantity) {
+    void add(const char *key, std::optional<double> value) {
+        const Quantity quantity = statedThing(key)->form.quantity.value();
         m_table.rows.push_back(
             {label(statedThing(key)->name, quantity), shown(value, quantity, -1), blankCell()});
     }
@@ -402,9 +393,9 @@ private:
 Table environment(const PositioningPart &part) {
     const PositioningConditions &conditions = part.measurement.conditions;
     EnvironmentTable table(part, conditions.common);
-    table.add("airPressure", conditions.airPressure, Quantity::pressure);
-    table.add("airHumidity", conditions.airHumidity, Quantity::percent);
-    table.add("gradientPerHour", conditions.gradientPerHour, Quantity::gradient);
+    table.add("airPressure", conditions.airPressure);
+    table.add("airHumidity", conditions.airHumidity);
+    table.add("gradientPerHour", conditions.gradientPerHour);
     const Expansion &expansion = conditions.common.expansion;
     if (part.measurement.axis.motion == Motion::linear || expansion.machine || expansion.instrument)
         table.addExpansion(expansion);

@@ -66,42 +66,6 @@ Text gradeText(Grade grade) {
     return {};
 }
 
-Text roleText(TestRole role) {
-    switch (role) {
-    case TestRole::notStated:
-        break;
-    case TestRole::asFound:
-        return REPORT_TEXT("report", "as found");
-    case TestRole::asLeft:
-        return REPORT_TEXT("report", "as left");
-    }
-    return {};
-}
-
-Text purposeText(Purpose purpose) {
-    switch (purpose) {
-    case Purpose::notStated:
-        break;
-    case Purpose::type:
-        return REPORT_TEXT("report", "type test");
-    case Purpose::acceptance:
-        return REPORT_TEXT_FOR("report", "acceptance", "purpose");
-    case Purpose::comparison:
-        return REPORT_TEXT_FOR("report", "comparison", "purpose");
-    case Purpose::periodic:
-        return REPORT_TEXT("report", "periodic check");
-    case Purpose::compensation:
-        return REPORT_TEXT_FOR("report", "compensation", "purpose");
-    case Purpose::afterRepair:
-        return REPORT_TEXT("report", "after repair");
-    case Purpose::afterCollision:
-        return REPORT_TEXT("report", "after collision");
-    case Purpose::other:
-        return REPORT_TEXT("report", "other purpose");
-    }
-    return {};
-}
-
 Text cycleText(std::optional<Cycle> cycle, const Edition &edition) {
     if (!cycle)
         return REPORT_TEXT_FOR("report", "not stated", "cycle");
@@ -109,17 +73,8 @@ Text cycleText(std::optional<Cycle> cycle, const Edition &edition) {
 }
 
 Text correctionText(CorrectionTo20 correction) {
-    switch (correction) {
-    case CorrectionTo20::notStated:
-        return REPORT_TEXT("report", "not stated");
-    case CorrectionTo20::notApplied:
-        return REPORT_TEXT("report", "not applied");
-    case CorrectionTo20::appliedByInstrument:
-        return REPORT_TEXT("report", "applied by the instrument");
-    case CorrectionTo20::appliedHere:
-        return REPORT_TEXT("report", "applied here");
-    }
-    return {};
+    return correction == CorrectionTo20::notStated ? REPORT_TEXT("report", "not stated")
+                                                   : statedWord("correctionTo20", correction);
 }
 
 QString clauseText(const std::string &clause, const Language &language) {

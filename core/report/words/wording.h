@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "document/statedthings.h"
 #include "kernel/evaluation/testevaluation.h"
 #include "language/decimals.h"
 #include "language/language.h"
@@ -26,10 +27,14 @@ namespace palmer {
 [[nodiscard]] QString arrow(Direction direction);
 
 /// "as found", "as left"; empty where it is not stated.
-[[nodiscard]] Text roleText(TestRole role);
+[[nodiscard]] inline Text roleText(TestRole role) {
+    return statedWord("role", role);
+}
 
 /// "periodic check", "after repair"; empty where it is not stated.
-[[nodiscard]] Text purposeText(Purpose purpose);
+[[nodiscard]] inline Text purposeText(Purpose purpose) {
+    return statedWord("purpose", purpose);
+}
 
 /// The clause of a finding; an annex as the language calls it.
 [[nodiscard]] QString clauseText(const std::string &clause, const Language &language);

@@ -484,8 +484,8 @@ void LayoutTest::choicesOfConditionsAreWhole() {
         QTest::qWait(20);
         auto *correction = qobject_cast<ElidedBox *>([&]() -> QWidget * {
             for (auto *box : shown.find("conditionsPage")->findChildren<ElidedBox *>())
-                if (box->findText(language == Language::Id::french ? u"par l’instrument"_s
-                                                                   : u"by the instrument"_s) >= 0)
+                if (box->findText(language == Language::Id::french ? u"appliquée par l’instrument"_s
+                                                                   : u"applied by the instrument"_s) >= 0)
                     return box;
             return nullptr;
         }());
@@ -584,9 +584,10 @@ void LayoutTest::namesOfResultsAreWhole() {
                 QTRY_VERIFY(table->model()->rowCount() > 0);
                 QTest::qWait(20);
                 for (int row = 0; row < table->model()->rowCount(); ++row) {
-                    const QString name = table->model()->index(row, ResultsModel::name).data().toString();
+                    const QString name =
+                        table->model()->index(row, ResultsModel::columnOf("name")).data().toString();
                     QVERIFY2(QFontMetrics(table->font()).horizontalAdvance(name) <=
-                                 table->columnWidth(ResultsModel::name) - 6,
+                                 table->columnWidth(ResultsModel::columnOf("name")) - 6,
                              qPrintable(name));
                 }
             }
@@ -683,14 +684,14 @@ void LayoutTest::wideWindowsSayFullNames() {
         const ShownWindow shown(examplePath("iso230-2-1988-example"), {width, 1050});
         const auto *table = shown.find<QTableView>("results");
         QTest::qWait(20);
-        return table->model()->index(0, ResultsModel::name).data().toString();
+        return table->model()->index(0, ResultsModel::columnOf("name")).data().toString();
     };
     QCOMPARE(name(1280), u"précision"_s);
     const ShownWindow resized(examplePath("iso230-2-1988-example"), {1280, 800});
     QTest::qWait(20);
     resized.window->resize(1920, 1050);
     const auto *table = resized.find<QTableView>("results");
-    QTRY_VERIFY(table->model()->index(0, ResultsModel::name).data().toString().size() > 12);
+    QTRY_VERIFY(table->model()->index(0, ResultsModel::columnOf("name")).data().toString().size() > 12);
     const QString full = name(1920);
     QVERIFY2(full.size() > 12 && full.startsWith(u"précision"_s), qPrintable(full));
 }
