@@ -9,6 +9,7 @@
 #include "commandline/rejection.h"
 #include "commandline/simulations.h"
 #include "commandline/streams.h"
+#include "export/resultsjson.h"
 #include "kernel/numerics/beside.h"
 #include "print/pdf/logo.h"
 #include "print/pdf/writepdf.h"

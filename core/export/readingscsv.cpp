@@ -11,6 +11,7 @@
 #include "kernel/evaluation/targetvalue.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/csvwriter.h"
+#include "report/tables/resultcolumns.h"
 
 #include <nlohmann/json.hpp>
 
@@ -124,10 +125,6 @@ Json asJson(const DriftMeasurement &m) {
     return {{"times", m.times}, {"deviations", m.deviations}};
 }
 
-const char *unitWord(Quantity quantity) {
-    return quantity == Quantity::angle || quantity == Quantity::angularDeviation ? "°" : "mm";
-}
-
 } // namespace
 
 QByteArray readingsCsv(const EvaluatedDocument &evaluated, std::size_t index, const Language &language,
@@ -141,21 +138,18 @@ QByteArray readingsCsv(const EvaluatedDocument &evaluated, std::size_t index, co
     if (evaluation.parameters.empty())
         return csv.bytes();
     csv.endRow();
-    for (const char *heading :
-         {palmercsv::parameter, "symbol", "name", "value", "unit", "U", "coverage of U", "limit"})
-        csv.text(heading);
+    const auto columns = resultColumns(inCsv);
+    for (const ResultColumn *column : columns)
+        csv.text(column->heading);
     csv.endRow();
     for (const Parameter &parameter : evaluation.parameters) {
-        csv.text(parameterId(parameter));
-        csv.text(plainSymbol(parameter));
-        csv.text(language.text(parameter.term.name).toStdString());
-        csv.number(parameter.value);
-        csv.text(unitWord(parameter.term.quantity));
-        csv.number(parameter.expandedUncertainty);
-        csv.text(!parameter.expandedUncertainty                         ? ""
-                 : parameter.decidedBy == UncertaintyMethod::monteCarlo ? "95.45 %"
-                                                                        : "k = 2");
-        csv.number(parameter.limit ? parameter.limit->value : std::nullopt);
+        for (const ResultColumn *column : columns) {
+            const Json told = column->told({parameter, evaluation.uncertainty, language});
+            if (told.is_string())
+                csv.text(told.get<std::string>());
+            else
+                csv.number(told.is_number() ? std::optional(told.get<double>()) : std::nullopt);
+        }
         csv.endRow();
     }
     return csv.bytes();

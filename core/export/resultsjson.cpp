@@ -2,13 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "export/resultsjson.h"
 
-#include "document/filewords.h"
 #include "document/json.h"
+#include "document/resultwords.h"
 #include "export/diagnosisjson.h"
-#include "export/findingtext.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "kernel/measurement/testfacts.h"
+#include "report/attachedfile.h"
+#include "report/tables/resultcolumns.h"
+#include "report/words/findingtext.h"
 
 #include <nlohmann/json.hpp>
 
@@ -25,91 +27,16 @@ using Json = nlohmann::ordered_json;
 
 constexpr int resultsVersion = 1;
 
-const char *word(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::conforms:
-        return "conforms";
-    case Verdict::notProven:
-        return "notProven";
-    case Verdict::doesNotConform:
-        return "doesNotConform";
-    }
-    return "";
-}
-
-const char *word(Grade grade) {
-    switch (grade) {
-    case Grade::requirement:
-        return "requirement";
-    case Grade::recommendation:
-        return "recommendation";
-    case Grade::note:
-        return "note";
-    }
-    return "";
-}
-
-const char *word(Source source) {
-    constexpr std::array words{"text", "practice", "laboratory", "program"};
-    return words.at(static_cast<std::size_t>(source));
-}
-
-const char *word(State state) {
-    return state == State::unmet ? "unmet" : "undeclared";
-}
-
 Json number(std::optional<double> value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
 Json verdictWord(std::optional<Verdict> verdict) {
-    return verdict ? Json(word(*verdict)) : Json(nullptr);
+    return verdict ? Json(fileWord(*verdict)) : Json(nullptr);
 }
 
 Json textOrNull(std::string_view text) {
     return text.empty() ? Json(nullptr) : Json(std::string(text));
-}
-
-Json ruling(const Parameter &parameter) {
-    Json list = Json::array();
-    for (const auto &rules : parameter.ruling) {
-        if (rules)
-            list.push_back(
-                {{"target", rules->target},
-                 {"approach", rules->approach ? Json(fileWord(*rules->approach)) : Json(nullptr)}});
-    }
-    return list;
-}
-
-Json monteCarlo(const Parameter &parameter, const UncertaintyEvaluation &uncertainty) {
-    if (!parameter.simulated || !uncertainty.simulation)
-        return nullptr;
-    const SimulatedParameter &simulated = *parameter.simulated;
-    return {{"u", simulated.u},
-            {"low", simulated.low},
-            {"high", simulated.high},
-            {"shift", simulated.shift()},
-            {"trials", uncertainty.simulation->trials},
-            {"seed", uncertainty.simulation->seed},
-            {"tolerance", simulated.tolerance()}};
-}
-
-Json parameter(const Parameter &parameter, const UncertaintyEvaluation &uncertainty,
-               const Language &language) {
-    return {{"id", parameterId(parameter)},
-            {"quantity", parameter.term.id},
-            {"symbol", plainSymbol(parameter)},
-            {"name", language.text(parameter.term.name).toStdString()},
-            {"clause", textOrNull(parameter.term.clause)},
-            {"value", number(parameter.value)},
-            {"unit", resultUnit(parameter.term.quantity)},
-            {"ruling", ruling(parameter)},
-            {"expandedUncertainty", number(parameter.expandedUncertainty)},
-            {"limit", parameter.limit ? number(parameter.limit->value) : Json(nullptr)},
-            {"limitOf", textOrNull(parameter.limitOf)},
-            {"guardBand", number(parameter.guardBand)},
-            {"verdict", verdictWord(parameter.verdict)},
-            {"monteCarlo", monteCarlo(parameter, uncertainty)}};
 }
 
 Json target(double position, const TargetStatistics &statistics, double c) {
@@ -144,9 +71,9 @@ Json target(double position, const TargetStatistics &statistics, double c) {
 Json findings(const TestEvaluation &evaluation, const Language &language) {
     Json list = Json::array();
     for (const Finding &finding : evaluation.findings)
-        list.push_back({{"grade", word(finding.grade)},
-                        {"source", word(finding.source)},
-                        {"state", finding.state ? Json(word(*finding.state)) : Json(nullptr)},
+        list.push_back({{"grade", fileWord(finding.grade)},
+                        {"source", fileWord(finding.source)},
+                        {"state", finding.state ? Json(fileWord(*finding.state)) : Json(nullptr)},
                         {"clause", textOrNull(finding.clause)},
                         {"id", finding.id},
                         {"keys", finding.keys},
@@ -156,27 +83,20 @@ Json findings(const TestEvaluation &evaluation, const Language &language) {
 
 Json parameters(const TestEvaluation &evaluation, const Language &language) {
     Json list = Json::array();
-    for (const Parameter &row : evaluation.parameters)
-        list.push_back(parameter(row, evaluation.uncertainty, language));
-    return list;
-}
-
-const char *word(CircleOf of) {
-    switch (of) {
-    case CircleOf::both:
-        return "both";
-    case CircleOf::counterclockwise:
-        return "counterclockwise";
-    case CircleOf::clockwise:
-        return "clockwise";
+    const auto columns = resultColumns(inJson);
+    for (const Parameter &parameter : evaluation.parameters) {
+        Json told = Json::object();
+        for (const ResultColumn *column : columns)
+            told[column->key] = column->told({parameter, evaluation.uncertainty, language});
+        list.push_back(std::move(told));
     }
-    return "";
+    return list;
 }
 
 Json circles(const CircularResults &results) {
     Json list = Json::array();
     for (const CircleResult &circle : results.circles)
-        list.push_back({{"of", word(circle.of)},
+        list.push_back({{"of", fileWord(circle.of)},
                         {"kind", fileWord(circle.kind)},
                         {"centre", Json::array({circle.centre.x, circle.centre.y})},
                         {"radius", circle.radius},
@@ -206,19 +126,6 @@ Json zoneOf(const auto & /*measurement*/) {
     return nullptr;
 }
 
-/// What tests of all kinds have alike, before their own.
-const char *stateWord(LimitState state) {
-    constexpr std::array words{"respected", "notProven", "notEvaluable", "exceeded"};
-    return words.at(static_cast<std::size_t>(state));
-}
-
-const char *reasonWord(NotEvaluable reason) {
-    constexpr std::array words{"oneRun",          "oneDirection",  "oneSense",
-                               "feedbackSignal",  "notCalibrated", "notCalibrated",
-                               "noSuchParameter", "otherEdition",  "noValue"};
-    return words.at(static_cast<std::size_t>(reason));
-}
-
 Json agreedLimits(const Test &source, const TestEvaluation &evaluation) {
     const Axis *axis = axisOf(source);
     Json list = Json::array();
@@ -226,12 +133,13 @@ Json agreedLimits(const Test &source, const TestEvaluation &evaluation) {
         list.push_back({{"key", agreed.key},
                         {"value", number(agreed.limit.value)},
                         {"unit", axis && axis->motion == Motion::rotary ? "deg" : "mm"},
-                        {"state", stateWord(agreed.state)},
-                        {"reason", agreed.reason ? Json(reasonWord(*agreed.reason)) : Json(nullptr)},
+                        {"state", fileWord(agreed.state)},
+                        {"reason", agreed.reason ? Json(fileWord(*agreed.reason)) : Json(nullptr)},
                         {"parameters", agreed.parameters}});
     return list;
 }
 
+/// What tests of all kinds have alike, before their own.
 Json headOf(const Test &source, const TestEvaluation &evaluation) {
     const bool isOfAxis = axisOf(source);
     const Conditions *conditions = conditionsOf(source);
@@ -247,7 +155,7 @@ Json headOf(const Test &source, const TestEvaluation &evaluation) {
         {"date", source.date ? Json(*source.date) : Json(nullptr)},
         {"edition", evaluation.edition ? Json(evaluation.edition->word) : Json(nullptr)},
         {"view", evaluation.edition && evaluation.edition->word != source.edition},
-        {"accordance", accordanceWord(accordance)},
+        {"accordance", fileWord(accordance)},
         {"inAccordance", accordance == Accordance::yes  ? Json(true)
                          : accordance == Accordance::no ? Json(false)
                                                         : Json(nullptr)},
@@ -336,23 +244,6 @@ QByteArray printed(const Json &file, JsonForm form) {
 
 } // namespace
 
-const char *limitsWord(std::optional<Verdict> verdict) {
-    if (!verdict)
-        return "noneAgreed";
-    return *verdict == Verdict::conforms    ? "respected"
-           : *verdict == Verdict::notProven ? "notProven"
-                                            : "exceeded";
-}
-
-const char *accordanceWord(Accordance accordance) {
-    constexpr std::array words{"notChecked", "no", "notShown", "partly", "yes"};
-    return words.at(static_cast<std::size_t>(accordance));
-}
-
-const char *resultUnit(Quantity quantity) {
-    return quantity == Quantity::angle || quantity == Quantity::angularDeviation ? "deg" : "mm";
-}
-
 QByteArray resultsJson(const EvaluatedDocument &evaluated, const QString &fileName, const Language &language,
                        JsonForm form) {
     const auto &tests = evaluated.tests;
@@ -386,6 +277,11 @@ QByteArray findingsJson(const EvaluatedDocument &evaluated, const QString &fileN
     Json file = fileHead("palmer findings", *evaluated.document, fileName);
     file["tests"] = std::move(tests);
     return printed(file, form);
+}
+
+QByteArray attachedResults(const EvaluatedDocument &evaluated) {
+    return resultsJson(evaluated, attachedFileName(*evaluated.document), Language(Language::Id::english),
+                       JsonForm::pretty);
 }
 
 } // namespace palmer

@@ -15,19 +15,15 @@ enum class JsonForm {
     oneLine, ///< one object a line, for several
 };
 
-/// How a test or parameter stands to its limits, apart from its accordance, and its accordance: words of
-/// files for scripts.
-[[nodiscard]] const char *limitsWord(std::optional<Verdict> verdict);
-[[nodiscard]] const char *accordanceWord(Accordance accordance);
-/// The unit of results in files for scripts: mm or deg.
-[[nodiscard]] const char *resultUnit(Quantity quantity);
-
 /// The results of all tests as JSON, for scripts: every value unrounded in mm or degrees, null where there is
 /// none, never NaN. `limitOf` of a parameter: the quantity whose limit stands beside it, null without. Names
 /// and sentences in `language`; ids and words are the same in all. `fileName` is echoed. Ends with a line
 /// break.
 [[nodiscard]] QByteArray resultsJson(const EvaluatedDocument &evaluated, const QString &fileName,
                                      const Language &language, JsonForm form);
+
+/// Those that travel in the PDF of a report, in English.
+[[nodiscard]] QByteArray attachedResults(const EvaluatedDocument &evaluated);
 
 /// Of all tests the head and the findings alone, with the same keys.
 [[nodiscard]] QByteArray findingsJson(const EvaluatedDocument &evaluated, const QString &fileName,

@@ -4,7 +4,7 @@
 
 #include "document/filewords.h"
 #include "document/jsonprinter.h"
-#include "export/resultsjson.h"
+#include "document/resultwords.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/csvwriter.h"
 #include "language/rounding.h"
@@ -110,7 +110,7 @@ QByteArray listedTestJson(const ListedTest &listed) {
         .textOrNull("edition", test.edition)
         .number("feed", test.feed)
         .number("travel", test.travel)
-        .quoted("accordance", accordanceWord(test.accordance))
+        .quoted("accordance", fileWord(test.accordance))
         .word("inAccordance", inAccordance(test.accordance))
         .whole("unmet", test.counts.unmet)
         .whole("undeclared", test.counts.undeclared)
@@ -158,14 +158,14 @@ QByteArray listedTestCsv(const ListedTest &listed) {
         csv.number(result.limit);
         csv.text(unitOf(test));
         csv.text(limitsWord(result.verdict));
-        csv.text(accordanceWord(test.accordance));
+        csv.text(fileWord(test.accordance));
         csv.endRow();
     }
     if (test.results.empty()) {
         head();
         for (int i = 0; i < 6; ++i)
             csv.text({});
-        csv.text(accordanceWord(test.accordance));
+        csv.text(fileWord(test.accordance));
         csv.endRow();
     }
     return csv.bytes();

@@ -3,7 +3,7 @@
 #include "register/queries.h"
 
 #include "document/filewords.h"
-#include "export/resultsjson.h"
+#include "document/resultwords.h"
 #include "register/machineidentity.h"
 #include "register/register.h"
 
@@ -55,7 +55,7 @@ std::optional<Verdict> verdictFrom(const QVariant &value) {
 Accordance accordanceFrom(const QVariant &value) {
     for (const Accordance accordance :
          {Accordance::no, Accordance::notShown, Accordance::partly, Accordance::yes}) {
-        if (value.toString() == QLatin1StringView(accordanceWord(accordance)))
+        if (value.toString() == QLatin1StringView(fileWord(accordance)))
             return accordance;
     }
     return Accordance::notChecked;

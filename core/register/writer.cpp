@@ -3,7 +3,7 @@
 #include "register/writer.h"
 
 #include "document/filewords.h"
-#include "export/resultsjson.h"
+#include "document/resultwords.h"
 #include "kernel/words/shortest.h"
 #include "register/machineidentity.h"
 
@@ -201,7 +201,7 @@ void RegisterWriter::insertTest(int id, const RegisteredTest &test) {
          QString::fromLatin1(fileWord(test.role)),
          verdictOrNull(test.verdict),
          QString::fromLatin1(fileWord(test.rule)),
-         QString::fromLatin1(accordanceWord(test.accordance)),
+         QString::fromLatin1(fileWord(test.accordance)),
          test.counts.unmet,
          test.counts.undeclared,
          test.counts.departures,
@@ -243,7 +243,7 @@ void RegisterWriter::replaceResults(const QString &digest, const RegisteredTest 
     m_database.run(QStringLiteral("delete from result where test = ?"), {id});
     m_database.run(QStringLiteral("update test set verdict = ?, accordance = ?, unmet = ?, undeclared = ?, "
                                   "departures = ?, parts = ?, awaits = 0 where id = ?"),
-                   {verdictOrNull(test.verdict), QString::fromLatin1(accordanceWord(test.accordance)),
+                   {verdictOrNull(test.verdict), QString::fromLatin1(fileWord(test.accordance)),
                     test.counts.unmet, test.counts.undeclared, test.counts.departures, partsText(test.parts),
                     id});
     insertResults(id, test);

@@ -4,7 +4,6 @@
 
 #include "document/sha256.h"
 #include "document/writedocument.h"
-#include "export/resultsjson.h"
 
 #include <algorithm>
 
@@ -50,11 +49,6 @@ QString attachedFileName(const Document &document) {
     while (name.startsWith(u'.') || name.startsWith(u'-')) // hidden, or taken for an option
         name.remove(0, 1);
     return (name.isEmpty() ? QStringLiteral("report") : name) + QStringLiteral(".palmer");
-}
-
-QByteArray attachedResults(const EvaluatedDocument &evaluated) {
-    return resultsJson(evaluated, attachedFileName(*evaluated.document), Language(Language::Id::english),
-                       JsonForm::pretty);
 }
 
 QString fingerprint(const QByteArray &attachedFile) {

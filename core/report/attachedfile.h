@@ -22,9 +22,6 @@ enum class Originals { leaveOut, include };
 /// "<report number>.palmer", without signs that a file name cannot have; "report.palmer" without a number.
 [[nodiscard]] QString attachedFileName(const Document &document);
 
-/// The results that travel beside it: what `evaluate --json` writes of that file, in English.
-[[nodiscard]] QByteArray attachedResults(const EvaluatedDocument &evaluated);
-
 /// SHA-256 of that file, 64 hex digits: the fingerprint of the report, what `sha256sum` prints of the file.
 [[nodiscard]] QString fingerprint(const QByteArray &attachedFile);
 

@@ -222,28 +222,30 @@ private:
             return;
         const CoverageOfResults coverage = coverageOf(evaluation, m_evaluated.document->report);
         const QString unit = m_language.unit(results.front().parameter->term.quantity);
-        Table table{{{{}, {}, Alignment::left, false},
-                     {text(REPORT_TEXT("report", "Result")), {}, Alignment::left, true},
-                     {text(REPORT_TEXT("report", "Targets i")), {}, Alignment::left, false},
-                     {text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false},
-                     {uncertaintyHead(coverage, m_language), unit, Alignment::decimal, false},
-                     {text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false},
-                     {text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false}}};
+        auto columns = resultColumns(onTerminal);
+        std::erase_if(columns, [&](const ResultColumn *column) { return column->axesOnly && !axisOf(test); });
+        Table table;
+        for (const ResultColumn *column : columns) {
+            const bool isNumber = column->look == ResultLook::number;
+            table.columns.push_back({column->look == ResultLook::symbol ? QString()
+                                     : column->key == std::string_view("expandedUncertainty")
+                                         ? uncertaintyHead(coverage, m_language)
+                                         : text(column->title),
+                                     isNumber ? unit : QString(),
+                                     isNumber ? Alignment::decimal : Alignment::left,
+                                     column->look == ResultLook::name});
+        }
         for (const PrintedResult &result : results) {
             const Parameter &parameter = *result.parameter;
-            table.rows.push_back(
-                {symbolPhrase(parameter.term.symbol, parameter.index),
-                 nameOf(parameter, notCorrected(evaluation)), rulingText(parameter), result.value,
-                 result.uncertainty, result.limit,
-                 parameter.verdict ? Phrase(text(limitText(*parameter.verdict))) : Phrase()});
+            std::vector<Cell> row;
+            for (const ResultColumn *column : columns)
+                row.emplace_back(
+                    column->look == ResultLook::symbol ? symbolPhrase(parameter.term.symbol, parameter.index)
+                    : column->look == ResultLook::name ? nameOf(parameter, notCorrected(evaluation))
+                                                       : column->shown({result, m_language}));
+            table.rows.push_back(std::move(row));
         }
         table.rulesAfter = rulesBetween(results);
-        if (!axisOf(test)) {
-            constexpr std::ptrdiff_t rulingTargets = 2; // a circle has none
-            table.columns.erase(table.columns.begin() + rulingTargets);
-            for (auto &row : table.rows)
-                row.erase(row.begin() + rulingTargets);
-        }
         m_report.blocks.emplace_back(Heading{2, text(REPORT_TEXT("report", "Results"))});
         m_report.blocks.emplace_back(std::move(table));
         if (coverage.mixed())

@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "document/sha256.h"
+#include "export/resultsjson.h"
 #include "import/layouts/zipfile.h"
 #include "print/pdf/writepdf.h"
 #include "print/proof/pdfpages.h"

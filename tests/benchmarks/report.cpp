@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/readdocument.h"
+#include "export/resultsjson.h"
 #include "print/pdf/writepdf.h"
 #include "print/proof/verifyreport.h"
 #include "report/attachedfile.h"

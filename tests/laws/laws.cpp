@@ -8,7 +8,6 @@
 #include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/testsofverdict.h"
-#include "export/findingtext.h"
 #include "export/readingscsv.h"
 #include "export/resultsjson.h"
 #include "figures/figuredata.h"
@@ -28,6 +27,7 @@
 #include "report/results.h"
 #include "report/tables/findinglines.h"
 #include "report/tables/resulttable.h"
+#include "report/words/findingtext.h"
 #include "report/words/wording.h"
 #include "ui/results/findingsmodel.h"
 

@@ -4,6 +4,7 @@
 
 #include "document/savefiles.h"
 #include "document/testfile.h"
+#include "export/resultsjson.h"
 #include "print/pdf/writepdf.h"
 #include "report/composereport.h"
 #include "report/parts/dataparts.h"

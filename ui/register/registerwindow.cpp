@@ -3,8 +3,8 @@
 #include "ui/register/registerwindow.h"
 
 #include "document/filewords.h"
+#include "document/resultwords.h"
 #include "document/savedocument.h"
-#include "export/resultsjson.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/rounding.h"
 #include "print/pdf/writepdf.h"
@@ -803,7 +803,7 @@ QString RegisterWindow::filterValue(Filter filter, const ListedTest &listed) {
     case byLimits:
         return QString::fromLatin1(limitsWord(test.verdict));
     case byAccordance:
-        return QString::fromLatin1(accordanceWord(test.accordance));
+        return QString::fromLatin1(fileWord(test.accordance));
     case filterCount:
         break;
     }
@@ -835,7 +835,7 @@ QString RegisterWindow::filterName(Filter filter, const QString &value) {
     case byAccordance:
         for (const Accordance accordance : {Accordance::notChecked, Accordance::no, Accordance::notShown,
                                             Accordance::partly, Accordance::yes}) {
-            if (value == QLatin1StringView(accordanceWord(accordance)))
+            if (value == QLatin1StringView(fileWord(accordance)))
                 return said(accordanceWords(accordance));
         }
         break;

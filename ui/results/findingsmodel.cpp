@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/results/findingsmodel.h"
 
-#include "export/findingtext.h"
 #include "kernel/evaluation/accordance.h"
+#include "report/words/findingtext.h"
 #include "report/words/wording.h"
 
 #include <QStringList>

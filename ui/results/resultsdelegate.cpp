@@ -10,6 +10,7 @@
 
 #include <QAbstractItemView>
 #include <QPainter>
+#include <string_view>
 
 namespace palmer::ui {
 
@@ -79,7 +80,7 @@ void paintVerdict(QPainter &painter, const QRect &cell, const ResultLine &line, 
     painter.setPen(colour);
     const QRect room = cell.adjusted(resultMarkWidth, 0, 0, 0);
     painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetrics(font).elidedText(line.verdictWord, Qt::ElideRight, room.width()));
+                     QFontMetrics(font).elidedText(line.cell("verdict"), Qt::ElideRight, room.width()));
 }
 
 /// Who comes with the keyboard has a current row before it is selected.
@@ -97,6 +98,7 @@ void ResultsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
     const QPalette &palette = option.palette;
     const QRect cell = option.rect;
     const QColor base = palette.color(QPalette::Base);
+    const ResultColumn &column = ResultsModel::column(index.column());
     const bool explained = line.id == m_explained;
     const QColor explanation = token(Token::explanation, palette);
 
@@ -110,36 +112,38 @@ void ResultsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
         painter->setPen(token(Token::line, palette));
         painter->drawLine(cell.topLeft(), cell.topRight());
     }
-    if (explained && index.column() == ResultsModel::symbol)
+    if (explained && column.look == ResultLook::symbol)
         painter->fillRect(QRect(cell.left(), cell.top(), 3, cell.height()), explanation);
 
     const QColor text = palette.color(QPalette::Text);
     const QColor secondary = token(Token::secondaryText, palette);
     QFont font = option.font;
-    switch (index.column()) {
-    case ResultsModel::symbol:
+    switch (column.look) {
+    case ResultLook::symbol:
         drawFormula(*painter, cell.adjusted(8, 0, 0, 0), Qt::AlignLeft, line.symbol, font,
                     line.main ? text : secondary, line.main);
         return;
-    case ResultsModel::scale:
+    case ResultLook::picture:
         if (line.scale)
             paintScale(*painter, cell, *line.scale, colourOf(line, model->table().provisional, palette),
                        palette);
         return;
-    case ResultsModel::verdict:
+    case ResultLook::verdict:
         if (line.verdict)
             paintVerdict(*painter, cell, line, model->table().provisional, option);
         return;
-    default:
+    case ResultLook::text:
+    case ResultLook::name:
+    case ResultLook::number:
         break;
     }
     const QString shown = index.data(Qt::DisplayRole).toString();
-    const bool strong = index.column() == ResultsModel::value && line.main;
-    const bool quiet = (!line.main && index.column() == ResultsModel::name) ||
-                       index.column() == ResultsModel::uncertainty ||
-                       index.column() == ResultsModel::otherUncertainty || shown == QStringLiteral("–");
-    const bool exceeded =
-        index.column() == ResultsModel::other && line.otherVerdict == Verdict::doesNotConform;
+    const std::string_view key = column.key;
+    const bool strong = key == "value" && line.main;
+    const bool isUncertainty = key == "expandedUncertainty" || key == "otherUncertainty";
+    const bool quiet =
+        (!line.main && column.look == ResultLook::name) || isUncertainty || shown == QStringLiteral("–");
+    const bool exceeded = key == "other" && line.otherVerdict == Verdict::doesNotConform;
     if (strong)
         font.setWeight(QFont::DemiBold);
     painter->setFont(font);

@@ -2,16 +2,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/results/resultsmodel.h"
 
+#include <algorithm>
+
 namespace palmer::ui {
 
-void ResultsModel::setTable(const ResultTable &table) {
+const std::vector<const ResultColumn *> &ResultsModel::columns() {
+    static const std::vector<const ResultColumn *> listed = resultColumns(inWindow);
+    return listed;
+}
+
+int ResultsModel::columnOf(std::string_view key) {
+    return static_cast<int>(std::ranges::find(columns(), key, &ResultColumn::key) - columns().begin());
+}
+
+void ResultsModel::setTable(const ResultTable &table, const Language &language) {
     beginResetModel();
     m_table = table;
+    m_language = language;
     endResetModel();
 }
 
 void ResultsModel::retranslate() {
-    emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
+    emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
 }
 
 QString ResultsModel::nameOf(int row, Names names) const {
@@ -24,7 +36,7 @@ void ResultsModel::setNames(Names names) {
         return;
     m_names = names;
     if (rowCount() > 0)
-        emit dataChanged(index(0, name), index(rowCount() - 1, name));
+        emit dataChanged(index(0, columnOf("name")), index(rowCount() - 1, columnOf("name")));
 }
 
 int ResultsModel::rowOf(const QString &id) const {
@@ -40,76 +52,51 @@ int ResultsModel::rowCount(const QModelIndex &parent) const {
 }
 
 int ResultsModel::columnCount(const QModelIndex &parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(columns);
+    return parent.isValid() ? 0 : static_cast<int>(columns().size());
 }
 
 QVariant ResultsModel::data(const QModelIndex &index, int role) const {
     if (!index.isValid())
         return {};
     const ResultLine &shown = line(index.row());
-    if (role == Qt::ToolTipRole && (index.column() == other || index.column() == otherUncertainty))
-        return shown.otherVerdictWord;
-    if (role == Qt::ToolTipRole)
-        return index.column() == name || index.column() == symbol ? QVariant(shown.fullName) : QVariant();
-    if (role == Qt::TextAlignmentRole)
+    const ResultColumn &own = column(index.column());
+    const bool names = own.look == ResultLook::symbol || own.look == ResultLook::name;
+    switch (role) {
+    case Qt::ToolTipRole:
+        return own.besideOnly ? shown.otherVerdictWord : names ? shown.fullName : QVariant();
+    case Qt::TextAlignmentRole:
         return static_cast<int>((isNumber(index.column()) ? Qt::AlignRight : Qt::AlignLeft) |
                                 Qt::AlignVCenter);
-    if (role == Qt::AccessibleTextRole && index.column() == symbol)
+    case Qt::AccessibleTextRole:
+        if (own.look != ResultLook::symbol)
+            return {};
         return QStringLiteral("%1, %2: %3 %4 %5")
-            .arg(shown.symbol.plain(), shown.fullName, shown.value, m_table.unit, shown.verdictWord)
+            .arg(shown.symbol.plain(), shown.fullName, shown.cell("value"), m_table.unit,
+                 shown.cell("verdict"))
             .trimmed();
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (index.column()) {
-    case symbol:
-        return shown.symbol.plain();
-    case name:
-        return nameOf(index.row(), m_names);
-    case other:
-        return shown.other;
-    case otherUncertainty:
-        return shown.otherUncertainty;
-    case value:
-        return shown.value;
-    case uncertainty:
-        return shown.uncertainty;
-    case change:
-        return shown.change;
-    case limit:
-        return shown.limit;
-    case verdict:
-        return shown.verdictWord;
+    case Qt::DisplayRole:
+        return own.look == ResultLook::symbol ? shown.symbol.plain()
+               : own.look == ResultLook::name ? nameOf(index.row(), m_names)
+                                              : shown.cell(own);
     default:
         return {};
     }
-}
-
-bool ResultsModel::isNumber(int column) {
-    return column >= other && column <= limit;
 }
 
 QVariant ResultsModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
         return {};
-    switch (section) {
-    case name:
-        return tr("quantity");
-    case other:
-        return m_table.otherIsFound ? tr("before") : tr("after");
-    case value:
-        return !m_table.otherTest ? tr("value") : m_table.otherIsFound ? tr("after") : tr("before");
-    case change:
-        return tr("change");
-    case otherUncertainty:
-    case uncertainty:
-        return QStringLiteral("± U");
-    case limit:
-        return tr("limit");
-    case verdict:
-        return tr("verdict");
-    default:
+    const ResultColumn &own = column(section);
+    const std::string_view key = own.key;
+    if (key == "other" || (key == "value" && m_table.otherTest))
+        return (key == "other") == m_table.otherIsFound ? tr("before") : tr("after");
+    if (own.look == ResultLook::symbol || own.title.empty())
         return QString();
-    }
+    QString title = m_language.text(own.title);
+    if (title == QStringLiteral("U"))
+        return QStringLiteral("± U");
+    title[0] = title[0].toLower();
+    return title;
 }
 
 Qt::ItemFlags ResultsModel::flags(const QModelIndex &index) const {

@@ -5,33 +5,29 @@
 #include "report/tables/resulttable.h"
 
 #include <QAbstractTableModel>
+#include <string_view>
+#include <vector>
 
 namespace palmer::ui {
 
-/// The results of a test as rows: symbol, name, value, ± U, limit, decision scale, verdict; beside them those
-/// of the same test before or after an adjustment, where there is one.
+/// The results of a test as rows; beside them those of the same test before or after an adjustment, where
+/// there is one.
 class ResultsModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    enum Column {
-        symbol,
-        name,
-        other, ///< of the other role; with the next and `change` only where the table has one
-        otherUncertainty,
-        value,
-        uncertainty,
-        change,
-        limit,
-        scale,
-        verdict,
-        columns
-    };
-    [[nodiscard]] static bool isNumber(int column);
+    /// The columns, as a report has them.
+    [[nodiscard]] static const std::vector<const ResultColumn *> &columns();
+    [[nodiscard]] static const ResultColumn &column(int place) {
+        return *columns()[static_cast<std::size_t>(place)];
+    }
+    /// The place of a column by its key.
+    [[nodiscard]] static int columnOf(std::string_view key);
+    [[nodiscard]] static bool isNumber(int place) { return column(place).look == ResultLook::number; }
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    void setTable(const ResultTable &table);
+    void setTable(const ResultTable &table, const Language &language);
     void retranslate();
     [[nodiscard]] const ResultTable &table() const { return m_table; }
     [[nodiscard]] const ResultLine &line(int row) const {
@@ -50,6 +46,7 @@ public:
 
 private:
     ResultTable m_table;
+    Language m_language{Language::Id::english};
     Names m_names = Names::brief;
 };
 

@@ -98,7 +98,7 @@ int widthOfResults(const ResultsModel &model, int column, const QFontMetrics &me
                     .horizontalAdvance(model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
     for (int row = 0; row < model.rowCount(); ++row) {
         const QString text = model.index(row, column).data().toString();
-        const int mark = column == ResultsModel::verdict && !text.isEmpty() ? 16 : 0;
+        const int mark = ResultsModel::column(column).look == ResultLook::verdict && !text.isEmpty() ? 16 : 0;
         width = std::max(width, metrics.horizontalAdvance(text) + mark);
     }
     return width;
@@ -159,7 +159,7 @@ void ResultsPanel::makeTable() {
     QHeaderView *header = m_table->horizontalHeader();
     header->setFixedHeight(headHeight);
     header->setSectionResizeMode(QHeaderView::Fixed);
-    header->setSectionResizeMode(ResultsModel::name, QHeaderView::Stretch);
+    header->setSectionResizeMode(ResultsModel::columnOf("name"), QHeaderView::Stretch);
     header->setMinimumSectionSize(10);
     header->setSectionsClickable(false);
     header->setHighlightSections(false);
@@ -222,7 +222,7 @@ void ResultsPanel::setNarrow(bool narrow) {
 
 void ResultsPanel::refresh() {
     const int row = m_table->currentIndex().row();
-    m_model.setTable(resultTable(m_evaluated, m_test, m_language));
+    m_model.setTable(resultTable(m_evaluated, m_test, m_language), m_language);
     const ResultTable &table = m_model.table();
     QStringList rule{table.unit, table.circle};
     if (!table.view)
@@ -287,18 +287,6 @@ void ResultsPanel::fitColumns() {
     double symbols = m_narrow ? narrowSymbolWidth : symbolWidth;
     for (int row = 0; row < m_model.rowCount(); ++row)
         symbols = std::max(symbols, formulaWidth(m_model.line(row).symbol, bold) + symbolMargin);
-    m_table->setColumnWidth(ResultsModel::symbol, static_cast<int>(std::ceil(symbols)));
-    m_table->setColumnWidth(ResultsModel::scale, scaleWidth);
-    for (int column = ResultsModel::other; column < ResultsModel::columns; ++column) {
-        if (column == ResultsModel::scale)
-            continue;
-        m_table->setColumnWidth(column, widthOfResults(m_model, column, metrics) +
-                                            (m_narrow ? narrowCellMargin : cellMargin));
-    }
-    const auto &other = m_model.table().otherTest;
-    m_table->setColumnHidden(ResultsModel::scale, m_narrow || other);
-    for (const int column : {ResultsModel::other, ResultsModel::otherUncertainty, ResultsModel::change})
-        m_table->setColumnHidden(column, !other);
     // In a narrow window names need the room of columns that say nothing.
     const auto saysNothing = [this](int column) {
         for (int row = 0; row < m_model.rowCount(); ++row) {
@@ -308,14 +296,27 @@ void ResultsPanel::fitColumns() {
         }
         return true;
     };
-    for (const int column : {ResultsModel::uncertainty, ResultsModel::limit, ResultsModel::verdict})
-        m_table->setColumnHidden(column, m_narrow && saysNothing(column));
+    const auto &other = m_model.table().otherTest;
+    for (int place = 0; place < m_model.columnCount(); ++place) {
+        const ResultColumn &column = ResultsModel::column(place);
+        const bool isPicture = column.look == ResultLook::picture;
+        const bool isText =
+            column.look != ResultLook::symbol && column.look != ResultLook::name && !isPicture;
+        if (column.look != ResultLook::name)
+            m_table->setColumnWidth(place, column.look == ResultLook::symbol
+                                               ? static_cast<int>(std::ceil(symbols))
+                                           : isPicture ? scaleWidth
+                                                       : widthOfResults(m_model, place, metrics) +
+                                                             (m_narrow ? narrowCellMargin : cellMargin));
+        m_table->setColumnHidden(place, (column.besideOnly && !other) || (isPicture && (m_narrow || other)) ||
+                                            (isText && m_narrow && saysNothing(place)));
+    }
     // What was before stands left of what is after, whichever of the two is in view.
     QHeaderView *header = m_table->horizontalHeader();
     const bool isFirst = m_model.table().otherIsFound;
-    const int first = isFirst ? ResultsModel::other : ResultsModel::value;
-    const int second = isFirst ? ResultsModel::otherUncertainty : ResultsModel::uncertainty;
-    constexpr int place = ResultsModel::name + 1;
+    const int first = ResultsModel::columnOf(isFirst ? "other" : "value");
+    const int second = ResultsModel::columnOf(isFirst ? "otherUncertainty" : "expandedUncertainty");
+    const int place = ResultsModel::columnOf("name") + 1;
     if (header->visualIndex(first) != place) {
         header->moveSection(header->visualIndex(first), place);
         header->moveSection(header->visualIndex(second), place + 1);
@@ -328,7 +329,7 @@ void ResultsPanel::fitColumns() {
 void ResultsPanel::fitNames() {
     using Names = ResultsModel::Names;
     const QFontMetrics metrics(m_table->font());
-    const int room = m_table->columnWidth(ResultsModel::name) - nameMargin;
+    const int room = m_table->columnWidth(ResultsModel::columnOf("name")) - nameMargin;
     const auto fit = [&](Names names) {
         for (int row = 0; row < m_model.rowCount(); ++row) {
             if (metrics.horizontalAdvance(m_model.nameOf(row, names)) > room)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/welcome/recentfiles.h"
 
+#include "document/resultwords.h"
 #include "document/testsofverdict.h"
 #include "kernel/measurement/testfacts.h"
 
@@ -18,48 +19,14 @@ constexpr std::size_t mostFiles = 12;
 constexpr auto arrayKey = "recentFiles";
 
 // Words of the settings; none may change, or former entries lose their verdict.
-QString word(std::optional<Verdict> verdict) {
-    if (!verdict)
-        return {};
-    switch (*verdict) {
-    case Verdict::conforms:
-        return QStringLiteral("conforms");
-    case Verdict::notProven:
-        return QStringLiteral("notProven");
-    case Verdict::doesNotConform:
-        return QStringLiteral("doesNotConform");
-    }
-    return {};
+template <class Enumeration>
+QString word(std::optional<Enumeration> value) {
+    return value ? QString::fromLatin1(fileWord(*value)) : QString();
 }
 
-std::optional<Verdict> verdictOf(const QString &text) {
-    for (const Verdict verdict : {Verdict::conforms, Verdict::notProven, Verdict::doesNotConform}) {
-        if (text == word(verdict))
-            return verdict;
-    }
-    return std::nullopt;
-}
-
-/// The words of the settings.
-struct AccordanceWord {
-    Accordance accordance = Accordance::notChecked;
-    const char *word = nullptr;
-};
-constexpr std::array accordanceWords{
-    AccordanceWord{Accordance::no, "no"}, AccordanceWord{Accordance::notShown, "notShown"},
-    AccordanceWord{Accordance::notChecked, "notChecked"}, AccordanceWord{Accordance::partly, "partly"},
-    AccordanceWord{Accordance::yes, "yes"}};
-
-QString wordOf(std::optional<Accordance> accordance) {
-    const auto found = std::ranges::find(accordanceWords, accordance,
-                                         [](const auto &entry) { return std::optional(entry.accordance); });
-    return found == accordanceWords.end() ? QString() : QString::fromLatin1(found->word);
-}
-
-std::optional<Accordance> accordanceOf(const QString &text) {
-    const auto found = std::ranges::find(accordanceWords, text,
-                                         [](const auto &entry) { return QString::fromLatin1(entry.word); });
-    return found == accordanceWords.end() ? std::nullopt : std::optional(found->accordance);
+template <class Enumeration>
+std::optional<Enumeration> ofWord(const QString &text) {
+    return ofFileWord<Enumeration>(text.toStdString());
 }
 
 std::vector<RecentFile> stored() {
@@ -71,8 +38,8 @@ std::vector<RecentFile> stored() {
         const auto text = [&](const char *key) { return settings.value(QLatin1StringView(key)).toString(); };
         files.push_back({text("path"), text("machine"), text("axes"),
                          QDate::fromString(text("date"), Qt::ISODate),
-                         settings.value(QStringLiteral("circular")).toBool(), verdictOf(text("verdict")),
-                         accordanceOf(text("accordance"))});
+                         settings.value(QStringLiteral("circular")).toBool(),
+                         ofWord<Verdict>(text("verdict")), ofWord<Accordance>(text("accordance"))});
     }
     settings.endArray();
     return files;
@@ -142,7 +109,7 @@ void rememberFile(const RecentFile &file) {
         settings.setValue(QStringLiteral("date"), files[i].date.toString(Qt::ISODate));
         settings.setValue(QStringLiteral("circular"), files[i].circular);
         settings.setValue(QStringLiteral("verdict"), word(files[i].verdict));
-        settings.setValue(QStringLiteral("accordance"), wordOf(files[i].accordance));
+        settings.setValue(QStringLiteral("accordance"), word(files[i].accordance));
     }
     settings.endArray();
 }

@@ -3,6 +3,7 @@
 #include "print/proof/verifyreport.h"
 
 #include "document/readdocument.h"
+#include "export/resultsjson.h"
 #include "language/papercharacters.h"
 #include "print/pdf/pages.h"
 #include "print/pdf/textblock.h"

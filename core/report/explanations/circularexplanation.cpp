@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/explanations/circularexplanation.h"
 
-#include "export/findingtext.h"
 #include "figures/circlefigure.h"
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "kernel/evaluation/iso230_4/parameters.h"
 #include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
+#include "report/words/findingtext.h"
 
 #include <algorithm>
 #include <array>

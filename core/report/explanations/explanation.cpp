@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/explanations/explanation.h"
 
-#include "export/findingtext.h"
 #include "figures/budgetfigure.h"
 #include "kernel/evaluation/instrumentresult.h"
 #include "kernel/evaluation/iso230_2/parameters.h"
@@ -11,6 +10,7 @@
 #include "language/rounding.h"
 #include "report/explanations/arithmetic.h"
 #include "report/explanations/circularexplanation.h"
+#include "report/words/findingtext.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/parts/resultparts.h"
-#include "export/findingtext.h"
 #include "report/tables/findinglines.h"
 #include "report/words/accordancetext.h"
+#include "report/words/findingtext.h"
 
 #include "figures/deviationfigure.h"
 #include "kernel/evaluation/applylimits.h"
@@ -123,80 +123,107 @@ ResultForm circularForm(const CircularPart &part) {
 }
 
 /// The name has what the others leave; what a text needs more is taken from beside the picture first. In mm.
-std::vector<Column> resultColumns(const TestPart &part, const QString &unit) {
+Column columnOnPaper(const ResultColumn &column, const TestPart &part, const QString &unit) {
     const Writer &write = part.write;
-    constexpr double symbol = 7.8;
-    constexpr double number = 11;
-    constexpr double uncertainty = 14.2;
-    constexpr double targets = 13.6;
     constexpr double gap = 1.2;
-    constexpr double picture = 21.6;
+    constexpr double beforePicture = 3.2;
     constexpr double besidePicture = 2;
-    constexpr double verdict = 20;
-    const auto decimal = [&](const QString &title, double width) {
-        return Column{title, unit, Alignment::decimal, false, width};
-    };
-    std::vector<Column> columns{
-        {write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, symbol},
-        {QString(), {}, Alignment::left, true}};
-    columns.front().titleSpan = 2;
-    columns.front().paddingLeft = gap;
-    if (axisOf(part.test)) {
-        columns.push_back({targetsTitle(write), {}, Alignment::left, false, targets});
-        columns.back().paddingLeft = gap;
+    const bool isNumber = column.look == ResultLook::number;
+    Column result{column.look == ResultLook::name ? QString() : write.text(column.title),
+                  isNumber ? unit : QString(), isNumber ? Alignment::decimal : Alignment::left,
+                  column.look == ResultLook::name, column.width};
+    result.fitting = column.look != ResultLook::name;
+    switch (column.look) {
+    case ResultLook::symbol: // and the name beside it
+        result.title = write.text(resultColumn("name").title);
+        result.titleSpan = 2;
+        result.paddingLeft = gap;
+        break;
+    case ResultLook::text:
+        if (column.axesOnly)
+            result.title = targetsTitle(write);
+        result.paddingLeft = gap;
+        break;
+    case ResultLook::picture:
+        if (hasGuardBand(part.test))
+            result.title = write.text(factorIsOne(part.test) ? REPORT_TEXT("report", "Limit ± U")
+                                                             : REPORT_TEXT("report", "Limit ± g"));
+        result.fitting = false;
+        result.paddingLeft = beforePicture;
+        result.spare = besidePicture;
+        break;
+    case ResultLook::number:
+        if (column.key == std::string_view("expandedUncertainty"))
+            result.title = uncertaintyHead(coverageOf(part.evaluation, part.head()), write.language());
+        break;
+    case ResultLook::name:
+    case ResultLook::verdict:
+        break;
     }
-    columns.push_back(decimal(write.text(REPORT_TEXT("report", "Value")), number));
-    columns.push_back(
-        decimal(uncertaintyHead(coverageOf(part.evaluation, part.head()), write.language()), uncertainty));
-    columns.push_back(decimal(write.text(REPORT_TEXT("report", "Limit")), number));
-    for (Column &column : columns)
-        column.fitting = !column.flexible;
-    const QString band = !hasGuardBand(part.test)
-                             ? QString()
-                             : write.text(factorIsOne(part.test) ? REPORT_TEXT("report", "Limit ± U")
-                                                                 : REPORT_TEXT("report", "Limit ± g"));
-    columns.push_back({band, {}, Alignment::left, false, picture});
-    columns.back().paddingLeft = 3.2;
-    columns.back().spare = besidePicture;
-    columns.push_back({write.text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, verdict});
-    columns.back().fitting = true;
-    return columns;
+    return result;
 }
 
 bool isRadialDeviation(const Parameter &parameter) {
     return parameter.term.circle == OfCircle::radialDeviation && parameter.value;
 }
 
+QString nameOnPaper(const TestPart &part, const ResultForm &form, const Parameter &parameter) {
+    QString name = form.nameOf(parameter);
+    const auto own = part.test.limits.find(parameter.term.id);
+    const bool severalLimits = own != part.test.limits.end() && own->second.value;
+    if (const QString of = limitNote(parameter, part.write.language()); severalLimits && !of.isEmpty())
+        name += QStringLiteral(", ") + of;
+    if (notCorrected(part.evaluation) && parameter.dependsOnTemperature)
+        name += QStringLiteral("\u00A0*");
+    if (form.setUpInF && isRadialDeviation(parameter))
+        name += QStringLiteral("\u00A0†");
+    return name;
+}
+
+Cell cellOnPaper(const ResultColumn &column, const TestPart &part, const ResultForm &form,
+                 const PrintedResult &result) {
+    const Parameter &parameter = *result.parameter;
+    switch (column.look) {
+    case ResultLook::symbol: {
+        Cell symbol(symbolPhrase(parameter.term.symbol, parameter.index));
+        symbol.bold = true;
+        return symbol;
+    }
+    case ResultLook::name:
+        return nameOnPaper(part, form, parameter);
+    case ResultLook::picture:
+        return guardCell(parameter);
+    case ResultLook::verdict:
+        return verdictCell(part.write, parameter);
+    case ResultLook::text:
+    case ResultLook::number:
+        break;
+    }
+    QString text = column.shown({result, part.write.language()});
+    Cell cell(column.look == ResultLook::text ? text.replace(u' ', noBreakSpace) : text);
+    cell.bold = column.key == std::string_view("value") && !result.limit.isEmpty();
+    return cell;
+}
+
 Table resultTable(const TestPart &part, const ResultForm &form, const std::vector<PrintedResult> &results) {
     Table table;
     table.unbroken = true;
-    table.columns = resultColumns(part, part.write.language().unit(results.front().parameter->term.quantity));
+    auto columns = resultColumns(onPaper);
+    std::erase_if(columns,
+                  [&](const ResultColumn *column) { return column->axesOnly && !axisOf(part.test); });
+    const QString unit = part.write.language().unit(results.front().parameter->term.quantity);
+    for (const ResultColumn *column : columns)
+        table.columns.push_back(columnOnPaper(*column, part, unit));
     table.rulesAfter = rulesBetween(results);
     for (const PrintedResult &result : results) {
-        const Parameter &parameter = *result.parameter;
-        Cell symbol(symbolPhrase(parameter.term.symbol, parameter.index));
-        symbol.bold = true;
-        QString name = form.nameOf(parameter);
-        const auto own = part.test.limits.find(parameter.term.id);
-        const bool severalLimits = own != part.test.limits.end() && own->second.value;
-        if (const QString of = limitNote(parameter, part.write.language()); severalLimits && !of.isEmpty())
-            name += QStringLiteral(", ") + of;
-        if (notCorrected(part.evaluation) && parameter.dependsOnTemperature)
-            name += QStringLiteral("\u00A0*");
-        if (form.setUpInF && isRadialDeviation(parameter))
-            name += QStringLiteral("\u00A0†");
-        Cell value(result.value);
-        value.bold = !result.limit.isEmpty();
-        std::vector<Cell> row{symbol, name};
-        if (axisOf(part.test))
-            row.emplace_back(rulingText(parameter).replace(u' ', noBreakSpace));
-        for (Cell cell : {value, Cell(result.uncertainty), Cell(result.limit), guardCell(parameter),
-                          verdictCell(part.write, parameter)})
-            row.push_back(std::move(cell));
+        std::vector<Cell> row;
+        for (const ResultColumn *column : columns)
+            row.push_back(cellOnPaper(*column, part, form, result));
         table.rows.push_back(std::move(row));
     }
-    const std::size_t uncertainty = axisOf(part.test) ? 4 : 3; // U, limit, picture, verdict
-    leaveOutEmptyColumns(table, uncertainty, table.columns.size() - 1);
+    const auto value =
+        std::ranges::find(columns, std::string_view("value"), &ResultColumn::key) - columns.begin();
+    leaveOutEmptyColumns(table, static_cast<std::size_t>(value) + 1, table.columns.size() - 1);
     return table;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/tables/findinglines.h"
 
-#include "export/findingtext.h"
+#include "report/words/findingtext.h"
 #include "report/words/wording.h"
 
 #include <algorithm>

@@ -54,74 +54,48 @@ QString plainNumber(QString text) {
 /// But for its short name and weight, which depend on the lines before it.
 ResultLine lineOf(const PrintedResult &result, const Language &language) {
     const Parameter &parameter = *result.parameter;
-    const auto orDash = [](const QString &text) { return text.isEmpty() ? QStringLiteral("–") : text; };
     ResultLine line;
     line.id = QString::fromStdString(parameterId(parameter));
     line.symbol = symbolFormula(parameter.term.symbol, parameter.index);
     line.fullName = language.text(parameter.term.name);
     if (const QString of = limitNote(parameter, language); !of.isEmpty())
         line.fullName += QStringLiteral(" (") + of + u')';
-    line.ruling = rulingText(parameter);
-    line.value = orDash(result.value);
-    line.uncertainty = orDash(result.uncertainty);
-    line.limit = orDash(result.alignedLimit);
     line.verdict = parameter.verdict;
-    if (parameter.verdict)
-        line.verdictWord = language.text(limitText(*parameter.verdict));
     line.scale = decisionScale(parameter);
     line.isFirst = result.isFirst;
     return line;
 }
 
-/// The test of the other role, in the rows of its quantities.
-void addOtherRole(ResultTable &table, const EvaluatedDocument &evaluated, std::size_t test,
-                  const Language &language) {
-    const auto both = table.view ? std::nullopt : rolesBeside(evaluated, test, language);
-    if (!both)
-        return;
-    table.otherIsFound = both->left == test;
-    const std::size_t place = table.otherIsFound ? both->found : both->left;
-    table.otherTest = place;
-    const Test &other = *evaluated.document->tests[place];
-    for (const QuantityOfRoles &quantity : both->quantities) {
-        const Parameter &parameter = table.otherIsFound ? *quantity.found : *quantity.left;
-        const auto line =
-            std::ranges::find(table.lines, QString::fromStdString(parameterId(parameter)), &ResultLine::id);
-        if (line == table.lines.end())
-            continue;
-        const PrintedNumbers numbers = printedNumbers(parameter, other, *evaluated.document, language);
-        line->other = numbers.value;
-        line->otherUncertainty = numbers.uncertainty;
-        line->otherVerdict = parameter.verdict;
-        if (parameter.verdict)
-            line->otherVerdictWord = language.text(limitText(*parameter.verdict));
-        line->change = quantity.change;
+std::vector<QString> cellsOf(const ShownResult &shown) {
+    std::vector<QString> cells;
+    for (const ResultColumn &column : resultColumns()) {
+        const QString cell = column.shown ? column.shown(shown) : QString();
+        const bool isMissing = cell.isEmpty() && column.look == ResultLook::number && !column.besideOnly;
+        cells.push_back(isMissing ? QStringLiteral("–") : cell);
     }
+    return cells;
 }
 
-QStringList titles(const ResultTable &table, const Language &language) {
-    const QString unit = QStringLiteral(" (") + table.unit + u')';
-    QString uncertainty = QStringLiteral("U (") + table.unit;
-    if (!table.coverage.isEmpty())
-        uncertainty += QStringLiteral(", ") + table.coverage;
-    QStringList titles{language.text(REPORT_TEXT("report", "Symbol")),
-                       language.text(REPORT_TEXT("report", "Result")),
-                       language.text(REPORT_TEXT("report", "Value")) + unit,
-                       uncertainty + u')',
-                       language.text(REPORT_TEXT("report", "Limit")) + unit,
-                       language.text(REPORT_TEXT("report", "Verdict"))};
-    if (table.otherTest) {
-        const QString role =
-            language.text(roleText(table.otherIsFound ? TestRole::asFound : TestRole::asLeft));
-        titles << role + unit << QStringLiteral("U, ") + role + unit
-               << language.text(REPORT_TEXT("report", "Change")) + unit;
-    }
-    return titles;
+/// The titles of a list of people, with the unit.
+QString titleOf(const ResultColumn &column, const ResultTable &table, const Language &language) {
+    if (column.look != ResultLook::number)
+        return language.text(column.title);
+    QStringList title;
+    if (!column.title.empty())
+        title << language.text(column.title);
+    if (column.besideOnly && column.key != std::string_view("change"))
+        title << language.text(roleText(table.otherIsFound ? TestRole::asFound : TestRole::asLeft));
+    const bool isCovered = column.key == std::string_view("expandedUncertainty") && !table.coverage.isEmpty();
+    return title.join(QStringLiteral(", ")) + QStringLiteral(" (") + table.unit +
+           (isCovered ? QStringLiteral(", ") + table.coverage : QString()) + u')';
 }
 
-/// Of the test of the other role; none where there is no other.
-QStringList otherNumbers(const ResultTable &table, const ResultLine &line) {
-    return table.otherTest ? QStringList{line.other, line.otherUncertainty, line.change} : QStringList();
+/// The columns of the clipboard.
+std::vector<const ResultColumn *> copied(const ResultTable &table) {
+    auto columns = resultColumns(onClipboard);
+    std::erase_if(columns,
+                  [&](const ResultColumn *column) { return column->besideOnly && !table.otherTest; });
+    return columns;
 }
 
 } // namespace
@@ -199,6 +173,11 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         });
 
     table.coverage = coverageNote(coverageOf(evaluation, document.report), language);
+    const auto both = table.view ? std::nullopt : rolesBeside(evaluated, test, language);
+    if (both) {
+        table.otherIsFound = both->left == test;
+        table.otherTest = table.otherIsFound ? both->found : both->left;
+    }
     for (const PrintedResult &result : printedResults(document, source, evaluation, language)) {
         const Term &term = result.parameter->term;
         table.unit = language.unit(term.quantity);
@@ -209,9 +188,23 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         line.name = language.text(shortNameOf(*result.parameter, evaluation, standsForAll));
         line.narrowName =
             language.text(shortNameOf(*result.parameter, evaluation, standsForAll, Room::little));
+        ShownResult shown{result, language, true};
+        PrintedNumbers numbers;
+        for (const QuantityOfRoles &quantity : both ? both->quantities : std::vector<QuantityOfRoles>()) {
+            const Parameter &own = table.otherIsFound ? *quantity.left : *quantity.found;
+            if (&own != result.parameter)
+                continue;
+            const Parameter &other = table.otherIsFound ? *quantity.found : *quantity.left;
+            numbers = printedNumbers(other, *document.tests[*table.otherTest], document, language);
+            shown.other = &numbers;
+            shown.change = quantity.change;
+            line.otherVerdict = other.verdict;
+            if (other.verdict)
+                line.otherVerdictWord = language.text(limitText(*other.verdict));
+        }
+        line.cells = cellsOf(shown);
         table.lines.push_back(std::move(line));
     }
-    addOtherRole(table, evaluated, test, language);
     return table;
 }
 
@@ -248,40 +241,58 @@ std::optional<RolesBeside> rolesBeside(const EvaluatedDocument &evaluated, std::
     return both;
 }
 
+const QString &ResultLine::cell(const ResultColumn &column) const {
+    return cells[static_cast<std::size_t>(&column - resultColumns().data())];
+}
+
+const QString &ResultLine::cell(std::string_view key) const {
+    return cell(resultColumn(key));
+}
+
 QString asTabSeparated(const ResultTable &table, const Language &language) {
-    QString text = titles(table, language).join(u'\t') + u'\n';
-    const auto cell = [](const QString &number) {
-        return number == QStringLiteral("–") ? QString() : plainNumber(number);
-    };
+    const auto columns = copied(table);
+    QStringList cells;
+    for (const ResultColumn *column : columns)
+        cells << titleOf(*column, table, language);
+    QString text = cells.join(u'\t') + u'\n';
     for (const ResultLine &line : table.lines) {
-        QStringList cells{line.symbol.plain(),    line.fullName,    cell(line.value),
-                          cell(line.uncertainty), cell(line.limit), line.verdictWord};
-        for (const QString &number : otherNumbers(table, line))
-            cells << cell(number);
+        cells.clear();
+        for (const ResultColumn *column : columns) {
+            const QString &cell = line.cell(*column);
+            cells << (column->look == ResultLook::symbol   ? line.symbol.plain()
+                      : column->look == ResultLook::name   ? line.fullName
+                      : column->look != ResultLook::number ? cell
+                      : cell == QStringLiteral("–")        ? QString()
+                                                           : plainNumber(cell));
+        }
         text += cells.join(u'\t') + u'\n';
     }
     return text;
 }
 
 QString asHtml(const ResultTable &table, const Language &language) {
+    const auto columns = copied(table);
     QString html = QStringLiteral("<table border=\"1\" cellspacing=\"0\" cellpadding=\"3\">\n<tr>");
-    for (const QString &title : titles(table, language))
-        html += QStringLiteral("<th>") + title.toHtmlEscaped() + QStringLiteral("</th>");
+    for (const ResultColumn *column : columns)
+        html += QStringLiteral("<th>") + titleOf(*column, table, language).toHtmlEscaped() +
+                QStringLiteral("</th>");
     html += QStringLiteral("</tr>\n");
-    const auto addNumbers = [&](const QStringList &numbers) {
-        for (const QString &number : numbers)
-            html += QStringLiteral("<td align=\"right\">") + number.toHtmlEscaped() + QStringLiteral("</td>");
-    };
     for (const ResultLine &line : table.lines) {
-        html += QStringLiteral("<tr><td>");
-        for (const FormulaSpan &span : line.symbol.spans)
-            html += span.subscript
-                        ? QStringLiteral("<sub>") + span.text.toHtmlEscaped() + QStringLiteral("</sub>")
-                        : span.text.toHtmlEscaped();
-        html += QStringLiteral("</td><td>") + line.fullName.toHtmlEscaped() + QStringLiteral("</td>");
-        addNumbers({line.value, line.uncertainty, line.limit});
-        html += QStringLiteral("<td>") + line.verdictWord.toHtmlEscaped() + QStringLiteral("</td>");
-        addNumbers(otherNumbers(table, line));
+        html += QStringLiteral("<tr>");
+        for (const ResultColumn *column : columns) {
+            html += column->look == ResultLook::number ? QStringLiteral("<td align=\"right\">")
+                                                       : QStringLiteral("<td>");
+            if (column->look == ResultLook::symbol) {
+                for (const FormulaSpan &span : line.symbol.spans)
+                    html += span.subscript ? QStringLiteral("<sub>") + span.text.toHtmlEscaped() +
+                                                 QStringLiteral("</sub>")
+                                           : span.text.toHtmlEscaped();
+            } else {
+                const bool isName = column->look == ResultLook::name;
+                html += (isName ? line.fullName : line.cell(*column)).toHtmlEscaped();
+            }
+            html += QStringLiteral("</td>");
+        }
         html += QStringLiteral("</tr>\n");
     }
     return html + QStringLiteral("</table>\n");

@@ -4,21 +4,16 @@
 
 #include "document/evaluateddocument.h"
 #include "language/language.h"
+#include "report/tables/resultcolumns.h"
 #include "report/words/formula.h"
-#include "report/words/printednumbers.h"
 
 #include <QString>
 #include <cstddef>
 #include <optional>
+#include <string_view>
 #include <vector>
 
 namespace palmer {
-
-/// A result as window, report and command line list it. Points into the evaluation.
-struct PrintedResult : PrintedNumbers {
-    const Parameter *parameter = nullptr;
-    bool isFirst = true; ///< of its family: a rule stands above
-};
 
 /// The results of a test in the order of its edition; those for print on request are left out unless the
 /// report asks for them.
@@ -50,26 +45,21 @@ struct DecisionScale {
 struct ResultLine {
     QString id; ///< parameterId
     Formula symbol;
-    QString name;       ///< short; beside the bidirectional one "unidirectional" is enough
-    QString narrowName; ///< where there is little room
-    QString fullName;   ///< the edition's term
-    QString ruling;     ///< "2↓ – 5↑"
-    QString value;      ///< a dash for none
-    QString uncertainty;
-    QString limit;
+    QString name;               ///< short; beside the bidirectional one "unidirectional" is enough
+    QString narrowName;         ///< where there is little room
+    QString fullName;           ///< the edition's term
+    std::vector<QString> cells; ///< by the rows of resultColumns(); of numbers a dash for none
     std::optional<Verdict> verdict;
-    QString verdictWord; ///< empty without verdict
     std::optional<DecisionScale> scale;
     bool main = true;    ///< bidirectional, G or D; else a detail
     bool isFirst = true; ///< of those that belong together: with a rule above
-    /// The same of the test of the other role, where the table has one; empty: not known there.
-    QString other = {};
-    QString otherUncertainty = {};
+    /// Of the test of the other role, where the table has one.
     std::optional<Verdict> otherVerdict = {};
     QString otherVerdictWord = {};
-    QString change = {}; ///< as left − as found, signed
 
-    bool operator==(const ResultLine &) const = default;
+    /// By the key of its column.
+    [[nodiscard]] const QString &cell(std::string_view key) const;
+    [[nodiscard]] const QString &cell(const ResultColumn &column) const;
 };
 
 /// The results of one test in short.

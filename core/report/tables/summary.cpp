@@ -3,7 +3,7 @@
 #include "report/tables/summary.h"
 
 #include "document/filewords.h"
-#include "export/resultsjson.h"
+#include "document/resultwords.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/words/shortest.h"
 #include "language/csvwriter.h"
@@ -12,10 +12,10 @@
 #include "report/words/accordancetext.h"
 #include "report/words/wording.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 
 namespace palmer {
 
@@ -28,31 +28,35 @@ struct SummaryColumn {
     bool atRight = false;
 };
 
-const std::array columns{
-    SummaryColumn{"file", REPORT_TEXT("report", "File")},
-    SummaryColumn{"test", REPORT_TEXT("report", "Test"), true},
-    SummaryColumn{"machine", REPORT_TEXT("report", "Machine")},
-    SummaryColumn{"axis", REPORT_TEXT("report", "Axis")},
-    SummaryColumn{"date", REPORT_TEXT("report", "Date")},
-    SummaryColumn{"edition", REPORT_TEXT("report", "Edition")},
-    SummaryColumn{"role", REPORT_TEXT("report", "Role")},
-    SummaryColumn{"parameter", REPORT_TEXT("report", "Quantity")},
-    SummaryColumn{"value", REPORT_TEXT("report", "Value"), true},
-    SummaryColumn{"U", REPORT_TEXT("report", "U"), true},
-    SummaryColumn{"limit", REPORT_TEXT("report", "Limit"), true},
-    SummaryColumn{"unit", REPORT_TEXT("report", "Unit")},
-    SummaryColumn{"limits", REPORT_TEXT("report", "Verdict")},
-    SummaryColumn{"accordance", REPORT_TEXT("report", "Accordance")},
-};
+/// What a row begins with.
+constexpr std::array headColumns{SummaryColumn{"file", REPORT_TEXT("report", "File")},
+                                 SummaryColumn{"test", REPORT_TEXT("report", "Test"), true},
+                                 SummaryColumn{"machine", REPORT_TEXT("report", "Machine")},
+                                 SummaryColumn{"axis", REPORT_TEXT("report", "Axis")},
+                                 SummaryColumn{"date", REPORT_TEXT("report", "Date")},
+                                 SummaryColumn{"edition", REPORT_TEXT("report", "Edition")},
+                                 SummaryColumn{"role", REPORT_TEXT("report", "Role")}};
+/// The columns of results that follow, by their headings.
+constexpr std::array resultHeadings{"parameter", "value", "U", "limit", "unit", "limits"};
+
+std::vector<SummaryColumn> allColumns() {
+    std::vector<SummaryColumn> all(headColumns.begin(), headColumns.end());
+    for (const char *heading : resultHeadings) {
+        const ResultColumn &column = resultColumn(heading);
+        all.push_back({heading, column.title, column.look == ResultLook::number});
+    }
+    all.push_back({"accordance", REPORT_TEXT("report", "Accordance")});
+    return all;
+}
 
 QString fromUtf8(const std::string &text) {
     return QString::fromStdString(text);
 }
 
-QString exact(std::optional<double> value) {
-    if (!value || !std::isfinite(*value))
-        return {};
-    return QString::fromStdString(shortest(*value));
+QString cellText(const nlohmann::ordered_json &told) {
+    return told.is_number()   ? QString::fromStdString(shortest(told.get<double>()))
+           : told.is_string() ? fromUtf8(told.get<std::string>())
+                              : QString();
 }
 
 /// What all rows of a test begin with.
@@ -78,7 +82,7 @@ QStringList headOf(const EvaluatedDocument &evaluated, std::size_t index, const 
 
 QString accordanceCell(Accordance accordance, SummaryForm form, const Language &language) {
     if (form == SummaryForm::csv)
-        return QString::fromUtf8(accordanceWord(accordance));
+        return QString::fromUtf8(fileWord(accordance));
     return language.text(accordance == Accordance::yes ? REPORT_TEXT("report", "in accordance")
                                                        : accordanceWords(accordance));
 }
@@ -87,7 +91,7 @@ QString accordanceCell(Accordance accordance, SummaryForm form, const Language &
 
 QStringList summaryHead(SummaryForm form, const Language &language) {
     QStringList head;
-    for (const SummaryColumn &column : columns)
+    for (const SummaryColumn &column : allColumns())
         head << (form == SummaryForm::csv ? QString::fromUtf8(column.word) : language.text(column.title));
     return head;
 }
@@ -100,23 +104,24 @@ std::vector<QStringList> summaryRows(const EvaluatedDocument &evaluated, const Q
         const QStringList head = headOf(evaluated, i, file, form, language);
         const QString accordance = accordanceCell(evaluation.accordance(), form, language);
         if (form == SummaryForm::csv) {
-            for (const Parameter &parameter : evaluation.parameters)
-                rows.push_back(
-                    head +
-                    QStringList{fromUtf8(parameterId(parameter)), exact(parameter.value),
-                                exact(parameter.expandedUncertainty),
-                                exact(parameter.limit ? std::optional(parameter.limit->value) : std::nullopt),
-                                QString::fromUtf8(resultUnit(parameter.term.quantity)),
-                                QString::fromUtf8(limitsWord(parameter.verdict)), accordance});
+            for (const Parameter &parameter : evaluation.parameters) {
+                QStringList row = head;
+                for (const char *heading : resultHeadings)
+                    row << cellText(
+                        resultColumn(heading).told({parameter, evaluation.uncertainty, language}));
+                rows.push_back(row << accordance);
+            }
         } else {
-            const ResultTable table = resultTable(evaluated, i, language);
-            for (const ResultLine &line : table.lines)
-                rows.push_back(head + QStringList{line.symbol.plain(), line.value, line.uncertainty,
-                                                  line.limit, table.unit, line.verdictWord, accordance});
+            for (const ResultLine &line : resultTable(evaluated, i, language).lines) {
+                QStringList row = head;
+                for (const char *heading : resultHeadings)
+                    row << line.cell(heading);
+                rows.push_back(row << accordance);
+            }
         }
         if (evaluation.parameters.empty()) {
             QStringList row = head;
-            row.resize(columns.size());
+            row.resize(head.size() + static_cast<qsizetype>(resultHeadings.size()) + 1);
             row.last() = accordance;
             rows.push_back(row);
         }
@@ -180,6 +185,7 @@ void narrow(std::vector<int> &widths, const std::vector<int> &least, int width) 
 } // namespace
 
 QString summaryText(const QStringList &head, const std::vector<QStringList> &rows, std::optional<int> width) {
+    const std::vector<SummaryColumn> columns = allColumns();
     std::vector<int> widths(columns.size());
     std::vector<int> least(columns.size());
     const auto widen = [&](const QStringList &row) {

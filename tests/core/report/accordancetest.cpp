@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/kernel/evaluation/positioningdata.h"
 
-#include "export/findingtext.h"
 #include "report/tables/findinglines.h"
 #include "report/words/accordancetext.h"
+#include "report/words/findingtext.h"
 
 #include <QRegularExpression>
 #include <QTest>

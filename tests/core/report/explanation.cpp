@@ -223,22 +223,27 @@ private slots:
             for (const ResultLine &line : window.lines) {
                 const auto shown = explanation(evaluated, 0, line.id.toStdString(), language);
                 QVERIFY2(shown, qPrintable(line.id));
-                const bool has = line.value != u"–";
+                const bool has = line.cell("value") != u"–";
                 QCOMPARE(shown->result.isEmpty(), !has);
                 if (!has)
                     continue;
-                const QString printed = u"= "_s + line.value + u'\u00a0' + window.unit;
+                const QString printed = u"= "_s + line.cell("value") + u'\u00a0' + window.unit;
                 QVERIFY2(shown->result.endsWith(printed), qPrintable(shown->result + u" – "_s + printed));
                 QVERIFY2(shown->steps.back().plain().endsWith(printed), qPrintable(steps(*shown)));
-                longer +=
-                    line.value.section(language.id() == Language::Id::french ? u',' : u'.', 1).size() > 2;
+                longer += line.cell("value")
+                              .section(language.id() == Language::Id::french ? u',' : u'.', 1)
+                              .size() > 2;
                 for (const QString &text : {cli, report}) {
                     const QStringList lines = text.split(u'\n');
                     const auto row = std::ranges::find_if(lines, [&](const QString &one) {
-                        return one.startsWith(line.symbol.plain() + u"  "_s) && one.contains(line.value);
+                        return one.startsWith(line.symbol.plain() + u"  "_s) &&
+                               one.contains(line.cell("value"));
                     });
-                    QVERIFY2(row != lines.end(), qPrintable(line.symbol.plain() + u' ' + line.value + text));
-                    QVERIFY2(line.uncertainty == u"–" || row->contains(line.uncertainty), qPrintable(*row));
+                    QVERIFY2(row != lines.end(),
+                             qPrintable(line.symbol.plain() + u' ' + line.cell("value") + text));
+                    QVERIFY2(line.cell("expandedUncertainty") == u"–" ||
+                                 row->contains(line.cell("expandedUncertainty")),
+                             qPrintable(*row));
                 }
             }
         }

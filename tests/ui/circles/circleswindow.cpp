@@ -29,7 +29,7 @@ QTableView *results(const ShownWindow &shown) {
 }
 
 QString valueOf(const ShownWindow &shown, int row) {
-    return results(shown)->model()->index(row, ResultsModel::value).data().toString();
+    return results(shown)->model()->index(row, ResultsModel::columnOf("value")).data().toString();
 }
 
 } // namespace

@@ -34,8 +34,9 @@ private slots:
         ResultsModel results;
         QAbstractItemModelTester tester(&results, QAbstractItemModelTester::FailureReportingMode::QtTest);
         const EvaluatedDocument evaluated = evaluatedDocument(decidedExample());
-        results.setTable(resultTable(evaluated, 0, Language(Language::Id::french)));
-        results.setTable({});
+        results.setTable(resultTable(evaluated, 0, Language(Language::Id::french)),
+                         Language(Language::Id::french));
+        results.setTable({}, Language(Language::Id::french));
         FindingsModel findings;
         QAbstractItemModelTester second(&findings, QAbstractItemModelTester::FailureReportingMode::QtTest);
         findings.show(evaluated, 0, Page::conditions, Language(Language::Id::french));
@@ -51,7 +52,7 @@ private slots:
         panel.setVisible(true);
         QVERIFY(QTest::qWaitForWindowExposed(&panel));
         auto *table = panel.findChild<QTableView *>(u"results"_s);
-        const QModelIndex r = table->model()->index(7, ResultsModel::name);
+        const QModelIndex r = table->model()->index(7, ResultsModel::columnOf("name"));
         QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, table->visualRect(r).center());
         QCOMPARE(selection.parameter(), u"R"_s);
     }
@@ -102,7 +103,8 @@ private slots:
         QVERIFY2(note->text().contains(u"no verdict"_s), qPrintable(note->text()));
         auto *table = panel.findChild<QTableView *>(u"results"_s);
         for (int row = 0; row < table->model()->rowCount(); ++row)
-            QVERIFY(table->model()->index(row, ResultsModel::verdict).data().toString().isEmpty());
+            QVERIFY(
+                table->model()->index(row, ResultsModel::columnOf("verdict")).data().toString().isEmpty());
     }
 
     void beforeStandsLeftOfAfter() {
@@ -128,7 +130,7 @@ private slots:
         const auto read = [&] {
             QStringList heads;
             QStringList numbers;
-            for (int place = 0; place < ResultsModel::columns; ++place) {
+            for (int place = 0; place < table->model()->columnCount(); ++place) {
                 const int column = table->horizontalHeader()->logicalIndex(place);
                 if (table->isColumnHidden(column) || !ResultsModel::isNumber(column))
                     continue;
@@ -143,18 +145,18 @@ private slots:
             QCOMPARE(read().first, heads);
             const auto numbers = read().second;
             const Language english(Language::Id::english);
-            QCOMPARE(numbers[0], resultTable(evaluated, 0, english).lines[0].value);
-            QCOMPARE(numbers[2], resultTable(evaluated, 1, english).lines[0].value);
+            QCOMPARE(numbers[0], resultTable(evaluated, 0, english).lines[0].cell("value"));
+            QCOMPARE(numbers[2], resultTable(evaluated, 1, english).lines[0].cell("value"));
             QVERIFY(numbers[4].startsWith(u'−'));
-            QVERIFY(table->isColumnHidden(ResultsModel::scale));
+            QVERIFY(table->isColumnHidden(ResultsModel::columnOf("picture")));
             QCOMPARE(panel.findChild<QLabel *>(u"viewNote"_s)->text(),
                      u"Before the adjustment: test 1 of 12\u00A0Mar\u00A02026 · after it: test 2"_s);
             // Nothing is cut off but the name of the quantity.
-            QVERIFY(table->columnWidth(ResultsModel::name) >= 40);
+            QVERIFY(table->columnWidth(ResultsModel::columnOf("name")) >= 40);
         }
         panel.show(evaluatedDocument(decidedExample()), 0); // one without another
         QCOMPARE(read().first, (QStringList{u"value"_s, u"± U"_s, u"limit"_s}));
-        QVERIFY(!table->isColumnHidden(ResultsModel::scale));
+        QVERIFY(!table->isColumnHidden(ResultsModel::columnOf("picture")));
         QVERIFY(!panel.findChild<QLabel *>(u"viewNote"_s)->isVisibleTo(&panel));
     }
 

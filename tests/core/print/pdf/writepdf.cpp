@@ -3,6 +3,7 @@
 #include "print/pdf/writepdf.h"
 
 #include "core/print/pdf/reports.h"
+#include "export/resultsjson.h"
 #include "print/figures/exportfigure.h"
 #include "print/pdf/pages.h"
 #include "report/blocks/pagetext.h"

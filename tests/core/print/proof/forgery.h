@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "export/resultsjson.h"
 #include "print/pdf/writepdf.h"
 #include "print/proof/verifyreport.h"
 #include "report/composereport.h"

@@ -514,4 +514,5 @@ int main(int argc, char **argv) {
     return QTest::qExec(&test, argc, argv);
 }
 
+#include "export/resultsjson.h"
 #include "verifyreport.moc"
