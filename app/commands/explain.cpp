@@ -7,6 +7,7 @@
 #include "commandline/streams.h"
 #include "commandline/terminal.h"
 #include "document/evaluateddocument.h"
+#include "editing/typicalvalues.h"
 #include "report/blocks/plaintext.h"
 #include "report/explanations/explanation.h"
 
@@ -19,6 +20,10 @@ namespace {
 
 constexpr std::array explainOptions{
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it all")},
+    Option{"typical", "",
+           REPORT_TEXT("report",
+                       "what the budget of the uncertainty may take where nothing is stated, and where "
+                       "it comes from, as --set takes it")},
     foreignOptions[0],
     foreignOptions[1],
     foreignOptions[2],
@@ -70,6 +75,7 @@ std::vector<std::string> idsMeant(const TestEvaluation &evaluation, const std::o
 struct Asked {
     std::optional<std::size_t> test; ///< index
     std::optional<QString> parameter;
+    bool typical = false; ///< values, instead of explanations
 };
 
 Asked askedOf(const Invocation &invocation, std::size_t tests) {
@@ -81,6 +87,9 @@ Asked askedOf(const Invocation &invocation, std::size_t tests) {
         asked.parameter = invocation.arguments.back();
     if (invocation.has(QLatin1StringView("test")))
         asked.test = testIndex(invocation, tests);
+    asked.typical = invocation.has(QLatin1StringView("typical"));
+    if (asked.typical && asked.parameter)
+        throw UsageError({REPORT_TEXT("report", "--typical takes no parameter"), {}});
     return asked;
 }
 
@@ -99,17 +108,39 @@ Asked askedOf(const Invocation &invocation, std::size_t tests) {
                       {asked.parameter.value_or(QString()).toStdString(), known}});
 }
 
+/// A value, its source and the options that take it.
+QString textOf(const TypicalValue &value, std::size_t test) {
+    QString text = value.value + u'\n' + inLines(value.source, 2);
+    for (const auto &[field, stated] : value.fields)
+        text += QStringLiteral("    --set '") + QString::fromStdString(pathInFile(test, field)) + u'=' +
+                QString::fromStdString(stated) + QStringLiteral("'\n");
+    return text;
+}
+
+/// What is said of one test.
+QString partOf(const EvaluatedDocument &evaluated, std::size_t test, const Asked &asked,
+               const Language &language) {
+    QString part;
+    if (asked.typical) {
+        const Document &document = *evaluated.document;
+        for (const TypicalValue &value : typicalValues(document, *document.tests[test], language))
+            part += u'\n' + textOf(value, test);
+        return part;
+    }
+    for (const std::string &id : idsMeant(*evaluated.tests[test], asked.parameter)) {
+        if (const auto explained = explanation(evaluated, test, id, language))
+            part += u'\n' + textOf(*explained);
+    }
+    return part;
+}
+
 QString explanations(const EvaluatedDocument &evaluated, const Asked &asked, const Language &language) {
     QString text;
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
         if (asked.test && *asked.test != i)
             continue;
         const QString &title = QString::fromStdString(evaluated.document->tests[i]->title);
-        QString part;
-        for (const std::string &id : idsMeant(*evaluated.tests[i], asked.parameter)) {
-            if (const auto explained = explanation(evaluated, i, id, language))
-                part += u'\n' + textOf(*explained);
-        }
+        const QString part = partOf(evaluated, i, asked, language);
         if (part.isEmpty())
             continue;
         const QString head = language.sentence(

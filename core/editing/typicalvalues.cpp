@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editing/typicalvalues.h"
 
+#include "document/setfield.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/uncertainty/positioningbudget.h"
+#include "kernel/words/shortest.h"
 #include "language/decimals.h"
 
 #include <algorithm>
@@ -24,18 +26,12 @@ void addLinear(std::vector<TypicalValue> &values, const Language &language) {
         {said(language, REPORT_TEXT("report", "Range of α, machine: %1"),
               language.quantity(typicalExpansionRange, Quantity::expansion)),
          language.text(REPORT_TEXT("report", "gives U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2")),
-         [](Test &test) {
-             std::get<PositioningMeasurement>(test.measurement).uncertainty.expansionRange.machine =
-                 typicalExpansionRange;
-         }});
+         {{"uncertainty.expansionRange.machine", shortest(typicalExpansionRange)}}});
     values.push_back({language.text(REPORT_TEXT("report", "Laser interferometer: α 0")),
                       language.text(REPORT_TEXT("report", "light has no material that expands")),
-                      [](Test &test) {
-                          auto &measurement = std::get<PositioningMeasurement>(test.measurement);
-                          measurement.conditions.common.expansion.instrument = 0;
-                          measurement.uncertainty.temperatureRange.instrument = 0;
-                          measurement.uncertainty.expansionRange.instrument = 0;
-                      }});
+                      {{"conditions.expansion.instrument", "0"},
+                       {"uncertainty.temperatureRange.instrument", "0"},
+                       {"uncertainty.expansionRange.instrument", "0"}}});
 }
 
 void addCircular(std::vector<TypicalValue> &values, const Document &document, const Test &test,
@@ -50,19 +46,13 @@ void addCircular(std::vector<TypicalValue> &values, const Document &document, co
                           said(language, REPORT_TEXT("report", "as stated for the instrument %1"),
                                QString::fromStdString(
                                    instrument.description.empty() ? instrument.id : instrument.description)),
-                          [step](Test &changed) {
-                              std::get<CircularMeasurement>(changed.measurement).uncertainty.resolution =
-                                  step;
-                          }});
+                          {{"uncertainty.resolution", shortest(step)}}});
     }
     values.push_back(
         {said(language, REPORT_TEXT("report", "u of α, machine: %1"),
               language.quantity(typicalExpansion, Quantity::expansion)),
          language.text(REPORT_TEXT("report", "half of U(α) = 2 µm/(m·°C), the typical minimum of ISO 230-2")),
-         [](Test &changed) {
-             std::get<CircularMeasurement>(changed.measurement)
-                 .uncertainty.expansionStandardUncertainty.machine = typicalExpansion;
-         }});
+         {{"uncertainty.expansionStandardUncertainty.machine", shortest(typicalExpansion)}}});
 }
 
 } // namespace
@@ -98,16 +88,23 @@ std::vector<TypicalValue> typicalValues(const Document &document, const Test &te
         if (!range || motionOf(*drift) != motionOf(test))
             continue;
         constexpr int decimals = 2;
-        values.push_back({said(language, REPORT_TEXT("report", "E_VE: %1"),
-                               language.quantity(*range, deviationQuantity(*drift), decimals)),
-                          driftTestName(*drift, language), [id = drift->id](Test &changed) {
-                              withUncertainty(changed, [&](auto &inputs) {
-                                  inputs.driftTest = id;
-                                  inputs.environmentalVariation.reset();
-                              });
-                          }});
+        values.push_back(
+            {said(language, REPORT_TEXT("report", "E_VE: %1"),
+                  language.quantity(*range, deviationQuantity(*drift), decimals)),
+             driftTestName(*drift, language),
+             {{"uncertainty.driftTest", drift->id}, {"uncertainty.environmentalVariation", "null"}}});
     }
     return values;
+}
+
+std::string pathInFile(std::size_t test, const std::string &field) {
+    return "tests[" + std::to_string(test) + "]." + field;
+}
+
+Document withTypicalValue(Document document, std::size_t test, const TypicalValue &value) {
+    for (const auto &[field, text] : value.fields)
+        document = withField(document, pathInFile(test, field), text);
+    return document;
 }
 
 } // namespace palmer

@@ -10,6 +10,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
+#include <QRegularExpression>
 #include <QTest>
 #include <algorithm>
 
@@ -76,6 +77,8 @@ private slots:
     void everyParameterIsExplained_data();
     void everyParameterIsExplained();
     void explainNamesWhatThereIs();
+    void typicalValuesAreOfferedAsOptions_data();
+    void typicalValuesAreOfferedAsOptions();
 
 private:
     [[nodiscard]] QString at(const QString &name) const { return m_folder->filePath(name); }
@@ -475,6 +478,25 @@ void BatchCommandTest::explainNamesWhatThereIs() {
     QCOMPARE(runCli({"explain", at("in/a.palmer"), "A", "R"}).code, 2);
     const CliResult one = runCli({"explain", at("in/a.palmer"), "A", "--language", "en"});
     QVERIFY2(one.out.contains("18.0"), one.out); // ISO 230-2:1988, table 2: 18.03 µm
+}
+
+void BatchCommandTest::typicalValuesAreOfferedAsOptions_data() {
+    everyParameterIsExplained_data();
+}
+
+/// What the window offers, with its source; each option that is printed is one that is taken.
+void BatchCommandTest::typicalValuesAreOfferedAsOptions() {
+    QFETCH(QString, file);
+    const CliResult offered = runCli({"explain", examples + file, "--typical", "--language", "en"});
+    QCOMPARE(offered.code, 0);
+    const bool isLinear = file.startsWith("iso230-2") || file.startsWith("long") || file.startsWith("one");
+    QVERIFY2(!isLinear || offered.out.contains("typical minimum of ISO 230-2"), offered.out);
+    static const QRegularExpression option("--set '([^']+)'");
+    for (const auto &match : option.globalMatch(QString::fromUtf8(offered.out))) {
+        const CliResult taken = runCli({"evaluate", examples + file, "--set", match.captured(1)});
+        QVERIFY2(taken.code <= 1, match.captured(1).toUtf8() + ": " + taken.err);
+    }
+    QCOMPARE(runCli({"explain", examples + file, "A", "--typical"}).code, 2);
 }
 
 QTEST_GUILESS_MAIN(BatchCommandTest)

@@ -400,9 +400,10 @@ void UncertaintyPage::fillTypical() {
         return;
     for (const TypicalValue &value : typicalValues(*evaluated().document, *shownTest(), language())) {
         const QAction *action = menu->addAction(value.value + QStringLiteral(" – ") + value.source);
-        connect(action, &QAction::triggered, this, [this, take = value.take] {
-            edit(QT_TRANSLATE_NOOP("edits", "take a typical value"),
-                 [&](Document &document) { editTest(document, test(), take); });
+        connect(action, &QAction::triggered, this, [this, value] {
+            edit(QT_TRANSLATE_NOOP("edits", "take a typical value"), [&](Document &document) {
+                document = withTypicalValue(std::move(document), test(), value);
+            });
         });
     }
 }
