@@ -284,7 +284,7 @@ void ConditionsPage::addTemperatures(const Conditions &conditions) {
 /// With room for its words, and its size beside it.
 void ConditionsPage::addCorrection() {
     beginColumns();
-    addThing("correctionTo20", 4);
+    addThing("correctionTo20", 5);
     m_correction = new QLabel(body());
     m_correction->setObjectName(QStringLiteral("correctionSize"));
     m_correction->setFont(themeFont(TextSize::small));
@@ -292,7 +292,7 @@ void ConditionsPage::addCorrection() {
     m_correction->setWordWrap(true);
     m_correction->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_correction->setContentsMargins(0, Field::headHeight, 0, 0); // beside the field, not its label
-    addWidget(m_correction, 8);
+    addWidget(m_correction, 7);
 }
 
 void ConditionsPage::addSensorButtons() {
@@ -385,7 +385,8 @@ void ConditionsPage::addDeclarations(const Edition *edition) {
         edit(QT_TRANSLATE_NOOP("edits", "declare what was not declared"), [&](Document &document) {
             editTest(document, this->test(), [](Test &changed) {
                 for (const Declaration &declaration : declarations)
-                    setFieldValue(changed, declaration.key, declared(changed, declaration).value_or(true));
+                    setFieldValue(changed, declaration.key,
+                                  std::optional(declared(changed, declaration).value_or(true)));
             });
         });
     })->setObjectName(QStringLiteral("allApply"));
