@@ -270,17 +270,24 @@
         </translation>
     </message>
     <message numerus="yes">
-        <source>%n question(s) are open: nothing was imported; answer with --set, or take what is proposed with --accept</source>
-        <translation>
-            <numerusform>%n question is open: nothing was imported; answer with --set, or take what is proposed with --accept</numerusform>
-            <numerusform>%n questions are open: nothing was imported; answer with --set, or take what is proposed with --accept</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>Not simulated: %n reading(s); the method Monte Carlo (--uncertainty monteCarlo) does it.</source>
         <translation>
             <numerusform>Not simulated: %n reading; the method Monte Carlo (--uncertainty monteCarlo) does it.</numerusform>
             <numerusform>Not simulated: %n readings; the method Monte Carlo (--uncertainty monteCarlo) does it.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s) are open: nothing was imported; answer with --set, or take what is assumed with --accept</source>
+        <translation>
+            <numerusform>%n question is open: nothing was imported; answer with --set, or take what is assumed with --accept</numerusform>
+            <numerusform>%n questions are open: nothing was imported; answer with --set, or take what is assumed with --accept</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s) are open: nothing was imported; each wants its own answer with --set</source>
+        <translation>
+            <numerusform>%n question is open: nothing was imported; it wants its own answer with --set</numerusform>
+            <numerusform>%n questions are open: nothing was imported; each wants its own answer with --set</numerusform>
         </translation>
     </message>
 </context>

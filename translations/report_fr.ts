@@ -1024,10 +1024,6 @@
         <translation>non corrigé à 20&#xa0;°C</translation>
     </message>
     <message>
-        <source>Result</source>
-        <translation>Grandeur</translation>
-    </message>
-    <message>
         <source>Targets i</source>
         <translation>Points i</translation>
     </message>
@@ -5474,10 +5470,6 @@
         <translation>une ligne dépasse 1&#xa0;Mio&#x202f;; un tableau de relevés est attendu</translation>
     </message>
     <message>
-        <source>Here a table with other columns begins, which was not read.</source>
-        <translation>Ici commence un tableau qui a d’autres colonnes&#x202f;; il n’a pas été lu.</translation>
-    </message>
-    <message>
         <source>Kind: nothing in the file says it; read as a drift test.</source>
         <translation>Nature&#xa0;: rien ne le dit dans le fichier&#x202f;; lu comme un essai de dérive.</translation>
     </message>
@@ -5514,16 +5506,12 @@
         <translation>Réponses pour --set %1=…&#xa0;: %2.</translation>
     </message>
     <message>
-        <source>Roles of the columns as read: --set columns=%1; known: %2.</source>
-        <translation>Rôles des colonnes tels que lus&#xa0;: --set columns=%1&#x202f;; connus&#xa0;: %2.</translation>
-    </message>
-    <message>
         <source>Answer with --set %1=….</source>
         <translation>Répondez par --set %1=….</translation>
     </message>
     <message>
-        <source>take what is proposed for every question about the file</source>
-        <translation>accepter ce qui est proposé pour chaque question sur le fichier</translation>
+        <source>take what is assumed where the file does not say it; doubts want an answer each</source>
+        <translation>prendre ce qui est supposé là où le fichier ne le dit pas&#x202f;; chaque doute demande sa réponse</translation>
     </message>
     <message>
         <source>readings set aside keep value and reason, not taken: %1</source>
@@ -8812,13 +8800,6 @@
             <numerusform>Monte-Carlo&#xa0;: %n tirages, germe %1, pour le reste comme à l’essai %2.</numerusform>
         </translation>
     </message>
-    <message numerus="yes">
-        <source>%n question(s) are open: nothing was imported; answer with --set, or take what is proposed with --accept</source>
-        <translation>
-            <numerusform>%n question est ouverte&#xa0;: rien n’a été importé&#x202f;; répondez-y par --set, ou acceptez ce qui est proposé par --accept</numerusform>
-            <numerusform>%n questions sont ouvertes&#xa0;: rien n’a été importé&#x202f;; répondez-y par --set, ou acceptez ce qui est proposé par --accept</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Files: %1, of them read now: %2, unreadable: %3, not found: %4. Machines in the register: %5, tests: %6.</source>
         <translation>Fichiers&#xa0;: %1, dont lus maintenant&#xa0;: %2, illisibles&#xa0;: %3, introuvables&#xa0;: %4. Machines dans le registre&#xa0;: %5, essais&#xa0;: %6.</translation>
@@ -9090,6 +9071,72 @@
     <message>
         <source>what the budget of the uncertainty may take where nothing is stated, and where it comes from, as --set takes it</source>
         <translation>ce que le bilan d’incertitude peut prendre là où rien n’est déclaré, et d’où cela vient, tel que --set le prend</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tableau</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Lignes</translation>
+    </message>
+    <message>
+        <source>Kind: an arc of %2 and radius %3 (points: %1) is hardly a circular test; is it one?</source>
+        <translation>Type&#xa0;: un arc de %2 et de rayon %3 (points&#xa0;: %1) n’est guère un essai circulaire&#x202f;; en est-ce un&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Layout: readings missing: %1 of %2; are these runs and targets those of one test?</source>
+        <translation>Disposition&#xa0;: relevés manquants&#xa0;: %1 sur %2&#x202f;; ces séries et ces points visés sont-ils ceux d’un même essai&#x202f;?</translation>
+    </message>
+    <message>
+        <source>Sign: the file speaks of a correction, whose sign is that of target − actual; read as actual − target.</source>
+        <translation>Signe&#xa0;: le fichier parle d’une correction, dont le signe est celui de visé − réel&#x202f;; lu comme réel − visé.</translation>
+    </message>
+    <message>
+        <source>State: the table has readings as found and as left; those as left are read, the others are a test of their own.</source>
+        <translation>État&#xa0;: le tableau a des relevés avant et après réglage&#x202f;; ceux d’après sont lus, les autres sont un essai à part.</translation>
+    </message>
+    <message>
+        <source>State: the table has readings as found and as left; those as found are read, the others are a test of their own.</source>
+        <translation>État&#xa0;: le tableau a des relevés avant et après réglage&#x202f;; ceux d’avant sont lus, les autres sont un essai à part.</translation>
+    </message>
+    <message>
+        <source>Columns: nothing says what they hold, and their numbers are of different size (about %1 to %2); give each its role.</source>
+        <translation>Colonnes&#xa0;: rien ne dit ce qu’elles contiennent, et leurs nombres diffèrent en grandeur (environ %1 à %2)&#x202f;; donner un rôle à chacune.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2; the file has %3 of them</source>
+        <translation>%1 ne peut pas être %2&#x202f;; le fichier en a %3</translation>
+    </message>
+    <message>
+        <source>Table: the file has several, in the lines %1; number %2 is read.</source>
+        <translation>Tableau&#xa0;: le fichier en a plusieurs, aux lignes %1&#x202f;; le numéro %2 est lu.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be %2; expected lines as 38-58</source>
+        <translation>%1 ne peut pas être %2&#x202f;; des lignes sont attendues, comme 38-58</translation>
+    </message>
+    <message>
+        <source>Doubtful; where what was read is right: --set %1.</source>
+        <translation>Douteux&#x202f;; si ce qui a été lu est juste&#xa0;: --set %1.</translation>
+    </message>
+    <message>
+        <source>Columns: %1. Roles as read: --set columns=%2; known: %3.</source>
+        <translation>Colonnes&#xa0;: %1. Rôles tels que lus&#xa0;: --set columns=%2&#x202f;; connus&#xa0;: %3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s) are open: nothing was imported; answer with --set, or take what is assumed with --accept</source>
+        <translation>
+            <numerusform>%n question est ouverte&#xa0;: rien n’a été importé&#x202f;; répondre par --set, ou prendre ce qui est supposé par --accept</numerusform>
+            <numerusform>%n questions sont ouvertes&#xa0;: rien n’a été importé&#x202f;; répondre par --set, ou prendre ce qui est supposé par --accept</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n question(s) are open: nothing was imported; each wants its own answer with --set</source>
+        <translation>
+            <numerusform>%n question est ouverte&#xa0;: rien n’a été importé&#x202f;; elle demande sa propre réponse par --set</numerusform>
+            <numerusform>%n questions sont ouvertes&#xa0;: rien n’a été importé&#x202f;; chacune demande sa propre réponse par --set</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

@@ -4267,32 +4267,12 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
 <context>
     <name>palmer::ui::ResultsModel</name>
     <message>
-        <source>quantity</source>
-        <translation>grandeur</translation>
-    </message>
-    <message>
-        <source>value</source>
-        <translation>valeur</translation>
-    </message>
-    <message>
-        <source>limit</source>
-        <translation>limite</translation>
-    </message>
-    <message>
-        <source>verdict</source>
-        <translation>verdict</translation>
-    </message>
-    <message>
         <source>before</source>
         <translation>avant</translation>
     </message>
     <message>
         <source>after</source>
         <translation>après</translation>
-    </message>
-    <message>
-        <source>change</source>
-        <translation>variation</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@
 
 #include "commandline/preparation.h"
 #include "document/filename.h"
+#include "document/place.h"
 #include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/setfield.h"
@@ -104,6 +105,14 @@ QString timesOf(std::size_t times) {
     return times > 1 ? QStringLiteral(" (× %1)").arg(times) : QString();
 }
 
+std::string headingsOf(const std::vector<ImportColumn> &columns) {
+    std::string list;
+    for (std::size_t c = 0; c < columns.size(); ++c)
+        list += (c > 0 ? ", " : "") + std::to_string(c + 1) +
+                (columns[c].heading.empty() ? std::string() : " “" + excerpt(columns[c].heading) + "”");
+    return list;
+}
+
 void printQuestion(const QString &file, const Question &question, const Language &language) {
     QString text = placeOf(file, question.line, question.column) + language.sentence(question.sentence) +
                    timesOf(question.further.size() + 1);
@@ -114,7 +123,14 @@ void printQuestion(const QString &file, const Question &question, const Language
         for (const ImportWord &word : known->words)
             answers += (answers.empty() ? "" : ", ") + std::string(word.word);
     }
-    if (!question.proposal.empty()) {
+    if (!question.proposal.empty() && !question.canBeAssumed()) {
+        text += u' ' + language.sentence({REPORT_TEXT("report", "Doubtful; where what was read is right: "
+                                                                "--set %1."),
+                                          {question.id + "=keep"}});
+        const ImportKey *known = findImportKey(question.id);
+        if (question.proposal != keepAnswer && known && known->words.empty() && question.answers.empty())
+            answers = question.proposal + (answers.empty() ? "" : ", " + answers);
+    } else if (!question.proposal.empty()) {
         const std::string setting = question.id + '=' + question.proposal;
         const bool hasBlank = setting.find(' ') != std::string::npos; // for the shell
         text += u' ' + language.sentence({REPORT_TEXT("report", "Proposed: --set %1."),
@@ -173,17 +189,19 @@ std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file, 
     if (imported.refusal) {
         if (!imported.columns.empty())
             printError(file + QStringLiteral(": ") +
-                       invocation.language.sentence({REPORT_TEXT("report", "Roles of the columns as read: "
-                                                                           "--set columns=%1; known: %2."),
-                                                     {wordOf(imported.columns), roleWords()}}));
+                       invocation.language.sentence(
+                           {REPORT_TEXT("report", "Columns: %1. Roles as read: --set columns=%2; known: %3."),
+                            {headingsOf(imported.columns), wordOf(imported.columns), roleWords()}}));
         throw Error(*imported.refusal);
     }
     printRemarks(file, imported.remarks, invocation.language);
     const bool accepts = invocation.has(QLatin1StringView("accept"));
     std::size_t open = 0;
+    std::size_t assumed = 0;
     for (const Question &question : imported.questions) {
-        const bool isAccepted = accepts && !question.proposal.empty();
+        const bool isAccepted = accepts && question.canBeAssumed();
         open += isAccepted ? 0 : 1;
+        assumed += question.canBeAssumed() ? 1 : 0;
         if (isAccepted)
             printError(placeOf(file, question.line, question.column) +
                        invocation.language.sentence(question.sentence) +
@@ -193,11 +211,16 @@ std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file, 
     }
     if (open == 0)
         return imported;
-    Message refusal{
-        REPORT_TEXT_COUNTED("report", "%n question(s) are open: nothing was imported; answer with --set, or "
-                                      "take what is proposed with --accept"),
-        {},
-        static_cast<int>(open)};
+    const bool helpsToAccept = !accepts && assumed > 0;
+    Message refusal{helpsToAccept
+                        ? REPORT_TEXT_COUNTED(
+                              "report", "%n question(s) are open: nothing was imported; answer with --set, "
+                                        "or take what is assumed with --accept")
+                        : REPORT_TEXT_COUNTED(
+                              "report", "%n question(s) are open: nothing was imported; each wants its own "
+                                        "answer with --set"),
+                    {},
+                    static_cast<int>(open)};
     printError(file + QStringLiteral(": ") + invocation.language.sentence(refusal));
     return {};
 }

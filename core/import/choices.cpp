@@ -3,8 +3,10 @@
 #include "import/choices.h"
 
 #include "document/documenterror.h"
+#include "import/asked.h"
 #include "import/formats.h"
 #include "import/layouts/columnrole.h"
+#include "import/question.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/words/shortest.h"
 #include "tables/numbercell.h"
@@ -119,6 +121,10 @@ constexpr std::array hiddenWords{
     ImportWord{"read", REPORT_TEXT("report", "read like the others")},
     ImportWord{"leave", REPORT_TEXT("report", "leave out")},
 };
+constexpr std::array stateWords{
+    ImportWord{"asFound", REPORT_TEXT("report", "as found")},
+    ImportWord{"asLeft", REPORT_TEXT("report", "as left")},
+};
 constexpr std::array leaveWords{
     ImportWord{"leave", REPORT_TEXT("report", "leave out")},
 };
@@ -130,6 +136,8 @@ const std::array keys{
     ImportKey{"decimalMark", REPORT_TEXT("report", "Decimal mark"), ImportValue::word, markWords},
     ImportKey{"sheet", REPORT_TEXT("report", "Sheet"), ImportValue::text},
     ImportKey{"hidden", REPORT_TEXT("report", "Hidden rows and columns"), ImportValue::word, hiddenWords},
+    ImportKey{"table", REPORT_TEXT("report", "Table"), ImportValue::number},
+    ImportKey{"lines", REPORT_TEXT("report", "Lines"), ImportValue::text},
     ImportKey{"kind", REPORT_TEXT("report", "Kind"), ImportValue::word, kindWords},
     ImportKey{"columns", REPORT_TEXT("report", "Columns"), ImportValue::text},
     ImportKey{"series", REPORT_TEXT("report", "Process variable"), ImportValue::text},
@@ -141,6 +149,7 @@ const std::array keys{
     ImportKey{"timeUnit", REPORT_TEXT("report", "Unit of times"), ImportValue::word, timeWords},
     ImportKey{"sign", REPORT_TEXT("report", "Sign"), ImportValue::word, signWords},
     ImportKey{"axis", REPORT_TEXT("report", "Axis"), ImportValue::text},
+    ImportKey{"state", REPORT_TEXT("report", "As found or as left"), ImportValue::word, stateWords},
     ImportKey{"motion", REPORT_TEXT("report", "Motion"), ImportValue::word, motionWords},
     ImportKey{"plane", REPORT_TEXT("report", "Plane"), ImportValue::text},
     ImportKey{"nominalRadius", REPORT_TEXT("report", "Nominal radius (mm)"), ImportValue::number},
@@ -217,6 +226,8 @@ void demandKnownValue(const std::string &key, const std::string &value) {
                     {REPORT_TEXT("report", "unknown choice %1; known: %2"), {key, list}});
     }
     const auto same = [&](const ImportWord &word) { return word.word == value; };
+    if (value == keepAnswer && isAsked(key))
+        return;
     if (known->value == ImportValue::word && std::ranges::none_of(known->words, same))
         throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
                                            {known->name, value, listOf(known->words)}});
@@ -239,12 +250,12 @@ void demandKnown(const ImportOptions &options) {
 }
 
 bool Choices::isChosen(std::string_view key) const {
-    return m_options.contains(key);
+    const auto found = m_options.find(key);
+    return found != m_options.end() && found->second != keepAnswer;
 }
 
 std::string_view Choices::chosen(std::string_view key) const {
-    const auto found = m_options.find(key);
-    return found == m_options.end() ? std::string_view() : std::string_view(found->second);
+    return isChosen(key) ? std::string_view(m_options.find(key)->second) : std::string_view();
 }
 
 std::optional<double> Choices::chosenNumber(std::string_view key) const {

@@ -58,7 +58,22 @@ CorrectionTo20 correctionOf(std::string_view word) {
     return word == "applied here" ? CorrectionTo20::appliedHere : CorrectionTo20::notStated;
 }
 
-/// Whether the instrument has corrected to 20 °C is asked of every test, never assumed.
+/// Whether a correction to 20 °C changes what is measured: long targets, and something is known of
+/// temperatures.
+bool couldMatter(const Imported &imported) {
+    constexpr double isLong = 100; // mm
+    const Conditions &conditions = *conditionsOf(*imported.test);
+    const bool isWarm = !imported.sensors.empty() || !conditions.sensors.empty() ||
+                        conditions.expansion.machine || conditions.expansion.instrument;
+    const auto *axis = std::get_if<PositioningMeasurement>(&imported.test->measurement);
+    const auto *circle = std::get_if<CircularMeasurement>(&imported.test->measurement);
+    const double length = axis && !axis->targets.empty() ? axis->targets.back() - axis->targets.front()
+                          : circle                       ? 2 * circle->nominalRadius
+                                                         : 0;
+    return isWarm && length > isLong && motionOf(*imported.test) == Motion::linear;
+}
+
+/// Whether the instrument has corrected to 20 °C is asked where it matters, never assumed.
 void settleCorrection(Imported &imported, Choices &choices) {
     Conditions *conditions = imported.test ? conditionsOf(*imported.test) : nullptr;
     if (!conditions)
@@ -68,7 +83,7 @@ void settleCorrection(Imported &imported, Choices &choices) {
         choices.settle("correctionTo20", fileWord(stated),
                        stated == CorrectionTo20::notStated ? Origin::guessed : Origin::recognised);
     if (choice.value == "not stated")
-        addRemark(imported.remarks, RemarkGrade::assumption,
+        addRemark(imported.remarks, couldMatter(imported) ? RemarkGrade::assumption : RemarkGrade::note,
                   {REPORT_TEXT(
                       "report",
                       "Correction to 20 °C: whether the instrument has applied one is not stated; say it.")},

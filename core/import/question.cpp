@@ -14,11 +14,11 @@ namespace palmer {
 namespace {
 
 /// The choices a wrong guess of which would be a wrong number or direction.
-constexpr std::array<std::string_view, 25> asked{
+constexpr std::array<std::string_view, 27> asked{
     "kind",       "layout",        "columns",     "directions", "content", "unit",           "positionUnit",
     "timeUnit",   "sign",          "decimalMark", "axis",       "series",  "nominalRadius",  "sheet",
     "startAngle", "arc",           "motion",      "unread",     "large",   "correctionTo20", "spread",
-    "zeros",      "equalsTargets", "unequalRuns", "hidden"};
+    "zeros",      "equalsTargets", "unequalRuns", "hidden",     "state",   "table"};
 
 /// Doubts about the numbers: their answer is that they are right.
 constexpr std::array<std::string_view, 5> doubts{"large", "spread", "equalsTargets", "zeros", "unequalRuns"};
@@ -33,7 +33,9 @@ bool isOneOf(const std::array<std::string_view, size> &words, std::string_view w
 
 std::string proposalFor(const Remark &remark, std::span<const ImportChoice> choices) {
     if (isOneOf(doubts, remark.choice))
-        return "keep";
+        return std::string(keepAnswer);
+    if (remark.isOwed)
+        return {};
     if (isOneOf(owed, remark.choice) && remark.grade == RemarkGrade::problem)
         return {}; // what stands in its place, to go on reading, is no answer
     const auto choice = std::ranges::find(choices, remark.choice, &ImportChoice::key);
@@ -70,14 +72,17 @@ std::vector<Question> takeQuestions(std::vector<Remark> &remarks, const ImportOp
     std::vector<Question> questions;
     std::vector<Remark> kept;
     for (Remark &remark : remarks) {
-        const bool isAnswered = options.contains(remark.choice);
+        std::string proposal = proposalFor(remark, choices);
+        const auto answer = options.find(remark.choice);
+        const bool isAnswered =
+            answer != options.end() && (answer->second != keepAnswer || !proposal.empty());
         if (!isOneOf(asked, remark.choice) || remark.grade == RemarkGrade::note || isAnswered) {
             kept.push_back(std::move(remark));
             continue;
         }
-        const bool isRed = remark.grade == RemarkGrade::problem;
-        questions.push_back({remark.choice, isRed ? QuestionGrade::red : QuestionGrade::ask, remark.message,
-                             proposalFor(remark, choices), remark.answers, remark.line, remark.column,
+        const bool isDoubtful = remark.grade == RemarkGrade::problem;
+        questions.push_back({remark.choice, isDoubtful ? QuestionGrade::doubtful : QuestionGrade::assumed,
+                             remark.message, std::move(proposal), remark.answers, remark.line, remark.column,
                              std::move(remark.further)});
     }
     remarks = std::move(kept);

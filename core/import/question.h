@@ -7,19 +7,23 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace palmer {
 
 enum class QuestionGrade {
-    red, ///< the numbers look wrong, or data were left unread
-    ask, ///< the file does not say it
+    doubtful, ///< something speaks against it, or data were left unread: each wants an answer of its own
+    assumed,  ///< the file does not say it and the usual holds: all of them can be taken at once
 };
+
+/// The answer to any question that proposes something: what was read is right.
+inline constexpr std::string_view keepAnswer = "keep";
 
 /// What has to be answered before a measurement is accepted: an answer is owed, no remark to be read over.
 struct Question {
     std::string id; ///< key of the choice that answers it
-    QuestionGrade grade = QuestionGrade::ask;
+    QuestionGrade grade = QuestionGrade::assumed;
     Message sentence;
     std::string proposal; ///< the word taken without an answer; empty: nothing is proposed
     std::vector<std::string> answers =
@@ -27,6 +31,9 @@ struct Question {
     std::size_t line = 0; ///< as of a remark
     std::size_t column = 0;
     std::vector<std::size_t> further = {}; ///< lines it holds for, too
+
+    /// Whether it is taken with all the others that are.
+    [[nodiscard]] bool canBeAssumed() const { return grade == QuestionGrade::assumed && !proposal.empty(); }
 
     bool operator==(const Question &) const = default;
 };

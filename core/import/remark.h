@@ -27,6 +27,7 @@ struct Remark {
     std::size_t times = 1;                 ///< how often it holds; it is said once
     std::vector<std::size_t> further = {}; ///< lines of the further times
     std::vector<std::string> answers = {}; ///< of a question: the words there are, where the choice has none
+    bool isOwed = false;                   ///< of a question: what was read is no answer
 
     bool operator==(const Remark &) const = default;
 };

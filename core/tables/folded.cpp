@@ -2,56 +2,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tables/folded.h"
 
+#include <QString>
 #include <algorithm>
-#include <array>
 
 namespace palmer {
 
 namespace {
 
-struct Folding {
-    std::string_view from;
-    std::string_view to;
-};
+/// One sign in the place of its likes; 0: none.
+char16_t plainSign(char16_t sign) {
+    constexpr char16_t firstWide = 0xFF01; // full-width forms of ASCII
+    constexpr char16_t lastWide = 0xFF5E;
+    if (sign >= firstWide && sign <= lastWide)
+        return static_cast<char16_t>(sign - firstWide + u'!');
+    switch (sign) {
+    case u'−':
+    case u'–':
+    case u'‐':
+    case u'‑':
+        return u'-';
+    case u'\u00A0':
+    case u'\u202F':
+    case u'\u2009':
+    case u'\u3000':
+        return u' ';
+    case u'µ':
+    case u'μ':
+        return u'u';
+    default:
+        return 0;
+    }
+}
 
-constexpr std::array foldings{
-    Folding{"à", "a"},      Folding{"â", "a"},      Folding{"ä", "a"},      Folding{"á", "a"},
-    Folding{"ã", "a"},      Folding{"À", "a"},      Folding{"Â", "a"},      Folding{"Ä", "a"},
-    Folding{"Á", "a"},      Folding{"ç", "c"},      Folding{"Ç", "c"},      Folding{"é", "e"},
-    Folding{"è", "e"},      Folding{"ê", "e"},      Folding{"ë", "e"},      Folding{"É", "e"},
-    Folding{"È", "e"},      Folding{"Ê", "e"},      Folding{"î", "i"},      Folding{"ï", "i"},
-    Folding{"í", "i"},      Folding{"ì", "i"},      Folding{"Í", "i"},      Folding{"ñ", "n"},
-    Folding{"Ñ", "n"},      Folding{"ô", "o"},      Folding{"ö", "o"},      Folding{"ó", "o"},
-    Folding{"ò", "o"},      Folding{"Ö", "o"},      Folding{"Ó", "o"},      Folding{"ù", "u"},
-    Folding{"û", "u"},      Folding{"ü", "u"},      Folding{"ú", "u"},      Folding{"Ü", "u"},
-    Folding{"Ú", "u"},      Folding{"ß", "ss"},     Folding{"œ", "oe"},     Folding{"Δ", "δ"},
-    Folding{"−", "-"},      Folding{"–", "-"},      Folding{"‐", "-"},      Folding{"‑", "-"},
-    Folding{"\u00A0", " "}, Folding{"\u202F", " "}, Folding{"\u2009", " "}, Folding{"µ", "u"},
-    Folding{"μ", "u"},      Folding{"Σ", "σ"},
-};
+std::string foldedBeyondAscii(std::string_view text) {
+    constexpr char16_t meanSign = 0x304; // the bar of a mean
+    constexpr char16_t firstMark = 0x300;
+    constexpr char16_t lastMark = 0x36F;
+    QString result = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()))
+                         .normalized(QString::NormalizationForm_D)
+                         .toCaseFolded()
+                         .replace(QStringLiteral("œ"), QStringLiteral("oe"))
+                         .replace(QStringLiteral("ł"), QStringLiteral("l"));
+    result.removeIf([](QChar sign) {
+        const char16_t code = sign.unicode();
+        return code >= firstMark && code <= lastMark && code != meanSign;
+    });
+    for (QChar &sign : result) {
+        if (const char16_t plain = plainSign(sign.unicode()); plain != 0)
+            sign = QChar(plain);
+    }
+    return result.normalized(QString::NormalizationForm_C).toLower().toStdString();
+}
 
 } // namespace
 
 std::string folded(std::string_view text) {
-    std::string result;
-    result.reserve(text.size());
-    for (std::size_t i = 0; i < text.size();) {
-        const char c = text[i];
-        if (static_cast<unsigned char>(c) < 0x80) {
-            result += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-            ++i;
-            continue;
-        }
-        const auto *const found = std::ranges::find_if(
-            foldings, [&](const Folding &folding) { return text.substr(i).starts_with(folding.from); });
-        if (found != foldings.end()) {
-            result += found->to;
-            i += found->from.size();
-        } else {
-            result += c;
-            ++i;
-        }
-    }
+    const auto isAscii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
+    if (!std::ranges::all_of(text, isAscii))
+        return foldedBeyondAscii(text);
+    std::string result(text);
+    for (char &c : result)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
     return result;
 }
 

@@ -26,7 +26,8 @@ constexpr std::array<ForeignUnits, 7> foreignUnits{{
     {true, "deg f|volt|volts|ampere|amp|amps|ua|hz|newton|mn|kn|n·m|pa|bar|kg|lb|lbs|kw|mw|db|ohm|ω|kω"},
     {true, "digit|digits|count|counts|cts|increments|incréments|inkremente|incrementi|incrementos|pulses|"
            "impulse|impulses|impulsions|steps|pixel|pixels|px|lsb|fringes|franges|% rh|%rh|%rf|vol%"},
-    {true, "us|ns|day|days|jour|jours|tag|tage|week|weeks"},
+    {true, "v|ticks|tick|div|divs|inc|incs|increment|tenths|tenth|pm|å|Å|mu|raw|adc|us|ns|day|days|jour|"
+           "jours|tag|tage|week|weeks"},
 }};
 
 /// By the spelling in small letters: whether it counts in brackets only.

@@ -480,7 +480,8 @@ void settleForm(CellTable &table, std::string_view text, const TableOptions &opt
             readings.push_back(readSample(sample, delimiter, mark, options.comments));
             // Blanks stand between words, too: another delimiter that parts nearly as many numbers is the
             // one.
-            constexpr double nearly = 0.6;
+            // A tab stands in few texts that are no table: "+ 1" between tabs are not two numbers.
+            const double nearly = best.delimiter == Delimiter::tab ? 0.3 : 0.6;
             if (delimiter == Delimiter::blanks && best.columns > 1 &&
                 best.score > nearly * readings.back().score)
                 continue;
@@ -578,7 +579,88 @@ CellTable readTable(std::string text, const TableOptions &options) {
     table.m_rows = std::move(scanner.rows);
     table.m_cells = std::move(scanner.cells);
     table.m_saysUnits = scanner.saysUnits;
+    if (table.delimiter.value == Delimiter::blanks)
+        table.joinWords();
     return table;
+}
+
+/// "Position mm   Run 1 fwd   Run 1 rev" above three numbers: where single blanks part a line of words into
+/// more pieces than there are columns and wider gaps into as many, the words between two gaps are one cell.
+void CellTable::joinWords() {
+    std::map<std::size_t, std::size_t> widths; // of the lines that begin with a number
+    const auto beginsWithNumber = [this](const TableRow &row) {
+        return row.count > 0 && m_cells[row.first].isNumber();
+    };
+    for (const TableRow &row : m_rows) {
+        if (beginsWithNumber(row))
+            ++widths[row.count];
+    }
+    // "        Laser          Encoder": nothing stands over the first column.
+    const auto isIndented = [this](const TableRow &row) {
+        const std::size_t begin = row.count > 0 ? m_cells[row.first].begin : 0;
+        return begin > 1 && m_text[begin - 1] == ' ' && m_text[begin - 2] == ' ';
+    };
+    if (widths.empty())
+        return;
+    const std::size_t width =
+        std::ranges::max_element(widths, {}, [](const auto &entry) { return entry.second; })->first;
+    const TableRow numbers = *std::ranges::find_if(
+        m_rows, [&](const TableRow &row) { return row.count == width && beginsWithNumber(row); });
+    for (TableRow &row : m_rows) {
+        if (row.comment || beginsWithNumber(row) || (row.count <= width && !isIndented(row)))
+            continue;
+        std::vector<TableCell> joined;
+        for (std::size_t i = row.first; i < row.first + row.count; ++i) {
+            const TableCell &cell = m_cells[i];
+            const bool isNext = !joined.empty() && joined.back().begin + joined.back().size + 1 == cell.begin;
+            if (!isNext) {
+                joined.push_back(cell);
+                continue;
+            }
+            joined.back().size = static_cast<std::uint16_t>(
+                std::min<std::size_t>(cell.begin + cell.size - joined.back().begin, 65'535));
+            joined.back().kind = CellKind::text;
+        }
+        if (joined.size() != width)
+            joined = joined.size() < width ? placedOver(joined, numbers) : std::vector<TableCell>();
+        if (joined.empty())
+            continue;
+        row.first = static_cast<std::uint32_t>(m_cells.size());
+        row.count = static_cast<std::uint32_t>(width);
+        m_cells.insert(m_cells.end(), joined.begin(), joined.end());
+    }
+}
+
+/// The columns of fixed width that fewer words stand over, the others empty: of each word the column whose
+/// number it is nearest to. Nothing where two stand over one.
+std::vector<TableCell> CellTable::placedOver(const std::vector<TableCell> &words,
+                                             const TableRow &numbers) const {
+    const auto placeOf = [this](const TableCell &cell) {
+        const std::size_t line = m_text.find_last_of("\r\n", cell.begin);
+        const std::size_t begin = line == std::string::npos ? 0 : line + 1;
+        const std::string_view before = std::string_view(m_text).substr(begin, cell.begin - begin);
+        return std::ranges::count_if(before,
+                                     [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; });
+    };
+    std::vector<TableCell> placed(numbers.count, TableCell{0, 0, 0, CellKind::empty});
+    for (const TableCell &word : words) {
+        const auto at = placeOf(word);
+        std::size_t nearest = 0;
+        for (std::size_t c = 1; c < numbers.count; ++c) {
+            const auto distance = [&](std::size_t column) {
+                return std::abs(placeOf(m_cells[numbers.first + column]) - at);
+            };
+            nearest = distance(c) < distance(nearest) ? c : nearest;
+        }
+        if (placed[nearest].kind != CellKind::empty)
+            return {};
+        placed[nearest] = word;
+    }
+    return placed;
+}
+
+void CellTable::keepLines(std::size_t first, std::size_t last) {
+    std::erase_if(m_rows, [&](const TableRow &row) { return row.line < first || row.line > last; });
 }
 
 std::size_t CellTable::column(const TableCell &cell) const {

@@ -81,11 +81,18 @@ public:
     /// From 1; the column counts characters of the line.
     [[nodiscard]] std::size_t column(const TableCell &cell) const;
 
+    /// Leaves out what stands outside of these lines of the file, from 1.
+    void keepLines(std::size_t first, std::size_t last);
+
     Choice<Delimiter> delimiter;
     Choice<DecimalMark> decimalMark;
     bool isPlaced = false; ///< the file says the column of each cell, as workbooks do
 
 private:
+    void joinWords();
+    [[nodiscard]] std::vector<TableCell> placedOver(const std::vector<TableCell> &words,
+                                                    const TableRow &numbers) const;
+
     friend CellTable readTable(std::string text, const TableOptions &options);
     friend class TableBuilder;
     friend class UnitTaker;

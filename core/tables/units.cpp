@@ -43,7 +43,9 @@ constexpr std::array spellings{
     Spelling{"heures", "h"},        Spelling{"hours", "h"},        Spelling{"ms", "ms"},
     Spelling{"c", "C", true},       Spelling{"°c", "C"},           Spelling{"degc", "C"},
     Spelling{"mdeg", "mdeg"},       Spelling{"m°", "mdeg", true},  Spelling{"deg c", "C", true},
-    Spelling{"cm", "cm"},           Spelling{"gon", "gon"},
+    Spelling{"cm", "cm"},           Spelling{"gon", "gon"},        Spelling{"мм", "mm"},
+    Spelling{"мкм", "um"},          Spelling{"毫米", "mm"},        Spelling{"微米", "um"},
+    Spelling{"ミクロン", "um"},     Spelling{"ミリ", "mm"},        Spelling{"度", "deg", true},
 };
 
 /// Units as they are called in full, in the languages of headings.
@@ -239,6 +241,22 @@ SaidUnit unitInBrackets(std::string_view text) {
     }
 }
 
+/// "Zeit t / s", "U_B1 / V", "dev_us": a unit as if it stood in brackets.
+SaidUnit unitBehindSlash(std::string_view text) {
+    const std::size_t slash = text.rfind(" / ");
+    const std::size_t line = text.rfind('_');
+    const bool isSlash = slash != std::string_view::npos && slash > 0;
+    if (!isSlash && line == std::string_view::npos)
+        return {};
+    const std::string_view last = withoutBlanks(text.substr(isSlash ? slash + 3 : line + 1));
+    const std::string bare = plain(last);
+    if (bare.size() < 2 && !isSlash) // "x_s"
+        return {};
+    if (const Unit *unit = spelled(bare, true))
+        return {unit};
+    return isForeignUnit(bare, true) ? SaidUnit{nullptr, std::string(last)} : SaidUnit();
+}
+
 /// The last word that is a unit.
 SaidUnit unitAmongWords(std::string_view text) {
     SaidUnit last;
@@ -262,6 +280,8 @@ SaidUnit unitAmongWords(std::string_view text) {
 
 SaidUnit saidUnit(std::string_view text) {
     text = text.substr(0, 500);
+    if (const SaidUnit last = unitBehindSlash(text); last.isSaid())
+        return last;
     const std::string bare = plain(text);
     if (bare.find_first_of("01") != std::string::npos) {
         if (SaidUnit part = partOfUnit(bare); part.isSaid())

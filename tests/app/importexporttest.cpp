@@ -121,21 +121,28 @@ void ImportExportTest::takesChoicesAndProfiles() {
 }
 
 void ImportExportTest::refusesUntilQuestionsAreAnswered() {
-    const QByteArray table = "P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3;4\n";
+    const QByteArray table = "P (mm);1↑;1↓\n0;1;2\n100;3;4\n";
     const QStringList import{"import", "-", "-o", at("q.palmer")};
     const Result open = run(import, table);
     QCOMPARE(open.code, 3);
     QVERIFY(!QFile::exists(at("q.palmer")));
-    QVERIFY(open.err.contains("--set sign=actualMinusTarget"));
-    QVERIFY(open.err.contains("--set correctionTo20="));
+    QVERIFY(open.err.contains("--set unit=um"));
+    QVERIFY(open.err.contains("--set content=deviations"));
     QVERIFY(open.err.contains("2 questions are open"));
-    const QStringList sign{"--set", "sign=actualMinusTarget"};
-    const Result one = run(import + sign, table);
+    const QStringList unit{"--set", "unit=um"};
+    const Result one = run(import + unit, table);
     QCOMPARE(one.code, 3);
     QVERIFY2(one.err.contains("1 question is open"), qPrintable(one.err));
-    QCOMPARE(run(import + sign + QStringList{"--set", "correctionTo20=not applied"}, table).code, 0);
+    QCOMPARE(run(import + unit + QStringList{"--set", "content=deviations"}, table).code, 0);
     QVERIFY(QFile::remove(at("q.palmer")));
     QCOMPARE(run(import + QStringList{"--accept"}, table).code, 0);
+    QVERIFY(QFile::remove(at("q.palmer")));
+    // A doubt is not taken with the rest: it wants an answer of its own.
+    const QByteArray large = "P (mm);1↑ (mm);1↓ (mm)\n0;1;2\n100;3;4\n";
+    const Result doubtful = run(import + QStringList{"--accept"}, large);
+    QCOMPARE(doubtful.code, 3);
+    QVERIFY2(doubtful.err.contains("--set large=keep"), qPrintable(doubtful.err));
+    QCOMPARE(run(import + QStringList{"--accept", "--set", "large=keep"}, large).code, 0);
     QVERIFY(QFile::remove(at("q.palmer")));
     // Never half a table: what was not read is no proposal.
     const QByteArray broken = "P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3,,5;4\n";

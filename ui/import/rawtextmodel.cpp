@@ -43,7 +43,7 @@ std::set<std::size_t> problemsOf(const Imported &imported) {
             lines.insert(remark.line);
     }
     for (const Question &question : imported.questions) {
-        if (question.grade == QuestionGrade::red && question.line > 0) {
+        if (question.grade == QuestionGrade::doubtful && question.line > 0) {
             lines.insert(question.line);
             lines.insert(question.further.begin(), question.further.end());
         }

@@ -83,7 +83,7 @@ std::vector<Answer> answersTo(const Question &question) {
 } // namespace
 
 bool canBeConfirmed(const Question &question) {
-    return !question.proposal.empty() && question.id != "unread";
+    return question.canBeAssumed();
 }
 
 RemarkList::RemarkList(QWidget *parent)
@@ -164,7 +164,7 @@ QHBoxLayout *RemarkList::addRow(RemarkGrade grade, QString sentence, const Place
 void RemarkList::addQuestion(const Question &question) {
     const QString sentence = windowLanguage().sentence(question.sentence);
     QHBoxLayout *row =
-        addRow(question.grade == QuestionGrade::red ? RemarkGrade::problem : RemarkGrade::assumption,
+        addRow(question.grade == QuestionGrade::doubtful ? RemarkGrade::problem : RemarkGrade::assumption,
                sentence, {question.line, question.column, question.further.size() + 1});
     row->parentWidget()->setObjectName(QStringLiteral("question.") + QString::fromStdString(question.id));
     addAnswers(*row, question, sentence);

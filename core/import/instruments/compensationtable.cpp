@@ -7,6 +7,7 @@
 #include "tables/decodetext.h"
 #include "tables/numbercell.h"
 
+#include <QRegularExpression>
 #include <QString>
 #include <algorithm>
 #include <array>
@@ -83,6 +84,26 @@ bool isWeihong(std::string_view text) {
     return false;
 }
 
+/// "COMP.N0.000   =  +0.0000  =  +0.0000": the display ND 287.
+bool isNd287(std::string_view text) {
+    return anyLine(text, [](std::string_view line) {
+        return line.starts_with("COMP.N") && std::ranges::count(line, '=') == 2;
+    });
+}
+
+/// Pitch error data as a FANUC control punches them: "N10000 P12", "N3620 A1 P50", between signs of %.
+bool isFanuc(std::string_view text) {
+    const auto lines = firstLines(text);
+    const auto isPunched = [](std::string_view line) {
+        static const QRegularExpression data(
+            QStringLiteral(R"(^N(1\d{4}|36\d\d|113\d\d)\s*(Q\d+\s*)?(A\d+\s*)?P\s*-?\d+)"));
+        return data.match(QString::fromLatin1(line.data(), static_cast<qsizetype>(line.size()))).hasMatch();
+    };
+    const auto punched =
+        std::ranges::count_if(lines, [&](std::string_view line) { return isPunched(upperCase(line)); });
+    return punched >= 2 && 2 * punched >= static_cast<std::ptrdiff_t>(lines.size());
+}
+
 bool isAerotech(std::string_view text) {
     return anyLine(text, [](std::string_view line) {
         return line.starts_with(":START ") || line.starts_with(":START2D ");
@@ -104,7 +125,8 @@ struct Control {
 constexpr std::array controls{
     Control{"SINUMERIK", isSinumerik}, Control{"Heidenhain", isHeidenhain},
     Control{"Weihong", isWeihong},     Control{aerotech, isAerotech},
-    Control{"Palmer", isOwn},
+    Control{"Palmer", isOwn},          Control{"ND 287", isNd287},
+    Control{"FANUC", isFanuc},
 };
 
 /// Three numbers a line, from the first line on.
@@ -202,7 +224,7 @@ FoundTable readControlTable(QByteArrayView bytes, QStringView fileName) {
              {std::string(values == LinuxcncValues::positions ? "0" : "1")}});
         return found;
     }
-    if (name == aerotech)
+    if (name == aerotech || name == "ND 287" || name == "FANUC")
         throw Error(Error::Kind::format,
                     {REPORT_TEXT("report", "the rules of this compensation table (%1) are not read here"),
                      {std::string(name)}});

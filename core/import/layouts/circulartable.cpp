@@ -343,7 +343,7 @@ private:
     /// Two columns beside the same angles run the same way unless a word tells them apart.
     void askForSenses() {
         if (!m_unknownSense.empty())
-            m.remark(RemarkGrade::assumption,
+            m.remark(RemarkGrade::problem,
                      {REPORT_TEXT("report", "Sense: “%1” is neither clockwise nor counterclockwise to the "
                                             "program; those points are read as their angles run."),
                       {excerpt(m_unknownSense)}},
@@ -351,7 +351,7 @@ private:
         const auto isSilent = [](const RawPath &path) { return !path.stated; };
         if (m_seconds.size() == 2 && m.body.blocks.size() == 1 && std::ranges::any_of(m_paths, isSilent) &&
             !m_question && !m.choices.isChosen("columns"))
-            m.remark(RemarkGrade::assumption,
+            m.remark(RemarkGrade::problem,
                      {REPORT_TEXT("report", "Sense: no word says which column is clockwise; both are read as "
                                             "the angles run.")},
                      0, "columns");
@@ -525,6 +525,31 @@ private:
             unwrap(arc.angles);
             addArcs(measurement, std::move(arc), path.stated);
         }
+        askForCircle(measurement, points, fit.radius);
+    }
+
+    /// A line of a straightness is a circle of 78 m to a fit.
+    void askForCircle(const CircularMeasurement &measurement, const Points &points, double radius) {
+        constexpr std::size_t fewest = 8;
+        constexpr double shortest = 45; // °
+        constexpr double largest = 3;   // radius to the extent of the points
+        double span = 0;
+        for (const Arc &arc : measurement.arcs) {
+            const auto [from, to] = std::ranges::minmax(arc.angles);
+            span = std::max(span, to - from);
+        }
+        const auto [left, right] = std::ranges::minmax(points.x);
+        const auto [low, high] = std::ranges::minmax(points.y);
+        const double extent = std::max(right - left, high - low);
+        if (points.x.size() >= fewest && radius <= largest * extent && span >= shortest)
+            return;
+        m.remark(
+            RemarkGrade::problem,
+            {REPORT_TEXT("report", "Kind: an arc of %2 and radius %3 (points: %1) is hardly a circular "
+                                   "test; is it one?"),
+             {Number{static_cast<double>(points.x.size()), Quantity::count}, Number{span, Quantity::angle, 1},
+              Number{radius, Quantity::position, 0}}},
+            0, "kind");
     }
 
     void remarkRadius(double radius) {
@@ -585,7 +610,7 @@ private:
         const auto sign = m.choices.settle("sign", "actualMinusTarget", Origin::guessed);
         form.inverted = sign.value == "targetMinusActual";
         if (sign.origin == Origin::guessed)
-            m.remark(RemarkGrade::assumption,
+            m.remark(RemarkGrade::note,
                      {REPORT_TEXT("report", "Sign: radial deviations are read as positive outwards.")}, 0,
                      "sign");
     }
@@ -649,7 +674,7 @@ private:
             std::ranges::reverse(path.radialDeviations);
             path.sense = *stated;
             if (!m_turned)
-                m.remark(RemarkGrade::assumption,
+                m.remark(RemarkGrade::problem,
                          {REPORT_TEXT("report", "Sense: the angles run against the sense the file names; the "
                                                 "points are taken in the opposite order.")});
             m_turned = true;

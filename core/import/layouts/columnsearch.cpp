@@ -36,6 +36,12 @@ bool ColumnStep::followsTarget(std::size_t column) const {
 }
 
 void ColumnStep::ask(Message message) {
+    if (!m_search.isDoubtful)
+        m_search.question = std::move(message);
+    m_search.isDoubtful = true;
+}
+
+void ColumnStep::assume(Message message) {
     if (!m_search.question)
         m_search.question = std::move(message);
 }

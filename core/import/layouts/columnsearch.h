@@ -14,7 +14,9 @@ struct ColumnSearch {
     PositioningColumns result = {};
     std::vector<std::size_t> targets = {};   ///< columns that may hold the targets
     std::vector<std::size_t> positions = {}; ///< actual positions beside the deviations
-    std::optional<Message> question = {};    ///< the first doubt about the columns
+    std::optional<Message> question = {};    ///< the first doubt about the columns, else the first guess
+    bool isDoubtful = false;                 ///< it is a doubt
+    bool hasProposal = true;                 ///< what was read may be right
 };
 
 /// What the steps share.
@@ -32,7 +34,8 @@ protected:
     [[nodiscard]] std::vector<double> valuesOf(std::size_t column) const; ///< of the first rows
     /// Whether the values stay near the targets, line by line.
     [[nodiscard]] bool followsTarget(std::size_t column) const;
-    void ask(Message message); ///< the first question stays
+    void ask(Message message);    ///< a doubt; the first one stays
+    void assume(Message message); ///< a guess, which stands behind doubts
 
     TableReading &m;
     const std::vector<TableColumn> &m_heads;

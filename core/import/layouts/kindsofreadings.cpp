@@ -19,6 +19,7 @@ public:
 
     void keep() {
         chooseAxis();
+        chooseState();
         keepOneRole();
         keepOneUnit();
         keepOneStem();
@@ -59,6 +60,21 @@ private:
                 m_result.target = c;
                 role(c) = ColumnRole::target;
             }
+        }
+    }
+
+    /// Readings before and after an adjustment are two tests.
+    void chooseState() {
+        const auto has = [this](TestRole state) {
+            return std::ranges::any_of(m_result.values,
+                                       [&](std::size_t c) { return words(c).state == state; });
+        };
+        const bool isEither = has(TestRole::asFound) && has(TestRole::asLeft);
+        if (isEither && !m.choices.isChosen("columns")) {
+            m.stateFound = settleState(m);
+            setAside([this](std::size_t c) { return words(c).state == m.stateFound; });
+        } else if (has(TestRole::asFound) || has(TestRole::asLeft)) {
+            m.stateFound = has(TestRole::asLeft) ? TestRole::asLeft : TestRole::asFound;
         }
     }
 
@@ -134,7 +150,7 @@ private:
     void keepOneStem() {
         const auto stemOf = [&](std::size_t c) {
             const std::size_t letters = words(c).hint ? 1 : 0; // "1A" beside "1R"
-            return words(c).unknownWords > letters ? words(c).stem : std::string();
+            return words(c).group + (words(c).unknownWords > letters ? words(c).stem : std::string());
         };
         std::map<std::string, std::size_t> counts;
         for (const std::size_t c : m_result.values)
@@ -185,7 +201,8 @@ private:
             const Meaning meaning = m_heads[c].meaning;
             const bool isOther = meaning == Meaning::statistic || meaning == Meaning::other ||
                                  meaning == Meaning::index || meaning == Meaning::target;
-            if (isNumeric(c) && role(c) == ColumnRole::ignored && isOfAxis && !isOther &&
+            const bool isOfState = words(c).state == TestRole::notStated || words(c).state == m.stateFound;
+            if (isNumeric(c) && role(c) == ColumnRole::ignored && isOfAxis && isOfState && !isOther &&
                 (m_heads[c].said() == m_result.unit || !m_heads[c].unit) &&
                 (words(c).number || words(c).direction || words(c).hint))
                 ask({REPORT_TEXT("report", "Columns: “%1” may be a run like the others; it is not read."),

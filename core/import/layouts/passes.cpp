@@ -53,7 +53,14 @@ void remarkGaps(const PositioningMeasurement &measurement, std::vector<Remark> &
     for (const Run &run : measurement.runs)
         missing += static_cast<std::size_t>(
             std::ranges::count_if(run.deviations, [](const auto &value) { return !value; }));
-    if (missing > 0)
+    const std::size_t all = measurement.runs.size() * measurement.targets.size();
+    if (2 * missing > all)
+        addRemark(remarks, RemarkGrade::problem,
+                  {REPORT_TEXT("report", "Layout: readings missing: %1 of %2; are these runs and "
+                                         "targets those of one test?"),
+                   {count(missing), count(all)}},
+                  0, "layout");
+    else if (missing > 0)
         addRemark(remarks, RemarkGrade::note,
                   {REPORT_TEXT("report", "Readings missing: %1."), {count(missing)}});
     const auto upward =
@@ -393,12 +400,14 @@ private:
                          {nameOfChoice(key), nameOfWord(key, m_choices.chosen(key))}});
         const Unit *stated = fitting(said.unit);
         const Unit *found = stated ? stated : guess;
+        const bool isUnclear = key == "unit" && !m_positions && !isClearSize();
         const auto choice = m_choices.settle(key, found->word, stated ? Origin::recognised : Origin::guessed);
         const Unit *result = chosen ? chosen : found;
         if (choice.origin == Origin::guessed && said.isSaid())
             askForUnit(said, key);
         else if (choice.origin == Origin::guessed)
-            ask({question, {std::string(result->sign)}}, key);
+            addRemark(m_remarks, isUnclear ? RemarkGrade::problem : RemarkGrade::assumption,
+                      {question, {std::string(result->sign)}}, 0, std::string(key));
         return result;
     }
 
@@ -417,6 +426,18 @@ private:
                 0, std::string(key));
         else
             palmer::askForUnit(key, said.words(), m_remarks);
+    }
+
+    /// Whether deviations of that size can be meant in one unit only: 3 is no mm and 0.003 no µm. In inches
+    /// it is the targets that say it.
+    [[nodiscard]] bool isClearSize() const {
+        constexpr double smallest = 0.05;
+        constexpr double largest = 1;
+        const double size = m_low <= m_high ? std::max(std::abs(m_low), std::abs(m_high)) : 0;
+        const Unit *along = m_form.positionUnit;
+        const bool isBase =
+            along && (std::string_view(along->word) == "mm" || std::string_view(along->word) == "deg");
+        return isBase && size > 0 && (size < smallest || size >= largest);
     }
 
     void settleUnits() {
@@ -458,9 +479,15 @@ private:
                      : REPORT_TEXT("report", "Sign: the file says “%1”; read as actual − target."),
                  {m_stated.said.words}},
                 "sign");
+        else if (sign.origin == Origin::guessed && m_stated.isCorrection)
+            addRemark(m_remarks, RemarkGrade::problem,
+                      {REPORT_TEXT("report", "Sign: the file speaks of a correction, whose sign is that of "
+                                             "target − actual; read as actual − target.")},
+                      0, "sign");
         else if (sign.origin == Origin::guessed)
-            ask({REPORT_TEXT("report", "Sign: nothing in the file says it; read as actual − target.")},
-                "sign");
+            addRemark(m_remarks, RemarkGrade::note,
+                      {REPORT_TEXT("report", "Sign: nothing in the file says it; read as actual − target.")},
+                      0, "sign");
     }
 
     const StatedForm &m_stated;

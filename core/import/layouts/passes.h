@@ -68,7 +68,8 @@ struct StatedForm {
     std::string sign;    ///< as of the choice, where the file proves it
     SaidUnit unit = {};
     SaidUnit positionUnit = {};
-    SaidSign said = {}; ///< what words of the file say, which is asked
+    SaidSign said = {};        ///< what words of the file say, which is asked
+    bool isCorrection = false; ///< a heading of what is read names one
 };
 
 /// Asks for the unit of a choice, where what the file says cannot be taken: nothing is proposed.

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <deque>
 #include <span>
 #include <unordered_map>
 
@@ -25,6 +26,8 @@ enum class Sign {
     hintDown,
     filler, ///< says nothing: articles, the words "value", "laser", a unit
     from,   ///< a direction behind it is where the axis comes from
+    found,  ///< before an adjustment
+    left,   ///< after it
 };
 
 /// A row of the dictionary: whole words, folded; phrases parted by bars, their words by blanks. `languages`
@@ -228,6 +231,55 @@ constexpr std::array phrases{
     Phrases{Meaning::unknown, Sign::filler, "fr it", "l"},
     Phrases{Meaning::unknown, Sign::filler, "fr it es", "la"},
     Phrases{Meaning::unknown, Sign::filler, "it es", "del"},
+    Phrases{Meaning::unknown, Sign::found, "en",
+            "as found|before|before adjustment|before compensation|before correction"},
+    Phrases{Meaning::unknown, Sign::left, "en",
+            "as left|after|after adjustment|after compensation|after correction"},
+    Phrases{Meaning::unknown, Sign::found, "fr",
+            "etat initial|tel que trouve|avant reglage|avant compensation|avant correction"},
+    Phrases{Meaning::unknown, Sign::left, "fr",
+            "etat final|tel que laisse|apres|apres reglage|apres compensation|apres correction"},
+    Phrases{Meaning::unknown, Sign::found, "de",
+            "vorgefunden|wie vorgefunden|vor justage|vor justierung|vor einstellung|vor kompensation|vor "
+            "korrektur"},
+    Phrases{Meaning::unknown, Sign::left, "de",
+            "hinterlassen|wie hinterlassen|nach justage|nach justierung|nach einstellung|nach "
+            "kompensation|nach korrektur"},
+    Phrases{Meaning::unknown, Sign::found, "it es", "prima|antes"},
+    Phrases{Meaning::unknown, Sign::left, "it es", "dopo|despues"},
+    Phrases{Meaning::unknown, Sign::up, "cs", "tam|vpřed|nahoru|kladný|kladná"},
+    Phrases{Meaning::unknown, Sign::down, "cs", "zpět|vzad|dolů|záporný|záporná"},
+    Phrases{Meaning::unknown, Sign::up, "pl", "naprzód|w przód|do przodu|dodatni|dodatnia"},
+    Phrases{Meaning::unknown, Sign::down, "pl", "wstecz|do tyłu|z powrotem|powrót|ujemny|ujemna"},
+    Phrases{Meaning::unknown, Sign::up, "ru",
+            "вперёд|вперед|прямо|прямой|прямое|положительный|положительное"},
+    Phrases{Meaning::unknown, Sign::down, "ru",
+            "назад|обратно|обратный|обратное|отрицательный|отрицательное"},
+    Phrases{Meaning::unknown, Sign::up, "zh ja", "正向|正方向|前进|去程|往路|前進"},
+    Phrases{Meaning::unknown, Sign::down, "zh ja",
+            "负向|反向|负方向|反方向|后退|回程|返程|復路|負方向|逆方向|後退"},
+    Phrases{Meaning::place, Sign::none, "cs pl ru",
+            "poloha|pozice|poz|pozycja|położenie|позиция|положение|координата"},
+    Phrases{Meaning::place, Sign::none, "zh ja", "位置|坐标|座標"},
+    Phrases{Meaning::target, Sign::none, "cs pl", "cíl|cílová|zadaná|zadana|docelowa|nominalna|nominální"},
+    Phrases{Meaning::target, Sign::none, "ru", "цель|целевая|заданная|заданное|номинал|номинальное"},
+    Phrases{Meaning::target, Sign::none, "zh ja", "目标|目标位置|指令位置|理论位置|目標|目標位置"},
+    Phrases{Meaning::target, Sign::none, "*", "tgt|trgt|pi|p i"},
+    Phrases{Meaning::actual, Sign::none, "en", "ref pos|reference position"},
+    Phrases{Meaning::deviation, Sign::none, "cs pl",
+            "odchylka|odchylky|chyba|odchyłka|odchyłki|odchylenie|błąd|błędy"},
+    Phrases{Meaning::deviation, Sign::none, "ru", "отклонение|отклонения|ошибка|ошибки|погрешность"},
+    Phrases{Meaning::deviation, Sign::none, "zh ja", "偏差|误差|誤差"},
+    Phrases{Meaning::actual, Sign::none, "cs pl ru",
+            "skutečná|naměřená|rzeczywista|zmierzona|фактическая|фактическое|измеренная|измеренное|"
+            "действительная"},
+    Phrases{Meaning::actual, Sign::none, "zh ja", "实际|实际位置|实测|测量值|実測|実際位置|測定値"},
+    Phrases{Meaning::run, Sign::none, "cs pl ru", "měření|běh|pomiar|przebieg|измерение|проход|прогон|цикл"},
+    Phrases{Meaning::run, Sign::none, "zh ja", "测量|次|循环|測定|回"},
+    Phrases{Meaning::direction, Sign::none, "cs pl ru zh ja", "směr|kierunek|направление|方向"},
+    Phrases{Meaning::statistic, Sign::none, "cs pl ru zh ja", "průměr|średnia|среднее|平均|平均值|平均値"},
+    Phrases{Meaning::temperature, Sign::none, "cs ru zh ja", "teplota|температура|温度"},
+    Phrases{Meaning::time, Sign::none, "cs pl ru zh ja", "čas|czas|время|时间|時間"},
     Phrases{Meaning::unknown, Sign::from, "en de fr es it", "from|von|depuis|desde|da|dal|dalla"},
 };
 
@@ -285,6 +337,52 @@ std::optional<Token> signAt(std::string_view text, std::size_t i) {
     return Token{sign.text, false, true};
 }
 
+struct HeadingPhrase {
+    std::string_view words;
+    Meaning meaning;
+    Sign sign;
+};
+
+using Dictionary = std::unordered_map<std::string_view, std::vector<HeadingPhrase>>;
+
+/// By the first word, the longest phrase first.
+const Dictionary &dictionary() {
+    static const Dictionary rows = [] {
+        Dictionary result;
+        static std::deque<std::string> lists; // as headings are compared
+        for (const Phrases &row : phrases) {
+            for (std::string_view rest = lists.emplace_back(folded(row.list)); !rest.empty();) {
+                const std::string_view words = rest.substr(0, rest.find('|'));
+                result[words.substr(0, words.find(' '))].push_back({words, row.meaning, row.sign});
+                rest.remove_prefix(std::min(words.size() + 1, rest.size()));
+            }
+        }
+        for (auto &[word, list] : result)
+            std::ranges::stable_sort(list, std::ranges::greater(),
+                                     [](const HeadingPhrase &phrase) { return phrase.words.size(); });
+        return result;
+    }();
+    return rows;
+}
+
+/// Chinese and Japanese have no blanks between words: the longest one that is known, else one sign. 0: no
+/// such sign.
+std::size_t ideographsAt(std::string_view text) {
+    constexpr std::size_t sign = 3; // bytes of kana and ideographs
+    constexpr std::size_t longest = 8 * sign;
+    const auto isSign = [&](std::size_t at) {
+        return at + sign <= text.size() && text[at] >= '\xE3' && text[at] <= '\xE9';
+    };
+    std::size_t size = 0;
+    while (size < longest && isSign(size))
+        size += sign;
+    for (std::size_t known = size; known > sign; known -= sign) {
+        if (dictionary().contains(text.substr(0, known)))
+            return known;
+    }
+    return std::min(size, sign);
+}
+
 std::vector<Token> tokensOf(std::string_view text) {
     std::vector<Token> tokens;
     for (std::size_t i = 0; i < text.size();) {
@@ -297,6 +395,9 @@ std::vector<Token> tokensOf(std::string_view text) {
             while (end < text.size() && isDigit(text[end]))
                 ++end;
             tokens.push_back({text.substr(i, end - i), true});
+        } else if (const std::size_t size = ideographsAt(text.substr(i)); size > 0) {
+            end = i + size;
+            tokens.push_back({text.substr(i, size)});
         } else if (isWordByte(text[i])) {
             while (end < text.size() && isWordByte(text[end]) && arrowLength(text.substr(end)) == 0)
                 ++end;
@@ -310,33 +411,6 @@ std::vector<Token> tokensOf(std::string_view text) {
         i = end;
     }
     return tokens;
-}
-
-struct HeadingPhrase {
-    std::string_view words;
-    Meaning meaning;
-    Sign sign;
-};
-
-using Dictionary = std::unordered_map<std::string_view, std::vector<HeadingPhrase>>;
-
-/// By the first word, the longest phrase first.
-const Dictionary &dictionary() {
-    static const Dictionary rows = [] {
-        Dictionary result;
-        for (const Phrases &row : phrases) {
-            for (std::string_view rest = row.list; !rest.empty();) {
-                const std::string_view words = rest.substr(0, rest.find('|'));
-                result[words.substr(0, words.find(' '))].push_back({words, row.meaning, row.sign});
-                rest.remove_prefix(std::min(words.size() + 1, rest.size()));
-            }
-        }
-        for (auto &[word, list] : result)
-            std::ranges::stable_sort(list, std::ranges::greater(),
-                                     [](const HeadingPhrase &phrase) { return phrase.words.size(); });
-        return result;
-    }();
-    return rows;
 }
 
 /// How many tokens the phrase covers there; 0: it does not stand there.
@@ -445,6 +519,8 @@ private:
         m_hintUp |= phrase.sign == Sign::hintUp;
         m_hintDown |= phrase.sign == Sign::hintDown;
         m_dash |= phrase.sign == Sign::down && token.isWeak;
+        if (phrase.sign == Sign::found || phrase.sign == Sign::left)
+            m.state = phrase.sign == Sign::found ? TestRole::asFound : TestRole::asLeft;
         if (phrase.meaning != Meaning::unknown)
             m_meanings.push_back(phrase.meaning);
         m_isDirection = phrase.sign != Sign::none && phrase.sign != Sign::filler && phrase.sign != Sign::from;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernel/measurement/positioning.h"
+#include "kernel/measurement/test.h"
 #include "tables/units.h"
 
 #include <optional>
@@ -40,18 +41,20 @@ enum class Meaning {
 /// in part: "Pos." is a place and "rev" an abbreviation, neither is a direction.
 struct HeadingWords {
     Meaning meaning = Meaning::unknown;
-    bool isTarget = false;              ///< says "target" or "nominal", whatever else it says
-    bool isActual = false;              ///< says "actual", "measured" or "reading", whatever else it says
-    std::optional<Direction> direction; ///< a whole phrase: "approche négative", "Hinfahrt", "↑", "+"
-    std::optional<Direction> hint;      ///< an abbreviation that means a direction only beside its opposite
-    bool isHintWord = false;            ///< the hint is an abbreviation, no letter and no dash
-    bool saysDirection = false;         ///< holds a word for "direction"
-    bool namesSense = false;            ///< of rotation; its hint is a guess: clockwise as ↑
-    bool comesFrom = false;             ///< "approach from −": the hint is the other way, and to be asked
-    std::optional<unsigned> number;     ///< of a run
-    char axis = 0;                      ///< X Y Z U V W A B C, else 0
+    bool isTarget = false;                ///< says "target" or "nominal", whatever else it says
+    bool isActual = false;                ///< says "actual", "measured" or "reading", whatever else it says
+    std::optional<Direction> direction;   ///< a whole phrase: "approche négative", "Hinfahrt", "↑", "+"
+    std::optional<Direction> hint;        ///< an abbreviation that means a direction only beside its opposite
+    bool isHintWord = false;              ///< the hint is an abbreviation, no letter and no dash
+    bool saysDirection = false;           ///< holds a word for "direction"
+    bool namesSense = false;              ///< of rotation; its hint is a guess: clockwise as ↑
+    TestRole state = TestRole::notStated; ///< before or after an adjustment
+    bool comesFrom = false;               ///< "approach from −": the hint is the other way, and to be asked
+    std::optional<unsigned> number;       ///< of a run
+    char axis = 0;                        ///< X Y Z U V W A B C, else 0
     std::size_t unknownWords = 0;
     std::size_t words = 0; ///< with signs and numbers, without the unit
+    std::string group;     ///< what stands above several columns and is not understood
     std::string stem;      ///< the words without direction, number and unit: equal for runs of one kind
 
     /// Whether its hint can mean nothing else: "neg. Richtung" beside "pos. Richtung", "rev" beside

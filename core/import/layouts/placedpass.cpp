@@ -60,6 +60,19 @@ std::string guessOf(const std::vector<PlacedPass> &passes) {
     return n > 2 && scatter(passes, halves) < 0.5 * scatter(passes, inTurn) ? "sideBySide" : "alternating";
 }
 
+/// Whether the readings show the directions that were guessed: ↑ and ↓ lie apart by more than they scatter.
+/// One run each way without a number is what people measure.
+bool isPlain(std::string_view word, const std::vector<PlacedPass> &passes) {
+    const std::size_t n = passes.size();
+    if (word != "alternating" && word != "sideBySide")
+        return true;
+    if (n == 2)
+        return passes[0].number == 0 && passes[1].number == 0;
+    const auto guessed = [&](std::size_t j) { return directionUnder(word, j, n); };
+    const auto allUp = [](std::size_t) { return Direction::positive; };
+    return scatter(passes, guessed) < 0.5 * scatter(passes, allUp);
+}
+
 Message questionFor(std::string_view word, const FoundPasses &found,
                     const std::optional<OppositeWord> &opposite) {
     if (word == "alternating" && found.isByLine)
@@ -108,8 +121,8 @@ void settleDirections(FoundPasses &found, TableReading &reading) {
             passes[j].direction = directionUnder(choice.value, j, passes.size());
     }
     if (choice.origin == Origin::guessed)
-        reading.remark(RemarkGrade::assumption, questionFor(choice.value, found, reading.body.opposite), 0,
-                       "directions");
+        reading.remark(isPlain(choice.value, passes) ? RemarkGrade::assumption : RemarkGrade::problem,
+                       questionFor(choice.value, found, reading.body.opposite), 0, "directions");
 }
 
 std::vector<Pass> inOrder(std::vector<PlacedPass> placed, TableReading &reading) {

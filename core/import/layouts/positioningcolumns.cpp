@@ -24,7 +24,11 @@ bool looksLikeReadings(const ColumnSearch &search, std::size_t c) {
     const TableColumn &head = search.reading.body.columns[c];
     const std::string &axis = search.reading.axisFound;
     const bool isOfAxis = axis.empty() || head.words.axis == 0 || head.words.axis == axis[0];
-    if (head.kind != ColumnKind::numbers || search.result.columns[c].role != ColumnRole::ignored || !isOfAxis)
+    const bool isOfOtherState =
+        head.words.state != TestRole::notStated && head.words.state != search.reading.stateFound;
+    if (head.kind != ColumnKind::numbers || search.result.columns[c].role != ColumnRole::ignored ||
+        !isOfAxis || isOfOtherState ||
+        (head.meaning == Meaning::run && !head.words.number && isCounter(search.reading, c)))
         return false;
     switch (head.meaning) {
     case Meaning::deviation:
@@ -67,7 +71,7 @@ void remarkIgnored(ColumnSearch &search) {
     }
     if (!readings.empty())
         search.reading.remark(
-            RemarkGrade::assumption,
+            RemarkGrade::problem,
             {REPORT_TEXT("report", "Columns that look like readings and are not read: %1."), {readings}}, 0,
             "columns");
     if (!names.empty())
@@ -95,7 +99,10 @@ void settle(ColumnSearch &search) {
     if (choice.origin == Origin::chosen)
         takeChosenColumns(search, choice.value);
     else if (search.question)
-        m.remark(RemarkGrade::assumption, *search.question, 0, "columns");
+        m.remark(search.isDoubtful ? RemarkGrade::problem : RemarkGrade::assumption, *search.question, 0,
+                 "columns");
+    if (!search.hasProposal && choice.origin != Origin::chosen)
+        m.result.remarks.back().isOwed = true;
     m.result.columns =
         search.result.columns; // to be shown, and changed there, where that is all that is known
     if (!search.result.target || search.result.values.empty())
@@ -121,12 +128,25 @@ PositioningColumns positioningColumns(TableReading &reading) {
     return std::move(search.result);
 }
 
+TestRole settleState(TableReading &reading) {
+    const auto choice = reading.choices.settle("state", "asFound", Origin::guessed);
+    const bool isLeft = choice.value == "asLeft";
+    reading.remark(
+        RemarkGrade::problem,
+        {isLeft ? REPORT_TEXT("report", "State: the table has readings as found and as left; those as "
+                                        "left are read, the others are a test of their own.")
+                : REPORT_TEXT("report", "State: the table has readings as found and as left; those as "
+                                        "found are read, the others are a test of their own.")},
+        0, "state");
+    return isLeft ? TestRole::asLeft : TestRole::asFound;
+}
+
 Remark askForAxis(const std::vector<std::string> &axes, const std::string &axis) {
     std::string names;
     for (const std::string &each : axes)
         names += (names.empty() ? "" : ", ") + each;
     Remark remark{
-        RemarkGrade::assumption,
+        RemarkGrade::problem,
         {REPORT_TEXT("report", "Axis: the table has several (%1); %2 is read, the others are a test of "
                                "their own."),
          {names, axis}},

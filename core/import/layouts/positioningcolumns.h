@@ -33,6 +33,9 @@ struct PositioningColumns {
 [[nodiscard]] PositioningColumns positioningColumns(TableReading &reading);
 
 /// The question which of several axes in one table is read.
+/// Which state is read, where a table has readings before and after an adjustment, with its question.
+[[nodiscard]] TestRole settleState(TableReading &reading);
+
 [[nodiscard]] Remark askForAxis(const std::vector<std::string> &axes, const std::string &axis);
 
 } // namespace palmer

@@ -144,6 +144,16 @@ SaidSign signOf(const TableReading &reading) {
     return reading.notes.sign;
 }
 
+/// "Korrektur", "correction", "correzione": what is to be added, whose sign is turned.
+bool namesCorrection(const TableReading &reading) {
+    return std::ranges::any_of(reading.result.columns, [](const ImportColumn &column) {
+        const std::string low = folded(column.heading);
+        return column.hasReadings() &&
+               (low.find("correc") != std::string::npos || low.find("correzion") != std::string::npos ||
+                low.find("korrekt") != std::string::npos);
+    });
+}
+
 /// The word of a text for what is measured along an axis beside its positions; empty: none.
 std::string otherQuantity(std::string_view text) {
     constexpr std::array<std::string_view, 26> words{
@@ -199,11 +209,13 @@ void readPositioning(TableReading &reading) {
     const SaidUnit &noted = reading.notes.unit;
     const bool isTooSmall = noted.unit && noted.unit->toBase(1) < 1 && arePositions(passes);
     const SaidUnit unit = found.unit.isSaid() || isTooSmall ? found.unit : noted;
-    const PassForm form =
-        settleForm(passes, {found.content, found.sign, unit, found.positionUnit, signOf(reading)},
-                   reading.choices, reading.result.remarks);
+    const PassForm form = settleForm(
+        passes,
+        {found.content, found.sign, unit, found.positionUnit, signOf(reading), namesCorrection(reading)},
+        reading.choices, reading.result.remarks);
     reading.result.test = testFrom(measurementOf(std::move(passes), form, reading.result.remarks),
                                    axisName(reading), reading.choices);
+    reading.result.test->role = reading.stateFound;
 }
 
 } // namespace palmer

@@ -5,6 +5,7 @@
 #include "document/place.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace palmer {
 
@@ -30,6 +31,7 @@ public:
             if (m_result.columns[c].hasReadings())
                 m_result.values.push_back(c);
         }
+        dropRowCounter();
         if (m_result.values.empty())
             takeUnnamed();
         else
@@ -48,6 +50,48 @@ private:
             if (codes)
                 m_result.direction = c;
         }
+    }
+
+    /// "Messung 1, 2, 3 …" on lines of different targets counts lines, not runs.
+    void dropRowCounter() {
+        if (!m_result.number || !m_result.target)
+            return;
+        const auto areDistinct = [](std::vector<double> values) {
+            std::ranges::sort(values);
+            return values.size() > 2 && std::ranges::adjacent_find(values) == values.end();
+        };
+        if (!areDistinct(valuesOf(*m_result.number)) || !areDistinct(valuesOf(*m_result.target)))
+            return;
+        role(*m_result.number) = ColumnRole::ignored;
+        m_result.number.reset();
+    }
+
+    /// Columns without headings whose numbers differ by more than a hundred times what they spread are hardly
+    /// runs of one test.
+    void askForSizes() {
+        constexpr double most = 100;
+        double spread = 0;
+        std::vector<double> middles;
+        for (const std::size_t c : m_result.values) {
+            const std::vector<double> values = valuesOf(c);
+            if (values.empty())
+                continue;
+            const auto [low, high] = std::ranges::minmax(values);
+            spread = std::max(spread, high - low);
+            middles.push_back((low + high) / 2);
+        }
+        if (middles.size() < 2)
+            return;
+        const auto [least, largest] = std::ranges::minmax(middles);
+        const bool isApart = largest - least > most * spread ||
+                             std::max(std::abs(least), std::abs(largest)) >
+                                 most * std::max(std::min(std::abs(least), std::abs(largest)), spread / most);
+        if (!isApart || largest - least < spread)
+            return;
+        ask({REPORT_TEXT("report", "Columns: nothing says what they hold, and their numbers are of different "
+                                   "size (about %1 to %2); give each its role."),
+             {Number{least, Quantity::number}, Number{largest, Quantity::number}}});
+        m_search.hasProposal = false;
     }
 
     /// No heading says what is read: what is left are the runs.
@@ -73,8 +117,10 @@ private:
             ask({REPORT_TEXT("report", "Columns: the headings do not say which hold readings; “%1” and those "
                                        "like it are read as runs."),
                  {excerpt(m_heads[m_result.values.front()].heading)}});
-        if (m_heads.size() > 2 && !named)
+        if (m_heads.size() > 2 && !named) {
             separatePositions();
+            askForSizes();
+        }
     }
 
     [[nodiscard]] bool isDroppedCounter(std::size_t c) const {
@@ -127,7 +173,8 @@ private:
     void askForUntitled() {
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             if (m_heads[c].isSpread && m_result.columns[c].hasReadings())
-                ask({REPORT_TEXT("report", "Columns: “%1” is read as the heading of the columns without one "
+                assume(
+                    {REPORT_TEXT("report", "Columns: “%1” is read as the heading of the columns without one "
                                            "behind it, too."),
                      {excerpt(m_heads[c].heading)}});
             if (isNumeric(c) && role(c) == ColumnRole::ignored && m_heads[c].heading.empty() &&

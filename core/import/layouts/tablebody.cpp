@@ -4,11 +4,13 @@
 
 #include "document/digit.h"
 #include "document/documenterror.h"
+#include "document/place.h"
 #include "import/filenotes.h"
 #include "import/layouts/tableheadings.h"
 #include "tables/dates.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -224,9 +226,23 @@ private:
         }
         if (hasNumbers)
             m_numericHead = index;
+        else if (isWholeHeading(row))
+            m_numericHead.reset(); // what stood above belongs to something else
         finish();
         m_heads.push_back(index);
         return true;
+    }
+
+    /// A line that calls its columns targets and readings.
+    [[nodiscard]] bool isWholeHeading(const TableRow &row) const {
+        const auto cells = m_table.cells(row);
+        const auto callsTargets = [&](const TableCell &cell) {
+            const Meaning meaning =
+                cell.kind == CellKind::text ? readHeading(m_table.text(cell)).meaning : Meaning::unknown;
+            return meaning == Meaning::target || meaning == Meaning::place;
+        };
+        return !row.comment && wordCount(row) >= m_numberColumns && numberCount(cells) == 0 &&
+               std::ranges::any_of(cells, callsTargets);
     }
 
     void takeBodyRow(std::uint32_t index) {
@@ -361,7 +377,18 @@ private:
         const auto cells = m_table.cells(row);
         const std::size_t numbers = numberCount(cells);
         return numbers >= 2 && 2 * numbers >= m_numberColumns && wordCount(row) <= 2 &&
-               numbers + 2 >= trimmed(cells).size();
+               numbers + 2 >= trimmed(cells).size() && !areYears(cells);
+    }
+
+    /// ";2024;;2025;" above the headings of columns.
+    [[nodiscard]] static bool areYears(std::span<const TableCell> cells) {
+        constexpr double first = 1990;
+        constexpr double last = 2050;
+        constexpr std::size_t few = 4;
+        return numberCount(cells) <= few && std::ranges::all_of(cells, [](const TableCell &cell) {
+                   return cell.kind != CellKind::number ||
+                          (cell.value >= first && cell.value <= last && cell.value == std::floor(cell.value));
+               });
     }
 
     [[nodiscard]] std::size_t wordCount(const TableRow &row) const {
@@ -418,41 +445,67 @@ bool areAlike(const std::vector<TableColumn> &a, const std::vector<TableColumn> 
         const bool understood = x.words.unknownWords == 0 && y.words.unknownWords == 0;
         return x.kind != ColumnKind::numbers ||
                (meaningOf(x) == meaningOf(y) && x.unit == y.unit && x.words.axis == y.words.axis &&
-                (understood || x.words.stem == y.words.stem));
+                (understood || x.words.stem == y.words.stem) && x.words.group == y.words.group);
     });
 }
 
-/// Keeps the blocks of the columns that most numbers stand under; the others are other tables.
-void keepLargestTable(const CellTable &table, TableBody &body) {
+/// How much columns are those of a measurement: 2 with places and readings, or two axes, 1 with one of them.
+int likeness(const std::vector<TableColumn> &columns) {
+    bool places = false;
+    bool readings = false;
+    std::size_t axes = 0;
+    for (const TableColumn &column : columns) {
+        if (column.kind != ColumnKind::numbers)
+            continue;
+        const Meaning meaning = column.meaning;
+        places |= meaning == Meaning::target || meaning == Meaning::place || meaning == Meaning::angle;
+        readings |= meaning == Meaning::deviation || meaning == Meaning::actual ||
+                    meaning == Meaning::reading || meaning == Meaning::run || meaning == Meaning::radius ||
+                    (column.words.direction && meaning != Meaning::statistic);
+        axes += meaning == Meaning::x || meaning == Meaning::y ? 1 : 0;
+    }
+    return axes == 2 ? 2 : (places ? 1 : 0) + (readings ? 1 : 0);
+}
+
+/// Keeps the blocks of one table; the others are listed.
+void keepOneTable(const CellTable &table, TableBody &body, std::optional<std::size_t> chosen) {
     constexpr std::size_t mostKinds = 50; // a report of more is none to be read as a whole
-    struct Kind {
-        std::size_t section = 0;
-        std::size_t rows = 0;
-    };
-    std::vector<Kind> kinds;
+    constexpr std::size_t longestHeadings = 60;
+    std::vector<std::size_t> sections; // the first of each kind
     std::vector<std::size_t> kindOf;
     for (std::size_t s = 0; s < body.sections.size(); ++s) {
         const auto found = std::ranges::find_if(
-            kinds, [&](const Kind &kind) { return areAlike(body.sections[kind.section], body.sections[s]); });
-        kindOf.push_back(static_cast<std::size_t>(found - kinds.begin()));
-        if (found == kinds.end() && kinds.size() < mostKinds)
-            kinds.push_back({s, 0});
+            sections, [&](std::size_t other) { return areAlike(body.sections[other], body.sections[s]); });
+        kindOf.push_back(static_cast<std::size_t>(found - sections.begin()));
+        if (found == sections.end() && sections.size() < mostKinds)
+            sections.push_back(s);
     }
+    body.tables.resize(sections.size());
     for (const TableBlock &block : body.blocks) {
-        if (kindOf[block.section] < kinds.size())
-            kinds[kindOf[block.section]].rows += block.rows.size();
+        if (kindOf[block.section] >= sections.size())
+            continue;
+        ListedTable &listed = body.tables[kindOf[block.section]];
+        const std::size_t first = table.rows()[block.rows.front()].line;
+        listed.firstLine = listed.rows == 0 ? first : listed.firstLine;
+        listed.lastLine = table.rows()[block.rows.back()].line;
+        listed.rows += block.rows.size();
     }
-    const auto best =
-        static_cast<std::size_t>(std::ranges::max_element(kinds, {}, &Kind::rows) - kinds.begin());
-    std::erase_if(body.blocks, [&](const TableBlock &block) {
-        const bool other = kindOf[block.section] != best;
-        if (other)
-            addRemark(body.remarks, RemarkGrade::problem,
-                      {REPORT_TEXT("report", "Here a table with other columns begins, which was not read.")},
-                      table.rows()[block.rows.front()].line, "unread");
-        return other;
-    });
-    body.columns = body.sections[kinds[best].section];
+    for (std::size_t k = 0; k < sections.size(); ++k) {
+        for (const TableColumn &column : body.sections[sections[k]]) {
+            std::string &headings = body.tables[k].headings;
+            if (!column.heading.empty() && headings.size() < longestHeadings)
+                headings += (headings.empty() ? "" : ", ") + excerpt(column.heading);
+        }
+    }
+    const auto rank = [&](std::size_t k) {
+        return std::pair(likeness(body.sections[sections[k]]), body.tables[k].rows);
+    };
+    for (std::size_t k = 1; k < sections.size(); ++k)
+        body.table = rank(k) > rank(body.table) ? k : body.table;
+    if (chosen && *chosen >= 1 && *chosen <= sections.size())
+        body.table = *chosen - 1;
+    std::erase_if(body.blocks, [&](const TableBlock &block) { return kindOf[block.section] != body.table; });
+    body.columns = body.sections[sections[body.table]];
 }
 
 } // namespace
@@ -485,7 +538,8 @@ std::optional<std::size_t> TableBody::columnOf(ColumnKind kind) const {
                                   : std::optional(static_cast<std::size_t>(found - columns.begin()));
 }
 
-TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbers) {
+TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbers,
+                 std::optional<std::size_t> chosen) {
     TableBody body;
     const std::size_t width = widthOf(table);
     const Error noNumbers(
@@ -516,7 +570,7 @@ TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbe
     std::erase_if(body.notes,
                   [&](std::uint32_t index) { return std::ranges::binary_search(body.columnHeads, index); });
     std::ranges::sort(body.notes);
-    keepLargestTable(table, body);
+    keepOneTable(table, body, chosen);
     return body;
 }
 

@@ -19,6 +19,7 @@ enum class ColumnKind { empty, numbers, directions, senses, clock, dates, words 
 struct TableColumn {
     ColumnKind kind = ColumnKind::empty;
     std::string heading; ///< all rows of the heading joined
+    std::string group;   ///< of it what stands above several columns
     HeadingWords words;  ///< what it says
     Meaning meaning = Meaning::unknown;
     const Unit *unit = nullptr; ///< of the heading, or null
@@ -44,6 +45,16 @@ struct OppositeWord {
     Direction direction = Direction::negative; ///< the other one than that of the words that are known
 };
 
+/// Rows of the same columns, one of several tables of a file.
+struct ListedTable {
+    std::size_t firstLine = 0;
+    std::size_t lastLine = 0;
+    std::size_t rows = 0;
+    std::string headings;
+
+    bool operator==(const ListedTable &) const = default;
+};
+
 /// The rows of a table sorted into what is measured and what is said about it.
 struct TableBody {
     std::vector<TableColumn> columns;               ///< of the first section
@@ -52,6 +63,8 @@ struct TableBody {
     std::vector<std::uint32_t> notes;       ///< comments and lines that are no heading
     std::vector<std::uint32_t> columnHeads; ///< rows that the headings are made of
     std::vector<Remark> remarks;
+    std::vector<ListedTable> tables; ///< in the order of the file, with the one that is read
+    std::size_t table = 0;           ///< of them, the one that is read
     std::optional<OppositeWord> opposite;
 
     /// The direction a cell of the column of directions says.
@@ -65,9 +78,10 @@ struct TableBody {
     [[nodiscard]] std::optional<std::size_t> columnOf(ColumnKind kind) const;
 };
 
-/// Blocks whose columns are others than those of most rows are not among them: a remark says so. Throws
-/// Error(content) where there are no rows of numbers.
-/// `ofNumbers` are columns that the user has given a role of numbers.
-[[nodiscard]] TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbers = {});
+/// Of several tables the one with targets and readings, of those the longest; or the one chosen, from 1.
+/// Throws Error(content) where there are no rows of numbers. `ofNumbers` are columns that the user has given
+/// a role of numbers.
+[[nodiscard]] TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbers = {},
+                               std::optional<std::size_t> chosen = {});
 
 } // namespace palmer

@@ -9,12 +9,13 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace palmer {
 
 namespace {
 
-constexpr std::size_t headingRows = 3;
+constexpr std::size_t headingRows = 5;
 
 /// "Forward", "Rev", "Run 2": what stands above several columns.
 bool namesRuns(const HeadingWords &heading) {
@@ -79,9 +80,45 @@ bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
     return !isTitle && 2 * filled >= width && (words > 0 || directions > 0) && (width <= 2 || filled > 1);
 }
 
+bool isYear(const TableCell &cell) {
+    constexpr double first = 1990;
+    constexpr double last = 2050;
+    return cell.kind == CellKind::number && cell.value >= first && cell.value <= last &&
+           cell.value == std::floor(cell.value);
+}
+
+/// ";Linear;;Pitch;", ";2024;;2025;", "X;X;Y;Y": what stands above several columns each, and no label with
+/// its value.
+bool isGroupRow(const CellTable &table, const TableRow &row, std::size_t width) {
+    const auto cells = trimmed(table.cells(row));
+    if (row.comment || cells.empty() || cells.size() > width || width < 3)
+        return false;
+    std::size_t filled = 0;
+    std::size_t gaps = 0;
+    std::size_t repeated = 0;
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        if (cells[c].kind == CellKind::empty) {
+            ++gaps;
+            continue;
+        }
+        const std::string_view text = table.text(cells[c]);
+        const bool isLetter = cells[c].kind == CellKind::missing && folded(text) == "x"; // no missing number
+        if ((cells[c].kind != CellKind::text && !isYear(cells[c]) && !isLetter) || text.ends_with(':'))
+            return false;
+        repeated += c > 0 && cells[c - 1].kind != CellKind::empty && table.text(cells[c - 1]) == text ? 1 : 0;
+        ++filled;
+    }
+    const bool beginsBehindTargets = cells.front().kind == CellKind::empty;
+    return beginsBehindTargets ? filled > 0 : filled > 1 && filled < width && (gaps > 0 || repeated > 0);
+}
+
 /// Whether a row above headings that name every column adds to them: groups, directions, axes, and no label
 /// with its value.
 bool addsToHeadings(const CellTable &table, const TableRow &row) {
+    const auto cells = table.cells(row);
+    if (std::ranges::count(cells, CellKind::number, &TableCell::kind) == 1 &&
+        std::ranges::none_of(cells, isYear))
+        return false; // "Number of runs; 5"
     std::size_t known = 0;
     for (const TableCell &cell : table.cells(row)) {
         if (cell.kind == CellKind::empty || cell.kind == CellKind::number)
@@ -128,9 +165,39 @@ bool isRowOfUnits(const CellTable &table, std::span<const TableCell> cells) {
     return std::ranges::any_of(cells, isUnit);
 }
 
+/// "Name; X position; Y position" and below it "Unit; mm; mm": properties of each column, as oscilloscopes of
+/// controls write them. Nothing where no line calls the columns.
+void takeFromProperties(const CellTable &table, const TableBlock &block, std::vector<TableColumn> &columns) {
+    const auto rowCalled = [&](std::string_view labels) -> const TableRow * {
+        for (const std::uint32_t head : block.heads) {
+            const TableRow &row = table.rows()[head];
+            const auto cells = trimmed(table.cells(row));
+            const std::string label =
+                '|' + (cells.empty() ? std::string() : folded(table.text(cells.front()))) + '|';
+            if (cells.size() > 1 && cells.size() == columns.size() &&
+                labels.find(label) != std::string_view::npos)
+                return &row;
+        }
+        return nullptr;
+    };
+    const TableRow *names = rowCalled("|name|names|signal|channel|kanal|nom|nome|nombre|");
+    const TableRow *units = rowCalled("|unit|units|einheit|unite|unita|unidad|");
+    if (!names)
+        return;
+    for (std::size_t c = 1; c < columns.size(); ++c) {
+        columns[c].heading = table.text(table.cells(*names)[c]);
+        if (units)
+            columns[c].heading += " (" + std::string(table.text(table.cells(*units)[c])) + ')';
+    }
+}
+
 /// The rows directly above a block that are the headings of its columns, from above.
 std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBlock &block,
-                                         const std::vector<TableColumn> &columns) {
+                                         const std::vector<TableColumn> &all) {
+    std::size_t width = 0; // of this block, which may be narrower than the widest of the file
+    for (const std::uint32_t row : block.rows)
+        width = std::max<std::size_t>(width, table.rows()[row].count);
+    const auto columns = std::span(all).first(std::min(width, all.size()));
     std::vector<std::uint32_t> rows;
     bool complete = false;
     for (auto at = block.heads.rbegin(); at != block.heads.rend() && rows.size() < headingRows; ++at) {
@@ -139,9 +206,10 @@ std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBloc
             (row.comment || isComputedRow(table, row) || (columns.size() > 2 && isLoneText(table, row))))
             continue; // the title of the block
         // Numbers of runs stand below what they number: "Forward;;Reverse;" over "1;2;1;2".
-        if (*at != block.numericHead && !isHeading(table, row, columns.size()))
+        const bool isGroup = !rows.empty() && isGroupRow(table, row, columns.size());
+        if (*at != block.numericHead && !isGroup && !isHeading(table, row, columns.size()))
             break;
-        if (complete && !addsToHeadings(table, row))
+        if (complete && !isGroup && !addsToHeadings(table, row))
             break;
         const auto cells = table.cells(row);
         complete |= *at != block.numericHead && cells.size() >= columns.size() &&
@@ -169,6 +237,7 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
                                                std::ranges::count(cells, CellKind::empty, &TableCell::kind));
         const bool spans = filled + 1 < columns.size() && index != rows.back();
         const bool hasUnits = isRowOfUnits(table, cells);
+        const bool isGroup = index != rows.back() && isGroupRow(table, table.rows()[index], columns.size());
         std::string_view last;
         for (std::size_t c = 0; c < columns.size(); ++c) {
             std::string_view text = c < cells.size() ? table.text(cells[c]) : std::string_view();
@@ -176,8 +245,10 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
                 continue;
             if (!text.empty())
                 last = text;
-            else if (spans && c > 0)
+            else if ((spans || isGroup) && c > 0)
                 text = last;
+            if (isGroup)
+                addWords(columns[c].group, text);
             // Some are units in brackets only: "m", "V", a quotation mark.
             const std::string inBrackets = '(' + std::string(text) + ')';
             addWords(columns[c].heading,
@@ -237,14 +308,66 @@ void takeUnitOfCells(const CellTable &table, std::size_t c, TableColumn &column,
     column.foreignUnit.clear();
 }
 
+/// Without what stands above several columns.
+std::string_view ownHeading(const TableColumn &column) {
+    return std::string_view(column.heading).substr(std::min(column.group.size(), column.heading.size()));
+}
+
+/// "Reading (Zg)": what stands in brackets at the end and is no word that is known is a unit that is not
+/// known.
+std::string wordInBrackets(std::string_view heading) {
+    constexpr std::size_t longest = 8;
+    const std::size_t open = heading.find_last_of("([");
+    if (open == std::string_view::npos || open == 0 || heading.find_last_of(")]") != heading.size() - 1)
+        return {};
+    const std::string_view inside = withoutBlanks(heading.substr(open + 1, heading.size() - open - 2));
+    const bool isWord =
+        inside.size() > 1 && inside.size() <= longest &&
+        std::ranges::none_of(inside, [](char c) { return isDigit(c) || c == ' ' || c == ','; });
+    return isWord && readHeading(inside).unknownWords == 1 && !senseIn(inside) ? std::string(inside)
+                                                                               : std::string();
+}
+
+/// A group whose words are not understood does not hide what stands below it, but is a kind of its own.
+void takeGroup(TableColumn &column) {
+    const HeadingWords group = readHeading(column.group);
+    constexpr unsigned firstYear = 1990; // no number of a run
+    const bool isUnderstood = group.unknownWords == 0 && group.number.value_or(0) < firstYear;
+    if (column.group.empty() || isUnderstood)
+        return;
+    HeadingWords words = readHeading(ownHeading(column));
+    words.group = folded(withoutUnit(column.group));
+    if (words.meaning == Meaning::unknown)
+        words.meaning = group.meaning;
+    if (words.axis == 0)
+        words.axis = group.axis;
+    if (!words.direction)
+        words.direction = group.direction;
+    if (words.state == TestRole::notStated)
+        words.state = group.state;
+    column.words = std::move(words);
+}
+
 void readHeadings(const CellTable &table, std::vector<TableColumn> &columns, std::vector<Remark> &remarks) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
         TableColumn &column = columns[c];
         column.words = readHeading(column.heading);
+        takeGroup(column);
         column.meaning = column.words.meaning;
         const SaidUnit said = saidUnit(column.heading);
         column.unit = said.unit;
         column.foreignUnit = said.foreign;
+        const SaidUnit ofGroup = saidUnit(column.group.empty() ? std::string() : '(' + column.group + ')');
+        const SaidUnit own = saidUnit(ownHeading(column));
+        if (ofGroup.isSaid() && own.isSaid() && !(ofGroup == own)) {
+            column.unit = nullptr; // "arcsec" over "Forward (µm)"
+            column.foreignUnit = ofGroup.words() + ", " + own.words();
+        } else if (ofGroup.isSaid() && !said.isSaid()) {
+            column.unit = ofGroup.unit;
+            column.foreignUnit = ofGroup.foreign;
+        }
+        if (!said.isSaid() && column.kind == ColumnKind::numbers)
+            column.foreignUnit = wordInBrackets(column.heading);
         takeUnitOfCells(table, c, column, remarks);
         // "Point (mm)" is no counter.
         if (column.meaning == Meaning::index && column.unit &&
@@ -318,8 +441,9 @@ bool isComputedRow(const CellTable &table, const TableRow &row) {
         if (!isLabelled) {
             const Meaning meaning =
                 cell.kind == CellKind::text ? readHeading(table.text(cell)).meaning : Meaning::unknown;
-            isLabelled =
-                meaning == Meaning::statistic || meaning == Meaning::other || isSpread(table.text(cell));
+            isLabelled = meaning == Meaning::statistic || meaning == Meaning::other ||
+                         (meaning == Meaning::temperature && table.text(cell).size() > 1) ||
+                         isSpread(table.text(cell));
             if (!isLabelled)
                 return false;
         } else {
@@ -344,6 +468,8 @@ void findSections(const CellTable &table, TableBody &body) {
             takeFromComment(table, table.rows()[block.heads.back()], columns); // the headings themselves
         composeHeadings(table, rows, columns);
         spreadHeadings(columns);
+        if (std::ranges::all_of(columns, [](const TableColumn &column) { return column.heading.empty(); }))
+            takeFromProperties(table, block, columns);
         const bool named =
             std::ranges::any_of(columns, [](const TableColumn &column) { return !column.heading.empty(); });
         if (named || body.sections.empty()) {

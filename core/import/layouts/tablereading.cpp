@@ -26,22 +26,53 @@ std::vector<std::size_t> chosenNumbers(const Choices &choices) {
     return numbers;
 }
 
+std::optional<std::size_t> chosenTable(const Choices &choices) {
+    const auto number = choices.chosenNumber("table");
+    return number ? std::optional(static_cast<std::size_t>(std::clamp(*number, 0.0, 1e6))) : std::nullopt;
+}
+
 } // namespace
 
 TableReading::TableReading(Imported &imported, Choices &chosen)
     : result(imported)
     , choices(chosen)
-    , body(bodyOf(imported.table, chosenNumbers(chosen)))
+    , body(bodyOf(imported.table, chosenNumbers(chosen), chosenTable(chosen)))
     , notes(notesOf(imported.table, body)) {
     std::size_t cells = 0;
     for (const TableRow &each : result.table.rows())
-        cells = each.first + each.count;
+        cells = std::max<std::size_t>(cells, each.first + each.count); // in any order
     result.roles.assign(cells, CellRole::ignored);
     for (const std::uint32_t head : body.columnHeads) {
         for (std::size_t c = 0; c < row(head).count; ++c)
             setRole(head, c, CellRole::head);
     }
     result.remarks.insert(result.remarks.end(), body.remarks.begin(), body.remarks.end());
+    askForTable();
+}
+
+void TableReading::askForTable() {
+    if (body.tables.size() < 2)
+        return;
+    const std::string read = std::to_string(body.table + 1);
+    const auto choice = choices.settle("table", read, Origin::guessed);
+    if (choice.origin == Origin::chosen && choice.value != read)
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "%1 cannot be %2; the file has %3 of them"),
+                     {nameOfChoice("table"), choice.value, std::to_string(body.tables.size())}});
+    std::string list;
+    Remark question{RemarkGrade::problem, {}, 0, 0, "table"};
+    for (std::size_t i = 0; i < body.tables.size(); ++i) {
+        const ListedTable &table = body.tables[i];
+        const std::string number = std::to_string(i + 1);
+        list += (list.empty() ? "" : "; ") + number + ": " + std::to_string(table.firstLine) + "–" +
+                std::to_string(table.lastLine) +
+                (table.headings.empty() ? std::string() : " (" + table.headings + ')');
+        question.answers.push_back(number);
+    }
+    question.message = {
+        REPORT_TEXT("report", "Table: the file has several, in the lines %1; number %2 is read."),
+        {list, read}};
+    result.remarks.push_back(std::move(question));
 }
 
 std::string_view TableReading::cellText(std::uint32_t index, std::size_t column) const {

@@ -41,9 +41,11 @@ public:
     Choices &choices;
     TableBody body;
     FileNotes notes;
-    std::string axisFound; ///< the one of several in the table that is read
+    std::string axisFound;                     ///< the one of several in the table that is read
+    TestRole stateFound = TestRole::notStated; ///< likewise: before or after an adjustment
 
 private:
+    void askForTable();
     std::optional<double> noNumber(std::uint32_t index, std::size_t column);
 
     std::size_t m_missingWords = 0;

@@ -51,9 +51,9 @@ public:
                 continue;
             role(c) = ColumnRole::target;
             if (m_heads[c].meaning != Meaning::target && !isCalledAsTarget(c))
-                ask({REPORT_TEXT("report",
-                                 "Columns: the readings behind “%1” are taken to stand at its positions."),
-                     {excerpt(m_heads[c].heading)}});
+                assume({REPORT_TEXT("report",
+                                    "Columns: the readings behind “%1” are taken to stand at its positions."),
+                        {excerpt(m_heads[c].heading)}});
         }
     }
 

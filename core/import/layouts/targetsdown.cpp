@@ -50,6 +50,7 @@ public:
         m_found.hasSenses = m_columns.hasSenses;
         m_target = *m_columns.target;
         chooseAxis();
+        chooseState();
         if (m_columns.direction || m_columns.number)
             readLines();
         else
@@ -144,6 +145,42 @@ private:
         return {};
     }
 
+    /// "As found" and "As left" above blocks: two tests.
+    void chooseState() {
+        bool found = false;
+        bool left = false;
+        for (const TableBlock &block : m.body.blocks) {
+            found |= stateOfBlock(block) == TestRole::asFound;
+            left |= stateOfBlock(block) == TestRole::asLeft;
+        }
+        m_hasStates = found && left && m.stateFound == TestRole::notStated;
+        if (m_hasStates)
+            m.stateFound = settleState(m);
+        else if ((found || left) && m.stateFound == TestRole::notStated)
+            m.stateFound = left ? TestRole::asLeft : TestRole::asFound;
+    }
+
+    [[nodiscard]] TestRole stateOfBlock(const TableBlock &block) const {
+        for (auto head = block.heads.rbegin(); head != block.heads.rend(); ++head) {
+            if (std::ranges::binary_search(m.body.columnHeads, *head))
+                continue;
+            const HeadingWords heading = readHeading(m.textOf(*head));
+            if (heading.state != TestRole::notStated && heading.unknownWords < 3) // a title, no prose
+                return heading.state;
+        }
+        return TestRole::notStated;
+    }
+
+    [[nodiscard]] bool isOfOtherTest(const TableBlock &block) {
+        if (m_hasStates) {
+            if (const TestRole state = stateOfBlock(block); state != TestRole::notStated)
+                m_blockState = state; // holds until another is named
+            if (m_blockState != m.stateFound)
+                return true;
+        }
+        return isOfOtherAxis(block);
+    }
+
     [[nodiscard]] bool isOfOtherAxis(const TableBlock &block) {
         if (m_axis.empty() || m_axisColumn)
             return false;
@@ -159,7 +196,7 @@ private:
 
     void readLines() {
         for (const TableBlock &block : m.body.blocks) {
-            if (isOfOtherAxis(block))
+            if (isOfOtherTest(block))
                 continue;
             m_titled = directionOfBlock(m, block).stated;
             for (const std::uint32_t row : block.rows) {
@@ -276,7 +313,7 @@ private:
     void readPieces() {
         bool shuffled = false;
         for (const TableBlock &block : m.body.blocks) {
-            if (!isOfOtherAxis(block))
+            if (!isOfOtherTest(block))
                 cut(block, shuffled);
         }
         if (!shuffled)
@@ -365,7 +402,7 @@ private:
         const auto other = std::ranges::find_if(m_pieces, isOther);
         if (other != m_pieces.end())
             m.remark(
-                RemarkGrade::assumption,
+                RemarkGrade::problem,
                 {REPORT_TEXT("report", "Layout: the targets of the block that begins here are others than "
                                        "those of the first block; it is read as runs of its own.")},
                 m.row(other->rows.front()).line, "layout");
@@ -410,8 +447,8 @@ private:
         for (std::size_t i = 0; i < m_pieces.size(); ++i) {
             const Piece &piece = m_pieces[i];
             const HeadingWords title = titleOf(*piece.block);
-            const bool isRun =
-                (title.meaning == Meaning::run && title.number) || title.direction || title.hint;
+            const bool isRun = (title.meaning == Meaning::run && title.number) || title.direction ||
+                               title.hint || directionOfBlock(m, *piece.block).stated;
             const bool begins = i > 0 && piece.block != m_pieces[i - 1].block;
             bool isOther = begins && !isRun && title.unknownWords > 0;
             for (const std::size_t column : m_columns.values) {
@@ -421,7 +458,7 @@ private:
             }
             if (isOther) {
                 m.remark(
-                    RemarkGrade::assumption,
+                    RemarkGrade::problem,
                     {REPORT_TEXT("report", "Layout: the block that begins here does not say which runs it "
                                            "holds; it is read as further runs of the same test.")},
                     m.row(piece.rows.front()).line, "layout");
@@ -539,6 +576,8 @@ private:
     std::optional<Direction> m_titled;
     std::optional<std::size_t> m_axisColumn;
     std::string m_axis;
+    bool m_hasStates = false; ///< blocks as found and as left
+    TestRole m_blockState = TestRole::notStated;
     std::string m_blockAxis;
     bool m_codesAreGuessed = false;
 };

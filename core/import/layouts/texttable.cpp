@@ -217,6 +217,24 @@ std::string kindOf(const TableReading &reading, Origin &origin) {
     return kindOfBareNumbers(reading, origin);
 }
 
+/// "38-58"
+void keepLines(CellTable &table, std::string_view lines) {
+    const std::size_t dash = lines.find_first_of("-–");
+    const auto numberIn = [](std::string_view text) {
+        const LeadingNumber number = leadingNumber(withoutBlanks(text), DecimalMark::point);
+        return number.size > 0 && number.size == withoutBlanks(text).size() && number.value >= 1 &&
+                       number.value < 1e9
+                   ? static_cast<std::size_t>(number.value)
+                   : 0;
+    };
+    const std::size_t first = numberIn(lines.substr(0, dash));
+    const std::size_t last = dash == std::string_view::npos ? 0 : numberIn(lines.substr(dash + 1));
+    if (first == 0 || last < first)
+        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; expected lines as 38-58"),
+                                           {nameOfChoice("lines"), std::string(lines)}});
+    table.keepLines(first, last);
+}
+
 } // namespace
 
 std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &imported) {
@@ -237,6 +255,8 @@ bool isAnything(QByteArrayView) {
 }
 
 void readMeasurementTable(Choices &choices, Imported &imported) {
+    if (choices.isChosen("lines"))
+        keepLines(imported.table, choices.chosen("lines"));
     imported.table.takeUnits();
     TableReading reading(imported, choices);
     Origin origin = Origin::recognised;

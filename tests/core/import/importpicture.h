@@ -88,7 +88,8 @@ inline QString questions(const Imported &imported) {
     QStringList lines;
     for (const Question &question : imported.questions)
         lines << QStringLiteral("%1 %2=%3: %4%5%6")
-                     .arg(question.grade == QuestionGrade::red ? QStringLiteral("!!") : QStringLiteral("??"),
+                     .arg(question.grade == QuestionGrade::doubtful ? QStringLiteral("!!")
+                                                                    : QStringLiteral("??"),
                           QString::fromStdString(question.id), QString::fromStdString(question.proposal),
                           question.line > 0 ? QString::number(question.line) + QStringLiteral(": ")
                                             : QString(),

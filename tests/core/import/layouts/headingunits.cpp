@@ -20,10 +20,10 @@ const std::array factors{"x0.1%1", "0.1 %1", "1/10 %1", "10 %1", "%1 x 10", "%1/
 const std::array lengths{"µm", "um", "nm", "mm", "in"};
 // What people put behind a heading, and no unit.
 const std::array ordinaryWords{
-    "1",         "forward", "run 2",      "X",          "comp.", "corrected", "rev",    "A",      "V",
-    "inc",       "abs",     "rel",        "NA",         "n.a.",  "1/3",       "in/out", "s/n 12", "laser",
-    "pm",        "am",      "with comp.", "Mittelwert", "brut",  "mesure 1",  "Lauf 1", "new",    "after",
-    "ISO 230-2", "F",       "-",          "+",          "↑",     "1A",        "pos"};
+    "1",         "forward",    "run 2",      "X",    "comp.",    "corrected", "rev",    "A",
+    "abs",       "rel",        "NA",         "n.a.", "1/3",      "in/out",    "s/n 12", "laser",
+    "am",        "with comp.", "Mittelwert", "brut", "mesure 1", "Lauf 1",    "new",    "after",
+    "ISO 230-2", "F",          "-",          "+",    "↑",        "1A",        "pos"};
 
 QByteArray withBrackets(const QString &word, int form) {
     return (form == 0 ? '(' + word + ')' : form == 1 ? '[' + word + ']' : '{' + word + '}').toUtf8();

@@ -262,7 +262,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "ignored,target,run+1,run-1,ignored / 0 100 / ↑ 1 3 / ↓ 2 4 / ");
     row("another table below",
         "P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3;4\n200;5;6\n\nNo.;Feed;Power\n1;500;3\n2;600;4\n",
-        "target,run+1,run-1 / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / unread");
+        "target,run+1,run-1 / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / table");
     // Nothing is read half.
     row("a broken number", "P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3,,5;4\n",
         "target,run+1,run-1 / 0 100 / ↑ 1 – / ↓ 2 4 / unread");
@@ -435,7 +435,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     row("before and after",
         "Before compensation\nP (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;2;6\n\n"
         "After compensation\nP (mm);↑1 (µm);↓1 (µm)\n0;3;7\n100;4;8\n",
-        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ↑ 3 4 / ↓ 7 8 / layout");
+        "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / state");
     row("blocks of the same runs without titles",
         "P (mm);↑1 (µm);↓1 (µm)\n0;1;5\n100;2;6\n\nP (mm);↑1 (µm);↓1 (µm)\n0;3;7\n100;4;8\n",
         "target,run+1,run-1 / 0 100 / ↑ 1 2 / ↓ 5 6 / ↑ 3 4 / ↓ 7 8 / layout");
@@ -514,14 +514,15 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "nominalRadius");
     row("angle beside x and y",
         "angle;x (mm);y (mm)\n0;100.001;0\n90;0;100.002\n180;-100.001;0\n270;0;-100\n",
-        "ignored,x,y / ISO 230-4:2005 XY R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / nominalRadius");
+        "ignored,x,y / ISO 230-4:2005 XY R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / kind "
+        "nominalRadius");
     row("the plane ZX", "Piano: ZX\nZ (mm);X (mm)\n100.001;0\n0;100.002\n-100.001;0\n0;-100\n",
-        "x,y / ISO 230-4:2005 ZX R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / nominalRadius");
+        "x,y / ISO 230-4:2005 ZX R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / kind nominalRadius");
     row("the plane ZX, its columns turned",
         "Plane: ZX\nX (mm);Z (mm)\n0;100.001\n100.002;0\n0;-100.001\n-100;0\n",
-        "y,x / ISO 230-4:2005 ZX R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / nominalRadius");
+        "y,x / ISO 230-4:2005 ZX R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / kind nominalRadius");
     row("a plane without X", "Y (mm);Z (mm)\n100.001;0\n0;100.002\n-100.001;0\n0;-100\n",
-        "x,y / ISO 230-4:2005 YZ R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / nominalRadius");
+        "x,y / ISO 230-4:2005 YZ R 100 mm F – / ccw polar 4: 0:1 90:2 180:1 270:0 / kind nominalRadius");
     for (const char *words :
          {"Gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre", "anti horaire",
           "senso antiorario", "contrario a las agujas del reloj", "SAH", "counter clockwise"})
@@ -670,7 +671,7 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
         "Target (mm);Direction;Dev 1 (µm);Target (mm);Dev 2 (µm)\n0;+;1;0.5;5\n100;+;2;100.5;6\n"
         "100;-;3;x;7\n0;-;4;x;8\n",
         "target,direction,deviation1,target,deviation2 / 0 0.5 100 100.5 / ↑ 1 – 2 – / ↓ 4 – 3 – / "
-        "↑ – 5 – 6 / ↓ – – – – / unread");
+        "↑ – 5 – 6 / ↓ – – – – / layout unread");
     // Senses of rotation: which of them is positive is not known.
     for (const auto &[up, down] :
          std::vector<std::pair<QByteArray, QByteArray>>{{"CW", "CCW"},
@@ -758,7 +759,7 @@ void LayoutsTest::answersAreTaken_data() {
     QTest::newRow("one column of dates")
         << QByteArray("Target (mm);Forward (µm)\n0;1\n100;2026-01-05\n200;01:30\n") << "columns"
         << "target,run+"
-        << "target,run+ / 0 100 200 / ↑ 1 – – / unread";
+        << "target,run+ / 0 100 200 / ↑ 1 – – / layout unread";
     QTest::newRow("data left out") << QByteArray("P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3,,5;4\n") << "unread"
                                    << "leave"
                                    << "target,run+1,run-1 / 0 100 / ↑ 1 – / ↓ 2 4 / ";

@@ -180,6 +180,7 @@ private:
         m_down = pair.second;
         m_brackets = below(3);
         m_statesUnits = !oneIn(8);
+        m.statesUnits = m_statesUnits;
         m_further = oneIn(2) ? oneOf(m_words.further) : QString();
         m_furtherFirst = oneIn(4);
         m_numbered = oneIn(3);

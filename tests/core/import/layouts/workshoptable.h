@@ -20,6 +20,7 @@ struct WorkshopTable {
     std::vector<double> targets;               ///< mm, ascending
     std::vector<std::vector<double>> positive; ///< deviations in µm of the runs ↑, in their order
     std::vector<std::vector<double>> negative;
+    bool statesUnits = true;
 };
 
 /// One of them: five languages, targets down or across, the directions side by side, alternating, in blocks,

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <random>
+#include <vector>
+
+namespace palmer::testdata {
+
+/// A table with a row above its headings that tells groups of columns apart, and what each group holds. It
+/// knows nothing of the reader.
+struct GroupedTable {
+    QByteArray text;
+    std::vector<double> targets; ///< mm
+    /// Of each group its columns, ↑ and ↓ in turn, as numbers of the file; no number stands in two groups.
+    std::vector<std::vector<std::vector<double>>> groups;
+};
+
+/// Words, axes, units, years, states above two or three groups; semicolons, commas, tabs or columns of fixed
+/// width; the word once or over each column. The same for the same state of the generator.
+[[nodiscard]] GroupedTable groupedTable(std::mt19937 &random);
+
+/// Lines that stand above tables and say nothing of their columns: temperatures, instruments, settings.
+[[nodiscard]] const std::vector<QByteArray> &conditionBlocks();
+
+} // namespace palmer::testdata
