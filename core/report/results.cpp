@@ -238,6 +238,7 @@ private:
         for (const PrintedResult &result : results) {
             const Parameter &parameter = *result.parameter;
             std::vector<Cell> row;
+            row.reserve(columns.size());
             for (const ResultColumn *column : columns)
                 row.emplace_back(
                     column->look == ResultLook::symbol ? symbolPhrase(parameter.term.symbol, parameter.index)

@@ -462,6 +462,13 @@ std::string sampleOf(std::string_view text) {
     return sample;
 }
 
+/// Blanks stand between words, too: another delimiter that parts nearly as many numbers is the one. A tab
+/// stands in few texts that are no table: "+ 1" between tabs are not two numbers.
+bool isAsGood(const Reading &best, const Reading &blanks) {
+    const double nearly = best.delimiter == Delimiter::tab ? 0.3 : 0.6;
+    return best.columns > 1 && best.score > nearly * blanks.score;
+}
+
 void settleForm(CellTable &table, std::string_view text, const TableOptions &options) {
     const std::string sample = sampleOf(text);
     const bool areQuoted = sample.find(R"(",")") != std::string::npos;
@@ -478,12 +485,7 @@ void settleForm(CellTable &table, std::string_view text, const TableOptions &opt
                 options.decimalMark.value_or(mark) != mark)
                 continue;
             readings.push_back(readSample(sample, delimiter, mark, options.comments));
-            // Blanks stand between words, too: another delimiter that parts nearly as many numbers is the
-            // one.
-            // A tab stands in few texts that are no table: "+ 1" between tabs are not two numbers.
-            const double nearly = best.delimiter == Delimiter::tab ? 0.3 : 0.6;
-            if (delimiter == Delimiter::blanks && best.columns > 1 &&
-                best.score > nearly * readings.back().score)
+            if (delimiter == Delimiter::blanks && isAsGood(best, readings.back()))
                 continue;
             if (readings.size() == 1 || readings.back().score > best.score)
                 best = readings.back();
@@ -609,18 +611,7 @@ void CellTable::joinWords() {
     for (TableRow &row : m_rows) {
         if (row.comment || beginsWithNumber(row) || (row.count <= width && !isIndented(row)))
             continue;
-        std::vector<TableCell> joined;
-        for (std::size_t i = row.first; i < row.first + row.count; ++i) {
-            const TableCell &cell = m_cells[i];
-            const bool isNext = !joined.empty() && joined.back().begin + joined.back().size + 1 == cell.begin;
-            if (!isNext) {
-                joined.push_back(cell);
-                continue;
-            }
-            joined.back().size = static_cast<std::uint16_t>(
-                std::min<std::size_t>(cell.begin + cell.size - joined.back().begin, 65'535));
-            joined.back().kind = CellKind::text;
-        }
+        std::vector<TableCell> joined = joinedWords(row);
         if (joined.size() != width)
             joined = joined.size() < width ? placedOver(joined, numbers) : std::vector<TableCell>();
         if (joined.empty())
@@ -629,6 +620,23 @@ void CellTable::joinWords() {
         row.count = static_cast<std::uint32_t>(width);
         m_cells.insert(m_cells.end(), joined.begin(), joined.end());
     }
+}
+
+/// The cells between gaps of more than one blank.
+std::vector<TableCell> CellTable::joinedWords(const TableRow &row) const {
+    std::vector<TableCell> joined;
+    for (const TableCell &cell : cells(row)) {
+        const bool isNext = !joined.empty() && joined.back().begin + joined.back().size + 1 == cell.begin;
+        if (!isNext) {
+            joined.push_back(cell);
+            continue;
+        }
+        TableCell &last = joined.back();
+        last.size = static_cast<std::uint16_t>(std::min<std::size_t>(
+            cell.begin + cell.size - last.begin, std::numeric_limits<std::uint16_t>::max()));
+        last.kind = CellKind::text;
+    }
+    return joined;
 }
 
 /// The columns of fixed width that fewer words stand over, the others empty: of each word the column whose

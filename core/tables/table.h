@@ -90,6 +90,7 @@ public:
 
 private:
     void joinWords();
+    [[nodiscard]] std::vector<TableCell> joinedWords(const TableRow &row) const;
     [[nodiscard]] std::vector<TableCell> placedOver(const std::vector<TableCell> &words,
                                                     const TableRow &numbers) const;
 

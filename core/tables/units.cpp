@@ -280,7 +280,7 @@ SaidUnit unitAmongWords(std::string_view text) {
 
 SaidUnit saidUnit(std::string_view text) {
     text = text.substr(0, 500);
-    if (const SaidUnit last = unitBehindSlash(text); last.isSaid())
+    if (SaidUnit last = unitBehindSlash(text); last.isSaid())
         return last;
     const std::string bare = plain(text);
     if (bare.find_first_of("01") != std::string::npos) {

@@ -231,6 +231,10 @@ Field *Form::addLongText(const Topic &topic, Member<std::string> member, int wei
     return addText(topic, std::move(member), weight, Field::Kind::longText);
 }
 
+unsigned Form::boundsOf(Allowed allowed) {
+    return allowed == Allowed::celsius ? celsius : allowed == Allowed::coefficient ? coefficient : nothing;
+}
+
 Field *Form::addNumber(const Topic &topic, Quantity quantity, Member<Amount> member, int weight,
                        Allowed allowed) {
     Field *field = add(Field::Kind::number, topic, m_language.unit(quantity), weight);
@@ -253,10 +257,7 @@ Field *Form::addNumber(const Topic &topic, Quantity quantity, Member<Amount> mem
         if (entry.value && (allowed == Allowed::whole || allowed == Allowed::counting) &&
             (std::trunc(*entry.value) != *entry.value || std::abs(*entry.value) > 1e9))
             return {{}, tr("not a whole number")};
-        const unsigned demands = allowed == Allowed::celsius       ? celsius
-                                 : allowed == Allowed::coefficient ? coefficient
-                                                                   : nothing;
-        if (const auto beyond = entry.value ? beyondBounds(*entry.value, demands) : std::nullopt)
+        if (const auto beyond = entry.value ? beyondBounds(*entry.value, boundsOf(allowed)) : std::nullopt)
             return {{}, m_language.sentence(*beyond)};
         return {shown(entry.value), {}};
     });
@@ -331,6 +332,7 @@ Field *Form::addTime(const Topic &topic, Member<Moment> member, int weight) {
 Field *Form::addChoice(const Topic &topic, const std::vector<const char *> &words, Member<int> member,
                        bool none, int weight) {
     std::vector<Text> texts;
+    texts.reserve(words.size());
     for (const char *word : words)
         texts.push_back({word, ""});
     return addChoiceOf(topic, std::move(texts), std::move(member), none, weight);

@@ -203,6 +203,7 @@ private:
         std::size_t begin = 0;
     };
 
+    [[nodiscard]] static unsigned boundsOf(Allowed allowed); ///< Demand
     Field *addWordsOf(const char *thing, Member<std::size_t> member, int weight);
     Field *addChoiceOf(const Topic &topic, std::vector<Text> words, Member<int> member, bool none,
                        int weight);

@@ -104,6 +104,15 @@ int widthOfResults(const ResultsModel &model, int column, const QFontMetrics &me
     return width;
 }
 
+bool saysNothing(const ResultsModel &model, int column) {
+    for (int row = 0; row < model.rowCount(); ++row) {
+        const QString text = model.index(row, column).data().toString();
+        if (!text.isEmpty() && text != QStringLiteral("–"))
+            return false;
+    }
+    return true;
+}
+
 } // namespace
 
 ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
@@ -287,30 +296,8 @@ void ResultsPanel::fitColumns() {
     double symbols = m_narrow ? narrowSymbolWidth : symbolWidth;
     for (int row = 0; row < m_model.rowCount(); ++row)
         symbols = std::max(symbols, formulaWidth(m_model.line(row).symbol, bold) + symbolMargin);
-    // In a narrow window names need the room of columns that say nothing.
-    const auto saysNothing = [this](int column) {
-        for (int row = 0; row < m_model.rowCount(); ++row) {
-            const QString text = m_model.index(row, column).data().toString();
-            if (!text.isEmpty() && text != QStringLiteral("–"))
-                return false;
-        }
-        return true;
-    };
-    const auto &other = m_model.table().otherTest;
-    for (int place = 0; place < m_model.columnCount(); ++place) {
-        const ResultColumn &column = ResultsModel::column(place);
-        const bool isPicture = column.look == ResultLook::picture;
-        const bool isText =
-            column.look != ResultLook::symbol && column.look != ResultLook::name && !isPicture;
-        if (column.look != ResultLook::name)
-            m_table->setColumnWidth(place, column.look == ResultLook::symbol
-                                               ? static_cast<int>(std::ceil(symbols))
-                                           : isPicture ? scaleWidth
-                                                       : widthOfResults(m_model, place, metrics) +
-                                                             (m_narrow ? narrowCellMargin : cellMargin));
-        m_table->setColumnHidden(place, (column.besideOnly && !other) || (isPicture && (m_narrow || other)) ||
-                                            (isText && m_narrow && saysNothing(place)));
-    }
+    for (int place = 0; place < m_model.columnCount(); ++place)
+        fitColumn(place, static_cast<int>(std::ceil(symbols)), metrics);
     // What was before stands left of what is after, whichever of the two is in view.
     QHeaderView *header = m_table->horizontalHeader();
     const bool isFirst = m_model.table().otherIsFound;
@@ -322,6 +309,31 @@ void ResultsPanel::fitColumns() {
         header->moveSection(header->visualIndex(second), place + 1);
     }
     fitNames();
+}
+
+void ResultsPanel::fitColumn(int place, int symbols, const QFontMetrics &metrics) {
+    const ResultColumn &column = ResultsModel::column(place);
+    const bool other = m_model.table().otherTest.has_value();
+    switch (column.look) {
+    case ResultLook::name:
+        return;
+    case ResultLook::symbol:
+        m_table->setColumnWidth(place, symbols);
+        return;
+    case ResultLook::picture:
+        m_table->setColumnWidth(place, scaleWidth);
+        m_table->setColumnHidden(place, m_narrow || other);
+        return;
+    case ResultLook::text:
+    case ResultLook::number:
+    case ResultLook::verdict:
+        break;
+    }
+    m_table->setColumnWidth(place, widthOfResults(m_model, place, metrics) +
+                                       (m_narrow ? narrowCellMargin : cellMargin));
+    // In a narrow window names need the room of columns that say nothing.
+    m_table->setColumnHidden(place,
+                             (column.besideOnly && !other) || (m_narrow && saysNothing(m_model, place)));
 }
 
 /// The standard's own names where all of them fit, else shorter ones; those of circles, too, which tell the

@@ -9,6 +9,7 @@
 
 #include <QWidget>
 
+class QFontMetrics;
 class QLabel;
 class QTableView;
 class QToolButton;
@@ -53,6 +54,7 @@ private:
     void explain(const QModelIndex &index);
     void showExplained();
     void fitColumns();
+    void fitColumn(int place, int symbols, const QFontMetrics &metrics);
     void fitNames();
     void showVerdict();
     [[nodiscard]] QString rolesNote() const;

@@ -223,8 +223,15 @@ std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBloc
 }
 
 void addWords(std::string &heading, std::string_view words) {
-    if (!words.empty())
-        heading += (heading.empty() ? "" : " ") + std::string(words);
+    if (words.empty())
+        return;
+    std::string plain(words);
+    for (const auto &[wide, narrow] : {std::pair("（", '('), std::pair("）", ')')}) {
+        constexpr std::size_t size = 3; // bytes of the full-width forms
+        for (std::size_t at = plain.find(wide); at != std::string::npos; at = plain.find(wide))
+            plain.replace(at, size, 1, narrow);
+    }
+    heading += (heading.empty() ? "" : " ") + plain;
 }
 
 /// The headings that rows make, joined from above.

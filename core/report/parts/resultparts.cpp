@@ -212,11 +212,13 @@ Table resultTable(const TestPart &part, const ResultForm &form, const std::vecto
     std::erase_if(columns,
                   [&](const ResultColumn *column) { return column->axesOnly && !axisOf(part.test); });
     const QString unit = part.write.language().unit(results.front().parameter->term.quantity);
+    table.columns.reserve(columns.size());
     for (const ResultColumn *column : columns)
         table.columns.push_back(columnOnPaper(*column, part, unit));
     table.rulesAfter = rulesBetween(results);
     for (const PrintedResult &result : results) {
         std::vector<Cell> row;
+        row.reserve(columns.size());
         for (const ResultColumn *column : columns)
             row.push_back(cellOnPaper(*column, part, form, result));
         table.rows.push_back(std::move(row));

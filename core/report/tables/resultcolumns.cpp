@@ -3,6 +3,7 @@
 #include "report/tables/resultcolumns.h"
 
 #include "document/resultwords.h"
+#include "report/words/formula.h"
 #include "report/words/wording.h"
 
 #include <algorithm>

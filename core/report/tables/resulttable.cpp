@@ -76,6 +76,25 @@ std::vector<QString> cellsOf(const ShownResult &shown) {
     return cells;
 }
 
+/// The same quantity in the test of the other role; into `numbers`, which `shown` points to then.
+void takeOther(ResultLine &line, ShownResult &shown, PrintedNumbers &numbers, bool isFound,
+               const RolesBeside &both, const EvaluatedDocument &evaluated) {
+    const auto same = std::ranges::find_if(both.quantities, [&](const QuantityOfRoles &quantity) {
+        return (isFound ? quantity.left : quantity.found) == shown.result.parameter;
+    });
+    if (same == both.quantities.end())
+        return;
+    const Parameter &other = isFound ? *same->found : *same->left;
+    const Document &document = *evaluated.document;
+    const Test &test = *document.tests[isFound ? both.found : both.left];
+    numbers = printedNumbers(other, test, document, shown.language);
+    shown.other = &numbers;
+    shown.change = same->change;
+    line.otherVerdict = other.verdict;
+    if (other.verdict)
+        line.otherVerdictWord = shown.language.text(limitText(*other.verdict));
+}
+
 /// The titles of a list of people, with the unit.
 QString titleOf(const ResultColumn &column, const ResultTable &table, const Language &language) {
     if (column.look != ResultLook::number)
@@ -190,18 +209,8 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
             language.text(shortNameOf(*result.parameter, evaluation, standsForAll, Room::little));
         ShownResult shown{result, language, true};
         PrintedNumbers numbers;
-        for (const QuantityOfRoles &quantity : both ? both->quantities : std::vector<QuantityOfRoles>()) {
-            const Parameter &own = table.otherIsFound ? *quantity.left : *quantity.found;
-            if (&own != result.parameter)
-                continue;
-            const Parameter &other = table.otherIsFound ? *quantity.found : *quantity.left;
-            numbers = printedNumbers(other, *document.tests[*table.otherTest], document, language);
-            shown.other = &numbers;
-            shown.change = quantity.change;
-            line.otherVerdict = other.verdict;
-            if (other.verdict)
-                line.otherVerdictWord = language.text(limitText(*other.verdict));
-        }
+        if (both)
+            takeOther(line, shown, numbers, table.otherIsFound, *both, evaluated);
         line.cells = cellsOf(shown);
         table.lines.push_back(std::move(line));
     }

@@ -722,6 +722,68 @@ void LayoutsTest::areReadAsPeopleReadThem_data() {
     row("archive lines of two variables",
         "MILL:X 2024-03-05 10:00:00 0.001\nMILL:Y 2024-03-05 10:00:00 5\nMILL:X 2024-03-05 10:01:00 0.002\n",
         "ignored,ignored,time,deviation / drift  0:1 60:2 / kind series unit");
+    // Layouts of files from the field, with numbers of our own.
+    row("as found and as left above the columns",
+        ";As found;;As left;\nPosition (mm);↑ (µm);↓ (µm);↑ (µm);↓ "
+        "(µm)\n0;1;2;11;12\n100;3;4;13;14\n200;5;6;15;16\n",
+        "target,run+,run-,ignored,ignored / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / state");
+    row("linear and pitch above the columns",
+        ";Linear (µm);;Pitch (arcsec);\nPosition "
+        "(mm);Forward;Reverse;Forward;Reverse\n0;1;2;11;12\n100;3;4;13;14\n200;5;6;15;16\n",
+        "target,run+,run-,ignored,ignored / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / columns columns");
+    row("years above the columns",
+        ";2024;;2025;\nPosition (mm);↑ (µm);↓ (µm);↑ (µm);↓ "
+        "(µm)\n0;1;2;11;12\n100;3;4;13;14\n200;5;6;15;16\n",
+        "target,run+,run-,ignored,ignored / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / columns columns");
+    row("lines that are counted as runs", "Messung;Soll (mm);Abweichung (um)\n1;0;4\n2;100;5\n3;200;6\n",
+        "ignored,target,deviation / 0 100 200 / ↑ 4 5 6 / directions");
+    row("fixed width, headings of three words",
+        "Position mm   Run 1 fwd   Run 1 rev\n0.000         1           2\n100.000       3           "
+        "4\n200.000       5           6\n",
+        "target,run+1,run-1 / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / content unit");
+    row("fixed width, units behind the words",
+        "Position mm   Error um\n0.000         1\n100.000       2\n200.000       3\n",
+        "target,deviation / 0 100 200 / ↑ 1 2 3 / directions");
+    row("blocks as found and as left",
+        "As found\n\nTarget (mm);Actual (mm)\n0;0,001\n100;100,002\n200;200,003\n\nAs left\n\nTarget "
+        "(mm);Actual (mm)\n0;0,004\n100;100,005\n200;200,006\n",
+        "target,actual / 0 100 200 / ↑ 1 2 3 / directions state");
+    row("volts", "Target (mm);Reading (V)\n0;1\n100;2\n200;3\n",
+        "target,run / 0 100 200 / ↑ 1 2 3 / content directions unit");
+    row("a unit behind a slash", "Target / mm;Deviation / um\n0;1\n100;2\n200;3\n",
+        "target,deviation / 0 100 200 / ↑ 1 2 3 / directions");
+    row("temperatures before deviations",
+        "Time (s);Machine (°C);Air (°C)\n0;20,1;20,3\n1800;20,2;20,4\n\nTarget (mm);Forward (µm);Reverse "
+        "(µm)\n0;1;2\n100;3;4\n200;5;6\n",
+        "target,run+,run- / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / table");
+    row("Czech", "Poloha (mm);Tam 1 (um);Zpět 1 (um)\n0;1;2\n100;3;4\n200;5;6\n",
+        "target,run+1,run-1 / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / ");
+    row("Russian", "Положение (мм);Вперёд 1 (мкм);Назад 1 (мкм)\n0;1;2\n100;3;4\n200;5;6\n",
+        "target,run+1,run-1 / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / ");
+    row("Chinese", "目标位置（毫米）;正向偏差1（微米）;反向偏差1（微米）\n0;1;2\n100;3;4\n200;5;6\n",
+        "target,deviation+1,deviation-1 / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / ");
+    row("Japanese", "目標位置 (mm);往路1 (ミクロン);復路1 (ミクロン)\n0;1;2\n100;3;4\n200;5;6\n",
+        "target,run+1,run-1 / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / ");
+    row("Polish",
+        "Pozycja zadana (mm);Odchyłka naprzód 1 (µm);Odchyłka wstecz 1 (µm)\n0;1;2\n100;3;4\n200;5;6\n",
+        "target,deviation+1,deviation-1 / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / ");
+    row("two temperatures above",
+        "Air temperature;20,1;20,3\n\nTarget (mm);Forward (µm);Reverse (µm)\n0;1;2\n100;3;4\n200;5;6\n",
+        "target,run+,run- / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / sensor Air temperature air 20.1 / ");
+    row("a table of sensors above",
+        "Sensor;Start (°C);End (°C)\nSpindle;20,1;20,3\nTable;20,2;20,4\n\nTarget (mm);Forward (µm);Reverse "
+        "(µm)\n0;1;2\n100;3;4\n200;5;6\n",
+        "target,run+,run- / 0 100 200 / ↑ 1 3 5 / ↓ 2 4 6 / ");
+    row("Pi in a list",
+        "i;Pi (mm);run;direction;deviation "
+        "(µm)\n1;0;1;+;1\n2;100;1;+;2\n3;200;1;+;3\n3;200;1;-;6\n2;100;1;-;5\n1;0;1;-;4\n",
+        "ignored,target,number,direction,deviation / 0 100 200 / ↑ 1 2 3 / ↓ 4 5 6 / ");
+    row("columns of different size", "1994,3;0,2;90,1\n1996,2;0,3;90,2\n1999,6;0,4;90,3\n",
+        "target,run,run / 1994.3 1996.2 1999.6 / ↑ 0.2 0.3 0.4 / ↓ 90.1 90.2 90.3 / columns content "
+        "directions positionUnit unit");
+    row("a straight line in X and Y", "X (mm),Y (mm)\n0,0.1\n100,0.4\n200,0.2\n300,0.5\n400,0.1\n",
+        "x,y / ISO 230-4:2005 XY R 77778 mm F – / cw polar 5: 90.153078:-122.4087 90.079412:-25.2948 "
+        "90.005746:-299.6089 89.93208:54.6481 89.858414:-162.523 / kind nominalRadius");
     // What is no measurement.
     row("prose", "Dear Sir,\nthe machine is fine.\n", "refused");
     row("targets alone", "Target (mm)\n0\n100\n200\n", "refused");
