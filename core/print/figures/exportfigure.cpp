@@ -54,7 +54,7 @@ QByteArray withoutDate(const QByteArray &pdf) {
 
 /// For those who hear it: a picture with title and description, and their language.
 QByteArray asPicture(QByteArray svg, const QString &language) {
-    return svg.replace("<svg ", "<svg role=\"img\" xml:lang=\"" + language.toLatin1() + "\" ");
+    return svg.replace("<svg ", R"(<svg role="img" xml:lang=")" + language.toLatin1() + R"(" )");
 }
 
 /// QSvgGenerator takes lines thinner than half a unit for one unit wide when it writes their dashes: shortens

@@ -52,11 +52,11 @@ const Face &face(const TextRun &run, const TextStyle &style) {
     return face(sizeOf(run, style), run.bold || style.bold, run.italic);
 }
 
-thread_local std::size_t measuredLetters =
-    0; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables): a count
+// NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables): counts of one thread
+thread_local std::size_t measuredLetters = 0;
 /// Kept only where somebody asks.
-thread_local std::optional<std::vector<QRectF>>
-    foreignPlaces; // NOLINT(cppcoreguidelines-avoid-non-const-global-variables)
+thread_local std::optional<std::vector<QRectF>> foreignPlaces;
+// NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
 bool needsOtherFont(const QString &text) {
     constexpr char16_t endOfLatin = 0x370;
