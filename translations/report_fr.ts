@@ -9138,5 +9138,9 @@
             <numerusform>%n questions sont ouvertes&#xa0;: rien n’a été importé&#x202f;; chacune demande sa propre réponse par --set</numerusform>
         </translation>
     </message>
+    <message>
+        <source>no typical value is known for its tests</source>
+        <translation>aucune valeur usuelle n’est connue pour ses essais</translation>
+    </message>
 </context>
 </TS>

@@ -55,7 +55,9 @@ inline constexpr std::array foreignOptions{
                                  "(machine.name=DMU 50, limits.A.value=0.020: of every test, "
                                  "tests[0].title=…); may stand several times"),
            true},
-    Option{"accept", "", REPORT_TEXT("report", "take what is assumed where the file does not say it; doubts want an answer each")},
+    Option{"accept", "",
+           REPORT_TEXT("report",
+                       "take what is assumed where the file does not say it; doubts want an answer each")},
 };
 
 /// What --profile and --set choose. Throws UsageError, Error for a file of profiles that cannot be read.

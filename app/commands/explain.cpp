@@ -162,6 +162,10 @@ int runExplain(const Invocation &invocation) {
         const QString text = explanations(evaluated, asked, invocation.language);
         if (text.isEmpty() && asked.parameter)
             refuseUnknown(evaluated, asked);
+        if (text.isEmpty() && asked.typical)
+            printError(
+                file + QStringLiteral(": ") +
+                invocation.language.text(REPORT_TEXT("report", "no typical value is known for its tests")));
         printOut(text);
         return done;
     } catch (const Error &error) {

@@ -16,7 +16,7 @@ namespace palmer {
 
 /// How something is entered, where that is all there is to say of it.
 struct FieldForm {
-    /// Of the form of conditions.
+    /// A section of the form of conditions.
     enum class Section { none, room, air, load, positions, circle, points };
 
     std::optional<Quantity> quantity = {}; ///< of a linear axis; see quantityOf
@@ -40,7 +40,8 @@ struct StatedThing {
 /// Null: none has that key.
 [[nodiscard]] const StatedThing *statedThing(std::string_view key);
 
-/// Of a test of that motion. The thing has one.
+/// The quantity of the thing, which is a number, in a test of that motion: an angle where a linear axis has
+/// a position.
 [[nodiscard]] Quantity quantityOf(const StatedThing &thing, Motion motion);
 
 /// What the words to choose from call a value of its enumeration; empty where that states nothing.

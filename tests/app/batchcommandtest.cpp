@@ -9,8 +9,8 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QTemporaryDir>
 #include <QRegularExpression>
+#include <QTemporaryDir>
 #include <QTest>
 #include <algorithm>
 
@@ -496,6 +496,7 @@ void BatchCommandTest::typicalValuesAreOfferedAsOptions() {
         const CliResult taken = runCli({"evaluate", examples + file, "--set", match.captured(1)});
         QVERIFY2(taken.code <= 1, match.captured(1).toUtf8() + ": " + taken.err);
     }
+    QVERIFY(offered.out.isEmpty() != offered.err.isEmpty()); // where there is none, it is said
     QCOMPARE(runCli({"explain", examples + file, "A", "--typical"}).code, 2);
 }
 

@@ -144,6 +144,15 @@ void ImportExportTest::refusesUntilQuestionsAreAnswered() {
     QVERIFY2(doubtful.err.contains("--set large=keep"), qPrintable(doubtful.err));
     QCOMPARE(run(import + QStringList{"--accept", "--set", "large=keep"}, large).code, 0);
     QVERIFY(QFile::remove(at("q.palmer")));
+    // Lines and tables are chosen; what is no line is refused.
+    const QByteArray two = "P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3;4\n\nNo.;Feed;Power\n1;500;3\n2;600;4\n";
+    QCOMPARE(run(import + QStringList{"--accept"}, two).code, 3);
+    for (const char *choice : {"lines=1-3", "table=1", "table=keep"}) {
+        QCOMPARE(run(import + QStringList{"--set", choice}, two).code, 0);
+        QVERIFY(QFile::remove(at("q.palmer")));
+    }
+    for (const char *choice : {"lines=3-1", "lines=x", "table=3"})
+        QVERIFY(run(import + QStringList{"--accept", "--set", choice}, two).code > 1);
     // Never half a table: what was not read is no proposal.
     const QByteArray broken = "P (mm);1↑ (µm);1↓ (µm)\n0;1;2\n100;3,,5;4\n";
     QCOMPARE(run(import + QStringList{"--accept"}, broken).code, 3);

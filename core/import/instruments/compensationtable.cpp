@@ -91,16 +91,14 @@ bool isNd287(std::string_view text) {
     });
 }
 
-/// Pitch error data as a FANUC control punches them: "N10000 P12", "N3620 A1 P50", between signs of %.
+/// Pitch error data as FANUC controls punch them, N10000 to N11023: "N10001 P12", "N10001 Q1 A1 P12".
 bool isFanuc(std::string_view text) {
+    static const QRegularExpression data(
+        QStringLiteral(R"(^N1(?:0\d{3}|10[01]\d|102[0-3])\s*(?:Q\d+\s*)?(?:A\d+\s*)?P\s*-?\d+$)"));
     const auto lines = firstLines(text);
-    const auto isPunched = [](std::string_view line) {
-        static const QRegularExpression data(
-            QStringLiteral(R"(^N(1\d{4}|36\d\d|113\d\d)\s*(Q\d+\s*)?(A\d+\s*)?P\s*-?\d+)"));
-        return data.match(QString::fromLatin1(line.data(), static_cast<qsizetype>(line.size()))).hasMatch();
-    };
-    const auto punched =
-        std::ranges::count_if(lines, [&](std::string_view line) { return isPunched(upperCase(line)); });
+    const auto punched = std::ranges::count_if(lines, [](std::string_view line) {
+        return data.match(QString::fromStdString(upperCase(line))).hasMatch();
+    });
     return punched >= 2 && 2 * punched >= static_cast<std::ptrdiff_t>(lines.size());
 }
 
@@ -116,6 +114,8 @@ bool isOwn(std::string_view text) {
 
 constexpr const char *aerotech = "Aerotech";
 constexpr const char *linuxcnc = "LinuxCNC";
+constexpr const char *nd287 = "ND 287";
+constexpr const char *fanuc = "FANUC";
 
 struct Control {
     const char *name = nullptr;
@@ -125,8 +125,8 @@ struct Control {
 constexpr std::array controls{
     Control{"SINUMERIK", isSinumerik}, Control{"Heidenhain", isHeidenhain},
     Control{"Weihong", isWeihong},     Control{aerotech, isAerotech},
-    Control{"Palmer", isOwn},          Control{"ND 287", isNd287},
-    Control{"FANUC", isFanuc},
+    Control{"Palmer", isOwn},          Control{nd287, isNd287},
+    Control{fanuc, isFanuc},
 };
 
 /// Three numbers a line, from the first line on.
@@ -224,7 +224,7 @@ FoundTable readControlTable(QByteArrayView bytes, QStringView fileName) {
              {std::string(values == LinuxcncValues::positions ? "0" : "1")}});
         return found;
     }
-    if (name == aerotech || name == "ND 287" || name == "FANUC")
+    if (name == aerotech || name == nd287 || name == fanuc)
         throw Error(Error::Kind::format,
                     {REPORT_TEXT("report", "the rules of this compensation table (%1) are not read here"),
                      {std::string(name)}});

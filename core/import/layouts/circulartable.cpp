@@ -543,13 +543,12 @@ private:
         const double extent = std::max(right - left, high - low);
         if (points.x.size() >= fewest && radius <= largest * extent && span >= shortest)
             return;
-        m.remark(
-            RemarkGrade::problem,
-            {REPORT_TEXT("report", "Kind: an arc of %2 and radius %3 (points: %1) is hardly a circular "
-                                   "test; is it one?"),
-             {Number{static_cast<double>(points.x.size()), Quantity::count}, Number{span, Quantity::angle, 1},
-              Number{radius, Quantity::position, 0}}},
-            0, "kind");
+        m.remark(RemarkGrade::problem,
+                 {REPORT_TEXT("report", "Kind: an arc of %2 and radius %3 (points: %1) is hardly a circular "
+                                        "test; is it one?"),
+                  {Number{static_cast<double>(points.x.size()), Quantity::count},
+                   Number{span, Quantity::angle, 1}, Number{radius, Quantity::position, 0}}},
+                 0, "kind");
     }
 
     void remarkRadius(double radius) {

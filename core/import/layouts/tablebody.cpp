@@ -10,7 +10,6 @@
 #include "tables/dates.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <utility>
 
@@ -382,12 +381,9 @@ private:
 
     /// ";2024;;2025;" above the headings of columns.
     [[nodiscard]] static bool areYears(std::span<const TableCell> cells) {
-        constexpr double first = 1990;
-        constexpr double last = 2050;
-        constexpr std::size_t few = 4;
+        constexpr std::size_t few = 4; // targets are more
         return numberCount(cells) <= few && std::ranges::all_of(cells, [](const TableCell &cell) {
-                   return cell.kind != CellKind::number ||
-                          (cell.value >= first && cell.value <= last && cell.value == std::floor(cell.value));
+                   return cell.kind != CellKind::number || isYear(cell.value);
                });
     }
 

@@ -47,10 +47,10 @@ struct OppositeWord {
 
 /// Rows of the same columns, one of several tables of a file.
 struct ListedTable {
-    std::size_t firstLine = 0;
+    std::size_t firstLine = 0; ///< of its numbers, from 1
     std::size_t lastLine = 0;
     std::size_t rows = 0;
-    std::string headings;
+    std::string headings; ///< of its columns, joined
 
     bool operator==(const ListedTable &) const = default;
 };
@@ -78,9 +78,9 @@ struct TableBody {
     [[nodiscard]] std::optional<std::size_t> columnOf(ColumnKind kind) const;
 };
 
-/// Of several tables the one with targets and readings, of those the longest; or the one chosen, from 1.
-/// Throws Error(content) where there are no rows of numbers. `ofNumbers` are columns that the user has given
-/// a role of numbers.
+/// Reads the table that was chosen (from 1); without a choice the one with targets and readings, the longest
+/// where several have them. Throws Error(content) where there are no rows of numbers. `ofNumbers` are columns
+/// that the user has given a role of numbers.
 [[nodiscard]] TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbers = {},
                                std::optional<std::size_t> chosen = {});
 

@@ -80,11 +80,8 @@ bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
     return !isTitle && 2 * filled >= width && (words > 0 || directions > 0) && (width <= 2 || filled > 1);
 }
 
-bool isYear(const TableCell &cell) {
-    constexpr double first = 1990;
-    constexpr double last = 2050;
-    return cell.kind == CellKind::number && cell.value >= first && cell.value <= last &&
-           cell.value == std::floor(cell.value);
+bool saysYear(const TableCell &cell) {
+    return cell.kind == CellKind::number && isYear(cell.value);
 }
 
 /// ";Linear;;Pitch;", ";2024;;2025;", "X;X;Y;Y": what stands above several columns each, and no label with
@@ -103,7 +100,7 @@ bool isGroupRow(const CellTable &table, const TableRow &row, std::size_t width) 
         }
         const std::string_view text = table.text(cells[c]);
         const bool isLetter = cells[c].kind == CellKind::missing && folded(text) == "x"; // no missing number
-        if ((cells[c].kind != CellKind::text && !isYear(cells[c]) && !isLetter) || text.ends_with(':'))
+        if ((cells[c].kind != CellKind::text && !saysYear(cells[c]) && !isLetter) || text.ends_with(':'))
             return false;
         repeated += c > 0 && cells[c - 1].kind != CellKind::empty && table.text(cells[c - 1]) == text ? 1 : 0;
         ++filled;
@@ -117,7 +114,7 @@ bool isGroupRow(const CellTable &table, const TableRow &row, std::size_t width) 
 bool addsToHeadings(const CellTable &table, const TableRow &row) {
     const auto cells = table.cells(row);
     if (std::ranges::count(cells, CellKind::number, &TableCell::kind) == 1 &&
-        std::ranges::none_of(cells, isYear))
+        std::ranges::none_of(cells, saysYear))
         return false; // "Number of runs; 5"
     std::size_t known = 0;
     for (const TableCell &cell : table.cells(row)) {
@@ -338,8 +335,7 @@ std::string wordInBrackets(std::string_view heading) {
 /// A group whose words are not understood does not hide what stands below it, but is a kind of its own.
 void takeGroup(TableColumn &column) {
     const HeadingWords group = readHeading(column.group);
-    constexpr unsigned firstYear = 1990; // no number of a run
-    const bool isUnderstood = group.unknownWords == 0 && group.number.value_or(0) < firstYear;
+    const bool isUnderstood = group.unknownWords == 0 && !isYear(group.number.value_or(0));
     if (column.group.empty() || isUnderstood)
         return;
     HeadingWords words = readHeading(ownHeading(column));
@@ -458,6 +454,12 @@ bool isComputedRow(const CellTable &table, const TableRow &row) {
         }
     }
     return numbers > 1;
+}
+
+bool isYear(double number) {
+    constexpr double first = 1990;
+    constexpr double last = 2050;
+    return number >= first && number <= last && number == std::floor(number);
 }
 
 std::span<const TableCell> trimmed(std::span<const TableCell> cells) {

@@ -256,7 +256,7 @@ bool isAnything(QByteArrayView) {
 
 void readMeasurementTable(Choices &choices, Imported &imported) {
     if (choices.isChosen("lines"))
-        keepLines(imported.table, choices.chosen("lines"));
+        keepLines(imported.table, choices.settle("lines", {}, Origin::chosen).value);
     imported.table.takeUnits();
     TableReading reading(imported, choices);
     Origin origin = Origin::recognised;

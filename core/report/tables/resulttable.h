@@ -53,7 +53,7 @@ struct ResultLine {
     std::optional<DecisionScale> scale;
     bool main = true;    ///< bidirectional, G or D; else a detail
     bool isFirst = true; ///< of those that belong together: with a rule above
-    /// Of the test of the other role, where the table has one.
+    /// The verdict of the same quantity in the test of the other role, where the table has one.
     std::optional<Verdict> otherVerdict = {};
     QString otherVerdictWord = {};
 

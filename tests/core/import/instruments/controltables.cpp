@@ -67,6 +67,11 @@ private slots:
         QTest::newRow("Weihong") << QByteArray(weihong) << "axeserr.dat";
         QTest::newRow("Heidenhain") << QByteArray(heidenhain) << "y.com";
         QTest::newRow("Aerotech") << QByteArray(aerotech) << "x.cal";
+        QTest::newRow("ND 287") << QByteArray("COMP.N0.000   =       +0.0000   =       +0.0000\n"
+                                              "COMP.N0.001   =      +50.0000   =       +0.0021\n#\n")
+                                << "x.txt";
+        QTest::newRow("FANUC") << QByteArray("%\nN10000 P0\nN10001 P2\nN11023 P-1\n%\n") << "x.txt";
+        QTest::newRow("FANUC, with axes") << QByteArray("N10000Q1A1P10\nN10001Q1A1P-3\n") << "pitch.all";
         // Whatever is left of them.
         QTest::newRow("LinuxCNC, cut off") << QByteArray(linuxcnc).chopped(3) << "x.comp";
         QTest::newRow("LinuxCNC, a line and a half") << QByteArray("0 0 0\n100 0.") << "X.CAL";
@@ -111,6 +116,14 @@ private slots:
         QCOMPARE(read("0 0.002 -0.003\n100 0.003 -0.002\n").control, "LinuxCNC");
         QVERIFY_EXCEPTION_THROWN((void)read("0 0.002\n100 0.003\n"), Error);
         QVERIFY(controlOfTable("Target;1;2\n0;1;2\n", u"x.comp") == nullptr);
+    }
+
+    /// Other parameters and programs are none.
+    void otherNumberedBlocksAreNoTable() {
+        for (const char *text :
+             {"N11024 P1\nN11025 P2\n", "N10 G1 X0\nN20 G1 X100\n", "N3620 P50\nN3621 P0\n"})
+            QVERIFY2(controlOfTable(text, u"x.txt") == nullptr, text);
+        QVERIFY_EXCEPTION_THROWN((void)read("N10000 P0\nN10001 P2\n"), Error);
     }
 
     /// The signs: what is added to the command.

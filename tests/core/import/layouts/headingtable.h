@@ -13,7 +13,7 @@ namespace palmer::testdata {
 struct GroupedTable {
     QByteArray text;
     std::vector<double> targets; ///< mm
-    /// Of each group its columns, ↑ and ↓ in turn, as numbers of the file; no number stands in two groups.
+    /// The columns of each group, ↑ and ↓ in turn, with the numbers of the file; each number stands once.
     std::vector<std::vector<std::vector<double>>> groups;
 };
 

@@ -51,6 +51,8 @@ class LayoutsTest : public QObject {
 private slots:
     void areReadAsPeopleReadThem_data();
     void areReadAsPeopleReadThem();
+    void everyProposalCanBeKept_data();
+    void everyProposalCanBeKept();
     void answersAreTaken_data();
     void answersAreTaken();
     void namesAllColumnsLeftOut();
@@ -793,6 +795,34 @@ void LayoutsTest::areReadAsPeopleReadThem() {
     QFETCH(QByteArray, text);
     QFETCH(QString, expected);
     QCOMPARE(outcome(text), expected);
+}
+
+void LayoutsTest::everyProposalCanBeKept_data() {
+    areReadAsPeopleReadThem_data();
+}
+
+/// "keep" answers each question that proposes something, and changes nothing; it answers none that is owed.
+void LayoutsTest::everyProposalCanBeKept() {
+    QFETCH(QByteArray, text);
+    Imported read;
+    try {
+        read = importMeasurement(text, "x.csv");
+    } catch (const Error &) {
+        return; // there is nothing to keep
+    }
+    ImportOptions answers;
+    QStringList owed;
+    for (const Question &question : read.questions) {
+        answers[question.id] = question.id == "unread" ? std::string("leave") : std::string(keepAnswer);
+        if (question.proposal.empty() && question.id != "unread")
+            owed << QString::fromStdString(question.id);
+    }
+    const Imported kept = importMeasurement(text, "x.csv", answers);
+    QVERIFY(kept.test == read.test);
+    QStringList open;
+    for (const Question &question : kept.questions)
+        open << QString::fromStdString(question.id);
+    QCOMPARE(open, owed);
 }
 
 void LayoutsTest::answersAreTaken_data() {
