@@ -45,6 +45,10 @@ constexpr std::array exportOptions{
                        "compensation-csv, weihong: values with the sign of the deviations; without it "
                        "corrections, added to the command"),
            false, "as=compensation-csv|as=weihong"},
+    Option{"confirm-sign", "",
+           REPORT_TEXT("report", "the deviations are actual − target, though the file they come from does "
+                                 "not say it"),
+           false, tables},
     Option{"reference", "P",
            REPORT_TEXT("report", "siemens: the reference point of the axis, where the values are 0; owed"),
            false, "as=siemens"},
@@ -101,6 +105,7 @@ CompensationOptions compensationOptions(const Invocation &invocation) {
     result.perDirection = invocation.has(QLatin1StringView("per-direction"));
     result.incremental = invocation.has(QLatin1StringView("incremental"));
     result.deviations = invocation.has(QLatin1StringView("deviations"));
+    result.signConfirmed = invocation.has(QLatin1StringView("confirm-sign"));
     result.decimalMark = decimalMark(invocation);
     result.reference = numberOf(invocation, "reference");
     result.encoder = encoder(invocation);
@@ -190,6 +195,20 @@ void demandFormAndFiles(const Invocation &invocation) {
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("export")}});
 }
 
+/// An answer is owed where the sign was assumed, and nowhere else.
+void demandSign(const Test &test, bool isConfirmed) {
+    const ImportedFile *file = fileOfAssumedSign(test);
+    if (isConfirmed && !file)
+        throw UsageError({REPORT_TEXT(
+            "report", "--confirm-sign has no effect here: the sign of the deviations is stated")});
+    if (file && !isConfirmed)
+        throw UsageError(
+            {REPORT_TEXT("report",
+                         "“%1” does not say the sign of its deviations, and a table of the wrong "
+                         "sign doubles them: %2 if they are actual − target, else import it with %3"),
+             {file->fileName, std::string("--confirm-sign"), std::string("--set sign=targetMinusActual")}});
+}
+
 int runExport(const Invocation &invocation) {
     const auto output = invocation.value(QLatin1StringView("o"));
     const QString form = invocation.value(QLatin1StringView("as")).value_or(QString());
@@ -218,9 +237,11 @@ int runExport(const Invocation &invocation) {
             bytes = readingsJson(evaluated, file, names);
         } else {
             index = testIndex(invocation, evaluated.tests.size());
-            if (compensation)
+            if (compensation) {
+                demandSign(*evaluated.document->tests[index], table.signConfirmed);
                 made = compensationTable(*evaluated.document->tests[index], *evaluated.tests[index],
                                          *compensation, table);
+            }
             bytes = compensation ? writeCompensation(made, *compensation, table)
                                  : readingsCsv(evaluated, index, names, table.decimalMark);
         }

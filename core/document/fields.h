@@ -319,6 +319,7 @@ void fields(Visit &visit, T &file) {
     visit("sha256", file.sha256);
     visit("data", file.data, base64);
     visit("results", file.results);
+    visit("signAssumed", file.signAssumed, added);
 }
 
 template <class Visit, Like<Plane> T>

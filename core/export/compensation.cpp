@@ -236,6 +236,11 @@ void demandLoadable(const CompensationTable &table, CompensationFormat format,
 
 } // namespace
 
+const ImportedFile *fileOfAssumedSign(const Test &test) {
+    const auto found = std::ranges::find(test.imports, std::optional(true), &ImportedFile::signAssumed);
+    return found == test.imports.end() ? nullptr : &*found;
+}
+
 CompensationTable compensationTable(const Test &test, const TestEvaluation &evaluation,
                                     CompensationFormat format, const CompensationOptions &options) {
     const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
@@ -244,6 +249,13 @@ CompensationTable compensationTable(const Test &test, const TestEvaluation &eval
             REPORT_TEXT("report", "a compensation is made of a positioning test; this test is none"));
     if (measurement->targets.size() < 2)
         refuseCompensation(REPORT_TEXT("report", "a compensation needs two targets at least"));
+    if (const ImportedFile *file = fileOfAssumedSign(test); file && !options.signConfirmed)
+        refuseCompensation(
+            REPORT_TEXT("report",
+                        "“%1” does not say the sign of its deviations, and a table of the wrong sign "
+                        "doubles them: confirm that they are actual − target, or import it with "
+                        "the other sign"),
+            {file->fileName});
     demandPossible(*measurement, format, options);
     const PositioningResults &results = resultsOf(*measurement, evaluation);
     const bool bothWays = measuredBothWays(evaluation);

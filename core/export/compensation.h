@@ -31,6 +31,8 @@ struct CompensationOptions {
     bool deviations = false; ///< csv, weihong: values with the sign of the deviation, not of the correction
     char decimalMark = '.';  ///< csv
     int encoder = 0;         ///< siemens: index of the measuring system, 0 (the first) or 1
+    bool signConfirmed =
+        false; ///< the deviations are actual − target, though what they were read from is silent
     std::optional<double> reference; ///< siemens: the reference point of the axis, owed
 };
 
@@ -45,10 +47,13 @@ inline constexpr std::size_t mostLinuxcncPoints = 256;
 /// Error(content) for no positioning test, targets without a mean, values per direction of a test of one, a
 /// range or interval beyond sense, what the format cannot hold: values per direction or steps in a Siemens
 /// table, steps in a LinuxCNC or Weihong table, more points than a control loads, a rotary axis for Weihong;
-/// a reference point that is owed.
+/// a reference point that is owed, a sign that was assumed and nobody has confirmed.
 [[nodiscard]] CompensationTable compensationTable(const Test &test, const TestEvaluation &evaluation,
                                                   CompensationFormat format,
                                                   const CompensationOptions &options);
+
+/// The file whose deviations were taken for actual − target without saying so; null: there is none.
+[[nodiscard]] const ImportedFile *fileOfAssumedSign(const Test &test);
 
 /// Both directions have results: values per direction can be had.
 [[nodiscard]] bool measuredBothWays(const TestEvaluation &evaluation);

@@ -24,9 +24,9 @@ namespace {
 std::span<const ImportWord> formatWords() {
     static const auto words = [] {
         std::vector<ImportWord> named;
-        for (const ImportFormat &format : importFormats()) {
-            if (!format.name.empty())
-                named.push_back({format.word, format.name});
+        for (const ImportFormat *format : importFormats()) {
+            if (!format->name.empty())
+                named.push_back({format->word, format->name});
         }
         return named;
     }();
@@ -256,6 +256,11 @@ bool Choices::isChosen(std::string_view key) const {
 
 std::string_view Choices::chosen(std::string_view key) const {
     return isChosen(key) ? std::string_view(m_options.find(key)->second) : std::string_view();
+}
+
+std::string_view Choices::usual(std::string_view key) const {
+    const auto found = m_usual.find(key);
+    return found == m_usual.end() ? std::string_view() : std::string_view(found->second);
 }
 
 std::optional<double> Choices::chosenNumber(std::string_view key) const {

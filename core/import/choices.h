@@ -59,14 +59,19 @@ struct ImportChoice {
 /// The choices of one reading: what the user chose wins, else what was found.
 class Choices {
 public:
-    explicit Choices(ImportOptions options)
-        : m_options(std::move(options)) {}
+    /// `usual` holds where neither the user nor the file says anything: the units that a window shows.
+    explicit Choices(ImportOptions options, ImportOptions usual = {})
+        : m_options(std::move(options))
+        , m_usual(std::move(usual)) {}
 
     [[nodiscard]] const ImportOptions &options() const { return m_options; }
     [[nodiscard]] bool isChosen(std::string_view key) const;
     /// What the user chose for it, empty if nothing.
     [[nodiscard]] std::string_view chosen(std::string_view key) const;
     [[nodiscard]] std::optional<double> chosenNumber(std::string_view key) const;
+
+    /// What is usual for it, empty if nothing.
+    [[nodiscard]] std::string_view usual(std::string_view key) const;
 
     /// Settles a choice: the user's, or what was found; remembers it.
     Choice<std::string> settle(std::string_view key, std::string_view found, Origin origin);
@@ -81,6 +86,7 @@ private:
     void remember(std::string_view key, std::string value, Origin origin);
 
     ImportOptions m_options;
+    ImportOptions m_usual;
     std::vector<ImportChoice> m_settled;
 };
 

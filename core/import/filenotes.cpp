@@ -148,6 +148,20 @@ bool read(const QString &line, FileNotes &notes) {
     return understood;
 }
 
+/// As it stands, from its first cell to its last.
+std::string textOf(const CellTable &table, const TableRow &row) {
+    std::string text;
+    for (const TableCell &cell : table.cells(row))
+        text += (text.empty() || cell.size == 0 ? "" : " ") + std::string(table.text(cell));
+    return text;
+}
+
+/// "Forward", "ccw", "As found" above a block.
+bool isTitle(std::string_view text) {
+    const HeadingWords words = readHeading(text);
+    return senseIn(text) || words.direction || words.state != TestRole::notStated;
+}
+
 } // namespace
 
 bool isLabelledValue(const CellTable &table, const TableRow &row) {
@@ -173,10 +187,9 @@ FileNotes notesOf(const CellTable &table, const TableBody &body) {
             break;
         const TableRow &row = table.rows()[index];
         const std::string line = lineOf(table, row);
-        if (read(QString::fromStdString(line), notes))
-            ++notes.understood;
-        else
-            ++notes.ignored;
+        const std::string text = textOf(table, row);
+        if (!read(QString::fromStdString(line), notes) && !isTitle(text))
+            notes.unused.add(row.line, text);
     }
     return notes;
 }

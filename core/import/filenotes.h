@@ -4,6 +4,7 @@
 
 #include "import/layouts/headings.h"
 #include "import/layouts/tablebody.h"
+#include "import/remark.h"
 #include "kernel/measurement/conditions.h"
 
 #include <optional>
@@ -25,8 +26,7 @@ struct FileNotes {
     std::optional<double> radius; ///< mm
     std::optional<double> feed;   ///< mm/min
     std::vector<Sensor> sensors;  ///< temperatures that are named
-    std::size_t understood = 0;   ///< lines with any of it
-    std::size_t ignored = 0;
+    UnusedLines unused;
 };
 
 /// Whether a row is a label with its value, as "Date" beside "05.03.2024": words before at most one number,

@@ -25,7 +25,7 @@ struct ImportFormat {
 };
 
 /// The formats in the order they are asked in; a table takes what no other recognises.
-[[nodiscard]] std::span<const ImportFormat> importFormats();
+[[nodiscard]] std::span<const ImportFormat *const> importFormats();
 
 /// The endings of files of measurements, once each: "csv", "xlsx", …
 [[nodiscard]] QStringList importEndings();

@@ -38,6 +38,8 @@ struct Imported {
     std::vector<Remark> remarks;       ///< problems, assumptions, then notes; none of them is a question
     std::vector<ImportSheet> sheets;   ///< of a workbook, the visible ones first
     std::vector<ImportColumn> columns; ///< of the table, each with its role; none for other files
+    std::vector<ListedTable> tables;   ///< of a text or sheet that has several
+    std::size_t readTable = 0;         ///< of them
     CellTable table;                   ///< as read, of text files and workbooks
     std::vector<CellRole> roles;       ///< of its cells
     std::string text;                  ///< of text files that are no tables: what was read

@@ -42,12 +42,12 @@ QByteArray inUtf8(QByteArrayView bytes) {
 const ImportFormat &formatOf(QByteArrayView bytes, const ImportOptions &options) {
     const auto chosen = options.find("format");
     const QByteArray plain = isUtf16(bytes) ? inUtf8(bytes) : QByteArray();
-    for (const ImportFormat &format : importFormats()) {
-        if (chosen != options.end() ? chosen->second == format.word
-                                    : format.recognises(bytes) || format.recognises(plain))
-            return format;
+    for (const ImportFormat *format : importFormats()) {
+        if (chosen != options.end() ? chosen->second == format->word
+                                    : format->recognises(bytes) || format->recognises(plain))
+            return *format;
     }
-    return importFormats().back();
+    return *importFormats().back();
 }
 
 CorrectionTo20 correctionOf(std::string_view word) {
@@ -245,7 +245,8 @@ std::string idAmong(std::vector<Instrument> &known, Instrument instrument) {
 
 } // namespace
 
-Imported showMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options) {
+Imported showMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options,
+                         const ImportOptions &usual) {
     demandKnown(options);
     demandReadable(bytes.size());
     if (isTestFile(bytes, fileName))
@@ -259,7 +260,7 @@ Imported showMeasurement(QByteArrayView bytes, const QString &fileName, const Im
     }
     Imported imported;
     imported.format = format.word;
-    Choices choices(options);
+    Choices choices(options, usual);
     choices.settle("format", format.word, Origin::recognised);
     readInto(imported, bytes, format, choices);
     if (imported.refusal && !showsAnything(imported))
@@ -267,8 +268,9 @@ Imported showMeasurement(QByteArrayView bytes, const QString &fileName, const Im
     return imported;
 }
 
-Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options) {
-    Imported imported = showMeasurement(bytes, fileName, options);
+Imported importMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options,
+                           const ImportOptions &usual) {
+    Imported imported = showMeasurement(bytes, fileName, options, usual);
     if (imported.refusal)
         throw Error(*imported.refusal);
     return imported;
@@ -315,6 +317,10 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
         return;
     }
     Test test = std::move(*imported.test);
+    const auto sign = std::ranges::find(imported.choices, "sign", &ImportChoice::key);
+    if (std::holds_alternative<PositioningMeasurement>(test.measurement) && sign != imported.choices.end() &&
+        sign->origin == Origin::guessed)
+        file.signAssumed = true;
     test.id = freeId(wishedId(test), document.tests);
     test.imports = {file};
     if (!isJudged(test)) {

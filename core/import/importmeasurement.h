@@ -15,14 +15,15 @@ namespace palmer {
 /// format is known by the content; the name serves the title of errors and formats that cannot be read.
 /// `options`: what the user has chosen; everything else is recognised or guessed, each guess with a remark.
 /// Throws Error with the place and what to do: unknown words, nothing that can be read, undocumented formats;
-/// a test file or a report, whole or damaged, by its content or its name.
+/// a test file or a report, whole or damaged, by its content or its name. `usual` holds where neither the
+/// user nor the file says it.
 [[nodiscard]] Imported importMeasurement(QByteArrayView bytes, const QString &fileName,
-                                         const ImportOptions &options = {});
+                                         const ImportOptions &options = {}, const ImportOptions &usual = {});
 
 /// The same for an assistant: what can be shown of a file that cannot be read (the table, its columns, the
 /// choices), with the `refusal` said in it. Throws Error where there is nothing to show.
 [[nodiscard]] Imported showMeasurement(QByteArrayView bytes, const QString &fileName,
-                                       const ImportOptions &options = {});
+                                       const ImportOptions &options = {}, const ImportOptions &usual = {});
 
 /// Puts what was imported into a document: the test with the name of the file, its SHA-256 and, if wanted,
 /// its bytes; machine, instrument and operator where the document states none; temperatures into the tests

@@ -282,8 +282,6 @@ private:
     const Unit *m_unit = nullptr;
 };
 
-} // namespace
-
 bool isPalmerCsv(QByteArrayView bytes) {
     constexpr qsizetype enough = 100;
     const QByteArrayView head = bytes.first(std::min(bytes.size(), enough));
@@ -300,5 +298,10 @@ void readPalmerCsv(const ImportSource &source, Choices &choices, Imported &impor
     imported.table = readTable(std::move(text), options);
     Reader(choices, imported, delimiter.first).read();
 }
+
+} // namespace
+
+const ImportFormat palmerCsvFormat{"palmer", REPORT_TEXT("report", "CSV of Palmer"), "csv", isPalmerCsv,
+                                   readPalmerCsv};
 
 } // namespace palmer

@@ -2,11 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "import/formats.h"
 #include "import/imported.h"
 
 #include <QByteArrayView>
 #include <QString>
-#include <span>
+#include <array>
 
 namespace palmer {
 
@@ -16,29 +17,14 @@ struct ImportSource {
     const ImportOptions &options;
 };
 
-// One reader a file.
-[[nodiscard]] bool isRtl(QByteArrayView bytes);
-void readRtl(const ImportSource &source, Choices &choices, Imported &imported);
-[[nodiscard]] bool isBallbarXml(QByteArrayView bytes);
-void readBallbarXml(const ImportSource &source, Choices &choices, Imported &imported);
-[[nodiscard]] bool isRtx(QByteArrayView bytes);
-void readRtx(const ImportSource &source, Choices &choices, Imported &imported);
-[[nodiscard]] bool isIndexedText(QByteArrayView bytes);
-void readIndexedText(const ImportSource &source, Choices &choices, Imported &imported);
-[[nodiscard]] bool isRenText(QByteArrayView bytes);
-void readRenText(const ImportSource &source, Choices &choices, Imported &imported);
-[[nodiscard]] bool isCompensationTable(QByteArrayView bytes);
-/// Always throws: a compensation table is no measurement; the sentence says how it is compared with one.
-void readCompensationTable(const ImportSource &source, Choices &choices, Imported &imported);
-[[nodiscard]] bool isPosText(QByteArrayView bytes);
-void readPosText(const ImportSource &source, Choices &choices, Imported &imported);
-/// The CSV of readings that Palmer writes.
-[[nodiscard]] bool isPalmerCsv(QByteArrayView bytes);
-void readPalmerCsv(const ImportSource &source, Choices &choices, Imported &imported);
-[[nodiscard]] bool isWorkbook(QByteArrayView bytes);
-void readWorkbook(const ImportSource &source, Choices &choices, Imported &imported);
-[[nodiscard]] bool isAnything(QByteArrayView bytes);
-void readTextTable(const ImportSource &source, Choices &choices, Imported &imported);
+// One row a format, at the end of its reader's file.
+extern const ImportFormat palmerCsvFormat, workbookFormat, rtlFormat, rtxFormat, ballbarFormat, indexedFormat,
+    renFormat, compensationFormat, posFormat, tableFormat;
+
+/// In the order they are asked in; the table is last, for it takes what no other recognises.
+inline constexpr std::array formatsInOrder{&palmerCsvFormat, &workbookFormat, &rtlFormat, &rtxFormat,
+                                           &ballbarFormat,   &indexedFormat,  &renFormat, &compensationFormat,
+                                           &posFormat,       &tableFormat};
 
 /// The text of a file with its encoding settled, and a remark where that is a guess.
 [[nodiscard]] std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &imported);

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -37,5 +38,17 @@ inline void addRemark(std::vector<Remark> &remarks, RemarkGrade grade, Message m
                       std::string choice = {}) {
     remarks.push_back({grade, std::move(message), line, 0, std::move(choice)});
 }
+
+/// Lines of text that nothing is made of: counted, the first of them quoted.
+class UnusedLines {
+public:
+    void add(std::size_t line, std::string_view text);
+    /// A note, where there are any.
+    void remark(std::vector<Remark> &remarks) const;
+
+private:
+    std::size_t m_count = 0;
+    std::string m_quoted;
+};
 
 } // namespace palmer

@@ -611,7 +611,11 @@ void CellTable::joinWords() {
     for (TableRow &row : m_rows) {
         if (row.comment || beginsWithNumber(row) || (row.count <= width && !isIndented(row)))
             continue;
-        std::vector<TableCell> joined = joinedWords(row);
+        std::vector<TableCell> joined = joinedWords(row, false);
+        if (joined.size() < width)
+            joined = joinedWords(row, true); // "t (ms) x (mm)" has single blanks alone
+        if (joined.size() != width)
+            joined = joinedWords(row, false);
         if (joined.size() != width)
             joined = joined.size() < width ? placedOver(joined, numbers) : std::vector<TableCell>();
         if (joined.empty())
@@ -622,11 +626,13 @@ void CellTable::joinWords() {
     }
 }
 
-/// The cells between gaps of more than one blank.
-std::vector<TableCell> CellTable::joinedWords(const TableRow &row) const {
+/// The cells between gaps of more than one blank; `brackets`: words with the brackets behind them.
+std::vector<TableCell> CellTable::joinedWords(const TableRow &row, bool brackets) const {
     std::vector<TableCell> joined;
     for (const TableCell &cell : cells(row)) {
-        const bool isNext = !joined.empty() && joined.back().begin + joined.back().size + 1 == cell.begin;
+        const bool isNext =
+            !joined.empty() && (brackets ? m_text[cell.begin] == '(' || m_text[cell.begin] == '['
+                                         : joined.back().begin + joined.back().size + 1 == cell.begin);
         if (!isNext) {
             joined.push_back(cell);
             continue;
@@ -669,6 +675,11 @@ std::vector<TableCell> CellTable::placedOver(const std::vector<TableCell> &words
 
 void CellTable::keepLines(std::size_t first, std::size_t last) {
     std::erase_if(m_rows, [&](const TableRow &row) { return row.line < first || row.line > last; });
+}
+
+void CellTable::setAside(std::span<const std::size_t> rows) {
+    for (const std::size_t row : rows)
+        m_rows[row].comment = m_rows[row].aside = true;
 }
 
 std::size_t CellTable::column(const TableCell &cell) const {

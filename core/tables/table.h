@@ -34,7 +34,8 @@ struct TableRow {
     std::uint32_t first = 0;
     std::uint32_t count = 0;
     std::uint32_t line = 1; ///< of the text, from 1
-    bool comment = false;   ///< begins with # % or //: one cell, the line without the mark
+    bool comment = false;   ///< begins with # % or //: one cell, the line without the mark; or is set aside
+    bool aside = false;     ///< a comment by what it says
 };
 
 struct TableOptions {
@@ -84,13 +85,16 @@ public:
     /// Leaves out what stands outside of these lines of the file, from 1.
     void keepLines(std::size_t first, std::size_t last);
 
+    /// Takes rows, by index, for comments.
+    void setAside(std::span<const std::size_t> rows);
+
     Choice<Delimiter> delimiter;
     Choice<DecimalMark> decimalMark;
     bool isPlaced = false; ///< the file says the column of each cell, as workbooks do
 
 private:
     void joinWords();
-    [[nodiscard]] std::vector<TableCell> joinedWords(const TableRow &row) const;
+    [[nodiscard]] std::vector<TableCell> joinedWords(const TableRow &row, bool brackets) const;
     [[nodiscard]] std::vector<TableCell> placedOver(const std::vector<TableCell> &words,
                                                     const TableRow &numbers) const;
 

@@ -59,6 +59,7 @@ private slots:
     void exportsEveryForm_data();
     void exportsEveryForm();
     void asksForWhatATableOwes();
+    void asksForASignThatWasAssumed();
     void inventsNoDirection();
     void comparesWithTheTableOfAControl();
     void writesThePointsOfAFigure();
@@ -252,6 +253,38 @@ void ImportExportTest::asksForWhatATableOwes() {
                                 "siemens", "--reference", "-7", "--from", "-10", "-o", "-"});
     QVERIFY(outside.err.contains("Nothing was measured outside") &&
             outside.err.contains("The reference point"));
+}
+
+/// A table of the wrong sign doubles the deviations: who says nothing of it gets none, also from a test file.
+void ImportExportTest::asksForASignThatWasAssumed() {
+    QFile silent(at("silent.csv"));
+    QVERIFY(silent.open(QIODevice::WriteOnly));
+    silent.write("Position (mm);↑ (µm);↓ (µm)\n0;1;2\n100;3;4\n200;5;6\n");
+    silent.close();
+    const QString kept = at("silent.palmer");
+    QCOMPARE(run({"import", silent.fileName(), "--accept", "-o", kept}).code, 0);
+    for (const QString &file : {silent.fileName(), kept}) {
+        QStringList words{"export", file, "--language", "en", "--as", "linuxcnc", "-o", at("none")};
+        if (file != kept)
+            words << "--accept";
+        const Result asked = run(words);
+        QCOMPARE(asked.code, 2);
+        QVERIFY2(asked.err.contains("“silent.csv” does not say the sign") &&
+                     asked.err.contains("--confirm-sign"),
+                 qPrintable(asked.err));
+        QVERIFY(!QFile::exists(at("none")));
+        QCOMPARE(run(words + QStringList{"--confirm-sign", "--force"}).code, 0);
+        QVERIFY(QFile::remove(at("none")));
+    }
+    for (const QString word :
+         {"actualMinusTarget", "targetMinusActual"}) { // an answer at the import is enough
+        const Result told = run({"export", silent.fileName(), "--accept", "--set", "sign=" + word, "--as",
+                                 "linuxcnc", "-o", "-"});
+        QVERIFY2(told.code == 0, qPrintable(told.err));
+        QVERIFY2(told.out.startsWith(word == "actualMinusTarget" ? "0 0.0015" : "0 -0.0015"),
+                 qPrintable(told.out));
+    }
+    QVERIFY(contents(kept).contains("\"signAssumed\": true"));
 }
 
 void ImportExportTest::inventsNoDirection() {

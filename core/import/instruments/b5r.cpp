@@ -475,8 +475,6 @@ void remarkEncoding(QByteArrayView bytes, Imported &imported) {
                    {excerpt(encoding.toString().toStdString())}});
 }
 
-} // namespace
-
 bool isBallbarXml(QByteArrayView bytes) {
     const QByteArrayView start = bytes.first(std::min<qsizetype>(bytes.size(), 1 << 16));
     const qsizetype at = start.startsWith("\xEF\xBB\xBF") ? 3 : 0;
@@ -496,5 +494,10 @@ void readBallbarXml(const ImportSource &source, Choices &choices, Imported &impo
     }
     choices.settle("kind", "circular", Origin::recognised);
 }
+
+} // namespace
+
+const ImportFormat ballbarFormat{"b5r", REPORT_TEXT("report", "Renishaw ballbar"), "b5r", isBallbarXml,
+                                 readBallbarXml};
 
 } // namespace palmer

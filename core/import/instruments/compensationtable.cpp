@@ -102,6 +102,39 @@ bool isFanuc(std::string_view text) {
     return punched >= 2 && 2 * punched >= static_cast<std::ptrdiff_t>(lines.size());
 }
 
+/// The numbers of a line between commas or blanks; none where something else stands there.
+std::vector<double> numbersOf(std::string_view line) {
+    std::vector<double> numbers;
+    while (!line.empty()) {
+        const LeadingNumber number = leadingNumber(line, DecimalMark::point);
+        if (number.size == 0 || (number.size < line.size() &&
+                                 std::string_view(" \t,").find(line[number.size]) == std::string_view::npos))
+            return {};
+        numbers.push_back(number.value);
+        line = withoutBlanks(line.substr(number.size));
+        if (line.starts_with(','))
+            line = withoutBlanks(line.substr(1));
+    }
+    return numbers;
+}
+
+/// The grid of KMotion: rows and columns, spacings, with or without offsets, then row, column and the point
+/// to command, from 0,0 on.
+bool isKMotion(std::string_view text) {
+    const auto lines = firstLines(text);
+    std::size_t at = 0;
+    for (; at < lines.size() && numbersOf(lines[at]).size() == 2; ++at) {
+    }
+    if (at < 2 || at > 3 || at == lines.size())
+        return false;
+    const auto size = numbersOf(lines.front());
+    const auto isSize = [](double n) { return n >= 2 && n <= 4000 && n == std::floor(n); };
+    const auto first = numbersOf(lines[at]);
+    return std::ranges::all_of(size, isSize) && first.size() >= 4 && first[0] == 0 && first[1] == 0 &&
+           std::ranges::all_of(lines.begin() + static_cast<std::ptrdiff_t>(at), lines.end(),
+                               [&](std::string_view line) { return numbersOf(line).size() == first.size(); });
+}
+
 bool isAerotech(std::string_view text) {
     return anyLine(text, [](std::string_view line) {
         return line.starts_with(":START ") || line.starts_with(":START2D ");
@@ -116,6 +149,7 @@ constexpr const char *aerotech = "Aerotech";
 constexpr const char *linuxcnc = "LinuxCNC";
 constexpr const char *nd287 = "ND 287";
 constexpr const char *fanuc = "FANUC";
+constexpr const char *kmotion = "KMotion";
 
 struct Control {
     const char *name = nullptr;
@@ -126,23 +160,14 @@ constexpr std::array controls{
     Control{"SINUMERIK", isSinumerik}, Control{"Heidenhain", isHeidenhain},
     Control{"Weihong", isWeihong},     Control{aerotech, isAerotech},
     Control{"Palmer", isOwn},          Control{nd287, isNd287},
-    Control{fanuc, isFanuc},
+    Control{fanuc, isFanuc},           Control{kmotion, isKMotion},
 };
 
-/// Three numbers a line, from the first line on.
+/// Three numbers a line, parted by blanks, from the first line on.
 bool isTriplets(std::string_view text) {
     const auto lines = firstLines(text);
     return !lines.empty() && std::ranges::all_of(lines, [](std::string_view line) {
-        int numbers = 0;
-        while (!line.empty()) {
-            const LeadingNumber number = leadingNumber(line, DecimalMark::point);
-            if (number.size == 0 ||
-                (number.size < line.size() && line[number.size] != ' ' && line[number.size] != '\t'))
-                return false;
-            line = withoutBlanks(line.substr(number.size));
-            ++numbers;
-        }
-        return numbers == 3;
+        return line.find(',') == std::string_view::npos && numbersOf(line).size() == 3;
     });
 }
 
@@ -224,16 +249,12 @@ FoundTable readControlTable(QByteArrayView bytes, QStringView fileName) {
              {std::string(values == LinuxcncValues::positions ? "0" : "1")}});
         return found;
     }
-    if (name == aerotech || name == nd287 || name == fanuc)
+    if (name == aerotech || name == nd287 || name == fanuc || name == kmotion)
         throw Error(Error::Kind::format,
                     {REPORT_TEXT("report", "the rules of this compensation table (%1) are not read here"),
                      {std::string(name)}});
     throw Error(Error::Kind::format,
                 {REPORT_TEXT("report", "this is no compensation table of a control that is known here")});
-}
-
-bool isCompensationTable(QByteArrayView bytes) {
-    return controlOfTable(bytes, {}) != nullptr;
 }
 
 void refuseCompensationTable(QByteArrayView bytes, const QString &fileName) {
@@ -251,10 +272,21 @@ void refuseCompensationTable(QByteArrayView bytes, const QString &fileName) {
              {std::string(ending.data(), static_cast<std::size_t>(ending.size()))}});
 }
 
+namespace {
+
+bool isCompensationTable(QByteArrayView bytes) {
+    return controlOfTable(bytes, {}) != nullptr;
+}
+
+/// Always throws: a compensation table is no measurement; the sentence says how it is compared with one.
 void readCompensationTable(const ImportSource &source, Choices & /*choices*/, Imported & /*imported*/) {
     refuseCompensationTable(source.bytes, {});
     throw Error(Error::Kind::format,
                 {REPORT_TEXT("report", "this is no compensation table of a control that is known here")});
 }
+
+} // namespace
+
+const ImportFormat compensationFormat{"compensation", {}, "", isCompensationTable, readCompensationTable};
 
 } // namespace palmer

@@ -108,7 +108,7 @@ private:
 
     void collect() {
         std::size_t number = 0;
-        std::size_t ignored = 0;
+        UnusedLines unused;
         const std::string_view text = m.text;
         for (std::size_t at = 0; at < text.size();) {
             const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
@@ -126,7 +126,7 @@ private:
                        {REPORT_TEXT("report", "This line is not like the others and was not read.")}, number,
                        "unread");
             else
-                ++ignored;
+                unused.add(number, line);
         }
         if (m_targets.empty())
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "there are no target positions in it")});
@@ -135,9 +135,7 @@ private:
                    {REPORT_TEXT("report", "Targets named in the head: %1, in the list: %2; the list counts."),
                     {Number{*m_positions, Quantity::count},
                      Number{static_cast<double>(m_targets.size()), Quantity::count}}});
-        if (ignored > 0)
-            remark(RemarkGrade::note, {REPORT_TEXT("report", "Lines of text that were not used: %1."),
-                                       {Number{static_cast<double>(ignored), Quantity::count}}});
+        unused.remark(m.remarks);
     }
 
     /// Named like targets or readings, or a number with two indexes, but damaged.
@@ -285,8 +283,6 @@ private:
     std::string m_axis;
 };
 
-} // namespace
-
 bool isIndexedText(QByteArrayView bytes) {
     const std::string_view text(bytes.data(), static_cast<std::size_t>(bytes.size()));
     return text.substr(0, 1 << 16).find("TGT_DATA[") != std::string_view::npos ||
@@ -298,5 +294,10 @@ void readIndexedText(const ImportSource &source, Choices &choices, Imported &imp
     IndexedReader(choices, imported).read();
     choices.settle("kind", "positioning", Origin::recognised);
 }
+
+} // namespace
+
+const ImportFormat indexedFormat{"indexed", REPORT_TEXT("report", "values with indexes (TGT_DATA)"), "",
+                                 isIndexedText, readIndexedText};
 
 } // namespace palmer

@@ -114,8 +114,6 @@ std::vector<Pass> passesOf(const std::vector<MeanTable> &tables, Choices &choice
     return passes;
 }
 
-} // namespace
-
 bool isPosText(QByteArrayView bytes) {
     const std::string_view text(bytes.data(),
                                 static_cast<std::size_t>(std::min<qsizetype>(bytes.size(), 1 << 20)));
@@ -147,5 +145,9 @@ void readPosText(const ImportSource &source, Choices &choices, Imported &importe
     imported.test = testFrom(measurementOf(std::move(passes), form, imported.remarks), "", choices);
     choices.settle("kind", "positioning", Origin::recognised);
 }
+
+} // namespace
+
+const ImportFormat posFormat{"pos", REPORT_TEXT("report", "API laser data"), "pos", isPosText, readPosText};
 
 } // namespace palmer

@@ -91,7 +91,7 @@ Pass readTable(Imported &imported, Header &header) {
     Pass pass;
     std::optional<double> lastNo;
     std::size_t number = 0;
-    std::size_t ignored = 0;
+    UnusedLines unused;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
         const std::string_view line = withoutBlanks(text.substr(at, end - at));
@@ -102,7 +102,8 @@ Pass readTable(Imported &imported, Header &header) {
         readHead(line, header);
         const auto numbers = numbersIn(line);
         if (!header.ended || (!numbers && !isDamagedLine(line))) {
-            ignored += isUnknown(line) ? 1 : 0;
+            if (isUnknown(line))
+                unused.add(number, line);
             continue;
         }
         if (!numbers || numbers->size() != 3) {
@@ -122,10 +123,7 @@ Pass readTable(Imported &imported, Header &header) {
         lastNo = (*numbers)[0];
         pass.readings.push_back({(*numbers)[1], (*numbers)[2], static_cast<std::uint32_t>(number)});
     }
-    if (ignored > 0)
-        addRemark(imported.remarks, RemarkGrade::note,
-                  {REPORT_TEXT("report", "Lines of text that were not used: %1."),
-                   {Number{static_cast<double>(ignored), Quantity::count}}});
+    unused.remark(imported.remarks);
     return pass;
 }
 
@@ -133,26 +131,16 @@ PassForm settleForm(const Header &header, Choices &choices, std::vector<Remark> 
     PassForm form;
     form.sign = choices.settle("sign", "targetMinusActual", Origin::guessed).value;
     const Unit *stated = header.unit.unit;
-    const bool isKnown = stated && stated->kind == UnitKind::length;
-    const auto unit =
-        choices.settle("unit", isKnown ? stated->word : "um", isKnown ? Origin::recognised : Origin::guessed);
-    form.unit = unitOf(unit.value);
-    if (unit.origin == Origin::guessed && header.unit.isSaid())
-        askForUnit("unit", header.unit.words(), remarks);
-    else if (unit.origin == Origin::guessed)
-        addRemark(remarks, RemarkGrade::assumption,
-                  {REPORT_TEXT("report",
-                               "Unit of the compensation values: nothing in the file says it; read as %1."),
-                   {std::string(form.unit->sign)}},
-                  0, "unit");
+    form.unit = settleUnit(
+        "unit", header.unit, stated && stated->kind == UnitKind::length ? stated : nullptr, *unitOf("um"),
+        {REPORT_TEXT("report", "Unit of the compensation values: nothing in the file says it; read as %1.")},
+        choices, remarks);
     form.positionUnit = unitOf(
         choices.settle("positionUnit", form.unit->kind == UnitKind::angle ? "deg" : "mm", Origin::recognised)
             .value);
     demandOneMotion(form);
     return form;
 }
-
-} // namespace
 
 bool isRenText(QByteArrayView bytes) {
     const std::string_view text(bytes.data(),
@@ -182,5 +170,10 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
     imported.test = testFrom(measurementOf({pass}, form, imported.remarks), "", choices);
     choices.settle("kind", "positioning", Origin::recognised);
 }
+
+} // namespace
+
+const ImportFormat renFormat{"ren", REPORT_TEXT("report", "compensation text"), "ren", isRenText,
+                             readRenText};
 
 } // namespace palmer

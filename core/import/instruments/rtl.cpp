@@ -433,8 +433,6 @@ private:
     bool m_oneDirection = false;
 };
 
-} // namespace
-
 bool isRtl(QByteArrayView bytes) {
     const std::string_view text(bytes.data(), static_cast<std::size_t>(bytes.size()));
     const std::string_view start = text.substr(0, 4096);
@@ -448,5 +446,9 @@ void readRtl(const ImportSource &source, Choices &choices, Imported &imported) {
     RtlReader(choices, imported).read();
     choices.settle("kind", "positioning", Origin::recognised);
 }
+
+} // namespace
+
+const ImportFormat rtlFormat{"rtl", REPORT_TEXT("report", "Renishaw laser data"), "rtl", isRtl, readRtl};
 
 } // namespace palmer

@@ -103,8 +103,6 @@ void remarkEnd(std::string_view rest, const Sampling &sampling, std::vector<Rema
                   0, "unread");
 }
 
-} // namespace
-
 bool isRtx(QByteArrayView bytes) {
     const std::string_view start(bytes.data(),
                                  static_cast<std::size_t>(std::min<qsizetype>(bytes.size(), 16'384)));
@@ -143,13 +141,12 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
                                {Number{static_cast<double>(sampling.count), Quantity::count},
                                 Number{drift.times.back(), Quantity::time}}});
-    std::size_t ignored = 0;
-    for (const SectionLine &line : header->lines)
-        ignored +=
-            std::ranges::none_of(knownKeys, [&](std::string_view key) { return sameWord(line.key, key); });
-    if (ignored > 0)
-        remark(RemarkGrade::note, {REPORT_TEXT("report", "Lines of text that were not used: %1."),
-                                   {Number{static_cast<double>(ignored), Quantity::count}}});
+    UnusedLines unused;
+    for (const SectionLine &line : header->lines) {
+        if (std::ranges::none_of(knownKeys, [&](std::string_view key) { return sameWord(line.key, key); }))
+            unused.add(line.line, line.key);
+    }
+    unused.remark(imported.remarks);
     Test test;
     if (const std::string date = text("Date"); !date.empty()) {
         test.date = isoDate(date);
@@ -169,5 +166,9 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     imported.operatorName = text("By");
     choices.settle("kind", "drift", Origin::recognised);
 }
+
+} // namespace
+
+const ImportFormat rtxFormat{"rtx", REPORT_TEXT("report", "Renishaw dynamic capture"), "rtx", isRtx, readRtx};
 
 } // namespace palmer

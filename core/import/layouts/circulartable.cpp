@@ -457,16 +457,11 @@ private:
     const Unit *settleUnit(std::string_view key, const SaidUnit &stated, UnitKind kind, const char *guess,
                            Text remark) {
         const Unit *found = stated.unit && stated.unit->kind == kind ? stated.unit : nullptr;
-        const auto choice =
-            m.choices.settle(key, found ? found->word : guess, found ? Origin::recognised : Origin::guessed);
-        const Unit *unit = unitOf(choice.value);
+        const Unit *unit =
+            palmer::settleUnit(key, stated, found, *unitOf(guess), {remark}, m.choices, m.result.remarks);
         if (!unit || unit->kind != kind)
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for a circular test"),
-                                               {nameOfChoice(key), nameOfWord(key, choice.value)}});
-        if (choice.origin == Origin::guessed && stated.isSaid())
-            askForUnit(key, stated.words(), m.result.remarks);
-        else if (choice.origin == Origin::guessed)
-            m.remark(RemarkGrade::assumption, {remark, {std::string(unit->sign)}}, 0, std::string(key));
+                                               {nameOfChoice(key), nameOfWord(key, m.choices.chosen(key))}});
         return unit;
     }
 

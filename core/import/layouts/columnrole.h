@@ -49,6 +49,16 @@ struct ImportColumn {
     }
 };
 
+/// Rows of the same columns, one of several tables of a file.
+struct ListedTable {
+    std::size_t firstLine = 0; ///< of its numbers, from 1
+    std::size_t lastLine = 0;
+    std::size_t rows = 0;
+    std::string headings; ///< of its columns, joined
+
+    bool operator==(const ListedTable &) const = default;
+};
+
 /// The roles as the choice "columns" has them: "target,ignored,run+1,run-1,run"; `+` and `-` are the
 /// direction, the number that of the run.
 [[nodiscard]] std::string wordOf(const std::vector<ImportColumn> &columns);

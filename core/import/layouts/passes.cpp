@@ -393,39 +393,28 @@ private:
     }
 
     const Unit *settleUnit(std::string_view key, const SaidUnit &said, const Unit *guess, Text question) {
-        const Unit *chosen = fitting(unitOf(m_choices.chosen(key)));
-        if (m_choices.isChosen(key) && !chosen)
+        if (m_choices.isChosen(key) && !fitting(unitOf(m_choices.chosen(key))))
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
                          {nameOfChoice(key), nameOfWord(key, m_choices.chosen(key))}});
-        const Unit *stated = fitting(said.unit);
-        const Unit *found = stated ? stated : guess;
         const bool isUnclear = key == "unit" && !m_positions && !isClearSize();
-        const auto choice = m_choices.settle(key, found->word, stated ? Origin::recognised : Origin::guessed);
-        const Unit *result = chosen ? chosen : found;
-        if (choice.origin == Origin::guessed && said.isSaid())
-            askForUnit(said, key);
-        else if (choice.origin == Origin::guessed)
-            addRemark(m_remarks, isUnclear ? RemarkGrade::problem : RemarkGrade::assumption,
-                      {question, {std::string(result->sign)}}, 0, std::string(key));
-        return result;
+        return palmer::settleUnit(
+            key, said, fitting(said.unit), *guess,
+            {question, isUnclear ? RemarkGrade::problem : RemarkGrade::assumption, contradiction(said, key)},
+            m_choices, m_remarks);
     }
 
-    /// An angle along millimetres, or the other way round, or a unit that is not known.
-    void askForUnit(const SaidUnit &said, std::string_view key) {
+    /// An angle along millimetres.
+    [[nodiscard]] std::optional<Message> contradiction(const SaidUnit &said, std::string_view key) const {
         const Unit *position = m_stated.positionUnit.unit;
         const bool isAngle = said.unit && said.unit->kind == UnitKind::angle;
-        if (key == "unit" && isAngle && position && position->kind == UnitKind::length)
-            addRemark(
-                m_remarks, RemarkGrade::problem,
-                {REPORT_TEXT("report",
-                             "Unit: the file says %1 for the readings and %2 for the targets. Angles "
-                             "along a linear axis (pitch, yaw) are no positioning test; where a heading "
-                             "is wrong, say the unit."),
-                 {said.words(), std::string(position->sign)}},
-                0, std::string(key));
-        else
-            palmer::askForUnit(key, said.words(), m_remarks);
+        if (key != "unit" || !isAngle || !position || position->kind != UnitKind::length)
+            return std::nullopt;
+        return Message{
+            REPORT_TEXT("report", "Unit: the file says %1 for the readings and %2 for the targets. Angles "
+                                  "along a linear axis (pitch, yaw) are no positioning test; where a heading "
+                                  "is wrong, say the unit."),
+            {said.words(), std::string(position->sign)}};
     }
 
     /// Whether deviations of that size can be meant in one unit only: 3 is no mm and 0.003 no µm. In inches
@@ -504,7 +493,9 @@ private:
 
 } // namespace
 
-void askForUnit(std::string_view choice, std::string_view said, std::vector<Remark> &remarks) {
+namespace {
+
+Message unreadable(std::string_view choice, const SaidUnit &said) {
     const Text question =
         choice == "positionUnit"
             ? REPORT_TEXT("report", "Unit of the positions: the file says “%1”, which cannot be read as it "
@@ -514,7 +505,25 @@ void askForUnit(std::string_view choice, std::string_view said, std::vector<Rema
                                     "stands; say the unit of the numbers.")
             : REPORT_TEXT("report", "Unit of the readings: the file says “%1”, which cannot be read as it "
                                     "stands; say the unit of the numbers.");
-    addRemark(remarks, RemarkGrade::problem, {question, {excerpt(said)}}, 0, std::string(choice));
+    return {question, {excerpt(said.words())}};
+}
+
+} // namespace
+
+const Unit *settleUnit(std::string_view choice, const SaidUnit &said, const Unit *found, const Unit &guess,
+                       const UnitQuestion &question, Choices &choices, std::vector<Remark> &remarks) {
+    if (!found && !said.isSaid())
+        found = unitOf(choices.usual(choice));
+    const auto settled = choices.settle(choice, found ? found->word : guess.word,
+                                        found ? Origin::recognised : Origin::guessed);
+    const Unit *unit = unitOf(settled.value);
+    if (settled.origin == Origin::guessed && said.isSaid())
+        addRemark(remarks, RemarkGrade::problem, question.contradiction.value_or(unreadable(choice, said)), 0,
+                  std::string(choice));
+    else if (settled.origin == Origin::guessed)
+        addRemark(remarks, question.grade, {question.guessed, {std::string(unit->sign)}}, 0,
+                  std::string(choice));
+    return unit;
 }
 
 PassForm settleForm(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,

@@ -72,8 +72,18 @@ struct StatedForm {
     bool isCorrection = false; ///< a heading of what is read names one
 };
 
-/// Asks for the unit of a choice, where what the file says cannot be taken: nothing is proposed.
-void askForUnit(std::string_view choice, std::string_view said, std::vector<Remark> &remarks);
+/// How a unit is asked for.
+struct UnitQuestion {
+    Text guessed;                                ///< nothing says it: "… read as %1."
+    RemarkGrade grade = RemarkGrade::assumption; ///< of that
+    std::optional<Message> contradiction =
+        {}; ///< what is said cannot be taken; null: it is quoted, without more
+};
+
+/// Settles the unit of a choice: that of the user, `found` (the one said, where numbers can be read in it),
+/// the usual one where nothing is said, else `guess` with its question. Null where the user's is no unit.
+const Unit *settleUnit(std::string_view choice, const SaidUnit &said, const Unit *found, const Unit &guess,
+                       const UnitQuestion &question, Choices &choices, std::vector<Remark> &remarks);
 
 /// Settles content, unit, positionUnit, sign and motion for passes: what the file says, else a guess with its
 /// question.

@@ -68,7 +68,7 @@ private:
         if (choice.origin == Origin::chosen)
             takeChosen(choice.value);
         else if (m_question)
-            m.remark(RemarkGrade::assumption, *m_question, 0, "columns");
+            m.remark(RemarkGrade::problem, *m_question, 0, "columns");
         if (m_values.empty())
             throw Error(
                 Error::Kind::content,
@@ -76,7 +76,7 @@ private:
         chooseSeries();
     }
 
-    [[nodiscard]] std::size_t timeColumn() const {
+    [[nodiscard]] std::size_t timeColumn() {
         const std::vector<std::size_t> columns = m.body.numberColumns();
         for (const std::size_t c : columns) {
             const TableColumn &column = m.body.columns[c];
@@ -84,6 +84,10 @@ private:
                 return c;
         }
         const bool counts = columns.size() > 2 && isCounter(m, columns.front());
+        if (counts && m.body.columns[columns.front()].heading.empty())
+            m_question = {REPORT_TEXT("report",
+                                      "Columns: the first counts the lines and is not read; the times "
+                                      "are those of the next.")};
         return columns[counts ? 1 : 0];
     }
 
@@ -203,27 +207,32 @@ private:
         return time;
     }
 
+    /// "t min", "t/s": a unit of time without brackets.
+    [[nodiscard]] static SaidUnit lastWord(std::string_view heading) {
+        const std::size_t before = heading.find_last_of(" /");
+        if (before == std::string_view::npos)
+            return {};
+        SaidUnit said = saidUnit('(' + std::string(heading.substr(before + 1)) + ')');
+        return said.unit && said.unit->kind == UnitKind::time ? said : SaidUnit{};
+    }
+
     /// Seconds of one unit of the times.
     double settleTimeUnit() {
-        const SaidUnit said = m.body.columns[m_time].said();
-        const Unit *stated = said.unit;
-        const bool isTime = stated && stated->kind == UnitKind::time;
+        SaidUnit said = m.body.columns[m_time].said();
+        if (!said.isSaid())
+            said = lastWord(m.body.columns[m_time].heading);
+        const bool isTime = said.unit && said.unit->kind == UnitKind::time;
         // Milliseconds are a unit of the file, none of the choices.
-        const auto choice = m.choices.settle("timeUnit", isTime ? stated->word : "s",
-                                             isTime ? Origin::recognised : Origin::guessed);
-        if (choice.origin == Origin::guessed && said.isSaid())
-            askForUnit("timeUnit", said.words(), m.result.remarks);
-        else if (choice.origin == Origin::guessed)
-            m.remark(RemarkGrade::assumption,
-                     {REPORT_TEXT("report", "Unit of the times: nothing in the file says it; read as %1."),
-                      {choice.value}},
-                     0, "timeUnit");
-        return unitOf(choice.value)->toBase(1);
+        return settleUnit(
+                   "timeUnit", said, isTime ? said.unit : nullptr, *unitOf("s"),
+                   {REPORT_TEXT("report", "Unit of the times: nothing in the file says it; read as %1.")},
+                   m.choices, m.result.remarks)
+            ->toBase(1);
     }
 
     void readTimes() {
         collectTimes(m_clock ? 1 : settleTimeUnit());
-        if (m_times.size() < 2)
+        if (m_times.size() < 2 && !m.choices.isChosen("layout"))
             throw Error(
                 Error::Kind::content,
                 {REPORT_TEXT("report", "one column of numbers is no series; expected times and values")});
@@ -338,19 +347,12 @@ private:
         const bool rotary = m.choices.isChosen("motion") ? m.choices.chosen("motion") == "rotary"
                                                          : known && stated->kind == UnitKind::angle;
         const char *guess = rotary ? "arcsec" : std::max(std::abs(low), std::abs(high)) < 0.5 ? "mm" : "um";
-        const auto choice = m.choices.settle("unit", known ? stated->word : guess,
-                                             known ? Origin::recognised : Origin::guessed);
-        const Unit *unit = unitOf(choice.value);
-        if (choice.origin == Origin::guessed && said.isSaid())
-            askForUnit("unit", said.words(), m.result.remarks);
-        else if (choice.origin == Origin::guessed)
-            m.remark(
-                RemarkGrade::assumption,
-                {REPORT_TEXT(
-                     "report",
-                     "Unit of the deviations: nothing in the file says it; read as %1 after their size."),
-                 {std::string(unit->sign)}},
-                0, "unit");
+        const Unit *unit = settleUnit(
+            "unit", said, known ? stated : nullptr, *unitOf(guess),
+            {REPORT_TEXT(
+                "report",
+                "Unit of the deviations: nothing in the file says it; read as %1 after their size.")},
+            m.choices, m.result.remarks);
         for (const double value : values)
             drift.deviations.push_back(unit->toBase(value));
         drift.axis.motion = unit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;

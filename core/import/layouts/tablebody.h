@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "import/layouts/columnrole.h"
 #include "import/layouts/headings.h"
 #include "import/remark.h"
 #include "tables/table.h"
@@ -43,16 +44,6 @@ struct TableBlock {
 struct OppositeWord {
     std::string word;
     Direction direction = Direction::negative; ///< the other one than that of the words that are known
-};
-
-/// Rows of the same columns, one of several tables of a file.
-struct ListedTable {
-    std::size_t firstLine = 0; ///< of its numbers, from 1
-    std::size_t lastLine = 0;
-    std::size_t rows = 0;
-    std::string headings; ///< of its columns, joined
-
-    bool operator==(const ListedTable &) const = default;
 };
 
 /// The rows of a table sorted into what is measured and what is said about it.

@@ -473,7 +473,8 @@ void findSections(const CellTable &table, TableBody &body) {
     for (TableBlock &block : body.blocks) {
         const std::vector<std::uint32_t> rows = headingRowsOf(table, block, bare);
         std::vector<TableColumn> columns = bare;
-        if (rows.empty() && !block.heads.empty() && table.rows()[block.heads.back()].comment)
+        if (rows.empty() && !block.heads.empty() && table.rows()[block.heads.back()].comment &&
+            !table.rows()[block.heads.back()].aside)
             takeFromComment(table, table.rows()[block.heads.back()], columns); // the headings themselves
         composeHeadings(table, rows, columns);
         spreadHeadings(columns);

@@ -53,6 +53,8 @@ TableReading::TableReading(Imported &imported, Choices &chosen)
 void TableReading::askForTable() {
     if (body.tables.size() < 2)
         return;
+    result.tables = body.tables;
+    result.readTable = body.table;
     const std::string read = std::to_string(body.table + 1);
     const auto choice = choices.settle("table", read, Origin::guessed);
     if (choice.origin == Origin::chosen && choice.value != read)

@@ -3,6 +3,7 @@
 #include "import/readers.h"
 
 #include "document/documenterror.h"
+#include "import/layouts/statementlines.h"
 #include "import/layouts/tablereading.h"
 #include "tables/decodetext.h"
 
@@ -250,14 +251,11 @@ std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &import
     return std::move(decoded.text);
 }
 
-bool isAnything(QByteArrayView) {
-    return true;
-}
-
 void readMeasurementTable(Choices &choices, Imported &imported) {
     if (choices.isChosen("lines"))
         keepLines(imported.table, choices.settle("lines", {}, Origin::chosen).value);
     imported.table.takeUnits();
+    setStatementsAside(imported.table);
     TableReading reading(imported, choices);
     Origin origin = Origin::recognised;
     const std::string found = kindOf(reading, origin);
@@ -294,9 +292,13 @@ void readMeasurementTable(Choices &choices, Imported &imported) {
                  {notes.dateText}});
         }
     }
-    if (notes.ignored > 0)
-        reading.remark(RemarkGrade::note, {REPORT_TEXT("report", "Lines of text that were not used: %1."),
-                                           {Number{static_cast<double>(notes.ignored), Quantity::count}}});
+    notes.unused.remark(imported.remarks);
+}
+
+namespace {
+
+bool isAnything(QByteArrayView) {
+    return true;
 }
 
 void readTextTable(const ImportSource &source, Choices &choices, Imported &imported) {
@@ -321,5 +323,10 @@ void readTextTable(const ImportSource &source, Choices &choices, Imported &impor
             0, "decimalMark");
     readMeasurementTable(choices, imported);
 }
+
+} // namespace
+
+const ImportFormat tableFormat{"table", REPORT_TEXT("report", "table"), "csv tsv txt", isAnything,
+                               readTextTable};
 
 } // namespace palmer

@@ -775,8 +775,6 @@ private:
     std::size_t m_emptyFormulaLine = 0;
 };
 
-} // namespace
-
 bool isWorkbook(QByteArrayView bytes) {
     return bytes.startsWith("PK\x03\x04") || bytes.startsWith("PK\x05\x06");
 }
@@ -833,5 +831,10 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
     }
     readMeasurementTable(choices, imported);
 }
+
+} // namespace
+
+const ImportFormat workbookFormat{"workbook", REPORT_TEXT("report", "workbook"), "xlsx ods", isWorkbook,
+                                  readWorkbook};
 
 } // namespace palmer

@@ -30,6 +30,7 @@ struct ImportedFile {
     std::string sha256;
     std::optional<std::string> data; ///< base64, when the user keeps the bytes
     std::vector<ImportedResult> results;
+    std::optional<bool> signAssumed; ///< its deviations were taken for actual − target, which it does not say
 
     bool operator==(const ImportedFile &) const = default;
 };

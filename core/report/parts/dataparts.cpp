@@ -619,6 +619,15 @@ void addImports(std::vector<Block> &blocks, const TestPart &part) {
         files.rows.push_back({QString::fromStdString(file.fileName), QString::fromStdString(file.sha256)});
     addHeading(blocks, write.text(REPORT_TEXT("report", "Origin of the data")));
     blocks.emplace_back(std::move(files));
+    for (const ImportedFile &file : imports) {
+        if (file.signAssumed == true)
+            blocks.emplace_back(Paragraph{
+                write.say(
+                    REPORT_TEXT("report",
+                                "“%1” does not say the sign of its deviations; read as actual − target."),
+                    {file.fileName}),
+                TextSize::small});
+    }
     Table results = instrumentResultsTable(part);
     if (!results.rows.empty())
         blocks.emplace_back(std::move(results));

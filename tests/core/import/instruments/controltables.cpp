@@ -71,6 +71,12 @@ private slots:
                                               "COMP.N0.001   =      +50.0000   =       +0.0021\n#\n")
                                 << "x.txt";
         QTest::newRow("FANUC") << QByteArray("%\nN10000 P0\nN10001 P2\nN11023 P-1\n%\n") << "x.txt";
+        QTest::newRow("KMotion") << QByteArray(
+                                        "2,3\n50,50\n0,0\n0,0,0.001,-0.002,0\n0,1,50.01,0,0\n0,2,100.02,0,0\n"
+                                        "1,0,0,50.003,0\n1,1,50.01,50,0\n1,2,100,50,0\n")
+                                 << "geo.txt";
+        QTest::newRow("KMotion, without offsets")
+            << QByteArray("2,2\n1.0, 1.0\n0,0,0,0\n0,1,1.01,0\n1,0,0,1\n1,1,1,1\n") << "geo.csv";
         QTest::newRow("FANUC, with axes") << QByteArray("N10000Q1A1P10\nN10001Q1A1P-3\n") << "pitch.all";
         // Whatever is left of them.
         QTest::newRow("LinuxCNC, cut off") << QByteArray(linuxcnc).chopped(3) << "x.comp";

@@ -4,6 +4,8 @@
 
 #include "core/import/layouts/headingtable.h"
 
+#include "core/import/storedworkbook.h"
+
 #include <QString>
 #include <QStringList>
 
@@ -55,7 +57,8 @@ GroupedTable groupedTable(std::mt19937 &random) {
     const std::size_t pairs = 1 + below(3);
     const bool repeats = below(3) == 0; // the word over each column
     const bool statesUnit = below(2) == 0;
-    const std::size_t form = below(4);
+    const std::size_t form = below(5);
+    const bool isSheet = form == 4;
     const QString delimiter = form == 0 ? ";" : form == 1 ? "," : "\t";
     QStringList top{""};
     QStringList head{"Position (mm)"};
@@ -82,6 +85,14 @@ GroupedTable groupedTable(std::mt19937 &random) {
             }
         }
         rows.push_back(row);
+    }
+    if (isSheet) {
+        std::vector<MergedCells> merged;
+        const auto span = static_cast<int>(2 * pairs);
+        for (int g = 0; !repeats && g < static_cast<int>(words.size()); ++g)
+            merged.push_back({0, 1 + g * span, span});
+        table.text = storedWorkbook(rows, merged);
+        return table;
     }
     for (const QStringList &row : rows)
         table.text += (form == 3 ? fixed(row) : row.join(delimiter)).toUtf8() + '\n';

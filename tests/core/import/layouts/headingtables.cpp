@@ -7,6 +7,8 @@
 #include "core/import/layouts/workshoptable.h"
 #include "import/importmeasurement.h"
 
+#include <QDir>
+#include <QRegularExpression>
 #include <QTest>
 
 #include <algorithm>
@@ -99,11 +101,7 @@ private slots:
         QCOMPARE(pooled, 0);
     }
 
-    void conditionsAboveChangeNoNumber_data() {
-        QTest::addColumn<QByteArray>("block");
-        for (const QByteArray &block : testdata::conditionBlocks())
-            QTest::newRow(block.simplified().left(40).constData()) << block;
-    }
+    void conditionsAboveChangeNoNumber_data() { addBlocks(); }
     void conditionsAboveChangeNoNumber() {
         QFETCH(QByteArray, block);
         std::mt19937 random(3);
@@ -121,6 +119,80 @@ private slots:
                                     testdata::questions(below)));
             }
         }
+    }
+
+    /// Likewise above each layout: those of the files of the tests, and those of workshops.
+    void conditionsAboveAnyLayoutChangeNoNumber_data() { addBlocks(); }
+    void conditionsAboveAnyLayoutChangeNoNumber() {
+        QFETCH(QByteArray, block);
+        int tried = 0;
+        QStringList changed;
+        for (const QByteArray &text : layouts()) {
+            const QByteArray written = inTheFormOf(text, block);
+            const Imported bare = showMeasurement(text, "x.csv", {});
+            const Imported below = showMeasurement(written + '\n' + text, "x.csv", {});
+            ++tried;
+            if (numbersOf(below) != numbersOf(bare))
+                changed << QString::fromUtf8(written + '\n' + text.left(300)) + numbersOf(bare).left(300) +
+                               "\n>>>\n" + testdata::picture(below).left(400) + testdata::questions(below);
+        }
+        QVERIFY2(changed.isEmpty(),
+                 qPrintable(QString("%1 of %2: ").arg(changed.size()).arg(tried) + changed.join("\n---\n")));
+        QVERIFY(tried > 40);
+    }
+
+private:
+    /// What was measured, without what a block may well say: the axis, the feed, temperatures.
+    static QString numbersOf(Imported imported) {
+        imported.sensors.clear();
+        if (imported.test) {
+            if (auto *axis = std::get_if<PositioningMeasurement>(&imported.test->measurement))
+                axis->axis.name.clear();
+            if (auto *drift = std::get_if<DriftMeasurement>(&imported.test->measurement))
+                drift->axis.name.clear();
+            if (auto *circles = std::get_if<CircularMeasurement>(&imported.test->measurement))
+                circles->feed.reset();
+        }
+        return testdata::picture(imported);
+    }
+
+    static void addBlocks() {
+        QTest::addColumn<QByteArray>("block");
+        for (const QByteArray &block : testdata::conditionBlocks())
+            QTest::newRow(block.simplified().left(40).constData()) << block;
+    }
+
+    /// Tables that can be read as they are.
+    static const std::vector<QByteArray> &layouts() {
+        static const auto all = [] {
+            std::vector<QByteArray> texts;
+            const QDir folder(DATA "tables");
+            for (const QString &name : folder.entryList({"*.csv", "*.txt"})) {
+                QFile file(folder.filePath(name));
+                if (file.open(QIODevice::ReadOnly))
+                    texts.push_back(file.readAll());
+            }
+            std::mt19937 random(8);
+            while (texts.size() < 90)
+                texts.push_back(testdata::workshopTable(random).text.toUtf8());
+            std::erase_if(texts, [](const QByteArray &text) {
+                return !text.isValidUtf8() || text.contains('\0') || !showMeasurement(text, "x.csv", {}).test;
+            });
+            return texts;
+        }();
+        return all;
+    }
+
+    /// With the delimiter and the decimal mark of a table.
+    static QByteArray inTheFormOf(const QByteArray &table, QByteArray block) {
+        const char delimiter =
+            std::ranges::max({'\t', ';', '|', ','}, {}, [&](char c) { return table.count(c); });
+        if (table.count(delimiter) == 0)
+            return block.replace(',', '.').replace(';', "  ");
+        static const QRegularExpression point("\\d\\.\\d+(?!\\.)\\b");
+        if (delimiter == ',' || QString::fromUtf8(table).contains(point))
+            block.replace(',', '.');
+        return block.replace(';', delimiter);
     }
 };
 

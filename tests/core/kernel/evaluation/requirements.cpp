@@ -744,7 +744,7 @@ void Requirements::rows_data() {
             // 5 % of what is stated are in play from 4 µm on: A is made smaller than that.
             const double ours = *a->value * 1000;
             s.laser.resolution = resolution;
-            s.test.imports = {{"x.rtl", "", {}, {{"A", ours + micrometresMore, "µm"}}}};
+            s.test.imports = {{"x.rtl", "", {}, {{"A", ours + micrometresMore, "µm"}}, {}}};
         };
     };
     const auto small = [](const char *edition) {
@@ -769,7 +769,7 @@ void Requirements::rows_data() {
             const TestEvaluation evaluation = s.evaluated();
             const double ours = *evaluation.parameters.front().value * 1000;
             s.test.imports = {
-                {"x.rtl", "", {}, {{parameterId(evaluation.parameters.front()), ours * factor, "µm"}}}};
+                {"x.rtl", "", {}, {{parameterId(evaluation.parameters.front()), ours * factor, "µm"}}, {}}};
         };
     };
     row("the instrument states 5 % less than it", of1988, shortAxis, share(1 / 1.0499), instrument, "",

@@ -261,21 +261,21 @@ void Sentences::numbers_data() {
     row(
         "the instrument says 20 µm", of2006, hand, "instrumentResult",
         [](Setup &s) {
-            s.test.imports = {{"x.rtl", "", {}, {{"A", 20, "µm"}}}};
+            s.test.imports = {{"x.rtl", "", {}, {{"A", 20, "µm"}}, {}}};
         },
         "A; 0.02 mm→µm.2; 0.018 mm→µm.2");
     for (const char *unit : {"um", "μm"}) // the word of files, the Greek letter
         row(
             unit, of2006, hand, "instrumentResult",
             [unit](Setup &s) {
-                s.test.imports = {{"x.rtl", "", {}, {{"A", 20, unit}}}};
+                s.test.imports = {{"x.rtl", "", {}, {{"A", 20, unit}}, {}}};
             },
             "A; 0.02 mm→µm.2; 0.018 mm→µm.2");
     row(
         "of an angle", of2006, hand, "instrumentResult",
         [](Setup &s) {
             s.m().axis.motion = Motion::rotary; // 0.018° are 64.8″
-            s.test.imports = {{"x.rtl", "", {}, {{"A", 0.018, "mm"}, {"A", 36, "″"}}}};
+            s.test.imports = {{"x.rtl", "", {}, {{"A", 0.018, "mm"}, {"A", 36, "″"}}, {}}};
         },
         "A; 0.01°→″.2; 0.018°→″.2");
     row(

@@ -1,0 +1,205 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "import/layouts/statementlines.h"
+
+#include "import/filenotes.h"
+#include "import/layouts/phrases.h"
+#include "tables/folded.h"
+
+#include <algorithm>
+#include <array>
+#include <span>
+#include <vector>
+
+namespace palmer {
+
+namespace {
+
+/// What stands apart in a line. Of columns parted by blanks: by two of them.
+struct Entry {
+    std::string_view text;
+    CellKind kind = CellKind::text;
+};
+using Entries = std::vector<Entry>;
+
+Entries entriesOf(const CellTable &table, const TableRow &row) {
+    Entries entries;
+    const auto cells = table.cells(row);
+    if (table.delimiter.value != Delimiter::blanks || table.isPlaced) {
+        for (const TableCell &cell : cells) {
+            if (cell.kind != CellKind::empty)
+                entries.push_back({table.text(cell), cell.kind});
+        }
+        return entries;
+    }
+    const std::string_view all = table.text();
+    for (std::size_t c = 0; c < cells.size(); ++c) {
+        const std::size_t begin = cells[c].begin;
+        const std::size_t behind =
+            entries.empty() ? begin : entries.back().text.data() + entries.back().text.size() - all.data();
+        if (entries.empty() || begin > behind + 1 || all[behind] == '\t')
+            entries.push_back({table.text(cells[c]), cells[c].kind});
+        else
+            entries.back() = {
+                std::string_view(entries.back().text.data(),
+                                 begin + cells[c].size - (entries.back().text.data() - all.data())),
+                CellKind::text};
+    }
+    return entries;
+}
+
+std::size_t count(const Entries &entries, CellKind kind) {
+    return static_cast<std::size_t>(std::ranges::count(entries, kind, &Entry::kind));
+}
+
+/// Rows without an empty line between them.
+struct Paragraph {
+    std::vector<std::size_t> rows; ///< no comments
+    std::size_t numbers = 0;
+};
+
+std::vector<Paragraph> paragraphsOf(const CellTable &table) {
+    std::vector<Paragraph> paragraphs;
+    std::uint32_t last = 0;
+    for (std::size_t i = 0; i < table.rows().size(); ++i) {
+        const TableRow &row = table.rows()[i];
+        if (paragraphs.empty() || row.line > last + 1)
+            paragraphs.emplace_back();
+        last = row.line;
+        if (row.comment)
+            continue;
+        paragraphs.back().rows.push_back(i);
+        paragraphs.back().numbers += static_cast<std::size_t>(
+            std::ranges::count(table.cells(row), CellKind::number, &TableCell::kind));
+    }
+    std::erase_if(paragraphs, [](const Paragraph &paragraph) { return paragraph.rows.empty(); });
+    return paragraphs;
+}
+
+/// "Number of runs": how many there are is no run.
+bool isCount(std::string_view label) {
+    constexpr std::array<std::string_view, 5> beginnings{"number of ", "nombre d", "anzahl ", "numero di ",
+                                                         "numero de "};
+    const std::string text = folded(label);
+    return std::ranges::any_of(beginnings, [&](std::string_view each) { return text.starts_with(each); });
+}
+
+/// Whether a text tells columns or blocks apart: "Run 1", "Target", "↑", "As found".
+bool tellsReadings(std::string_view text) {
+    const HeadingWords words = readHeading(text);
+    constexpr std::array readings{Meaning::target,  Meaning::place,     Meaning::actual, Meaning::deviation,
+                                  Meaning::reading, Meaning::direction, Meaning::run,    Meaning::angle,
+                                  Meaning::radius,  Meaning::time,      Meaning::x,      Meaning::y};
+    return words.direction || words.hint || directionOf(text) || words.state != TestRole::notStated ||
+           std::ranges::find(readings, words.meaning) != readings.end();
+}
+
+class Preface {
+public:
+    Preface(const CellTable &table, const std::vector<Paragraph> &paragraphs, std::size_t at)
+        : m_table(table)
+        , m_paragraphs(paragraphs)
+        , m_at(at) {}
+
+    [[nodiscard]] bool isStatements() const {
+        const auto &rows = m_paragraphs[m_at].rows;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            if (!isStatement(rows[i]) && !isLoneRow(i))
+                return false;
+        }
+        return isLabelledValue(m_table, m_table.rows()[rows.back()]) || !isHeading(rows.back());
+    }
+
+private:
+    [[nodiscard]] Entries entries(std::size_t row) const { return entriesOf(m_table, m_table.rows()[row]); }
+
+    /// "Test after ISO 230-2:2014" is no title of a block.
+    [[nodiscard]] static bool isSentence(const Entries &all) {
+        constexpr std::size_t longestTitle = 3;
+        const HeadingWords words = readHeading(all.front().text);
+        return all.size() == 1 && words.words > longestTitle && words.unknownWords > 0 && !words.direction;
+    }
+
+    /// A label with what belongs to it; no row of a table with more columns, and no title of one of several
+    /// blocks.
+    [[nodiscard]] bool isStatement(std::size_t row) const {
+        constexpr std::size_t mostEntries = 4; // "Air", "20.1", "20.3", "°C"
+        const Entries all = entries(row);
+        if (all.empty() || all.front().kind != CellKind::text || all.size() > mostEntries ||
+            recurs(all.front().text))
+            return false;
+        const std::string_view label = all.front().text;
+        return isSentence(all) || (label.ends_with(':') && all.size() > 1) || isCount(label) ||
+               isLabelledValue(m_table, m_table.rows()[row]) || !tellsReadings(label);
+    }
+
+    /// Numbers under the words of the only row above them: "Lower limit; Upper limit" and "0; 500".
+    [[nodiscard]] bool isLoneRow(std::size_t index) const {
+        const auto &rows = m_paragraphs[m_at].rows;
+        if (rows.size() != 2 || index != 1)
+            return false;
+        const Entries words = entries(rows.front());
+        const Entries numbers = entries(rows.back());
+        return count(words, CellKind::text) == words.size() && words.size() == numbers.size() &&
+               count(numbers, CellKind::number) == numbers.size() &&
+               std::ranges::none_of(words, tellsReadings, &Entry::text);
+    }
+
+    /// The last row above numbers that have no heading of their own.
+    [[nodiscard]] bool isHeading(std::size_t row) const {
+        const Entries all = entries(row);
+        if (count(all, CellKind::text) < all.size() || isSentence(all))
+            return false;
+        for (std::size_t i = m_paragraphs[m_at + 1].rows.front(); i < m_table.rows().size(); ++i) {
+            const auto cells = m_table.cells(m_table.rows()[i]);
+            if (std::ranges::find(cells, CellKind::number, &TableCell::kind) != cells.end())
+                return all.size() >= cells.size() || std::ranges::any_of(all, tellsReadings, &Entry::text);
+            if (std::ranges::count(cells, CellKind::text, &TableCell::kind) >= 2)
+                return false;
+        }
+        return false;
+    }
+
+    /// Blocks below have the same title, or that of another axis.
+    [[nodiscard]] bool recurs(std::string_view label) const {
+        const HeadingWords words = readHeading(label);
+        const bool isAxis = words.axis != 0 && words.unknownWords == 0 && words.meaning != Meaning::other;
+        for (std::size_t p = m_at + 1; p < m_paragraphs.size(); ++p) {
+            for (const std::size_t i : m_paragraphs[p].rows) {
+                const auto cells = m_table.cells(m_table.rows()[i]);
+                if (cells.front().kind != CellKind::text ||
+                    std::ranges::find(cells, CellKind::number, &TableCell::kind) != cells.end())
+                    continue;
+                const std::string_view text = entries(i).front().text;
+                if (text == label || (isAxis && readHeading(text).axis != 0))
+                    return true;
+            }
+        }
+        return false;
+    }
+
+    const CellTable &m_table;
+    const std::vector<Paragraph> &m_paragraphs;
+    std::size_t m_at;
+};
+
+} // namespace
+
+void setStatementsAside(CellTable &table) {
+    constexpr std::size_t mostLines = 300; // of what stands above
+    const std::vector<Paragraph> paragraphs = paragraphsOf(table);
+    const auto hasAsMany = [](const Paragraph &paragraph) {
+        return [&paragraph](const Paragraph &other) { return other.numbers >= paragraph.numbers; };
+    };
+    std::vector<std::size_t> aside;
+    for (auto p = paragraphs.begin(); p != paragraphs.end(); ++p) {
+        if (std::none_of(p + 1, paragraphs.end(), hasAsMany(*p)) ||
+            aside.size() + p->rows.size() > mostLines ||
+            !Preface(table, paragraphs, static_cast<std::size_t>(p - paragraphs.begin())).isStatements())
+            break;
+        aside.insert(aside.end(), p->rows.begin(), p->rows.end());
+    }
+    table.setAside(aside);
+}
+
+} // namespace palmer

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QStringList>
+#include <vector>
+
+namespace palmer::testdata {
+
+/// Cells of a row, counted from 0, that are one.
+struct MergedCells {
+    int row = 0;
+    int column = 0;
+    int span = 1;
+};
+
+/// A workbook (.xlsx) of one sheet, not compressed: cells that are numbers with a point are numbers, the
+/// others texts.
+[[nodiscard]] QByteArray storedWorkbook(const std::vector<QStringList> &rows,
+                                        const std::vector<MergedCells> &merged = {});
+
+} // namespace palmer::testdata
