@@ -3071,8 +3071,8 @@
         <translation>le fichier ne contient aucun point visé</translation>
     </message>
     <message>
-        <source>Lines of text that were not used: %1.</source>
-        <translation>Lignes de texte ignorées&#xa0;: %1.</translation>
+        <source>Lines of text that were not used: %1 (%2).</source>
+        <translation>Lignes de texte ignorées&#xa0;: %1 (%2).</translation>
     </message>
     <message>
         <source>“%1” is not a number. The reading stays missing.</source>
@@ -9141,6 +9141,42 @@
     <message>
         <source>no typical value is known for its tests</source>
         <translation>aucune valeur usuelle n’est connue pour ses essais</translation>
+    </message>
+    <message>
+        <source>“%1” does not say the sign of its deviations; read as actual − target.</source>
+        <translation>«&#xa0;%1&#xa0;» ne dit pas le signe de ses écarts&#x202f;; lu comme «&#xa0;réel − visé&#xa0;».</translation>
+    </message>
+    <message>
+        <source>“%1” does not say the sign of its deviations, and a table of the wrong sign doubles them: confirm that they are actual − target, or import it with the other sign</source>
+        <translation>«&#xa0;%1&#xa0;» ne dit pas le signe de ses écarts, et une table de signe contraire les double&#xa0;: confirmez qu’il s’agit de «&#xa0;réel − visé&#xa0;», ou importez le fichier avec l’autre signe</translation>
+    </message>
+    <message>
+        <source>“%1” does not say the sign of its deviations, and a table of the wrong sign doubles them: %2 if they are actual − target, else import it with %3</source>
+        <translation>«&#xa0;%1&#xa0;» ne dit pas le signe de ses écarts, et une table de signe contraire les double&#xa0;: %2 s’il s’agit de «&#xa0;réel − visé&#xa0;», sinon importez le fichier avec %3</translation>
+    </message>
+    <message>
+        <source>--confirm-sign has no effect here: the sign of the deviations is stated</source>
+        <translation>--confirm-sign est sans effet ici&#xa0;: le signe des écarts est indiqué</translation>
+    </message>
+    <message>
+        <source>the deviations are actual − target, though the file they come from does not say it</source>
+        <translation>les écarts sont «&#xa0;réel − visé&#xa0;», bien que le fichier d’origine ne le dise pas</translation>
+    </message>
+    <message>
+        <source>nothing is put before the questions are answered</source>
+        <translation>rien n’est placé avant qu’il soit répondu aux questions</translation>
+    </message>
+    <message>
+        <source>put by target and direction, as the headings say</source>
+        <translation>placés par point visé et par sens, comme le disent les en-têtes</translation>
+    </message>
+    <message>
+        <source>the unit of the readings is not one of this axis</source>
+        <translation>l’unité des relevés n’est pas une unité de cet axe</translation>
+    </message>
+    <message>
+        <source>Columns: the first counts the lines and is not read; the times are those of the next.</source>
+        <translation>Colonnes&#xa0;: la première compte les lignes et n’est pas lue&#x202f;; les temps sont ceux de la suivante.</translation>
     </message>
 </context>
 </TS>

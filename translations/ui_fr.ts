@@ -311,6 +311,10 @@
         <source>paste a block</source>
         <translation>collage d’un bloc</translation>
     </message>
+    <message>
+        <source>confirm the sign of the deviations</source>
+        <translation>confirmer le signe des écarts</translation>
+    </message>
 </context>
 <context>
     <name>examples</name>
@@ -1124,6 +1128,10 @@
         <source>Compare &amp;with a table…</source>
         <translation>C&amp;omparer à une table…</translation>
     </message>
+    <message>
+        <source>The de&amp;viations are actual − target</source>
+        <translation>Les é&amp;carts sont «&#xa0;réel − visé&#xa0;»</translation>
+    </message>
 </context>
 <context>
     <name>palmer::ui::ConditionsPage</name>
@@ -1533,8 +1541,8 @@
         <translation>Coller</translation>
     </message>
     <message>
-        <source>Paste times in s and deviations from a table (%1)</source>
-        <translation>Coller des temps en s et des écarts d’un tableau (%1)</translation>
+        <source>Paste times and deviations from a table (%1)</source>
+        <translation>Coller des temps et des écarts d’un tableau (%1)</translation>
     </message>
     <message>
         <source>Paste readings</source>
@@ -1577,8 +1585,15 @@
         <translation>Repris par&#xa0;: %1</translation>
     </message>
     <message>
-        <source>Two columns are expected: time in s and deviation.</source>
-        <translation>Deux colonnes sont attendues&#xa0;: temps en s et écart.</translation>
+        <source>Nothing is put before the questions are answered.</source>
+        <translation>Rien n’est placé avant qu’il soit répondu aux questions.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n reading(s) pasted</source>
+        <translation>
+            <numerusform>%n relevé collé</numerusform>
+            <numerusform>%n relevés collés</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2261,8 +2276,8 @@
         <translation>&amp;Tout confirmer</translation>
     </message>
     <message>
-        <source>Takes what is proposed to each question; data left unread are asked one by one</source>
-        <translation>Retient la proposition de chaque question&#x202f;; les données non lues sont demandées une à une</translation>
+        <source>Takes what is proposed to each assumed question; a doubtful one wants its own answer</source>
+        <translation>Retient ce qui est proposé à chaque question supposée&#x202f;; une question douteuse demande sa propre réponse</translation>
     </message>
     <message>
         <source>Reading %1…</source>
@@ -3390,6 +3405,13 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::RawTextModel</name>
+    <message>
+        <source>Click to read this table instead</source>
+        <translation>Cliquer pour lire plutôt ce tableau</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::ReadingsModel</name>
     <message>
         <source>Number of the target</source>
@@ -4055,6 +4077,22 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>answer</source>
         <translation>répondre</translation>
+    </message>
+    <message>
+        <source>doubtful</source>
+        <translation>douteux</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>supposé</translation>
+    </message>
+    <message>
+        <source>Something speaks against it: it wants an answer of its own.</source>
+        <translation>Quelque chose s’y oppose&#xa0;: il faut y répondre séparément.</translation>
+    </message>
+    <message>
+        <source>The file does not say it and the usual holds.</source>
+        <translation>Le fichier ne le dit pas et l’usage vaut.</translation>
     </message>
 </context>
 <context>

@@ -3,14 +3,13 @@
 #include "editing/arctable.h"
 
 #include "document/documenterror.h"
+#include "editing/pastedtable.h"
 #include "import/doubts.h"
-#include "import/importmeasurement.h"
 #include "import/layouts/arcs.h"
 #include "import/layouts/tablebody.h"
 #include "kernel/words/shortest.h"
 #include "tables/units.h"
 
-#include <QByteArray>
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -154,7 +153,6 @@ ArcTable readArcTable(const std::string &text, const CircularMeasurement &circle
 
     // The test says already what a file would have to say.
     ImportOptions options{
-        {"format", "table"},
         {"kind", "circular"},
         {"plane", "XY"},
         {"nominalRadius", shortest(circle.nominalRadius)},
@@ -167,7 +165,7 @@ ArcTable readArcTable(const std::string &text, const CircularMeasurement &circle
         options["decimalMark"] = marks.at(static_cast<std::size_t>(*choices.decimalMark));
     if (choices.unit)
         options["unit"] = *choices.unit;
-    Imported imported = importMeasurement(QByteArray::fromStdString(text), {}, options);
+    Imported imported = readPastedTable(text, options);
     ArcTable result;
     result.arcs = std::move(std::get<CircularMeasurement>(imported.test->measurement).arcs);
     for (Arc &arc : result.arcs) {
@@ -186,18 +184,8 @@ ArcTable readArcTable(const std::string &text, const CircularMeasurement &circle
         if (choice.key == "layout" && layout != layouts.end())
             result.content = {static_cast<ArcContent>(layout - layouts.begin()), choice.origin};
     }
-    // Of the test as such it is known, or asked for elsewhere.
-    const auto isOfTest = [](std::string_view choice) {
-        return choice == "calibrated" || choice == "correctionTo20" || choice == "plane";
-    };
-    for (Remark &remark : imported.remarks) {
-        if (!isOfTest(remark.choice))
-            result.remarks.push_back(std::move(remark));
-    }
-    for (Question &question : imported.questions) {
-        if (!isOfTest(question.id))
-            result.questions.push_back(std::move(question));
-    }
+    result.remarks = std::move(imported.remarks);
+    result.questions = std::move(imported.questions);
     return result;
 }
 

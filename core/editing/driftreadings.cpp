@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editing/driftreadings.h"
 
-#include "editing/typedreading.h"
+#include "document/documenterror.h"
+#include "editing/pastedtable.h"
 
-#include <QRegularExpression>
-#include <QString>
-#include <QStringList>
 #include <algorithm>
+#include <iterator>
 
 namespace palmer {
 
@@ -38,76 +37,26 @@ void removeDriftReadings(Test &test, std::size_t row, std::size_t count) {
     cut(drift->deviations);
 }
 
-namespace {
-
-QStringList cellsOfDrift(const QString &line) {
-    static const QRegularExpression tabs(QStringLiteral("[\\t;]+"));
-    static const QRegularExpression blanks(QStringLiteral(" +"));
-    return line.split(line.contains(tabs) ? tabs : blanks, Qt::SkipEmptyParts);
-}
-
-/// What a cell of the head says; "t min" and "t/s" are units of time without brackets, too.
-SaidUnit saidIn(const QString &cell) {
-    static const QRegularExpression last(QStringLiteral("[^\\s/]+$"));
-    if (const SaidUnit said = saidUnit(cell.toStdString()); said.isSaid())
-        return said;
-    const SaidUnit word = saidUnit('(' + last.match(cell.trimmed()).captured().toStdString() + ')');
-    return word.unit && word.unit->kind == UnitKind::time ? word : SaidUnit{};
-}
-
-/// The units that the lines of the head say; null: those shown.
-struct DriftHead {
-    const Unit *time = nullptr;
-    const Unit *deviation = nullptr;
-    bool deviationFirst = false;
-
-    void read(const QStringList &cells, Motion motion) {
-        for (const QString &cell : cells) {
-            const SaidUnit said = saidIn(cell);
-            if (!said.isSaid())
-                continue;
-            const bool isTime = said.unit && said.unit->kind == UnitKind::time;
-            (isTime ? time : deviation) = isTime ? said.unit : &unitOfHeading(said, unitKindOf(motion));
-            deviationFirst = cells.size() == 2 && isTime != (&cell == &cells.first());
-        }
-    }
-};
-
-std::optional<double> driftNumber(const Unit *unit, const QString &cell, Quantity shown,
-                                  const DisplayUnits &units) {
-    const auto number = enteredNumber(cell, unit ? Quantity::number : shown, units).value;
-    return unit && number ? unit->toBase(*number) : number;
-}
-
-} // namespace
-
-std::optional<std::vector<DriftReading>> driftReadingsFrom(QStringView pasted, Motion motion,
-                                                           const DisplayUnits &units) {
-    const Quantity shown = motion == Motion::linear ? Quantity::deviation : Quantity::angularDeviation;
-    std::vector<DriftReading> readings;
-    DriftHead head;
-    for (const QStringView line : pasted.split(u'\n', Qt::SkipEmptyParts)) {
-        QStringList cells = cellsOfDrift(line.trimmed().toString());
-        const bool hasNumber = std::ranges::any_of(cells, [](const QString &cell) {
-            return enteredNumber(cell, Quantity::number).value.has_value();
-        });
-        if (!hasNumber && readings.empty()) {
-            head.read(cells, motion);
-            continue;
-        }
-        if (cells.size() != 2)
-            return std::nullopt;
-        if (head.deviationFirst)
-            cells.swapItemsAt(0, 1);
-        const auto time = driftNumber(head.time, cells[0], Quantity::time, units);
-        const auto value = driftNumber(head.deviation, cells[1], shown, units);
-        if (!time || !value)
-            return std::nullopt;
-        readings.push_back({*time, *value});
-    }
-    if (readings.empty())
-        return std::nullopt;
-    return readings;
+PastedDrift driftReadingsFrom(const std::string &pasted, Motion motion, const DisplayUnits &units,
+                              const ImportOptions &answers) {
+    ImportOptions known{
+        {"kind", "drift"}, {"layout", "series"}, {"motion", motion == Motion::linear ? "linear" : "rotary"}};
+    known.insert(answers.begin(), answers.end());
+    Imported imported = readPastedTable(pasted, known, usualUnits(motion, units));
+    PastedDrift result;
+    std::ranges::copy_if(imported.questions, std::back_inserter(result.questions),
+                         [](const Question &question) { return !question.canBeAssumed(); });
+    std::ranges::copy_if(imported.choices, std::back_inserter(result.units), [](const ImportChoice &choice) {
+        return choice.key == "unit" || choice.key == "timeUnit";
+    });
+    result.remarks = std::move(imported.remarks);
+    const auto &drift = std::get<DriftMeasurement>(imported.test->measurement);
+    if (drift.axis.motion != motion)
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "the unit of the readings is not one of this axis")});
+    for (std::size_t i = 0; i < drift.times.size(); ++i)
+        result.readings.push_back({drift.times[i], drift.deviations[i]});
+    return result;
 }
 
 } // namespace palmer

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "import/question.h"
 #include "kernel/measurement/test.h"
 #include "language/units.h"
 
-#include <QStringView>
 #include <cstddef>
-#include <optional>
+#include <string>
 #include <vector>
 
 namespace palmer {
@@ -28,11 +28,18 @@ void setDriftReadings(Test &test, std::size_t row, const std::vector<DriftReadin
 /// Removes readings; those beyond the end are none.
 void removeDriftReadings(Test &test, std::size_t row, std::size_t count);
 
-/// Two columns as they are copied from a table: times in s and deviations in the unit shown, parted by tabs,
-/// semicolons or blanks, a reading a line. Lines without numbers above the first reading are their head; the
-/// units that it says are those of the columns. Nothing where a line says anything else. Throws Error for
-/// units that numbers are not converted from.
-[[nodiscard]] std::optional<std::vector<DriftReading>> driftReadingsFrom(QStringView pasted, Motion motion,
-                                                                         const DisplayUnits &units = {});
+/// What a paste says.
+struct PastedDrift {
+    std::vector<DriftReading> readings;
+    std::vector<ImportChoice> units; ///< that they were read in
+    std::vector<Question> questions; ///< to be answered before they are taken
+    std::vector<Remark> remarks;
+};
+
+/// A table of times and deviations, read as a file is; where it says no units, times are in s and deviations
+/// in the unit shown. `answers`: to its questions, and other units. Throws Error for what is none.
+[[nodiscard]] PastedDrift driftReadingsFrom(const std::string &pasted, Motion motion,
+                                            const DisplayUnits &units = {},
+                                            const ImportOptions &answers = {});
 
 } // namespace palmer

@@ -6,6 +6,7 @@
 #include "kernel/evaluation/edition.h"
 #include "kernel/words/unit.h"
 #include "language/entry.h"
+#include "tables/table.h"
 #include "tables/units.h"
 
 #include <QRegularExpression>
@@ -16,20 +17,12 @@ namespace palmer {
 
 namespace {
 
-QStringList cellsOf(const QString &line, const QString &block) {
-    static const QRegularExpression blanks(QStringLiteral("\\s+"));
+QStringList cellsOf(const CellTable &table, const TableRow &row) {
     QStringList cells;
-    if (block.contains(u'\t'))
-        cells = line.split(u'\t');
-    else if (block.contains(u';'))
-        cells = line.split(u';');
-    else if (block.contains(u'|'))
-        cells = line.split(u'|');
-    else
-        cells = line.split(blanks);
-    for (QString &cell : cells)
-        cell = cell.trimmed();
-    cells.removeAll(QString());
+    for (const TableCell &cell : table.cells(row)) {
+        if (cell.size > 0)
+            cells << QString::fromUtf8(table.text(cell));
+    }
     return cells;
 }
 
@@ -81,17 +74,25 @@ class LimitBlock {
 public:
     LimitBlock(const std::vector<LimitName> &names, const QString &block)
         : m_names(names) {
-        int number = 0;
-        for (const QString &text : block.split(QRegularExpression(QStringLiteral("\r\n|\r|\n")))) {
-            ++number;
-            LimitLine line = read(cellsOf(text, block));
-            line.number = number;
+        TableOptions options;
+        options.comments = false;
+        for (const auto &[sign, delimiter] :
+             {std::pair(u'\t', Delimiter::tab), std::pair(u';', Delimiter::semicolon),
+              std::pair(u'|', Delimiter::bar)}) {
+            if (!options.delimiter && block.contains(sign))
+                options.delimiter = delimiter; // "≤ 20" is no number that would tell it
+        }
+        const CellTable table = readTable(block.toStdString(), options);
+        for (const TableRow &row : table.rows()) {
+            const QStringList cells = cellsOf(table, row);
+            LimitLine line = read(cells);
+            line.number = static_cast<int>(row.line);
             const bool heading = m_lines.empty() && line.amounts.empty() && !line.name;
             if (heading && line.unit)
                 m_unit = line.unit;
             if (!heading && (line.name || !line.amounts.empty()))
                 m_lines.push_back(std::move(line));
-            else if (!heading && !text.trimmed().isEmpty())
+            else if (!heading && !cells.isEmpty())
                 refuse(REPORT_TEXT("report",
                                    "line %1 of what was pasted is no limit; expected a symbol and a "
                                    "number"),

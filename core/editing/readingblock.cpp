@@ -2,8 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editing/readingblock.h"
 
+#include "document/documenterror.h"
 #include "editing/editreadings.h"
+#include "editing/pastedtable.h"
 #include "editing/typedreading.h"
+#include "import/layouts/phrases.h"
 #include "kernel/measurement/readingsaside.h"
 #include "language/decimals.h"
 #include "tables/table.h"
@@ -51,7 +54,6 @@ public:
         m_result.decimalMark = m_table.decimalMark;
         m_result.delimiter = m_table.delimiter.value;
         takeLines();
-        leaveOutKnownColumns();
     }
 
     PastedBlock run() {
@@ -59,9 +61,14 @@ public:
             m_result.remarks.push_back({REPORT_TEXT("report", "there are no numbers in what was copied")});
             return std::move(m_result);
         }
-        putTargets();
-        for (std::size_t i = 0; i < m_lines.size(); ++i)
-            putLine(i);
+        if (const auto named = readNamed()) {
+            putNamed(*named);
+        } else {
+            leaveOutKnownColumns();
+            putTargets();
+            for (std::size_t i = 0; i < m_lines.size(); ++i)
+                putLine(i);
+        }
         remark();
         return std::move(m_result);
     }
@@ -72,9 +79,11 @@ private:
         std::size_t headings = 0;
         std::uint32_t next = 0;
         for (const TableRow &row : m_table.rows()) {
+            if (m_lines.empty())
+                noteNames(row);
             if (m_lines.empty() && !hasNumber(m_table, row) && !isFirstRefused(row)) {
                 ++headings;
-                readHeading(row);
+                readHeadings(row);
                 continue;
             }
             for (; !m_lines.empty() && next < row.line; ++next)
@@ -90,7 +99,16 @@ private:
                                         {Number{static_cast<double>(headings), Quantity::count, 0}}});
     }
 
-    void readHeading(const TableRow &row) {
+    /// Also of targets across, whose line has their name and their numbers.
+    void noteNames(const TableRow &row) {
+        const auto cells = m_table.cells(row);
+        m_namesTargets |= std::ranges::any_of(cells, [this](const TableCell &cell) {
+            const Meaning meaning = readHeading(m_table.text(cell)).meaning;
+            return meaning == Meaning::target || meaning == Meaning::place;
+        });
+    }
+
+    void readHeadings(const TableRow &row) {
         const auto cells = m_table.cells(row);
         m_said.resize(std::max(m_said.size(), cells.size()));
         for (std::size_t c = 0; c < cells.size(); ++c) {
@@ -174,6 +192,101 @@ private:
     /// The column of the table in which a cell of the block stands.
     [[nodiscard]] std::size_t columnOf(std::size_t cell) const { return m_place.column + cell - m_skipped; }
 
+    /// A table whose headings say which column holds the targets, read as a file is.
+    [[nodiscard]] std::optional<Imported> readNamed() const {
+        if (!m_choices.unitsOfHeading || !m_namesTargets)
+            return std::nullopt;
+        ImportOptions known{
+            {"kind", "positioning"},
+            {"motion", m_result.measurement.axis.motion == Motion::linear ? "linear" : "rotary"}};
+        if (m_choices.decimalMark)
+            known["decimalMark"] = *m_choices.decimalMark == DecimalMark::point ? "point" : "comma";
+        known.insert(m_choices.answers.begin(), m_choices.answers.end());
+        ImportOptions usual = usualUnits(m_result.measurement.axis.motion, m_choices.units);
+        usual["content"] = m_choices.content == BlockContent::positions ? "positions" : "deviations";
+        try {
+            Imported imported = readPastedTable(m_table.text(), known, usual);
+            const auto &block = std::get<PositioningMeasurement>(imported.test->measurement);
+            const bool movesTargets = m_place.column < firstRunOfBlock && !isBare();
+            if (!movesTargets ||
+                std::ranges::all_of(block.targets, [this](double t) { return placeOf(t).has_value(); }))
+                return imported;
+        } catch (const Error &) { // what can be put cell by cell is
+        }
+        return std::nullopt;
+    }
+
+    /// Each run of the block into the next column of its direction, each reading to its target; nothing where
+    /// the block wants an answer first.
+    void putNamed(const Imported &imported) {
+        for (const Question &question : imported.questions) {
+            if (!question.canBeAssumed())
+                m_result.questions.push_back(question);
+        }
+        if (!m_result.questions.empty())
+            return;
+        const auto &block = std::get<PositioningMeasurement>(imported.test->measurement);
+        const std::vector<std::optional<std::size_t>> targets = placesOf(block.targets);
+        const bool areStated = std::ranges::none_of(
+            imported.questions, [](const Question &question) { return question.id == "directions"; });
+        std::vector<std::size_t> free(m_place.runs.begin() + firstColumn(), m_place.runs.end());
+        for (const Run &run : block.runs) {
+            const auto next = std::ranges::find_if(free, [&](std::size_t each) {
+                return !areStated || m_result.measurement.runs[each].approach == run.approach;
+            });
+            for (std::size_t i = 0; i < run.deviations.size(); ++i) {
+                if (next != free.end() && targets[i])
+                    put({*next, *targets[i]}, run.deviations[i]);
+                else
+                    m_result.left += run.deviations[i] ? 1 : 0;
+            }
+            if (next != free.end())
+                free.erase(next);
+        }
+        for (const ImportColumn &column : imported.columns) {
+            if (column.hasReadings())
+                noteUnit(column.unit);
+        }
+        m_result.remarks.push_back(
+            {REPORT_TEXT("report", "put by target and direction, as the headings say")});
+    }
+
+    [[nodiscard]] std::ptrdiff_t firstColumn() const {
+        const std::size_t first = m_place.column > firstRunOfBlock ? m_place.column - firstRunOfBlock : 0;
+        return static_cast<std::ptrdiff_t>(std::min(first, m_place.runs.size()));
+    }
+
+    [[nodiscard]] bool isBare() const {
+        return std::ranges::all_of(m_result.measurement.runs, [](const Run &run) {
+            return std::ranges::none_of(run.deviations, [](const auto &each) { return each.has_value(); });
+        });
+    }
+
+    /// Which target of the test that is; null: none.
+    [[nodiscard]] std::optional<std::size_t> placeOf(double target) const {
+        const std::vector<double> &all = m_result.measurement.targets;
+        const auto found =
+            std::ranges::find_if(all, [target](double each) { return std::abs(each - target) < sameTarget; });
+        return found == all.end() ? std::nullopt
+                                  : std::optional(static_cast<std::size_t>(found - all.begin()));
+    }
+
+    /// A test without readings takes over the targets of a block.
+    [[nodiscard]] std::vector<std::optional<std::size_t>> placesOf(const std::vector<double> &block) {
+        std::vector<std::optional<std::size_t>> places;
+        const auto place = [&] {
+            places.clear();
+            std::ranges::transform(block, std::back_inserter(places),
+                                   [this](double t) { return placeOf(t); });
+            return std::ranges::all_of(places, [](const auto &each) { return each.has_value(); });
+        };
+        if (!place() && isBare() && setTargets(m_result.measurement, block)) {
+            m_result.targets = block.size();
+            place();
+        }
+        return places;
+    }
+
     void putTargets() {
         if (m_place.column > positionColumnOfBlock)
             return;
@@ -231,30 +344,56 @@ private:
             m_result.left += cell.kind != CellKind::empty ? 1 : 0;
     }
 
-    void put(const ReadingPlace &place, const TableCell &cell, std::size_t number) {
-        PositioningMeasurement &m = m_result.measurement;
-        const bool none = cell.kind == CellKind::empty || cell.kind == CellKind::missing;
+    /// Whether nothing may be put there: the reading is set aside.
+    [[nodiscard]] bool isAside(const ReadingPlace &place, bool isNone) {
         if (!m_aside)
-            m_aside.emplace(m); // its targets are set
-        if (m_aside->at(place.run, place.target)) {
-            m_result.aside += none ? 0 : 1;
-        } else if (none) {
-            const std::size_t held = readingAt(m, place) || refusedAt(m, place) ? 1 : 0;
-            m_result.erased += held;
-            m_result.erasedByWords += cell.kind == CellKind::missing ? held : 0;
-            setReading(m, place, std::nullopt);
+            m_aside.emplace(m_result.measurement); // its targets are set
+        const bool isAside = m_aside->at(place.run, place.target);
+        m_result.aside += isAside && !isNone ? 1 : 0;
+        return isAside;
+    }
+
+    void erase(const ReadingPlace &place, bool byWord) {
+        PositioningMeasurement &m = m_result.measurement;
+        const std::size_t held = readingAt(m, place) || refusedAt(m, place) ? 1 : 0;
+        m_result.erased += held;
+        m_result.erasedByWords += byWord ? held : 0;
+        setReading(m, place, std::nullopt);
+    }
+
+    void put(const ReadingPlace &place, const std::optional<double> &deviation) {
+        if (isAside(place, !deviation))
+            return;
+        if (!deviation) {
+            erase(place, false);
+            return;
+        }
+        ++m_result.readings;
+        m_allZero = m_allZero && *deviation == 0;
+        setReading(m_result.measurement, place, *deviation);
+    }
+
+    void put(const ReadingPlace &place, const TableCell &cell, std::size_t number) {
+        const bool none = cell.kind == CellKind::empty || cell.kind == CellKind::missing;
+        if (isAside(place, none))
+            return;
+        if (none) {
+            erase(place, cell.kind == CellKind::missing);
         } else if (cell.isNumber()) {
             ++m_result.readings;
             m_allZero = m_allZero && cell.value == 0;
             m_largest = std::max(m_largest, std::abs(cell.value));
-            const Unit *unit = unitOfColumn(number);
-            if (unit && std::ranges::find(m_units, unit) == m_units.end())
-                m_units.push_back(unit);
-            setReading(m, place, deviation(cell.value, place.target, number));
+            noteUnit(unitOfColumn(number));
+            setReading(m_result.measurement, place, deviation(cell.value, place.target, number));
         } else {
             ++m_result.refused;
-            setRefused(m, place, std::string(m_table.text(cell)));
+            setRefused(m_result.measurement, place, std::string(m_table.text(cell)));
         }
+    }
+
+    void noteUnit(const Unit *unit) {
+        if (unit && std::ranges::find(m_units, unit) == m_units.end())
+            m_units.push_back(unit);
     }
 
     [[nodiscard]] double deviation(double shown, std::size_t target, std::size_t cell) const {
@@ -274,6 +413,8 @@ private:
             return Number{static_cast<double>(number), Quantity::count, 0};
         };
         auto &remarks = m_result.remarks;
+        if (!m_result.questions.empty())
+            remarks.push_back({REPORT_TEXT("report", "nothing is put before the questions are answered")});
         for (const Unit *unit : m_units)
             remarks.push_back(
                 {REPORT_TEXT("report", "read in %1, as the heading says"), {std::string(unit->sign)}});
@@ -308,6 +449,7 @@ private:
     std::optional<ReadingsAside> m_aside; ///< of the result
     CellTable m_table;
     std::vector<BlockLine> m_lines;
+    bool m_namesTargets = false;       ///< the headings do
     std::vector<SaidUnit> m_said;      ///< by the headings, of each column of the block
     std::vector<const Unit *> m_units; ///< of these the units of readings that were taken
     std::size_t m_skipped = 0; ///< cells at the beginning of each line that are the targets themselves

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "import/question.h"
 #include "kernel/measurement/positioning.h"
 #include "kernel/measurement/readingplace.h"
 #include "kernel/words/message.h"
@@ -36,6 +37,7 @@ struct BlockChoices {
     std::optional<Delimiter> delimiter;     ///< null: as the block says
     DisplayUnits units;
     bool unitsOfHeading = true; ///< what a heading says wins over `content`
+    ImportOptions answers = {}; ///< to the questions of a table that is read as a file is
 };
 
 /// Where the block is put, and into which table.
@@ -57,8 +59,9 @@ struct PastedBlock {
     std::size_t left = 0;    ///< cells outside the table, not taken
     Choice<DecimalMark> decimalMark;
     Delimiter delimiter = Delimiter::tab;
-    bool hasMarks = false;      ///< whether there is a decimal mark in the block at all
-    const Unit *unit = nullptr; ///< of the readings, as a heading says; null: as chosen, or several
+    bool hasMarks = false;           ///< whether there is a decimal mark in the block at all
+    const Unit *unit = nullptr;      ///< of the readings, as a heading says; null: as chosen, or several
+    std::vector<Question> questions; ///< to be answered first: nothing is put
     std::vector<Message> remarks;
 };
 
@@ -67,9 +70,12 @@ struct PastedBlock {
 /// aside stays as it is. Lines above the first number are headings: of them the units
 /// are read, "P (mm)"; a column whose heading says none has that of the readings left of it. A block that
 /// begins with the target positions themselves (or with their numbers too) may be put on the first reading:
-/// these columns are recognised and left out. From the columns of number and position on, the block may bring
-/// the targets, also more than there are; they have to ascend. What has no place is counted and said, never
-/// put elsewhere. Throws what readTable throws, and an Error for units that numbers are not converted from.
+/// these columns are recognised and left out. Where headings say which column holds the
+/// targets, the block is read as a file is: each reading goes to its target, each run into the next column of
+/// its direction; what a file would be doubted for is asked, and nothing is put. From the columns of number
+/// and position on, the block may bring the targets, also more than there are; they have to ascend. What has
+/// no place is counted and said, never put elsewhere. Throws what readTable throws, and an Error for units
+/// that numbers are not converted from.
 [[nodiscard]] PastedBlock pasteBlock(PositioningMeasurement measurement, std::string text, BlockPlace place,
                                      const BlockChoices &choices);
 

@@ -5,8 +5,11 @@
 #include "document/bounds.h"
 #include "document/documenterror.h"
 #include "editing/editreadings.h"
+#include "import/layouts/phrases.h"
 #include "language/decimals.h"
+#include "tables/table.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace palmer {
@@ -18,6 +21,46 @@ const Unit &unitOfHeading(const SaidUnit &said, UnitKind kind) {
                      {said.words()},
                      {}});
     return *said.unit;
+}
+
+std::optional<std::vector<double>> targetsFrom(const std::string &text, const Axis &axis,
+                                               const DisplayUnits &units) {
+    TableOptions options;
+    options.comments = false;
+    const CellTable table = readTable(text, options);
+    std::optional<std::size_t> column;
+    const Unit *unit = nullptr;
+    std::vector<double> targets;
+    for (const TableRow &row : table.rows()) {
+        const auto cells = table.cells(row);
+        const bool isHeading = targets.empty() && std::ranges::none_of(cells, &TableCell::isNumber);
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            const std::string_view cell = table.text(cells[c]);
+            if (cell.empty() || (!isHeading && column && c != *column))
+                continue;
+            if (isHeading) {
+                const Meaning meaning = readHeading(cell).meaning;
+                const bool isTarget = !column && (meaning == Meaning::target || meaning == Meaning::place);
+                column = isTarget ? c : column;
+                const SaidUnit said = saidUnit(cell);
+                if (said.isSaid() && (isTarget || cells.size() == 1)) {
+                    if (!said.unit || said.unit->kind != unitKindOf(axis.motion))
+                        return std::nullopt;
+                    unit = said.unit;
+                }
+                continue;
+            }
+            const QString typed = QString::fromUtf8(cell.data(), static_cast<qsizetype>(cell.size()));
+            const NumberEntry number =
+                enteredNumber(typed, unit ? Quantity::number : positionQuantity(axis), units);
+            if (!number.value)
+                return std::nullopt;
+            targets.push_back(unit ? unit->toBase(*number.value) : *number.value);
+        }
+        if (isHeading && !column && !unit && !cells.empty())
+            return std::nullopt; // words that say nothing of the numbers below
+    }
+    return targets;
 }
 
 double deviationFrom(double target, double position) {

@@ -7,6 +7,10 @@
 #include "language/entry.h"
 #include "tables/units.h"
 
+#include <optional>
+#include <string>
+#include <vector>
+
 namespace palmer {
 
 /// Reads a deviation (mm, rotary: degrees) as it is typed, in the unit it is shown in; with a `target` an
@@ -24,6 +28,12 @@ struct TargetEntry {
 /// Reads the position of a target, in the unit positions are shown in; it has to lie between its neighbours.
 [[nodiscard]] TargetEntry typedTarget(QStringView text, const PositioningMeasurement &measurement,
                                       std::size_t target, const DisplayUnits &units);
+
+/// Target positions that were typed or pasted: numbers parted by semicolons, blanks, tabs or lines, in the
+/// unit that a heading says, else in that of positions. Where headings name a column of targets, that one.
+/// Null: something is no number, or its unit none of the axis.
+[[nodiscard]] std::optional<std::vector<double>> targetsFrom(const std::string &text, const Axis &axis,
+                                                             const DisplayUnits &units);
 
 /// The unit that a heading says, of that kind. Throws Error where numbers are not converted from it.
 [[nodiscard]] const Unit &unitOfHeading(const SaidUnit &said, UnitKind kind);

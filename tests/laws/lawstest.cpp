@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "laws/laws.h"
+#include "laws/doors.h"
 
 #include <QApplication>
 #include <QTest>
@@ -14,6 +15,7 @@ class LawsTest : public QObject {
 private slots:
     void everyLawHolds();
     void noDefaultClaimsAFact();
+    void everyDoorSaysTheSame();
 };
 
 void LawsTest::everyLawHolds() {
@@ -35,6 +37,16 @@ void LawsTest::everyLawHolds() {
 void LawsTest::noDefaultClaimsAFact() {
     for (const std::string &claim : claimingDefaults())
         QFAIL(claim.c_str());
+}
+
+void LawsTest::everyDoorSaysTheSame() {
+    constexpr int tables = 60; // of each kind
+    QStringList violations;
+    const DoorCounts all = followDoors(tables, 1, [&](const std::string &door, const std::string &what) {
+        violations << QString::fromStdString(door + ": " + what);
+    });
+    QVERIFY2(violations.isEmpty(), qPrintable(violations.join(u"\n=====\n")));
+    QVERIFY(all.tables == 5 * tables && all.equal > 12 * tables && all.asked + all.refused < tables);
 }
 
 QTEST_MAIN(LawsTest)

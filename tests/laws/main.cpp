@@ -3,6 +3,7 @@
 // palmer-laws FILES [SEED [FOLDER]]: follows so many generated test files through every exit of the program
 // and prints what does not hold, each kind of violation once with the seed of its file, and the counts; with
 // FOLDER it writes the files there instead, SEED.palmer each.
+#include "laws/doors.h"
 #include "laws/laws.h"
 
 #include "document/savedocument.h"
@@ -11,12 +12,35 @@
 #include <QDir>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 
 using namespace palmer::laws;
+
+namespace {
+
+/// "palmer-laws doors 2000 1": tables of each kind, seed.
+int followDoorsOnly(int tables, std::uint64_t seed) {
+    int differ = 0;
+    const DoorCounts doors = followDoors(tables, seed, [&](const std::string &door, const std::string &what) {
+        constexpr int shown = 10;
+        if (differ++ < shown)
+            std::printf("%s: %s\n", door.c_str(), what.c_str());
+    });
+    std::printf("tables %d, asked %d, refused %d, comparisons equal %d, different %d\n", doors.tables,
+                doors.asked, doors.refused, doors.equal, differ);
+    for (const auto &[door, count] : doors.differing)
+        std::printf("%s: %d differ\n", door.c_str(), count);
+    return differ > 0 ? EXIT_FAILURE : EXIT_SUCCESS;
+}
+
+} // namespace
 
 int main(int argc, char **argv) {
     qputenv("QT_QPA_PLATFORM", "offscreen");
     const QApplication application(argc, argv);
+    if (argc > 1 && std::strcmp(argv[1], "doors") == 0)
+        return followDoorsOnly(argc > 2 ? std::atoi(argv[2]) : 500,
+                               argc > 3 ? std::strtoull(argv[3], nullptr, 10) : 1);
     const int files = argc > 1 ? std::atoi(argv[1]) : 1000;
     const std::uint64_t first = argc > 2 ? std::strtoull(argv[2], nullptr, 10) : 1;
     if (argc > 3) {

@@ -7,7 +7,8 @@
 #include "tables/units.h"
 #include "ui/circles/arctexts.h"
 #include "ui/dialogs/formrows.h"
-#include "ui/import/remarklist.h"
+#include "ui/remarklist.h"
+#include "ui/tabletext.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
@@ -64,7 +65,7 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     : QDialog(parent)
     , m_circle(std::move(circle))
     , m_language(language)
-    , m_text(new QPlainTextEdit(this))
+    , m_text(new TableText(this))
     , m_problem(new QLabel(this))
     , m_paths(new QLabel(this))
     , m_remarks(new RemarkList(this))

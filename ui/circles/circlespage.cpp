@@ -13,12 +13,12 @@
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
 #include "ui/measures.h"
+#include "ui/model/clipboardtext.h"
 #include "ui/model/editname.h"
 #include "ui/theme.h"
 
 #include <QAction>
 #include <QButtonGroup>
-#include <QClipboard>
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QEvent>
@@ -426,12 +426,11 @@ void CirclesPage::makeActions() {
     m_deleteArcAction = action("deleteArc", QKeySequence(Qt::CTRL | Qt::Key_Minus));
     m_testActions = {m_newArcAction, m_deleteArcAction};
     const auto fromClipboard = [] {
-        const QString text = QGuiApplication::clipboard()->text();
+        const QString text = clipboardText();
         return ArcDialog::looksLikePoints(text) ? text : QString();
     };
     connect(m_newArcAction, &QAction::triggered, this, [this, fromClipboard] { askForArc(fromClipboard()); });
-    connect(m_pasteArcAction, &QAction::triggered, this,
-            [this] { askForArc(QGuiApplication::clipboard()->text()); });
+    connect(m_pasteArcAction, &QAction::triggered, this, [this] { askForArc(clipboardText()); });
     connect(m_deleteArcAction, &QAction::triggered, this, &CirclesPage::deleteArc);
     connect(m_newArc, &QToolButton::clicked, m_newArcAction, &QAction::trigger);
     connect(m_delete, &QToolButton::clicked, m_deleteArcAction, &QAction::trigger);

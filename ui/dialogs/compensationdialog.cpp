@@ -60,6 +60,7 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     , m_evaluated(std::move(evaluated))
     , m_test(test)
     , m_format(addChoice("format"))
+    , m_signConfirmed(addSwitch("signConfirmed", &CompensationOptions::signConfirmed))
     , m_perDirection(addSwitch("perDirection", &CompensationOptions::perDirection))
     , m_sign(addChoice("sign"))
     , m_incremental(addSwitch("incremental", &CompensationOptions::incremental))
@@ -95,6 +96,9 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     fields->addWidget(m_mark);
     fields->addWidget(m_perDirection);
     fields->addWidget(m_incremental);
+    fields->addWidget(m_signConfirmed);
+    m_signConfirmed->setVisible(fileOfAssumedSign(*m_evaluated.document->tests[m_test]) != nullptr);
+    connect(m_signConfirmed, &QCheckBox::toggled, this, &CompensationDialog::signConfirmed);
     m_reason->setObjectName(QStringLiteral("compensationReason"));
     m_reason->setProperty("reason", true);
     m_reason->setTextFormat(Qt::PlainText);
@@ -414,6 +418,7 @@ void CompensationDialog::retranslate() {
         number.field->show(
             value ? windowLanguage().number(*value, positionQuantity(measurement.axis)) : QString(), false);
     }
+    m_signConfirmed->setText(tr("The de&viations are actual − target"));
     m_perDirection->setText(tr("&Each direction apart"));
     m_incremental->setText(tr("&Incremental values"));
     m_curveTitle->setText(tr("Means, measured and predicted"));

@@ -42,6 +42,10 @@ public:
     /// Sets a table of a control beside the one that is written; false, and a message, when it is none.
     bool compareWith(const QString &path);
 
+signals:
+    /// The user says that the deviations are actual − target, or takes it back.
+    void signConfirmed(bool confirmed);
+
 protected:
     void changeEvent(QEvent *event) override;
 
@@ -78,6 +82,7 @@ private:
     std::vector<NumberField> m_numbers;
 
     Field *m_format;
+    QCheckBox *m_signConfirmed; ///< where the file of the readings does not say the sign
     QCheckBox *m_perDirection;
     Field *m_sign;
     QCheckBox *m_incremental;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/newtestdialog.h"
 
+#include "editing/typedreading.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/planning/cycleprogram.h"
 #include "language/decimals.h"
@@ -9,6 +10,7 @@
 #include "ui/dialogs/formrows.h"
 #include "ui/dialogs/limits.h"
 #include "ui/dialogs/statementsbox.h"
+#include "ui/tabletext.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 
@@ -22,7 +24,6 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QRandomGenerator>
-#include <QRegularExpression>
 #include <QSignalBlocker>
 #include <QTextCursor>
 #include <algorithm>
@@ -60,7 +61,7 @@ NewTestDialog::NewTestDialog(Language language, const Test *like, QWidget *paren
     , m_first(new QLineEdit(this))
     , m_last(new QLineEdit(this))
     , m_count(new QLineEdit(this))
-    , m_list(new QPlainTextEdit(this))
+    , m_list(new TableText(this))
     , m_statements(new StatementsBox(this))
     , m_problem(new QLabel(this)) {
     setObjectName(QStringLiteral("newTestDialog"));
@@ -288,15 +289,7 @@ void NewTestDialog::writeTargets(const QString &text) {
 }
 
 std::optional<std::vector<double>> NewTestDialog::targets() const {
-    static const QRegularExpression between(QStringLiteral("[;\\s]*[;\\n\\t][;\\s]*|[ ]+"));
-    std::vector<double> result;
-    for (const QString &word : m_list->toPlainText().split(between, Qt::SkipEmptyParts)) {
-        const NumberEntry typed = enteredNumber(word, positionQuantity(axis()), m_language.units());
-        if (!typed.value)
-            return std::nullopt;
-        result.push_back(*typed.value);
-    }
-    return result;
+    return targetsFrom(m_list->toPlainText().toStdString(), axis(), m_language.units());
 }
 
 /// What is wrong first, and at which field.

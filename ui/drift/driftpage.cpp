@@ -12,10 +12,11 @@
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
 #include "ui/measures.h"
+#include "ui/model/clipboardtext.h"
+#include "ui/pastebar.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 
-#include <QClipboard>
 #include <QEvent>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -102,7 +103,11 @@ void DriftPage::connectParts() {
         write(row, readings, QT_TRANSLATE_NOOP("edits", "change a reading"));
     });
     connect(&m_readings, &DriftModel::refusedText, this, &DriftPage::showReason);
-    connect(m_model.undoStack(), &QUndoStack::indexChanged, this, [this] { m_readings.keepRefused(); });
+    connect(m_model.undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
+        m_readings.keepRefused();
+        if (m_pasteIndex > 0 && index != m_pasteIndex)
+            hidePasteBar(); // its choices would paste once more
+    });
     connect(m_table->itemDelegate(), &QAbstractItemDelegate::closeEditor, this,
             [this](QWidget *, QAbstractItemDelegate::EndEditHint hint) {
                 if (hint == QAbstractItemDelegate::SubmitModelCache)
@@ -152,8 +157,10 @@ void DriftPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
     const int row = current.row();
     const int column = current.column();
     const int scrolled = test == m_test ? m_table->verticalScrollBar()->value() : 0;
-    if (test != m_test)
+    if (test != m_test) {
         m_reason->hide();
+        hidePasteBar();
+    }
     m_evaluated = evaluated;
     m_test = test;
     m_readings.show(evaluated, test, m_language);
@@ -194,7 +201,7 @@ void DriftPage::refresh() {
     m_explained->setFont(themeFont(TextSize::small));
     m_taken->setFont(themeFont(TextSize::small));
     m_paste->setText(tr("Paste"));
-    m_paste->setToolTip(tr("Paste times in s and deviations from a table (%1)")
+    m_paste->setToolTip(tr("Paste times and deviations from a table (%1)")
                             .arg(QKeySequence(QKeySequence::Paste).toString(QKeySequence::NativeText)));
     m_paste->setAccessibleName(tr("Paste readings"));
     m_remove->setText(tr("Remove rows"));
@@ -226,25 +233,68 @@ void DriftPage::write(std::size_t row, const std::vector<DriftReading> &readings
     });
 }
 
+/// Made when it is needed.
+PasteBar &DriftPage::pasteBar() {
+    if (m_pasteBar)
+        return *m_pasteBar;
+    m_pasteBar = new PasteBar(this);
+    layout()->addWidget(m_pasteBar);
+    connect(m_pasteBar, &PasteBar::answered, this, [this](const QString &key, const QString &word) {
+        m_answers[key.toStdString()] = word.toStdString();
+        takePasted();
+    });
+    connect(m_pasteBar, &PasteBar::undoWanted, this, [this] {
+        if (m_pasteIndex == m_model.undoStack()->index())
+            m_model.undoStack()->undo();
+        m_pasteBar->hide();
+        m_table->setFocus();
+    });
+    return *m_pasteBar;
+}
+
+void DriftPage::hidePasteBar() {
+    if (m_pasteBar)
+        m_pasteBar->hide();
+}
+
 void DriftPage::paste() {
+    const QModelIndex current = m_table->currentIndex();
+    m_pasted = clipboardText().toStdString();
+    m_pastedRow = current.isValid() ? static_cast<std::size_t>(current.row()) : m_readings.readings();
+    m_answers.clear();
+    takePasted();
+}
+
+/// Also once more, with another answer: in the place of what was pasted.
+void DriftPage::takePasted() {
     const Test *shown = test();
     if (!shown)
         return;
-    std::optional<std::vector<DriftReading>> readings;
+    QUndoStack &stack = *m_model.undoStack();
+    const bool isAgain = m_pasteIndex == stack.index() && !m_answers.empty();
+    m_pasteIndex = -1;
+    if (isAgain)
+        stack.undo();
     try {
-        readings =
-            driftReadingsFrom(QGuiApplication::clipboard()->text(), motionOf(*shown), m_language.units());
+        const PastedDrift pasted =
+            driftReadingsFrom(m_pasted, motionOf(*shown), m_language.units(), m_answers);
+        QStringList remarks;
+        for (const Remark &remark : pasted.remarks) {
+            if (remark.grade == RemarkGrade::problem)
+                remarks << m_language.sentence(remark.message);
+        }
+        QString summary = tr("Nothing is put before the questions are answered.");
+        if (pasted.questions.empty()) {
+            write(m_pastedRow, pasted.readings, QT_TRANSLATE_NOOP("edits", "paste readings"));
+            m_pasteIndex = stack.index();
+            summary = tr("%n reading(s) pasted", nullptr, static_cast<int>(pasted.readings.size()));
+        }
+        m_reason->hide();
+        pasteBar().say(summary, remarks, pasted.units, pasted.questions, m_pasteIndex > 0);
     } catch (const Error &error) {
+        hidePasteBar();
         showReason(m_language.sentence(error.message) + u'.');
-        return;
     }
-    if (!readings) {
-        showReason(tr("Two columns are expected: time in s and deviation."));
-        return;
-    }
-    const QModelIndex current = m_table->currentIndex();
-    write(current.isValid() ? static_cast<std::size_t>(current.row()) : m_readings.readings(), *readings,
-          QT_TRANSLATE_NOOP("edits", "paste readings"));
 }
 
 void DriftPage::removeRows() {

@@ -14,6 +14,8 @@ class QToolButton;
 
 namespace palmer::ui {
 
+class PasteBar;
+
 /// The page of a drift test: E_VE, which tests take it, and the readings, typed or pasted. Its curve is the
 /// figure beside it.
 class DriftPage : public QWidget {
@@ -44,6 +46,9 @@ private:
     void arrange();
     void refresh();
     void paste();
+    void takePasted();
+    PasteBar &pasteBar();
+    void hidePasteBar();
     void removeRows();
     void goOn();
     void showReason(const QString &reason);
@@ -61,9 +66,14 @@ private:
     QLabel *m_explained;
     QLabel *m_taken;
     QLabel *m_reason;
+    PasteBar *m_pasteBar = nullptr;
     QToolButton *m_paste;
     QToolButton *m_remove;
     QTableView *m_table;
+    std::string m_pasted; ///< what was pasted last
+    std::size_t m_pastedRow = 0;
+    ImportOptions m_answers;
+    int m_pasteIndex = -1;    ///< of the stack of edits, behind the paste
     bool m_following = false; ///< the selection of the window is what moves the current cell
 };
 

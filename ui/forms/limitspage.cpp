@@ -11,9 +11,9 @@
 #include "ui/forms/templatebutton.h"
 #include "ui/formulatext.h"
 #include "ui/measures.h"
+#include "ui/model/clipboardtext.h"
 #include "ui/theme.h"
 
-#include <QClipboard>
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QHBoxLayout>
@@ -244,7 +244,7 @@ bool LimitsPage::eventFilter(QObject *watched, QEvent *event) {
     if (row == m_edits.end() || event->type() != QEvent::KeyPress ||
         !static_cast<QKeyEvent *>(event)->matches(QKeySequence::Paste))
         return Form::eventFilter(watched, event);
-    const QString text = QGuiApplication::clipboard()->text();
+    const QString text = clipboardText();
     if (!text.trimmed().contains(u'\n') && !text.contains(u'\t'))
         return Form::eventFilter(watched, event);
     pasteLimits(static_cast<std::size_t>(row - m_edits.begin()));
@@ -256,8 +256,8 @@ void LimitsPage::pasteLimits(std::size_t row) {
     if (!shown)
         return;
     try {
-        PastedLimits pasted = palmer::pasteLimits(
-            shown->limits, m_ids, row, QGuiApplication::clipboard()->text(), m_quantity, language().units());
+        PastedLimits pasted =
+            palmer::pasteLimits(shown->limits, m_ids, row, clipboardText(), m_quantity, language().units());
         if (pasted.limits == shown->limits)
             return;
         edit(QT_TRANSLATE_NOOP("edits", "paste limits"), [&](Document &document) {

@@ -18,15 +18,15 @@
 #include "ui/figures/lineview.h"
 #include "ui/figures/zoombuttons.h"
 #include "ui/import/columnroles.h"
-#include "ui/import/remarklist.h"
 #include "ui/measures.h"
+#include "ui/model/clipboardtext.h"
+#include "ui/remarklist.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 #include "ui/workbar.h"
 
 #include <QCheckBox>
-#include <QClipboard>
 #include <QComboBox>
 #include <QEvent>
 #include <QFileDialog>
@@ -317,6 +317,8 @@ void ImportAssistant::connectAll() {
     connect(m_remarks, &RemarkList::answerWanted, this, &ImportAssistant::showAnswerOf);
     connect(m_remarks, &RemarkList::lineWanted, this, &ImportAssistant::showLine);
     connect(m_confirmAll, &QPushButton::clicked, this, &ImportAssistant::confirmAll);
+    connect(m_rawView, &QListView::clicked, this, &ImportAssistant::readTableAt);
+    connect(m_rawView, &QListView::activated, this, &ImportAssistant::readTableAt); // by the keyboard
     connect(m_profile, &QComboBox::activated, this, [this](int index) {
         if (index == 0)
             takeOptions({});
@@ -367,6 +369,7 @@ Document ImportAssistant::destination() const {
 /// What puts the measurement into a document, on any thread; it holds no more than that needs.
 std::function<std::variant<Document, Error>(Document)> ImportAssistant::taking() const {
     Imported taken; // all but the table as it was read and the test, which may be large
+    taken.choices = m_file.imported.choices;
     taken.sensors = m_file.imported.sensors;
     taken.gradientPerHour = m_file.imported.gradientPerHour;
     taken.seriesStart = m_file.imported.seriesStart;
@@ -478,7 +481,7 @@ void ImportAssistant::sayOrigin() {
 }
 
 void ImportAssistant::pasteText() {
-    takeFile(QGuiApplication::clipboard()->text().toUtf8(), tr("clipboard"));
+    takeFile(clipboardText().toUtf8(), tr("clipboard"));
 }
 
 void ImportAssistant::chooseOther() {
@@ -505,6 +508,16 @@ void ImportAssistant::choose(const std::string &key, const std::string &value) {
     else
         options[key] = value;
     takeOptions(std::move(options));
+}
+
+/// Of several tables of a text the one that stands there.
+void ImportAssistant::readTableAt(const QModelIndex &place) {
+    const auto table = m_raw.tableAt(place.row());
+    if (!table || m_raw.isRead(*table))
+        return;
+    const std::size_t line = m_raw.lineNumber(place.row());
+    choose("table", std::to_string(*table + 1));
+    showLine(line);
 }
 
 void ImportAssistant::confirmAll() {
@@ -1028,7 +1041,7 @@ void ImportAssistant::retranslate() {
     m_remarks->setAccessibleName(tr("Questions and remarks"));
     m_confirmAll->setText(tr("Confirm &all"));
     m_confirmAll->setToolTip(
-        tr("Takes what is proposed to each question; data left unread are asked one by one"));
+        tr("Takes what is proposed to each assumed question; a doubtful one wants its own answer"));
     m_keep->setText(tr("&Keep the original in the file"));
     m_saveProfile->setText(tr("&Save these choices as a profile…"));
     m_cancel->setText(tr("&Cancel"));

@@ -132,6 +132,7 @@ private:
     void useProfile(const QString &name);
     void fillProfiles(const QString &current);
     void askProfileName();
+    void readTableAt(const QModelIndex &place);
     [[nodiscard]] std::vector<ImportChoice> shownChoices() const;
     void makeBoxes();
     void changeBoxes(const std::vector<ImportChoice> &shown);

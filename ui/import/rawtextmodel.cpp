@@ -124,7 +124,13 @@ int RawTextModel::rowCount(const QModelIndex &parent) const {
 }
 
 QVariant RawTextModel::data(const QModelIndex &index, int role) const {
-    if (role != Qt::DisplayRole || !checkIndex(index, CheckIndexOption::IndexIsValid))
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    if (role == Qt::ToolTipRole) {
+        const auto table = tableAt(index.row());
+        return table && !isRead(*table) ? tr("Click to read this table instead") : QVariant();
+    }
+    if (role != Qt::DisplayRole)
         return {};
     QString text;
     for (const RawPiece &piece : pieces(index.row()))
@@ -139,6 +145,18 @@ std::size_t RawTextModel::lineNumber(int row) const {
 
 bool RawTextModel::isProblem(int row) const {
     return m_problems.contains(lineNumber(row));
+}
+
+std::optional<std::size_t> RawTextModel::tableAt(int row) const {
+    const std::size_t line = lineNumber(row);
+    const auto &tables = m_imported->tables;
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+        const auto size = [&](std::size_t table) { return tables[table].lastLine - tables[table].firstLine; };
+        if (line >= tables[i].firstLine && line <= tables[i].lastLine && (!found || size(i) < size(*found)))
+            found = i; // one may stand between the parts of another
+    }
+    return found;
 }
 
 int RawTextModel::rowOf(std::size_t line) const {
@@ -212,9 +230,14 @@ void RawTextDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
         painter->fillRect(option.rect, token(Token::badGround, option.palette));
     QRect number = option.rect;
     number.setWidth(numberWidth);
-    if (problem)
+    const auto drawMark = [&](Token colour) {
         painter->fillRect(QRect(number.left(), number.top(), 3, number.height()),
-                          token(Token::bad, option.palette));
+                          token(colour, option.palette));
+    };
+    if (const auto table = model->tableAt(index.row()))
+        drawMark(model->isRead(*table) ? Token::accent : Token::lineStrong);
+    if (problem)
+        drawMark(Token::bad);
     painter->setFont(option.font);
     painter->setPen(token(Token::secondaryText, option.palette));
     painter->drawText(number.adjusted(0, 0, -10, 0), Qt::AlignRight | Qt::AlignVCenter,

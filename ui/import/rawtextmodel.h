@@ -7,6 +7,7 @@
 #include <QAbstractListModel>
 #include <QStyledItemDelegate>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <vector>
 
@@ -45,6 +46,9 @@ public:
     [[nodiscard]] std::vector<RawPiece> pieces(int row) const;
     [[nodiscard]] std::size_t lineNumber(int row) const; ///< of the file, from 1
     [[nodiscard]] bool isProblem(int row) const;
+    /// Of several tables the one that stands in a row, from 0; none between them, and where there is but one.
+    [[nodiscard]] std::optional<std::size_t> tableAt(int row) const;
+    [[nodiscard]] bool isRead(std::size_t table) const { return table == m_imported->readTable; }
     /// The row that shows a line of the file; -1 for none.
     [[nodiscard]] int rowOf(std::size_t line) const;
     [[nodiscard]] int longestLine() const { return m_lines ? m_lines->longest : 0; } ///< bytes

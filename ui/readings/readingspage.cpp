@@ -6,7 +6,8 @@
 #include "kernel/measurement/readingsaside.h"
 #include "ui/currentcell.h"
 #include "ui/measures.h"
-#include "ui/readings/pastebar.h"
+#include "ui/model/clipboardtext.h"
+#include "ui/pastebar.h"
 #include "ui/readings/readingsview.h"
 #include "ui/ruling.h"
 #include "ui/theme.h"
@@ -117,6 +118,10 @@ void ReadingsPage::connectParts() {
     connect(m_pasteBar, &PasteBar::contentChosen, this, [this](BlockContent content) {
         m_blockChoices.content = content;
         m_blockChoices.unitsOfHeading = false;
+        pasteAgain();
+    });
+    connect(m_pasteBar, &PasteBar::answered, this, [this](const QString &key, const QString &word) {
+        m_blockChoices.answers[key.toStdString()] = word.toStdString();
         pasteAgain();
     });
     connect(m_pasteBar, &PasteBar::undoWanted, this, [this] {
@@ -287,7 +292,7 @@ void ReadingsPage::showTarget(std::size_t target) {
 }
 
 void ReadingsPage::paste() {
-    m_block = QGuiApplication::clipboard()->text();
+    m_block = clipboardText();
     const QModelIndex current = m_view->currentIndex();
     m_blockPlace = {static_cast<std::size_t>(std::max(0, current.row())),
                     static_cast<std::size_t>(current.isValid() ? current.column()

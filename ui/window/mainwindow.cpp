@@ -3,8 +3,10 @@
 #include "ui/window/mainwindow.h"
 #include "kernel/measurement/testfacts.h"
 #include "ui/errorbox.h"
+#include "ui/model/clipboardtext.h"
 #include "ui/sizeonscreen.h"
 
+#include "document/edits.h"
 #include "document/filename.h"
 #include "document/readdocument.h"
 #include "document/savedocument.h"
@@ -45,7 +47,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QClipboard>
 #include <QCloseEvent>
 #include <QDir>
 #include <QDragEnterEvent>
@@ -399,7 +400,7 @@ void MainWindow::cancelReading() {
 void MainWindow::importClipboard() {
     if (m_assistant || !m_importing.isEmpty())
         return;
-    QByteArray bytes = QGuiApplication::clipboard()->text().toUtf8();
+    QByteArray bytes = clipboardText().toUtf8();
     readToImport([bytes](const std::stop_token &) { return bytes; }, tr("clipboard"), bytes.size());
 }
 
@@ -1038,8 +1039,21 @@ void MainWindow::showComparison() {
 }
 
 void MainWindow::showCompensation() {
-    auto *dialog = new CompensationDialog(m_evaluator.current(), testInView(), this);
+    const std::size_t test = testInView();
+    auto *dialog = new CompensationDialog(m_evaluator.current(), test, this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
+    const auto before = m_model.document()->tests[test]->imports;
+    connect(dialog, &CompensationDialog::signConfirmed, this, [this, test, before](bool confirmed) {
+        m_model.edit(QT_TRANSLATE_NOOP("edits", "confirm the sign of the deviations"),
+                     [&](Document &document) {
+                         editTest(document, test, [&](Test &edited) {
+                             edited.imports = before;
+                             for (ImportedFile &file : edited.imports)
+                                 file.signAssumed =
+                                     confirmed && file.signAssumed ? std::optional(false) : file.signAssumed;
+                         });
+                     });
+    });
     dialog->open();
 }
 

@@ -81,6 +81,30 @@ private slots:
                  true);
     }
 
+    void listsOfTargets_data() {
+        QTest::addColumn<QString>("text");
+        QTest::addColumn<std::vector<double>>("targets"); // empty: refused
+        const std::vector<double> three{0, 50, 1000.5};
+        QTest::newRow("semicolons") << QStringLiteral("0; 50; 1000,5") << three;
+        QTest::newRow("blanks") << QStringLiteral("0 50 1000.5") << three;
+        QTest::newRow("lines") << QStringLiteral("0\n50\n1000,5\n") << three;
+        QTest::newRow("tabs") << QStringLiteral("0\t50\t1000.5") << three;
+        QTest::newRow("groups of three digits") << QStringLiteral("0;50;1 000,5") << three;
+        QTest::newRow("a heading") << QStringLiteral("Position (mm)\n0\n50\n1000.5") << three;
+        QTest::newRow("a heading with another unit") << QStringLiteral("P (m)\n0\n0.05\n1.0005") << three;
+        QTest::newRow("a column of a table")
+            << QStringLiteral("i\tP (mm)\t1 ↑ (µm)\n1\t0\t3\n2\t50\t4\n3\t1000.5\t5") << three;
+        QTest::newRow("no number") << QStringLiteral("0; x; 100") << std::vector<double>();
+        QTest::newRow("a unit of another motion") << QStringLiteral("P (°)\n0\n50") << std::vector<double>();
+        QTest::newRow("words that say nothing") << QStringLiteral("hello\n0\n50") << std::vector<double>();
+    }
+    void listsOfTargets() {
+        QFETCH(const QString, text);
+        QFETCH(const std::vector<double>, targets);
+        const auto found = targetsFrom(text.toStdString(), axis(Motion::linear), usual);
+        QCOMPARE(found.value_or(std::vector<double>()), targets);
+    }
+
     /// What is shown with all its digits and typed again is the same number.
     void shownAndTypedAgain() {
         std::mt19937 random(7); // NOLINT: the same every time

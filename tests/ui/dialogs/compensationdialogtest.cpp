@@ -4,6 +4,7 @@
 
 #include "ui/dialogs/compensationdialog.h"
 
+#include "document/savedocument.h"
 #include "kernel/evaluation/evaluatetest.h"
 #include "ui/figures/lineview.h"
 #include "ui/window/exports.h"
@@ -164,6 +165,39 @@ private slots:
         QVERIFY(dialog.written().isEmpty()); // behind the end
         QVERIFY(!dialog.findChild<QLabel *>("compensationReason")->text().isEmpty());
         QVERIFY(!dialog.findChild<QPushButton *>("saveCompensation")->isEnabled());
+    }
+
+    /// The file that was imported says nothing of the sign: it is asked once, for the document keeps the
+    /// answer.
+    void asksOnceForASignThatWasAssumed() {
+        QTemporaryDir folder;
+        Document document = *small().document;
+        Test test = *document.tests[0];
+        test.imports = {{"silent.csv", std::string(64, '0'), {}, {}, true}};
+        document.tests[0] = std::make_shared<const Test>(test);
+        saveDocument(document, folder.filePath("x.palmer"));
+        const ShownWindow shown(folder.filePath("x.palmer"));
+        const auto open = [&] {
+            shown.find<QAction>("compensation")->trigger();
+            return shown.window->findChild<CompensationDialog *>();
+        };
+        const auto box = [](const CompensationDialog &dialog) {
+            return dialog.findChild<QCheckBox *>("compensation.signConfirmed");
+        };
+        CompensationDialog *dialog = open();
+        QVERIFY(box(*dialog)->isVisible() && dialog->written().isEmpty());
+        QVERIFY(
+            dialog->findChild<QLabel *>("compensationReason")->text().contains("“silent.csv” does not say"));
+        QTest::mouseClick(box(*dialog), Qt::LeftButton, {}, {8, box(*dialog)->height() / 2});
+        QVERIFY(!dialog->written().isEmpty());
+        dialog->reject();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        dialog = open();
+        QVERIFY(!box(*dialog)->isVisible() && !dialog->written().isEmpty());
+        dialog->reject();
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        shown.find<QAction>("undo")->trigger();
+        QVERIFY(open()->written().isEmpty());
     }
 
     void savesWhatIsShown() {

@@ -9,7 +9,7 @@
 #include "import/layouts/columnrole.h"
 #include "kernel/evaluation/edition.h"
 #include "ui/elidedbox.h"
-#include "ui/import/remarklist.h"
+#include "ui/remarklist.h"
 #include "ui/window/shownwindow.h"
 #include "ui/windowlanguage.h"
 
@@ -21,6 +21,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QListView>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
@@ -501,6 +502,37 @@ private slots:
         QVERIFY(shown.window->hasDocument());
         QCOMPARE(shown.window->model().document()->tests.size(), std::size_t(1));
         QVERIFY(shown.window->model().isModified());
+    }
+
+    void aClickOnAnotherTableReadsIt() {
+        ImportAssistant dialog("Position (mm);↑ (µm);↓ (µm)\n0;1;2\n100;3;4\n200;5;6\n\n"
+                               "Limit switch;Angle\n1;7.5\n2;8.5\n3;9.5\n\n"
+                               "Target (mm);Forward (µm);Reverse (µm);Forward (µm);Reverse (µm)\n"
+                               "0;11;12;13;14\n50;15;16;17;18\n",
+                               "x.csv", nullptr);
+        dialog.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&dialog));
+        const auto firstReading = [&] {
+            return *positioning(*dialog.imported().test).runs.front().deviations.front() * 1000;
+        };
+        auto *lines = dialog.findChild<QListView *>("importRaw");
+        const auto click = [&](int line) {
+            const QModelIndex at = lines->model()->index(line - 1, 0);
+            lines->scrollTo(at);
+            QTest::mouseClick(lines->viewport(), Qt::LeftButton, {}, lines->visualRect(at).center());
+        };
+        const double offered = firstReading();
+        QVERIFY(!openQuestions(dialog).filter("table").isEmpty());
+        click(5); // between the tables: nothing happens
+        QCOMPARE(firstReading(), offered);
+        click(12);
+        QCOMPARE(firstReading(), 11.0);
+        QVERIFY(openQuestions(dialog).filter("table").isEmpty());
+        QVERIFY(lines->model()->index(1, 0).data(Qt::ToolTipRole).toString().contains("read this table"));
+        QVERIFY(!lines->model()->index(12, 0).data(Qt::ToolTipRole).isValid()); // it is read
+        lines->setCurrentIndex(lines->model()->index(2, 0));
+        QTest::keyClick(lines, Qt::Key_Return);
+        QCOMPARE(firstReading(), 1.0);
     }
 
     void severalFilesComeOneAfterTheOther() {

@@ -25,6 +25,9 @@ public:
     void showRemarks(const Imported &imported, const std::optional<QString> &refusal,
                      const std::function<bool(std::size_t line)> &hasLine);
 
+    /// Questions alone, as those of a paste.
+    void showQuestions(const std::vector<Question> &questions);
+
 signals:
     /// An answer to the question of that id.
     void answered(const QString &id, const QString &word);

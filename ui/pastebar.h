@@ -3,16 +3,21 @@
 #pragma once
 
 #include "editing/readingblock.h"
+#include "import/choices.h"
+#include "import/question.h"
 #include "language/language.h"
 
 #include <QFrame>
 
 class QButtonGroup;
 class QComboBox;
+class QHBoxLayout;
 class QLabel;
 class QToolButton;
 
 namespace palmer::ui {
+
+class RemarkList;
 
 /// What a paste did, and how it was understood: shown above the table until something else is done. Another
 /// choice pastes anew.
@@ -23,8 +28,14 @@ public:
     explicit PasteBar(QWidget *parent = nullptr);
 
     void show(const PastedBlock &pasted, const BlockChoices &choices, const Language &language, bool canUndo);
+    /// Of any other paste: what it did, the choices that can be changed (units), and the questions to be
+    /// answered before anything is taken.
+    void say(const QString &summary, const QStringList &remarks, const std::vector<ImportChoice> &choices,
+             const std::vector<Question> &questions, bool canUndo);
 
 signals:
+    /// Another word for a choice, or the answer to a question.
+    void answered(const QString &key, const QString &word);
     void decimalMarkChosen(palmer::DecimalMark mark);
     void contentChosen(palmer::BlockContent content);
     void undoWanted();
@@ -34,6 +45,8 @@ protected:
 
 private:
     void retranslate();
+    void showRemarks(const QStringList &remarks, const std::vector<Question> &questions, bool canUndo);
+    void addBox(const ImportChoice &choice);
 
     QLabel *m_summary;
     QLabel *m_remarks;
@@ -42,6 +55,8 @@ private:
     QToolButton *m_comma;
     QToolButton *m_point;
     QComboBox *m_content;
+    QHBoxLayout *m_boxes; ///< of other choices
+    RemarkList *m_questions;
     QToolButton *m_undo;
     QToolButton *m_close;
 };

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/import/remarklist.h"
+#include "ui/remarklist.h"
 
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -138,6 +138,13 @@ void RemarkList::showRemarks(const Imported &imported, const std::optional<QStri
     m_rows->addStretch();
 }
 
+void RemarkList::showQuestions(const std::vector<Question> &questions) {
+    m_hasLine = [](std::size_t) { return false; };
+    clear();
+    for (const Question &question : questions)
+        addQuestion(question);
+}
+
 QHBoxLayout *RemarkList::addRow(RemarkGrade grade, QString sentence, const Place &place) {
     auto *row = new QWidget;
     auto *layout = new QHBoxLayout(row);
@@ -163,9 +170,16 @@ QHBoxLayout *RemarkList::addRow(RemarkGrade grade, QString sentence, const Place
 
 void RemarkList::addQuestion(const Question &question) {
     const QString sentence = windowLanguage().sentence(question.sentence);
-    QHBoxLayout *row =
-        addRow(question.grade == QuestionGrade::doubtful ? RemarkGrade::problem : RemarkGrade::assumption,
-               sentence, {question.line, question.column, question.further.size() + 1});
+    const bool isDoubtful = question.grade == QuestionGrade::doubtful;
+    QHBoxLayout *row = addRow(isDoubtful ? RemarkGrade::problem : RemarkGrade::assumption, sentence,
+                              {question.line, question.column, question.further.size() + 1});
+    auto *grade = new QLabel(isDoubtful ? tr("doubtful") : tr("assumed"));
+    grade->setToolTip(isDoubtful ? tr("Something speaks against it: it wants an answer of its own.")
+                                 : tr("The file does not say it and the usual holds."));
+    grade->setFont(themeFont(TextSize::small));
+    grade->setStyleSheet(
+        QStringLiteral("color: %1;").arg(token(isDoubtful ? Token::bad : Token::unsure, palette()).name()));
+    row->insertWidget(1, grade);
     row->parentWidget()->setObjectName(QStringLiteral("question.") + QString::fromStdString(question.id));
     addAnswers(*row, question, sentence);
 }

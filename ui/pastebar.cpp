@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/readings/pastebar.h"
+#include "ui/pastebar.h"
 
+#include "tables/units.h"
+#include "ui/remarklist.h"
 #include "ui/theme.h"
+#include "ui/windowlanguage.h"
 
 #include <QButtonGroup>
 #include <QComboBox>
@@ -23,6 +26,8 @@ PasteBar::PasteBar(QWidget *parent)
     , m_comma(new QToolButton(this))
     , m_point(new QToolButton(this))
     , m_content(new QComboBox(this))
+    , m_boxes(new QHBoxLayout)
+    , m_questions(new RemarkList(this))
     , m_undo(new QToolButton(this))
     , m_close(new QToolButton(this)) {
     setObjectName(QStringLiteral("pasteBar"));
@@ -68,6 +73,7 @@ PasteBar::PasteBar(QWidget *parent)
     row->addWidget(m_guess);
     row->addLayout(marks);
     row->addWidget(m_content);
+    row->addLayout(m_boxes);
     row->addWidget(m_undo);
     row->addWidget(m_close);
     auto *column = new QVBoxLayout(this);
@@ -75,7 +81,10 @@ PasteBar::PasteBar(QWidget *parent)
     column->setSpacing(2);
     column->addLayout(row);
     column->addWidget(m_remarks);
+    column->addWidget(m_questions);
+    m_questions->setObjectName(QStringLiteral("pasteQuestions"));
 
+    connect(m_questions, &RemarkList::answered, this, &PasteBar::answered);
     connect(m_marks, &QButtonGroup::idClicked, this,
             [this](int mark) { emit decimalMarkChosen(static_cast<DecimalMark>(mark)); });
     connect(m_content, &QComboBox::activated, this,
@@ -99,12 +108,11 @@ void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, cons
                      static_cast<int>(pasted.erasedByWords))
                       .arg(summary);
     m_summary->setText(summary);
-    m_undo->setVisible(canUndo);
     QStringList remarks;
     for (const Message &remark : pasted.remarks)
         remarks << language.sentence(remark);
-    m_remarks->setText(remarks.join(QStringLiteral(" · ")));
-    m_remarks->setVisible(!remarks.isEmpty());
+    showRemarks(remarks, pasted.questions, canUndo);
+    m_content->show();
     m_guess->setVisible(pasted.hasMarks && pasted.decimalMark.origin == Origin::guessed);
     for (QToolButton *button : {m_comma, m_point})
         button->setVisible(pasted.hasMarks);
@@ -120,7 +128,50 @@ void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, cons
     if (pasted.unit && choices.content != BlockContent::positions)
         content = QStringList{small, large}.indexOf(QString::fromUtf8(pasted.unit->sign));
     m_content->setCurrentIndex(static_cast<int>(content)); // −1: in a unit that is none of the choices
-    setAccessibleDescription(summary + QStringLiteral(". ") + m_remarks->text());
+}
+
+void PasteBar::say(const QString &summary, const QStringList &remarks,
+                   const std::vector<ImportChoice> &choices, const std::vector<Question> &questions,
+                   bool canUndo) {
+    m_summary->setText(summary);
+    for (QWidget *part : std::initializer_list<QWidget *>{m_guess, m_comma, m_point, m_content})
+        part->hide();
+    while (QLayoutItem *item = m_boxes->takeAt(0)) {
+        item->widget()->deleteLater(); // one of them may be what asked for this
+        delete item;
+    }
+    for (const ImportChoice &choice : choices)
+        addBox(choice);
+    showRemarks(remarks, questions, canUndo);
+}
+
+/// The units of one kind.
+void PasteBar::addBox(const ImportChoice &choice) {
+    const ImportKey &key = *findImportKey(choice.key);
+    const Unit *now = unitOf(choice.value);
+    auto *box = new QComboBox(this);
+    box->setObjectName(QStringLiteral("paste.") + QString::fromStdString(choice.key));
+    box->setAccessibleName(windowLanguage().text(key.name));
+    box->setToolTip(box->accessibleName());
+    box->setFocusPolicy(Qt::StrongFocus);
+    for (const ImportWord &word : key.words) {
+        if (const Unit *unit = unitOf(word.word); unit && now && unit->kind == now->kind)
+            box->addItem(windowLanguage().text(word.name), QString::fromLatin1(word.word));
+    }
+    box->setCurrentIndex(box->findData(QString::fromStdString(choice.value))); // −1: a unit that is no choice
+    connect(box, &QComboBox::activated, this, [this, box, name = box->objectName().mid(6)] {
+        emit answered(name, box->currentData().toString());
+    });
+    m_boxes->addWidget(box);
+}
+
+void PasteBar::showRemarks(const QStringList &remarks, const std::vector<Question> &questions, bool canUndo) {
+    m_undo->setVisible(canUndo);
+    m_remarks->setText(remarks.join(QStringLiteral(" · ")));
+    m_remarks->setVisible(!remarks.isEmpty());
+    m_questions->showQuestions(questions);
+    m_questions->setVisible(!questions.empty());
+    setAccessibleDescription(m_summary->text() + QStringLiteral(". ") + m_remarks->text());
     QFrame::show();
 }
 

@@ -1,0 +1,183 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tables/richtext.h"
+
+#include "tables/decodetext.h"
+
+#include <QString>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <vector>
+
+namespace palmer {
+
+namespace {
+
+/// Control words that stand for text.
+struct ControlWord {
+    std::string_view word;
+    const char *text = nullptr;
+};
+constexpr std::array controlWords{
+    ControlWord{"par", "\n"},
+    ControlWord{"row", "\n"},
+    ControlWord{"nestrow", "\n"},
+    ControlWord{"line", " "},
+    ControlWord{"sect", "\n"},
+    ControlWord{"page", "\n"},
+    ControlWord{"cell", "\t"},
+    ControlWord{"nestcell", "\t"},
+    ControlWord{"tab", "\t"},
+    ControlWord{"emdash", "\u2014"},
+    ControlWord{"endash", "\u2013"},
+    ControlWord{"bullet", "\u2022"},
+    ControlWord{"lquote", "\u2018"},
+    ControlWord{"rquote", "\u2019"},
+    ControlWord{"ldblquote", "\u201C"},
+    ControlWord{"rdblquote", "\u201D"},
+    ControlWord{"~", "\u00A0"},
+    ControlWord{"_", "-"},
+    ControlWord{"{", "{"},
+    ControlWord{"}", "}"},
+    ControlWord{"\\", "\\"},
+    ControlWord{"\n", "\n"},
+    ControlWord{"\r", "\n"},
+};
+
+constexpr std::array<std::string_view, 10> silentGroups{
+    "fonttbl", "colortbl", "stylesheet", "info", "pict", "header", "footer", "footnote", "object", "fldinst"};
+
+class Rtf {
+public:
+    explicit Rtf(std::string_view rtf)
+        : m_rtf(rtf) {}
+
+    std::string text() {
+        if (!m_rtf.starts_with("{\\rtf"))
+            return {};
+        while (m_at < m_rtf.size())
+            step();
+        flush();
+        return std::move(m_text);
+    }
+
+private:
+    struct Group {
+        bool isSilent = false;
+        int skipped = 1; ///< characters behind each \u that stand for it in older programs
+    };
+
+    void step() {
+        const char c = m_rtf[m_at++];
+        switch (c) {
+        case '{':
+            m_groups.push_back(m_group);
+            break;
+        case '}':
+            if (!m_groups.empty()) {
+                m_group = m_groups.back();
+                m_groups.pop_back();
+            }
+            break;
+        case '\\':
+            control();
+            break;
+        case '\r':
+        case '\n':
+            break;
+        default:
+            put(c);
+        }
+    }
+
+    void control() {
+        if (m_at >= m_rtf.size())
+            return;
+        if (m_rtf[m_at] == '\'') {
+            unsigned code = 0;
+            const std::string_view hex = m_rtf.substr(m_at + 1, 2);
+            std::from_chars(hex.data(), hex.data() + hex.size(), code, 16);
+            m_at = std::min(m_at + 3, m_rtf.size());
+            if (hex.size() == 2)
+                put(static_cast<char>(code));
+            return;
+        }
+        const std::size_t begin = m_at;
+        while (m_at < m_rtf.size() && m_rtf[m_at] >= 'a' && m_rtf[m_at] <= 'z')
+            ++m_at;
+        if (m_at == begin)
+            ++m_at; // a sign
+        const std::string_view word = m_rtf.substr(begin, m_at - begin);
+        int number = 0;
+        const auto [end, error] = std::from_chars(m_rtf.data() + m_at, m_rtf.data() + m_rtf.size(), number);
+        if (error == std::errc() && word.front() >= 'a')
+            m_at = static_cast<std::size_t>(end - m_rtf.data());
+        if (word.front() >= 'a' && m_at < m_rtf.size() && m_rtf[m_at] == ' ')
+            ++m_at;
+        take(word, number);
+    }
+
+    void take(std::string_view word, int number) {
+        if (word == "*" || std::ranges::find(silentGroups, word) != silentGroups.end()) {
+            m_group.isSilent = true;
+        } else if (word == "uc") {
+            m_group.skipped = std::clamp(number, 0, 9);
+        } else if (word == "u") {
+            flush();
+            if (!m_group.isSilent)
+                m_utf16 += QChar(static_cast<char16_t>(number));
+            m_toSkip = m_group.skipped;
+        } else if (word == "bin") {
+            m_at = std::min(m_at + static_cast<std::size_t>(std::max(number, 0)), m_rtf.size());
+        } else if (const auto *sign = std::ranges::find(controlWords, word, &ControlWord::word);
+                   sign != controlWords.end()) {
+            m_toSkip = 0;
+            if (m_group.isSilent)
+                return;
+            flush();
+            if (word.ends_with("row") && m_text.ends_with('\t'))
+                m_text.pop_back(); // behind the last cell
+            m_text += sign->text;
+        }
+    }
+
+    void put(char c) {
+        if (m_toSkip > 0) {
+            --m_toSkip;
+        } else if (!m_group.isSilent) {
+            if (!m_utf16.isEmpty())
+                flush();
+            m_bytes += c;
+        }
+    }
+
+    void flush() {
+        if (!m_bytes.empty()) {
+            try {
+                m_text += decodeText(m_bytes, Encoding::windows1252).text;
+            } catch (const Error &) { // bytes that are no characters say nothing
+            }
+            m_bytes.clear();
+        }
+        m_text += m_utf16.toStdString();
+        m_utf16.clear();
+    }
+
+    std::string_view m_rtf;
+    std::size_t m_at = 0;
+    Group m_group;
+    std::vector<Group> m_groups;
+    int m_toSkip = 0;
+    std::string m_bytes; ///< of Windows-1252, not yet in the text
+    QString m_utf16;     ///< likewise
+    std::string m_text;
+};
+
+} // namespace
+
+std::string textOfRtf(std::string_view rtf) {
+    return Rtf(rtf).text();
+}
+
+} // namespace palmer
