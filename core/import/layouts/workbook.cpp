@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
+#include "document/digit.h"
 #include "document/documenterror.h"
 #include "document/place.h"
 #include "import/layouts/zipfile.h"
@@ -12,65 +13,56 @@
 #include <QMap>
 #include <QRegularExpression>
 #include <QTime>
-#include <QXmlStreamReader>
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <set>
+#include <string>
 #include <utility>
 
 namespace palmer {
 
 namespace {
 
-constexpr int deepest = 64;
 constexpr int mostColumns = 16'384;
-constexpr qsizetype longestCell = 65'535;
+constexpr std::size_t longestCell = 65'535;     ///< bytes
 constexpr std::size_t mostRepeated = 1'000'000; ///< cells that are written once and repeated
 
-[[noreturn]] void refuseXml(const QXmlStreamReader &xml) {
-    throw Error(
-        Error::Kind::syntax,
-        {REPORT_TEXT("report",
-                     "the workbook is damaged or was cut off; save it again, or export the sheet as CSV")},
-        std::to_string(xml.lineNumber()) + ':' + std::to_string(xml.columnNumber() + 1));
-}
-
-/// Walks through the elements of an XML part; entities are refused. `begin` and `end` get the reader; `text`
-/// all characters.
+/// Walks through the elements of a part; nothing where there is none.
 template <class Begin, class End, class Text>
-void walk(const QByteArray &bytes, Begin begin, End end, Text text) {
-    QXmlStreamReader xml(bytes);
-    int depth = 0;
-    while (!xml.atEnd()) {
-        switch (xml.readNext()) {
-        case QXmlStreamReader::DTD:
-        case QXmlStreamReader::EntityReference:
-            refuseXml(xml);
-        case QXmlStreamReader::StartElement:
-            if (++depth > deepest)
-                refuseXml(xml);
-            begin(xml);
-            break;
-        case QXmlStreamReader::EndElement:
-            --depth;
-            end(xml);
-            break;
-        case QXmlStreamReader::Characters:
-            text(xml.text());
-            break;
-        default:
-            break;
-        }
-    }
-    if (xml.hasError())
-        refuseXml(xml);
+void walk(ZipFile &zip, const QString &part, Begin begin, End end, Text text) {
+    class Handler : public XmlHandler {
+    public:
+        Handler(Begin &begin, End &end, Text &text)
+            : m_begin(begin)
+            , m_end(end)
+            , m_text(text) {}
+        void begin(const XmlElement &element) override { m_begin(element); }
+        void end(std::string_view name) override { m_end(name); }
+        void text(std::string_view text) override { m_text(text); }
+
+    private:
+        Begin &m_begin;
+        End &m_end;
+        Text &m_text;
+    };
+    Handler handler(begin, end, text);
+    zip.walk(part, handler);
 }
 
-QString attribute(const QXmlStreamReader &xml, const char *name) {
-    for (const QXmlStreamAttribute &each : xml.attributes()) {
-        if (each.name() == QLatin1StringView(name))
-            return each.value().toString();
-    }
-    return {};
+constexpr auto noEnd = [](std::string_view) {};
+constexpr auto noText = [](std::string_view) {};
+
+/// The whole number of an attribute; 0 for anything else.
+template <class Number = int>
+Number wholeNumber(std::string_view text) {
+    Number number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    return error == std::errc() && end == text.data() + text.size() ? number : 0;
+}
+
+QString inQt(std::string_view text) {
+    return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
 /// Cells of a sheet put into the table with those between them.
@@ -99,13 +91,13 @@ public:
         ++m_emptyFormulas;
         countEmptyFormulas();
     }
-    void add(int column, const QString &text, std::optional<double> number) {
-        if (text.isEmpty() && !number)
+    void add(int column, std::string_view text, std::optional<double> number) {
+        if (text.empty() && !number)
             return;
         if (column < m_column)
             column = m_column; // cells without place follow one another
         // Numbers are written as text, too.
-        const bool isNumber = number || text[0].isDigit() || text[0] == u'-';
+        const bool isNumber = number || isDigit(text[0]) || text[0] == '-';
         if (isHiddenAt(column)) {
             hiddenNumbers += isNumber ? 1 : 0;
             if (m_leavesHidden)
@@ -120,11 +112,10 @@ public:
         m_begun = true;
         for (; m_column < column; ++m_column)
             m_builder.add("");
-        const std::string utf8 = text.left(longestCell).toStdString();
         if (number)
-            m_builder.add(*number, utf8);
+            m_builder.add(*number, text);
         else
-            m_builder.add(utf8);
+            m_builder.add(text);
         ++m_column;
         m_numbers += isNumber ? 1 : 0;
         countEmptyFormulas();
@@ -165,13 +156,12 @@ private:
     std::size_t m_emptyFormulas = 0; ///< of the row, not yet counted
 };
 
-bool isTrue(const QString &value) {
-    return value == QLatin1StringView("1") || value == QLatin1StringView("true");
+bool isTrue(std::string_view value) {
+    return value == "1" || value == "true";
 }
 
-std::optional<double> finiteNumber(const QString &text) {
-    const std::string plain = text.toStdString();
-    const CellValue value = readCell(plain, DecimalMark::point);
+std::optional<double> finiteNumber(std::string_view text) {
+    const CellValue value = readCell(text, DecimalMark::point);
     return value.kind == CellKind::number ? std::optional(value.value) : std::nullopt;
 }
 
@@ -184,13 +174,13 @@ struct SheetName {
 // ---- .xlsx
 
 /// "BC12" → 54 (from 0); −1 for none.
-int columnOf(const QString &reference) {
+int columnOfReference(std::string_view reference) {
     int column = 0;
-    for (const QChar c : reference) {
-        const char16_t letter = c.toUpper().unicode();
-        if (letter < u'A' || letter > u'Z')
+    for (const char c : reference) {
+        const char letter = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+        if (letter < 'A' || letter > 'Z')
             break;
-        column = column * 26 + (letter - u'A' + 1);
+        column = column * 26 + (letter - 'A' + 1);
         if (column > 100'000)
             break;
     }
@@ -203,17 +193,17 @@ QMap<QString, QString> relationshipsOf(ZipFile &zip, const QString &part) {
     const QString folder = part.first(slash);
     QMap<QString, QString> targets;
     walk(
-        zip.member(folder + QLatin1StringView("_rels/") + part.sliced(slash) + QLatin1StringView(".rels")),
-        [&](const QXmlStreamReader &xml) {
-            if (xml.name() != QLatin1StringView("Relationship"))
+        zip, folder + QLatin1StringView("_rels/") + part.sliced(slash) + QLatin1StringView(".rels"),
+        [&](const XmlElement &xml) {
+            if (xml.name != "Relationship")
                 return;
-            const QString target = attribute(xml, "Target");
+            const QString target = inQt(xml.attribute("Target"));
             const QString name =
                 QDir::cleanPath(target.startsWith(u'/') ? target.sliced(1) : folder + target);
-            targets[attribute(xml, "Id")] = name;
-            targets[attribute(xml, "Type").section(u'/', -1)] = name;
+            targets[inQt(xml.attribute("Id"))] = name;
+            targets[inQt(xml.attribute("Type")).section(u'/', -1)] = name;
         },
-        [](const QXmlStreamReader &) {}, [](QStringView) {});
+        noEnd, noText);
     return targets;
 }
 
@@ -239,19 +229,19 @@ XlsxBook bookOf(ZipFile &zip, const QString &part, const QMap<QString, QString> 
     constexpr double daysTo1904 = 1462;
     XlsxBook book;
     walk(
-        zip.member(part),
-        [&](const QXmlStreamReader &xml) {
-            if (xml.name() == QLatin1StringView("workbookPr") && isTrue(attribute(xml, "date1904")))
+        zip, part,
+        [&](const XmlElement &xml) {
+            if (xml.name == "workbookPr" && isTrue(xml.attribute("date1904")))
                 book.firstDay = daysTo1904;
-            if (xml.name() != QLatin1StringView("sheet") || book.sheets.size() > 10'000)
+            if (xml.name != "sheet" || book.sheets.size() > 10'000)
                 return;
             // By its local name: the namespace of the strict form is another.
-            const QString state = attribute(xml, "state");
-            book.sheets.push_back(
-                {attribute(xml, "name"), relationships.value(attribute(xml, "id")),
-                 state == QLatin1StringView("hidden") || state == QLatin1StringView("veryHidden")});
+            const std::string_view state = xml.attribute("state");
+            book.sheets.push_back({inQt(xml.attribute("name")),
+                                   relationships.value(inQt(xml.attribute("id"))),
+                                   state == "hidden" || state == "veryHidden"});
         },
-        [](const QXmlStreamReader &) {}, [](QStringView) {});
+        noEnd, noText);
     return book;
 }
 
@@ -278,30 +268,27 @@ Shown shownBy(int builtIn) {
 }
 
 /// Of each style that cells name.
-std::vector<Shown> stylesOf(const QByteArray &bytes) {
+std::vector<Shown> stylesOf(ZipFile &zip, const QString &part) {
     constexpr std::size_t mostStyles = 100'000;
     std::vector<Shown> styles;
-    if (bytes.isEmpty())
-        return styles;
     QMap<int, Shown> own;
     bool ofCells = false;
     walk(
-        bytes,
-        [&](const QXmlStreamReader &xml) {
-            ofCells |= xml.name() == QLatin1StringView("cellXfs");
-            const int number = attribute(xml, "numFmtId").toInt();
-            if (xml.name() == QLatin1StringView("numFmt"))
-                own[number] = shownBy(attribute(xml, "formatCode"));
-            else if (ofCells && xml.name() == QLatin1StringView("xf") && styles.size() < mostStyles)
+        zip, part,
+        [&](const XmlElement &xml) {
+            ofCells |= xml.name == "cellXfs";
+            const int number = wholeNumber(xml.attribute("numFmtId"));
+            if (xml.name == "numFmt")
+                own[number] = shownBy(inQt(xml.attribute("formatCode")));
+            else if (ofCells && xml.name == "xf" && styles.size() < mostStyles)
                 styles.push_back(own.value(number, shownBy(number)));
         },
-        [&](const QXmlStreamReader &xml) { ofCells = ofCells && xml.name() != QLatin1StringView("cellXfs"); },
-        [](QStringView) {});
+        [&](std::string_view name) { ofCells = ofCells && name != "cellXfs"; }, noText);
     return styles;
 }
 
 /// "2024-03-05", "2024-03-05T10:22:11", "10:22:11.5" of a serial number of days; empty where it is none.
-QString timeText(double days, Shown shown) {
+std::string timeText(double days, Shown shown) {
     constexpr double firstSure = 61; // before, programs disagree
     constexpr double afterLast = 2'958'466;
     constexpr qint64 dayLength = 86'400'000; // ms
@@ -314,31 +301,28 @@ QString timeText(double days, Shown shown) {
     QString hours =
         clock.toString(clock.msec() == 0 ? QStringLiteral("HH:mm:ss") : QStringLiteral("HH:mm:ss.zzz"));
     if (shown == Shown::time)
-        return hours;
+        return hours.toStdString();
     const QString day = QDate(1899, 12, 30).addDays(time / dayLength).toString(Qt::ISODate);
-    return time % dayLength == 0 ? day : day + u'T' + hours;
+    return (time % dayLength == 0 ? day : day + u'T' + hours).toStdString();
 }
 
-std::vector<QString> sharedStrings(const QByteArray &bytes) {
-    std::vector<QString> strings;
-    if (bytes.isEmpty())
-        return strings;
+std::vector<std::string> sharedStrings(ZipFile &zip, const QString &part) {
+    std::vector<std::string> strings;
     bool inText = false;
     bool phonetic = false;
     walk(
-        bytes,
-        [&](const QXmlStreamReader &xml) {
-            if (xml.name() == QLatin1StringView("si"))
+        zip, part,
+        [&](const XmlElement &xml) {
+            if (xml.name == "si")
                 strings.emplace_back();
-            phonetic |= xml.name() == QLatin1StringView("rPh");
-            inText = xml.name() == QLatin1StringView("t") && !phonetic;
+            phonetic |= xml.name == "rPh";
+            inText = xml.name == "t" && !phonetic;
         },
-        [&](const QXmlStreamReader &xml) {
+        [&](std::string_view name) {
             inText = false;
-            if (xml.name() == QLatin1StringView("rPh"))
-                phonetic = false;
+            phonetic = phonetic && name != "rPh";
         },
-        [&](QStringView text) {
+        [&](std::string_view text) {
             if (inText && !strings.empty() && strings.back().size() < longestCell)
                 strings.back() += text;
         });
@@ -347,29 +331,28 @@ std::vector<QString> sharedStrings(const QByteArray &bytes) {
 
 /// What the cells of all sheets refer to.
 struct XlsxCells {
-    std::vector<QString> strings;
+    std::vector<std::string> strings;
     std::vector<Shown> styles;
     double firstDay = 0;
 
-    [[nodiscard]] Shown shown(qsizetype style) const {
-        return style >= 0 && style < std::ssize(styles) ? styles[static_cast<std::size_t>(style)]
-                                                        : Shown::number;
+    [[nodiscard]] Shown shown(std::size_t style) const {
+        return style < styles.size() ? styles[style] : Shown::number;
     }
 };
 
-void hideColumns(const QXmlStreamReader &column, Sheet &sheet) {
-    const int first = attribute(column, "min").toInt();
-    const int last = attribute(column, "max").toInt();
-    if (isTrue(attribute(column, "hidden")) && first >= 1 && last >= first && last <= mostColumns)
+void hideColumns(const XmlElement &column, Sheet &sheet) {
+    const int first = wholeNumber(column.attribute("min"));
+    const int last = wholeNumber(column.attribute("max"));
+    if (isTrue(column.attribute("hidden")) && first >= 1 && last >= first && last <= mostColumns)
         sheet.hideColumns(first - 1, last - first + 1);
 }
 
-void addNumber(const QString &value, Shown shown, double firstDay, int column, Sheet &sheet) {
+void addNumber(std::string_view value, Shown shown, double firstDay, int column, Sheet &sheet) {
     const auto number = finiteNumber(value);
-    const QString time = number && shown != Shown::number
-                             ? timeText(*number + (shown == Shown::date ? firstDay : 0), shown)
-                             : QString();
-    if (time.isEmpty())
+    const std::string time = number && shown != Shown::number
+                                 ? timeText(*number + (shown == Shown::date ? firstDay : 0), shown)
+                                 : std::string();
+    if (time.empty())
         sheet.add(column, value, number);
     else
         sheet.add(column, time, {});
@@ -382,50 +365,53 @@ public:
         : m_cells(cells)
         , m_sheet(sheet) {}
 
-    void read(const QByteArray &bytes) {
+    void read(ZipFile &zip, const QString &part) {
         walk(
-            bytes, [this](const QXmlStreamReader &xml) { begin(xml); },
-            [this](const QXmlStreamReader &xml) {
+            zip, part, [this](const XmlElement &xml) { begin(xml); },
+            [this](std::string_view name) {
                 m_inValue = false;
-                if (xml.name() == QLatin1StringView("c") && m_line > 0)
+                if (name == "c" && m_line > 0)
                     addCell();
             },
-            [this](QStringView text) {
+            [this](std::string_view text) {
                 if (m_inValue && m_value.size() < longestCell)
                     m_value += text;
             });
     }
 
 private:
-    void begin(const QXmlStreamReader &xml) {
-        constexpr qulonglong mostLines = 100'000'000;
-        const QStringView name = xml.name();
-        if (name == QLatin1StringView("row")) {
-            const qulonglong stated = attribute(xml, "r").toULongLong();
-            m_line = stated > m_line && stated < mostLines ? static_cast<std::size_t>(stated) : m_line + 1;
-            m_sheet.beginRow(m_line, isTrue(attribute(xml, "hidden")));
-        } else if (name == QLatin1StringView("col")) {
-            hideColumns(xml, m_sheet);
-        } else if (name == QLatin1StringView("c")) {
-            m_type = attribute(xml, "t");
-            m_reference = attribute(xml, "r");
+    void begin(const XmlElement &xml) {
+        constexpr std::size_t mostLines = 100'000'000;
+        const std::string_view name = xml.name;
+        if (name == "c") {
+            m_type = xml.attribute("t");
+            const std::string_view reference = xml.attribute("r");
+            m_column = reference.empty() ? -1 : columnOfReference(reference);
             m_value.clear();
             m_isFormula = false;
-            m_shown = m_cells.shown(attribute(xml, "s").toInt());
+            m_shown = m_cells.shown(wholeNumber<std::size_t>(xml.attribute("s")));
+        } else if (name == "row") {
+            const auto stated = wholeNumber<std::size_t>(xml.attribute("r"));
+            m_line = stated > m_line && stated < mostLines ? stated : m_line + 1;
+            m_sheet.beginRow(m_line, isTrue(xml.attribute("hidden")));
+        } else if (name == "col") {
+            hideColumns(xml, m_sheet);
         }
-        m_isFormula |= name == QLatin1StringView("f");
-        m_inValue = name == QLatin1StringView("v") || name == QLatin1StringView("t");
+        m_isFormula |= name == "f";
+        m_inValue = name == "v" || name == "t";
     }
 
     void addCell() {
-        const int column = m_reference.isEmpty() ? m_sheet.column() : columnOf(m_reference);
-        if (m_type == QLatin1StringView("s")) {
-            const std::vector<QString> &strings = m_cells.strings;
-            bool isNumber = false;
-            const uint index = m_value.toUInt(&isNumber);
-            m_sheet.add(column, isNumber && index < strings.size() ? strings[index] : QString(), {});
-        } else if (m_type.isEmpty() || m_type == QLatin1StringView("n")) {
-            if (m_isFormula && m_value.isEmpty())
+        const int column = m_column < 0 ? m_sheet.column() : m_column;
+        if (m_type == "s") {
+            std::size_t index = 0;
+            const auto [end, error] = std::from_chars(m_value.data(), m_value.data() + m_value.size(), index);
+            const bool isIndex = error == std::errc() && end == m_value.data() + m_value.size();
+            m_sheet.add(column,
+                        isIndex && index < m_cells.strings.size() ? m_cells.strings[index] : std::string(),
+                        {});
+        } else if (m_type.empty() || m_type == "n") {
+            if (m_isFormula && m_value.empty())
                 m_sheet.addEmptyFormula();
             addNumber(m_value, m_shown, m_cells.firstDay, column, m_sheet);
         } else {
@@ -436,9 +422,9 @@ private:
     const XlsxCells &m_cells;
     Sheet &m_sheet;
     std::size_t m_line = 0;
-    QString m_type;
-    QString m_reference;
-    QString m_value;
+    std::string m_type;
+    int m_column = -1; ///< below 0: not stated
+    std::string m_value;
     bool m_inValue = false;
     bool m_isFormula = false;
     Shown m_shown = Shown::number;
@@ -454,93 +440,96 @@ public:
         , m_names(names)
         , m_sheet(sheet) {}
 
-    void read(const QByteArray &bytes) {
+    void read(ZipFile &zip, const QString &part) {
         walk(
-            bytes, [this](const QXmlStreamReader &xml) { begin(xml); },
-            [this](const QXmlStreamReader &xml) { end(xml.name()); },
-            [this](QStringView text) { add(text); });
+            zip, part, [this](const XmlElement &xml) { begin(xml); },
+            [this](std::string_view name) { end(name); }, [this](std::string_view text) { add(text); });
     }
 
 private:
     struct OdsCell {
         int column = 0;
-        QString text;
+        std::string text;
         std::optional<double> number;
         int repeats = 1;
-        QString time = {}; ///< in ISO order, whatever the cell shows
+        std::string time = {}; ///< in ISO order, whatever the cell shows
         bool isEmptyFormula = false;
     };
 
     [[nodiscard]] bool isWanted() const { return m_index == m_wanted; }
-    [[nodiscard]] static bool isCollapsed(const QXmlStreamReader &xml) {
-        const QString visibility = attribute(xml, "visibility");
-        return visibility == QLatin1StringView("collapse") || visibility == QLatin1StringView("filter");
+    [[nodiscard]] static bool isCollapsed(const XmlElement &xml) {
+        const std::string_view visibility = xml.attribute("visibility");
+        return visibility == "collapse" || visibility == "filter";
     }
-    [[nodiscard]] static bool isCell(QStringView name) {
-        return name == QLatin1StringView("table-cell") || name == QLatin1StringView("covered-table-cell");
+    [[nodiscard]] static bool isCell(std::string_view name) {
+        return name == "table-cell" || name == "covered-table-cell";
     }
 
-    void begin(const QXmlStreamReader &xml) {
-        const QStringView name = xml.name();
-        if (name == QLatin1StringView("style")) {
-            m_style = attribute(xml, "name");
-        } else if (name == QLatin1StringView("table-properties")) {
-            if (attribute(xml, "display") == QLatin1StringView("false"))
-                m_hidden << m_style;
-        } else if (name == QLatin1StringView("table")) {
+    void begin(const XmlElement &xml) {
+        const std::string_view name = xml.name;
+        if (name == "style") {
+            m_style = xml.attribute("name");
+        } else if (name == "table-properties") {
+            if (xml.attribute("display") == "false")
+                m_hidden.insert(m_style);
+        } else if (name == "table") {
             ++m_index;
-            m_names.push_back({attribute(xml, "name"), {}, m_hidden.contains(attribute(xml, "style-name"))});
+            m_names.push_back({inQt(xml.attribute("name")),
+                               {},
+                               m_hidden.contains(std::string(xml.attribute("style-name")))});
             m_line = 0;
             m_columns = 0;
-        } else if (isWanted() && name == QLatin1StringView("table-column")) {
-            const int count = std::clamp(attribute(xml, "number-columns-repeated").toInt(), 1, mostColumns);
+        } else if (isWanted() && name == "table-column") {
+            const int count =
+                std::clamp(wholeNumber(xml.attribute("number-columns-repeated")), 1, mostColumns);
             if (isCollapsed(xml))
                 m_sheet.hideColumns(m_columns, count);
             m_columns = std::min(m_columns + count, mostColumns);
-        } else if (isWanted() && name == QLatin1StringView("table-row")) {
-            m_rowRepeats =
-                std::clamp<std::size_t>(attribute(xml, "number-rows-repeated").toULongLong(), 1, 100'000'000);
+        } else if (isWanted() && name == "table-row") {
+            m_rowRepeats = std::clamp(wholeNumber<std::size_t>(xml.attribute("number-rows-repeated")),
+                                      std::size_t(1), std::size_t(100'000'000));
             m_rowHidden = isCollapsed(xml);
             m_cells.clear();
             m_column = 0;
         } else if (isWanted() && isCell(name)) {
             beginCell(xml);
-        } else if (name == QLatin1StringView("annotation")) {
+        } else if (name == "annotation") {
             ++m_annotation;
-        } else if (m_inCell && m_annotation == 0 && name == QLatin1StringView("p")) {
+        } else if (m_inCell && m_annotation == 0 && name == "p") {
             if (m_paragraphs++ > 0)
-                m_cell.text += u' ';
-        } else if (m_inCell && (name == QLatin1StringView("s") || name == QLatin1StringView("tab") ||
-                                name == QLatin1StringView("line-break"))) {
-            add(u" ");
+                m_cell.text += ' ';
+        } else if (m_inCell && (name == "s" || name == "tab" || name == "line-break")) {
+            add(" ");
         }
     }
 
-    void beginCell(const QXmlStreamReader &xml) {
-        m_cell = {
-            m_column, {}, {}, std::clamp(attribute(xml, "number-columns-repeated").toInt(), 1, 1'000'000)};
-        const QString type = attribute(xml, "value-type");
-        if (type == QLatin1StringView("float") || type == QLatin1StringView("percentage") ||
-            type == QLatin1StringView("currency"))
-            m_cell.number = finiteNumber(attribute(xml, "value"));
-        m_cell.time = type == QLatin1StringView("date") ? attribute(xml, "date-value") : QString();
-        m_cell.isEmptyFormula = type.isEmpty() && !attribute(xml, "formula").isEmpty();
+    void beginCell(const XmlElement &xml) {
+        m_cell = {m_column,
+                  {},
+                  {},
+                  std::clamp(wholeNumber(xml.attribute("number-columns-repeated")), 1, 1'000'000)};
+        const std::string_view type = xml.attribute("value-type");
+        if (type == "float" || type == "percentage" || type == "currency")
+            m_cell.number = finiteNumber(xml.attribute("value"));
+        if (type == "date")
+            m_cell.time = xml.attribute("date-value");
+        m_cell.isEmptyFormula = type.empty() && !xml.attribute("formula").empty();
         m_inCell = true;
         m_paragraphs = 0;
     }
 
-    void end(QStringView name) {
-        if (name == QLatin1StringView("annotation")) {
+    void end(std::string_view name) {
+        if (name == "annotation") {
             --m_annotation;
         } else if (isWanted() && m_inCell && isCell(name)) {
             m_inCell = false;
             m_column = std::min(m_column + m_cell.repeats, 10'000'000);
-            if (!m_cell.time.isEmpty())
+            if (!m_cell.time.empty())
                 m_cell.text = m_cell.time;
-            m_cell.isEmptyFormula &= m_cell.text.isEmpty();
-            if (!m_cell.text.isEmpty() || m_cell.number || m_cell.isEmptyFormula)
+            m_cell.isEmptyFormula &= m_cell.text.empty();
+            if (!m_cell.text.empty() || m_cell.number || m_cell.isEmptyFormula)
                 m_cells.push_back(m_cell);
-        } else if (isWanted() && name == QLatin1StringView("table-row")) {
+        } else if (isWanted() && name == "table-row") {
             if (m_cells.empty())
                 m_line += m_rowRepeats;
             else
@@ -569,7 +558,7 @@ private:
         }
     }
 
-    void add(QStringView text) {
+    void add(std::string_view text) {
         if (m_inCell && m_annotation == 0 && m_paragraphs > 0 && m_cell.text.size() < longestCell)
             m_cell.text += text;
     }
@@ -580,8 +569,8 @@ private:
     int m_index = -1;
     std::size_t m_line = 0;
     std::size_t m_rowRepeats = 1;
-    QString m_style;
-    QStringList m_hidden;
+    std::string m_style;
+    std::set<std::string> m_hidden;
     std::vector<OdsCell> m_cells;
     OdsCell m_cell;
     int m_column = 0;
@@ -685,7 +674,8 @@ private:
         CellTable table = sheet.take(m_choices);
         if (table.rows().empty())
             return;
-        const std::size_t readings = readingsIn(table, m_choices.options());
+        // A sheet alone is read for good soon enough.
+        const std::size_t readings = m_sheets.size() == 1 ? 1 : readingsIn(table, m_choices.options());
         m.sheets[i].hasMeasurement = readings > 0;
         m_measurements += readings > 0 ? 1 : 0;
         m_tables += isTable(table) ? 1 : 0;
@@ -783,7 +773,7 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
     const std::unique_ptr<ZipFile> opened = openZip(source.bytes);
     ZipFile &zip = *opened;
     std::vector<SheetName> sheets;
-    QByteArray content;
+    const QString content = QStringLiteral("content.xml");
     XlsxCells cells;
     const QString part = workbookPart(zip);
     const bool isXlsx = !part.isEmpty();
@@ -793,14 +783,13 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
         sheets = std::move(book.sheets);
         const QString folder = part.first(part.lastIndexOf(u'/') + 1);
         const auto beside = [&](const QString &word) {
-            return zip.member(relationships.value(word, folder + word + QLatin1StringView(".xml")));
+            return relationships.value(word, folder + word + QLatin1StringView(".xml"));
         };
-        cells = {sharedStrings(beside(QStringLiteral("sharedStrings"))),
-                 stylesOf(beside(QStringLiteral("styles"))), book.firstDay};
-    } else if (zip.contains(QStringLiteral("content.xml"))) {
-        content = zip.member(QStringLiteral("content.xml"));
+        cells = {sharedStrings(zip, beside(QStringLiteral("sharedStrings"))),
+                 stylesOf(zip, beside(QStringLiteral("styles"))), book.firstDay};
+    } else if (zip.contains(content)) {
         Sheet none(choices);
-        OdsReader(-2, sheets, none).read(content);
+        OdsReader(-2, sheets, none).read(zip, content);
     } else {
         throw Error(Error::Kind::format,
                     {REPORT_TEXT("report", "this archive is no workbook; expected .xlsx or .ods")});
@@ -809,9 +798,9 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
     chooser.choose([&](int i, Sheet &sheet) {
         std::vector<SheetName> names;
         if (isXlsx)
-            XlsxReader(cells, sheet).read(zip.member(sheets[static_cast<std::size_t>(i)].member));
+            XlsxReader(cells, sheet).read(zip, sheets[static_cast<std::size_t>(i)].member);
         else
-            OdsReader(i, names, sheet).read(content);
+            OdsReader(i, names, sheet).read(zip, content);
     });
     if (!chooser.hasTable())
         throw Error(

@@ -4,9 +4,15 @@
 
 #include "document/documenterror.h"
 
+#include <expat.h>
 #include <zip.h>
 
+#include <algorithm>
+#include <exception>
+#include <map>
 #include <memory>
+#include <new>
+#include <string>
 
 namespace palmer {
 
@@ -15,19 +21,99 @@ namespace {
 constexpr qint64 memberLimit = qint64(256) << 20;
 constexpr qint64 allLimit = qint64(512) << 20;
 constexpr qint64 ratioLimit = 1000; // of text in a workbook: below 100
-constexpr qint64 blockSize = 1 << 16;
+constexpr Text damaged = REPORT_TEXT(
+    "report", "the workbook is damaged or was cut off; save it again, or export the sheet as CSV");
 
 [[noreturn]] void refuseDamaged() {
-    throw Error(
-        Error::Kind::content,
-        {REPORT_TEXT("report",
-                     "the workbook is damaged or was cut off; save it again, or export the sheet as CSV")});
+    throw Error(Error::Kind::content, {damaged});
 }
 
 [[noreturn]] void refuseBomb() {
     throw Error(Error::Kind::tooLarge,
                 {REPORT_TEXT("report", "the workbook unpacks to more than a table of readings can be")});
 }
+
+/// By expat, a block at a time.
+class XmlParser {
+public:
+    static constexpr zip_uint64_t roomSize = 1 << 16;
+
+    explicit XmlParser(XmlHandler &handler)
+        : m_handler(handler)
+        , m_parser(XML_ParserCreate(nullptr)) {
+        XML_SetUserData(m_parser, this);
+        XML_SetElementHandler(m_parser, begin, end);
+        XML_SetCharacterDataHandler(m_parser, text);
+        XML_SetStartDoctypeDeclHandler(m_parser, refuseEntities);
+    }
+    ~XmlParser() { XML_ParserFree(m_parser); }
+    XmlParser(const XmlParser &) = delete;
+    XmlParser &operator=(const XmlParser &) = delete;
+
+    /// Where the next block is put.
+    [[nodiscard]] void *room() {
+        void *buffer = XML_GetBuffer(m_parser, roomSize);
+        if (!buffer)
+            throw std::bad_alloc();
+        return buffer;
+    }
+
+    void take(int size, bool isLast) {
+        const bool isRead = XML_ParseBuffer(m_parser, size, isLast) == XML_STATUS_OK;
+        if (m_thrown)
+            std::rethrow_exception(m_thrown);
+        if (!isRead)
+            refuse();
+    }
+
+private:
+    [[noreturn]] void refuse() {
+        throw Error(Error::Kind::syntax, {damaged},
+                    std::to_string(XML_GetCurrentLineNumber(m_parser)) + ':' +
+                        std::to_string(XML_GetCurrentColumnNumber(m_parser) + 1));
+    }
+
+    /// No exception passes through the parser.
+    template <class Call>
+    void call(Call tell) {
+        if (m_thrown)
+            return;
+        try {
+            tell();
+        } catch (...) {
+            m_thrown = std::current_exception();
+            XML_StopParser(m_parser, XML_FALSE);
+        }
+    }
+
+    static void begin(void *data, const char *name, const char **attributes) {
+        auto &self = *static_cast<XmlParser *>(data);
+        self.call([&] {
+            constexpr int deepest = 64;
+            if (++self.m_depth > deepest)
+                self.refuse();
+            self.m_handler.begin({localName(name), attributes});
+        });
+    }
+    static void end(void *data, const char *name) {
+        auto &self = *static_cast<XmlParser *>(data);
+        --self.m_depth;
+        self.call([&] { self.m_handler.end(localName(name)); });
+    }
+    static void text(void *data, const char *text, int size) {
+        auto &self = *static_cast<XmlParser *>(data);
+        self.call([&] { self.m_handler.text({text, static_cast<std::size_t>(size)}); });
+    }
+    static void refuseEntities(void *data, const char *, const char *, const char *, int) {
+        auto &self = *static_cast<XmlParser *>(data);
+        self.call([&] { self.refuse(); });
+    }
+
+    XmlHandler &m_handler;
+    XML_Parser m_parser;
+    int m_depth = 0;
+    std::exception_ptr m_thrown;
+};
 
 class ZipFileOfLibzip : public ZipFile {
 public:
@@ -37,13 +123,13 @@ public:
     ZipFileOfLibzip &operator=(const ZipFileOfLibzip &) = delete;
 
     [[nodiscard]] bool contains(const QString &name) const override { return find(name) >= 0; }
-    [[nodiscard]] QByteArray member(const QString &name) override;
+    void walk(const QString &name, XmlHandler &handler) override;
 
 private:
     [[nodiscard]] qint64 find(const QString &name) const; ///< below 0: there is none
 
     zip_t *m_archive = nullptr;
-    qint64 m_unpacked = 0;
+    std::map<qint64, qint64> m_unpacked; ///< bytes, by index
 };
 
 ZipFileOfLibzip::ZipFileOfLibzip(QByteArrayView bytes) {
@@ -69,39 +155,40 @@ qint64 ZipFileOfLibzip::find(const QString &name) const {
     return zip_name_locate(m_archive, otherSlashes.constData(), ZIP_FL_NOCASE);
 }
 
-QByteArray ZipFileOfLibzip::member(const QString &name) {
+void ZipFileOfLibzip::walk(const QString &name, XmlHandler &handler) {
     const qint64 index = find(name);
     if (index < 0)
-        return {};
+        return;
     zip_stat_t stat;
     zip_stat_init(&stat);
     if (zip_stat_index(m_archive, static_cast<zip_uint64_t>(index), 0, &stat) != 0)
         refuseDamaged();
     const qint64 packed = (stat.valid & ZIP_STAT_COMP_SIZE) ? static_cast<qint64>(stat.comp_size) : 0;
-    const qint64 most =
-        std::min({memberLimit, allLimit - m_unpacked, std::max<qint64>(packed, 1024) * ratioLimit});
+    qint64 left = allLimit;
+    for (const auto &[other, size] : m_unpacked)
+        left -= other == index ? 0 : size;
+    const qint64 most = std::min({memberLimit, left, std::max<qint64>(packed, 1024) * ratioLimit});
     if ((stat.valid & ZIP_STAT_SIZE) && stat.size > static_cast<zip_uint64_t>(most))
         refuseBomb(); // what it says of itself; what it is, is counted below
     const std::unique_ptr<zip_file_t, int (*)(zip_file_t *)> file(
         zip_fopen_index(m_archive, static_cast<zip_uint64_t>(index), 0), zip_fclose);
     if (!file)
         refuseDamaged();
-    QByteArray bytes;
+    XmlParser parser(handler);
+    qint64 unpacked = 0;
     for (;;) {
-        const qsizetype size = bytes.size();
-        bytes.resize(size + blockSize);
-        const zip_int64_t read =
-            zip_fread(file.get(), bytes.data() + size, static_cast<zip_uint64_t>(blockSize));
+        const zip_int64_t read = zip_fread(file.get(), parser.room(), XmlParser::roomSize);
         if (read < 0)
             refuseDamaged();
-        bytes.resize(size + static_cast<qsizetype>(read));
+        unpacked += read;
+        if (unpacked > most)
+            refuseBomb();
+        if (unpacked > 0)
+            parser.take(static_cast<int>(read), read == 0);
         if (read == 0)
             break;
-        if (bytes.size() > most)
-            refuseBomb();
     }
-    m_unpacked += bytes.size();
-    return bytes;
+    m_unpacked[index] = unpacked;
 }
 
 } // namespace
