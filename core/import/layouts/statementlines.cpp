@@ -22,6 +22,10 @@ struct Entry {
 };
 using Entries = std::vector<Entry>;
 
+const char *endOf(std::string_view text) {
+    return text.data() + text.size();
+}
+
 Entries entriesOf(const CellTable &table, const TableRow &row) {
     Entries entries;
     const auto cells = table.cells(row);
@@ -33,17 +37,16 @@ Entries entriesOf(const CellTable &table, const TableRow &row) {
         return entries;
     }
     const std::string_view all = table.text();
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-        const std::size_t begin = cells[c].begin;
+    for (const TableCell &cell : cells) {
+        if (cell.kind == CellKind::empty)
+            continue; // of columns of fixed width: it stands nowhere
+        const std::string_view text = table.text(cell);
         const std::size_t behind =
-            entries.empty() ? begin : entries.back().text.data() + entries.back().text.size() - all.data();
-        if (entries.empty() || begin > behind + 1 || all[behind] == '\t')
-            entries.push_back({table.text(cells[c]), cells[c].kind});
-        else
-            entries.back() = {
-                std::string_view(entries.back().text.data(),
-                                 begin + cells[c].size - (entries.back().text.data() - all.data())),
-                CellKind::text};
+            entries.empty() ? 0 : static_cast<std::size_t>(endOf(entries.back().text) - all.data());
+        if (entries.empty() || cell.begin > behind + 1 || all[behind] == '\t')
+            entries.push_back({text, cell.kind});
+        else // one blank: they belong together
+            entries.back() = {{entries.back().text.data(), endOf(text)}, CellKind::text};
     }
     return entries;
 }

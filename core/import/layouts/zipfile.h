@@ -21,7 +21,10 @@ struct XmlElement {
 /// What is told of the elements of a part.
 class XmlHandler {
 public:
+    XmlHandler() = default;
     virtual ~XmlHandler() = default;
+    XmlHandler(const XmlHandler &) = delete;
+    XmlHandler &operator=(const XmlHandler &) = delete;
     virtual void begin(const XmlElement &element) = 0;
     virtual void end(std::string_view name) = 0;
     virtual void text(std::string_view text) = 0; ///< a part of it at a time
