@@ -9,8 +9,11 @@
 #include "language/decimals.h"
 #include "tables/table.h"
 
+#include <QString>
 #include <algorithm>
 #include <cmath>
+#include <span>
+#include <utility>
 
 namespace palmer {
 
@@ -23,44 +26,76 @@ const Unit &unitOfHeading(const SaidUnit &said, UnitKind kind) {
     return *said.unit;
 }
 
+namespace {
+
+/// A list of targets on its way out of a table.
+class TargetList {
+public:
+    TargetList(const CellTable &table, const Axis &axis, const DisplayUnits &units)
+        : m_table(table)
+        , m_axis(axis)
+        , m_units(units) {}
+
+    /// False for a line that is neither a heading of targets nor numbers.
+    bool take(const TableRow &row) {
+        const auto cells = m_table.cells(row);
+        return targets.empty() && std::ranges::none_of(cells, &TableCell::isNumber) ? takeHeading(cells)
+                                                                                    : takeNumbers(cells);
+    }
+
+    std::vector<double> targets;
+
+private:
+    bool takeHeading(std::span<const TableCell> cells) {
+        for (std::size_t c = 0; c < cells.size() && !m_column; ++c) {
+            const std::string_view cell = m_table.text(cells[c]);
+            const Meaning meaning = readHeading(cell).meaning;
+            const bool isTarget = meaning == Meaning::target || meaning == Meaning::place;
+            const SaidUnit said = saidUnit(cell);
+            if (isTarget)
+                m_column = c;
+            if (!said.isSaid() || (!isTarget && cells.size() > 1))
+                continue;
+            if (!said.unit || said.unit->kind != unitKindOf(m_axis.motion))
+                return false;
+            m_unit = said.unit;
+        }
+        return m_column || m_unit; // else words that say nothing of the numbers below
+    }
+
+    bool takeNumbers(std::span<const TableCell> cells) {
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            if (cells[c].size == 0 || (m_column && c != *m_column))
+                continue;
+            const std::string_view cell = m_table.text(cells[c]);
+            const QString typed = QString::fromUtf8(cell.data(), static_cast<qsizetype>(cell.size()));
+            const auto number =
+                enteredNumber(typed, m_unit ? Quantity::number : positionQuantity(m_axis), m_units).value;
+            if (!number)
+                return false;
+            targets.push_back(m_unit ? m_unit->toBase(*number) : *number);
+        }
+        return true;
+    }
+
+    const CellTable &m_table;
+    const Axis &m_axis;
+    const DisplayUnits &m_units;
+    std::optional<std::size_t> m_column; ///< the one that headings call targets
+    const Unit *m_unit = nullptr;        ///< that a heading says
+};
+
+} // namespace
+
 std::optional<std::vector<double>> targetsFrom(const std::string &text, const Axis &axis,
                                                const DisplayUnits &units) {
     TableOptions options;
     options.comments = false;
     const CellTable table = readTable(text, options);
-    std::optional<std::size_t> column;
-    const Unit *unit = nullptr;
-    std::vector<double> targets;
-    for (const TableRow &row : table.rows()) {
-        const auto cells = table.cells(row);
-        const bool isHeading = targets.empty() && std::ranges::none_of(cells, &TableCell::isNumber);
-        for (std::size_t c = 0; c < cells.size(); ++c) {
-            const std::string_view cell = table.text(cells[c]);
-            if (cell.empty() || (!isHeading && column && c != *column))
-                continue;
-            if (isHeading) {
-                const Meaning meaning = readHeading(cell).meaning;
-                const bool isTarget = !column && (meaning == Meaning::target || meaning == Meaning::place);
-                column = isTarget ? c : column;
-                const SaidUnit said = saidUnit(cell);
-                if (said.isSaid() && (isTarget || cells.size() == 1)) {
-                    if (!said.unit || said.unit->kind != unitKindOf(axis.motion))
-                        return std::nullopt;
-                    unit = said.unit;
-                }
-                continue;
-            }
-            const QString typed = QString::fromUtf8(cell.data(), static_cast<qsizetype>(cell.size()));
-            const NumberEntry number =
-                enteredNumber(typed, unit ? Quantity::number : positionQuantity(axis), units);
-            if (!number.value)
-                return std::nullopt;
-            targets.push_back(unit ? unit->toBase(*number.value) : *number.value);
-        }
-        if (isHeading && !column && !unit && !cells.empty())
-            return std::nullopt; // words that say nothing of the numbers below
-    }
-    return targets;
+    TargetList list(table, axis, units);
+    if (!std::ranges::all_of(table.rows(), [&](const TableRow &row) { return list.take(row); }))
+        return std::nullopt;
+    return std::move(list.targets);
 }
 
 double deviationFrom(double target, double position) {

@@ -44,7 +44,7 @@ QString fixed(const QStringList &cells) {
     QString line;
     for (const QString &cell : cells)
         line += cell.leftJustified(width);
-    return line.trimmed().isEmpty() ? line : line;
+    return line;
 }
 
 } // namespace
