@@ -9155,16 +9155,12 @@
         <translation>«&#xa0;%1&#xa0;» ne dit pas le signe de ses écarts, et une table de signe contraire les double&#xa0;: %2 s’il s’agit de «&#xa0;réel − visé&#xa0;», sinon importez le fichier avec %3</translation>
     </message>
     <message>
-        <source>--confirm-sign has no effect here: the sign of the deviations is stated</source>
-        <translation>--confirm-sign est sans effet ici&#xa0;: le signe des écarts est indiqué</translation>
+        <source>--confirm-sign has no effect here: the sign of the deviations is not in doubt</source>
+        <translation>--confirm-sign est sans effet ici&#xa0;: le signe des écarts ne fait pas de doute</translation>
     </message>
     <message>
         <source>the deviations are actual − target, though the file they come from does not say it</source>
         <translation>les écarts sont «&#xa0;réel − visé&#xa0;», bien que le fichier d’origine ne le dise pas</translation>
-    </message>
-    <message>
-        <source>nothing is put before the questions are answered</source>
-        <translation>rien n’est placé avant qu’il soit répondu aux questions</translation>
     </message>
     <message>
         <source>put by target and direction, as the headings say</source>

@@ -2,16 +2,6 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
-    <name>palmer::ui::DriftPage</name>
-    <message numerus="yes">
-        <source>%n reading(s) pasted</source>
-        <translation>
-            <numerusform>%n reading pasted</numerusform>
-            <numerusform>%n readings pasted</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>palmer::ui::ReadingsPage</name>
     <message numerus="yes">
         <source>Leave out %n target(s) without readings</source>

@@ -1584,17 +1584,6 @@
         <source>Taken by: %1</source>
         <translation>Repris par&#xa0;: %1</translation>
     </message>
-    <message>
-        <source>Nothing is put before the questions are answered.</source>
-        <translation>Rien n’est placé avant qu’il soit répondu aux questions.</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n reading(s) pasted</source>
-        <translation>
-            <numerusform>%n relevé collé</numerusform>
-            <numerusform>%n relevés collés</numerusform>
-        </translation>
-    </message>
 </context>
 <context>
     <name>palmer::ui::ErrorBox</name>
@@ -3261,6 +3250,14 @@
             <numerusform>%1, %n effacé par une cellule qui n’est pas un nombre</numerusform>
             <numerusform>%1, %n effacés par des cellules qui ne sont pas des nombres</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Nothing is put before the questions are answered.</source>
+        <translation>Rien n’est placé avant qu’il soit répondu aux questions.</translation>
+    </message>
+    <message>
+        <source>Answer</source>
+        <translation>Réponse</translation>
     </message>
 </context>
 <context>

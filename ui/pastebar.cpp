@@ -11,6 +11,7 @@
 #include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -85,6 +86,7 @@ PasteBar::PasteBar(QWidget *parent)
     m_questions->setObjectName(QStringLiteral("pasteQuestions"));
 
     connect(m_questions, &RemarkList::answered, this, &PasteBar::answered);
+    connect(m_questions, &RemarkList::answerWanted, this, &PasteBar::askFor);
     connect(m_marks, &QButtonGroup::idClicked, this,
             [this](int mark) { emit decimalMarkChosen(static_cast<DecimalMark>(mark)); });
     connect(m_content, &QComboBox::activated, this,
@@ -97,7 +99,7 @@ PasteBar::PasteBar(QWidget *parent)
 
 void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, const Language &language,
                     bool canUndo) {
-    QString summary = tr("%n reading(s) pasted", nullptr, static_cast<int>(pasted.readings));
+    QString summary = PasteBar::pasted(pasted.readings, pasted.questions);
     if (pasted.targets > 0)
         summary = tr("%1 and %n target(s)", "readings pasted", static_cast<int>(pasted.targets)).arg(summary);
     if (const std::size_t byNothing = pasted.erased - pasted.erasedByWords; byNothing > 0)
@@ -130,10 +132,14 @@ void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, cons
     m_content->setCurrentIndex(static_cast<int>(content)); // −1: in a unit that is none of the choices
 }
 
-void PasteBar::say(const QString &summary, const QStringList &remarks,
-                   const std::vector<ImportChoice> &choices, const std::vector<Question> &questions,
-                   bool canUndo) {
-    m_summary->setText(summary);
+QString PasteBar::pasted(std::size_t readings, const std::vector<Question> &questions) {
+    return questions.empty() ? tr("%n reading(s) pasted", nullptr, static_cast<int>(readings))
+                             : tr("Nothing is put before the questions are answered.");
+}
+
+void PasteBar::say(std::size_t readings, const QStringList &remarks, const std::vector<ImportChoice> &choices,
+                   const std::vector<Question> &questions, bool canUndo) {
+    m_summary->setText(pasted(readings, questions));
     for (QWidget *part : std::initializer_list<QWidget *>{m_guess, m_comma, m_point, m_content})
         part->hide();
     while (QLayoutItem *item = m_boxes->takeAt(0)) {
@@ -163,6 +169,19 @@ void PasteBar::addBox(const ImportChoice &choice) {
         emit answered(name, box->currentData().toString());
     });
     m_boxes->addWidget(box);
+}
+
+/// An answer that no list has: it is typed.
+void PasteBar::askFor(const QString &key) {
+    const ImportKey *found = findImportKey(key.toStdString());
+    auto *dialog = new QInputDialog(this);
+    dialog->setObjectName(QStringLiteral("answerDialog"));
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Answer"));
+    dialog->setLabelText(found ? windowLanguage().text(found->name) : key);
+    connect(dialog, &QInputDialog::textValueSelected, this,
+            [this, key](const QString &word) { emit answered(key, word.trimmed()); });
+    dialog->open();
 }
 
 void PasteBar::showRemarks(const QStringList &remarks, const std::vector<Question> &questions, bool canUndo) {

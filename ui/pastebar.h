@@ -28,9 +28,9 @@ public:
     explicit PasteBar(QWidget *parent = nullptr);
 
     void show(const PastedBlock &pasted, const BlockChoices &choices, const Language &language, bool canUndo);
-    /// Of any other paste: what it did, the choices that can be changed (units), and the questions to be
-    /// answered before anything is taken.
-    void say(const QString &summary, const QStringList &remarks, const std::vector<ImportChoice> &choices,
+    /// The same for another table: `choices` can be changed (units); `questions` are to be answered before
+    /// anything is put.
+    void say(std::size_t readings, const QStringList &remarks, const std::vector<ImportChoice> &choices,
              const std::vector<Question> &questions, bool canUndo);
 
 signals:
@@ -45,6 +45,8 @@ protected:
 
 private:
     void retranslate();
+    [[nodiscard]] static QString pasted(std::size_t readings, const std::vector<Question> &questions);
+    void askFor(const QString &key);
     void showRemarks(const QStringList &remarks, const std::vector<Question> &questions, bool canUndo);
     void addBox(const ImportChoice &choice);
 

@@ -200,7 +200,7 @@ void demandSign(const Test &test, bool isConfirmed) {
     const ImportedFile *file = fileOfAssumedSign(test);
     if (isConfirmed && !file)
         throw UsageError({REPORT_TEXT(
-            "report", "--confirm-sign has no effect here: the sign of the deviations is stated")});
+            "report", "--confirm-sign has no effect here: the sign of the deviations is not in doubt")});
     if (file && !isConfirmed)
         throw UsageError(
             {REPORT_TEXT("report",

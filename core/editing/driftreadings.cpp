@@ -42,14 +42,13 @@ PastedDrift driftReadingsFrom(const std::string &pasted, Motion motion, const Di
     ImportOptions known{
         {"kind", "drift"}, {"layout", "series"}, {"motion", motion == Motion::linear ? "linear" : "rotary"}};
     known.insert(answers.begin(), answers.end());
-    Imported imported = readPastedTable(pasted, known, usualUnits(motion, units));
+    const Imported imported = readPastedTable(pasted, known, usualUnits(motion, units));
     PastedDrift result;
-    std::ranges::copy_if(imported.questions, std::back_inserter(result.questions),
-                         [](const Question &question) { return !question.canBeAssumed(); });
+    result.questions = doubtsOf(imported);
     std::ranges::copy_if(imported.choices, std::back_inserter(result.units), [](const ImportChoice &choice) {
         return choice.key == "unit" || choice.key == "timeUnit";
     });
-    result.remarks = std::move(imported.remarks);
+    result.remarks = remarksOfPaste(imported);
     const auto &drift = std::get<DriftMeasurement>(imported.test->measurement);
     if (drift.axis.motion != motion)
         throw Error(Error::Kind::content,

@@ -33,7 +33,7 @@ struct PastedDrift {
     std::vector<DriftReading> readings;
     std::vector<ImportChoice> units; ///< that they were read in
     std::vector<Question> questions; ///< to be answered before they are taken
-    std::vector<Remark> remarks;
+    std::vector<Message> remarks;
 };
 
 /// A table of times and deviations, read as a file is; where it says no units, times are in s and deviations

@@ -7,6 +7,7 @@
 #include <QByteArray>
 #include <algorithm>
 #include <array>
+#include <iterator>
 
 namespace palmer {
 
@@ -31,14 +32,35 @@ Imported readPastedTable(const std::string &text, ImportOptions known, const Imp
     known.insert({"format", "table"});
     Imported imported = importMeasurement(QByteArray::fromStdString(text), {}, known, usual);
     const auto isOfTest = [](std::string_view choice) {
-        constexpr std::array<std::string_view, 6> ofTest{"calibrated", "correctionTo20", "plane",
-                                                         "axis",       "sign",           "motion"};
+        constexpr std::array<std::string_view, 5> ofTest{"calibrated", "correctionTo20", "plane", "axis",
+                                                         "motion"};
         return std::ranges::find(ofTest, choice) != ofTest.end();
     };
     std::erase_if(imported.questions,
                   [&](const Question &question) { return isOfTest(question.id) && question.canBeAssumed(); });
-    std::erase_if(imported.remarks, [&](const Remark &remark) { return isOfTest(remark.choice); });
+    std::erase_if(imported.remarks,
+                  [&](const Remark &remark) { return isOfTest(remark.choice) || remark.choice == "sign"; });
     return imported;
+}
+
+std::vector<Message> remarksOfPaste(const Imported &imported) {
+    std::vector<Message> remarks;
+    for (const Remark &remark : imported.remarks) {
+        if (remark.grade != RemarkGrade::note)
+            remarks.push_back(remark.message);
+    }
+    for (const Question &question : imported.questions) {
+        if (question.canBeAssumed())
+            remarks.push_back(question.sentence);
+    }
+    return remarks;
+}
+
+std::vector<Question> doubtsOf(const Imported &imported) {
+    std::vector<Question> doubts;
+    std::ranges::copy_if(imported.questions, std::back_inserter(doubts),
+                         [](const Question &question) { return !question.canBeAssumed(); });
+    return doubts;
 }
 
 } // namespace palmer

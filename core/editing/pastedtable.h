@@ -7,6 +7,7 @@
 #include "language/units.h"
 
 #include <string>
+#include <vector>
 
 namespace palmer {
 
@@ -14,9 +15,15 @@ namespace palmer {
 [[nodiscard]] ImportOptions usualUnits(Motion motion, const DisplayUnits &units);
 
 /// A table that is pasted into an open test, read as a file is. `known` holds whatever it says, `usual` where
-/// it says nothing; what only a test states as a whole (correction to 20 °C, axis, sign …) is neither asked
-/// nor remarked. Throws Error as importMeasurement does.
+/// it says nothing; what only a test states as a whole (correction to 20 °C, axis …) is neither asked nor
+/// remarked. A sign is asked where the table speaks of it. Throws Error as importMeasurement does.
 [[nodiscard]] Imported readPastedTable(const std::string &text, ImportOptions known,
                                        const ImportOptions &usual = {});
+
+/// What is to be said of it: what could not be used, and what was assumed.
+[[nodiscard]] std::vector<Message> remarksOfPaste(const Imported &imported);
+
+/// The questions that want an answer of their own: nothing is put before.
+[[nodiscard]] std::vector<Question> doubtsOf(const Imported &imported);
 
 } // namespace palmer

@@ -202,10 +202,9 @@ private:
         if (m_choices.decimalMark)
             known["decimalMark"] = *m_choices.decimalMark == DecimalMark::point ? "point" : "comma";
         known.insert(m_choices.answers.begin(), m_choices.answers.end());
-        ImportOptions usual = usualUnits(m_result.measurement.axis.motion, m_choices.units);
-        usual["content"] = m_choices.content == BlockContent::positions ? "positions" : "deviations";
         try {
-            Imported imported = readPastedTable(m_table.text(), known, usual);
+            Imported imported = readPastedTable(
+                m_table.text(), known, usualUnits(m_result.measurement.axis.motion, m_choices.units));
             const auto &block = std::get<PositioningMeasurement>(imported.test->measurement);
             const bool movesTargets = m_place.column < firstRunOfBlock && !isBare();
             if (!movesTargets ||
@@ -219,12 +218,11 @@ private:
     /// Each run of the block into the next column of its direction, each reading to its target; nothing where
     /// the block wants an answer first.
     void putNamed(const Imported &imported) {
-        for (const Question &question : imported.questions) {
-            if (!question.canBeAssumed())
-                m_result.questions.push_back(question);
-        }
+        m_result.questions = doubtsOf(imported);
+        m_result.remarks.clear(); // its lines of headings are not left out
         if (!m_result.questions.empty())
             return;
+        m_result.remarks = remarksOfPaste(imported);
         const auto &block = std::get<PositioningMeasurement>(imported.test->measurement);
         const std::vector<std::optional<std::size_t>> targets = placesOf(block.targets);
         const bool areStated = std::ranges::none_of(
@@ -256,10 +254,13 @@ private:
         return static_cast<std::ptrdiff_t>(std::min(first, m_place.runs.size()));
     }
 
+    /// Whether nothing was entered yet.
     [[nodiscard]] bool isBare() const {
-        return std::ranges::all_of(m_result.measurement.runs, [](const Run &run) {
-            return std::ranges::none_of(run.deviations, [](const auto &each) { return each.has_value(); });
-        });
+        const PositioningMeasurement &m = m_result.measurement;
+        return m.refused.empty() && m.excluded.empty() && std::ranges::all_of(m.runs, [](const Run &run) {
+                   return std::ranges::none_of(run.deviations,
+                                               [](const auto &each) { return each.has_value(); });
+               });
     }
 
     /// Which target of the test that is; null: none.
@@ -413,8 +414,6 @@ private:
             return Number{static_cast<double>(number), Quantity::count, 0};
         };
         auto &remarks = m_result.remarks;
-        if (!m_result.questions.empty())
-            remarks.push_back({REPORT_TEXT("report", "nothing is put before the questions are answered")});
         for (const Unit *unit : m_units)
             remarks.push_back(
                 {REPORT_TEXT("report", "read in %1, as the heading says"), {std::string(unit->sign)}});

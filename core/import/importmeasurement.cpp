@@ -317,9 +317,9 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
         return;
     }
     Test test = std::move(*imported.test);
-    const auto sign = std::ranges::find(imported.choices, "sign", &ImportChoice::key);
-    if (std::holds_alternative<PositioningMeasurement>(test.measurement) && sign != imported.choices.end() &&
-        sign->origin == Origin::guessed)
+    // Remarked, not asked: nothing says it.
+    if (std::holds_alternative<PositioningMeasurement>(test.measurement) &&
+        std::ranges::find(imported.remarks, "sign", &Remark::choice) != imported.remarks.end())
         file.signAssumed = true;
     test.id = freeId(wishedId(test), document.tests);
     test.imports = {file};

@@ -106,14 +106,15 @@ private:
         const std::size_t begin = m_at;
         while (m_at < m_rtf.size() && m_rtf[m_at] >= 'a' && m_rtf[m_at] <= 'z')
             ++m_at;
-        if (m_at == begin)
-            ++m_at; // a sign
+        const bool isWord = m_at > begin;
+        if (!isWord)
+            ++m_at; // a sign, which has no number
         const std::string_view word = m_rtf.substr(begin, m_at - begin);
         int number = 0;
         const auto [end, error] = std::from_chars(m_rtf.data() + m_at, m_rtf.data() + m_rtf.size(), number);
-        if (error == std::errc() && word.front() >= 'a')
+        if (isWord && error == std::errc())
             m_at = static_cast<std::size_t>(end - m_rtf.data());
-        if (word.front() >= 'a' && m_at < m_rtf.size() && m_rtf[m_at] == ' ')
+        if (isWord && m_at < m_rtf.size() && m_rtf[m_at] == ' ')
             ++m_at;
         take(word, number);
     }

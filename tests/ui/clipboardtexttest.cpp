@@ -49,6 +49,7 @@ private slots:
             << QByteArray("{\\rtf1 0\\tab 1.5\\par 10\\tab 2\\par}") << "0\t1.5\n10\t2\n";
         QTest::newRow("signs") << QByteArray("{\\rtf1 \\{a\\}\\~b\\_c\\emdash\\uc2\\u181?xd}")
                                << "{a}\u00A0b-c—µd";
+        QTest::newRow("a number behind a sign") << QByteArray("{\\rtf1 1\\~000,5\\_2}") << "1\u00A0000,5-2";
         QTest::newRow("what says nothing")
             << QByteArray("{\\rtf1{\\info{\\author 7}}{\\*\\generator 1}{\\pict 89504e}{\\header 3}12}")
             << "12";

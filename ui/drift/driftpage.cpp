@@ -267,30 +267,28 @@ void DriftPage::paste() {
 
 /// Also once more, with another answer: in the place of what was pasted.
 void DriftPage::takePasted() {
-    const Test *shown = test();
-    if (!shown)
+    if (!test())
         return;
+    const Motion motion = motionOf(*test()); // an undo shows another document
     QUndoStack &stack = *m_model.undoStack();
     const bool isAgain = m_pasteIndex == stack.index() && !m_answers.empty();
     m_pasteIndex = -1;
     if (isAgain)
         stack.undo();
     try {
-        const PastedDrift pasted =
-            driftReadingsFrom(m_pasted, motionOf(*shown), m_language.units(), m_answers);
+        const PastedDrift pasted = driftReadingsFrom(m_pasted, motion, m_language.units(), m_answers);
         QStringList remarks;
-        for (const Remark &remark : pasted.remarks) {
-            if (remark.grade == RemarkGrade::problem)
-                remarks << m_language.sentence(remark.message);
-        }
-        QString summary = tr("Nothing is put before the questions are answered.");
+        for (const Message &remark : pasted.remarks)
+            remarks << m_language.sentence(remark);
+        std::size_t readings = 0;
         if (pasted.questions.empty()) {
+            const int before = stack.index();
             write(m_pastedRow, pasted.readings, QT_TRANSLATE_NOOP("edits", "paste readings"));
-            m_pasteIndex = stack.index();
-            summary = tr("%n reading(s) pasted", nullptr, static_cast<int>(pasted.readings.size()));
+            m_pasteIndex = stack.index() == before ? -1 : stack.index(); // what changes nothing is no step
+            readings = pasted.readings.size();
         }
         m_reason->hide();
-        pasteBar().say(summary, remarks, pasted.units, pasted.questions, m_pasteIndex > 0);
+        pasteBar().say(readings, remarks, pasted.units, pasted.questions, m_pasteIndex > 0);
     } catch (const Error &error) {
         hidePasteBar();
         showReason(m_language.sentence(error.message) + u'.');

@@ -369,7 +369,7 @@ Document ImportAssistant::destination() const {
 /// What puts the measurement into a document, on any thread; it holds no more than that needs.
 std::function<std::variant<Document, Error>(Document)> ImportAssistant::taking() const {
     Imported taken; // all but the table as it was read and the test, which may be large
-    taken.choices = m_file.imported.choices;
+    taken.remarks = m_file.imported.remarks;
     taken.sensors = m_file.imported.sensors;
     taken.gradientPerHour = m_file.imported.gradientPerHour;
     taken.seriesStart = m_file.imported.seriesStart;
@@ -510,7 +510,7 @@ void ImportAssistant::choose(const std::string &key, const std::string &value) {
     takeOptions(std::move(options));
 }
 
-/// Of several tables of a text the one that stands there.
+/// Reads the table that stands there, where a text has several.
 void ImportAssistant::readTableAt(const QModelIndex &place) {
     const auto table = m_raw.tableAt(place.row());
     if (!table || m_raw.isRead(*table))

@@ -46,7 +46,7 @@ public:
     [[nodiscard]] std::vector<RawPiece> pieces(int row) const;
     [[nodiscard]] std::size_t lineNumber(int row) const; ///< of the file, from 1
     [[nodiscard]] bool isProblem(int row) const;
-    /// Of several tables the one that stands in a row, from 0; none between them, and where there is but one.
+    /// Which table of a text that has several a row belongs to, from 0; null: none, or there is but one.
     [[nodiscard]] std::optional<std::size_t> tableAt(int row) const;
     [[nodiscard]] bool isRead(std::size_t table) const { return table == m_imported->readTable; }
     /// The row that shows a line of the file; -1 for none.

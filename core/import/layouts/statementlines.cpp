@@ -15,7 +15,7 @@ namespace palmer {
 
 namespace {
 
-/// What stands apart in a line. Of columns parted by blanks: by two of them.
+/// A part of a line: a cell, or in columns parted by blanks what stands between two blanks and more.
 struct Entry {
     std::string_view text;
     CellKind kind = CellKind::text;
@@ -57,7 +57,8 @@ std::size_t count(const Entries &entries, CellKind kind) {
 
 /// Rows without an empty line between them.
 struct Paragraph {
-    std::vector<std::size_t> rows; ///< no comments
+    std::vector<std::size_t> rows;   ///< no comments
+    std::vector<std::size_t> titles; ///< of these: texts without a number
     std::size_t numbers = 0;
 };
 
@@ -71,9 +72,12 @@ std::vector<Paragraph> paragraphsOf(const CellTable &table) {
         last = row.line;
         if (row.comment)
             continue;
+        const auto cells = table.cells(row);
+        const auto numbers = std::ranges::count(cells, CellKind::number, &TableCell::kind);
         paragraphs.back().rows.push_back(i);
-        paragraphs.back().numbers += static_cast<std::size_t>(
-            std::ranges::count(table.cells(row), CellKind::number, &TableCell::kind));
+        paragraphs.back().numbers += static_cast<std::size_t>(numbers);
+        if (numbers == 0 && !cells.empty() && cells.front().kind == CellKind::text)
+            paragraphs.back().titles.push_back(i);
     }
     std::erase_if(paragraphs, [](const Paragraph &paragraph) { return paragraph.rows.empty(); });
     return paragraphs;
@@ -168,11 +172,7 @@ private:
         const HeadingWords words = readHeading(label);
         const bool isAxis = words.axis != 0 && words.unknownWords == 0 && words.meaning != Meaning::other;
         for (std::size_t p = m_at + 1; p < m_paragraphs.size(); ++p) {
-            for (const std::size_t i : m_paragraphs[p].rows) {
-                const auto cells = m_table.cells(m_table.rows()[i]);
-                if (cells.front().kind != CellKind::text ||
-                    std::ranges::find(cells, CellKind::number, &TableCell::kind) != cells.end())
-                    continue;
+            for (const std::size_t i : m_paragraphs[p].titles) {
                 const std::string_view text = entries(i).front().text;
                 if (text == label || (isAxis && readHeading(text).axis != 0))
                     return true;

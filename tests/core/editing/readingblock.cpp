@@ -139,8 +139,7 @@ private slots:
         row("first column alone", "run 1 [mm]\trun 2\n0.0015\t0.003\n-0.002\t0", 2, "mm");
         row("each its own", "mm\tµm\n0.0015\t3\n-0.002\t0", 2, "");
         row("targets in mm", "P (mm)\tDev\n0\t1.5\n150.71\t-2", 1, "");
-        row("targets in m, put on the first reading", "P (m)\tDev (mm)\n0\t0.0015\n0.15071\t-0.002",
-            2, "mm");
+        row("targets in m, put on the first reading", "P (m)\tDev (mm)\n0\t0.0015\n0.15071\t-0.002", 2, "mm");
     }
     void readsTheUnitsOfTheHeading() {
         QFETCH(const std::string, text);
@@ -259,6 +258,60 @@ private slots:
             QVERIFY(pasted.measurement == m);
             QCOMPARE(pasted.remarks.size(), std::size_t{1});
         }
+    }
+
+    /// Lines and columns in any order, targets down or across: each reading goes where the headings say.
+    void namedBlocksGoByTargetAndDirection() {
+        PositioningMeasurement m;
+        m.axis.name = "X";
+        m.targets = {0, 100, 200};
+        m.runs = {{Direction::positive, {{}, {}, {}}}, {Direction::negative, {{}, {}, {}}}};
+        const auto values = [](const PastedBlock &pasted, std::size_t run) {
+            std::vector<double> micrometres;
+            for (const auto &deviation : pasted.measurement.runs[run].deviations)
+                micrometres.push_back(deviation ? std::round(*deviation * 1e7) / 1e4 : -1);
+            return micrometres;
+        };
+        for (const char *text : {"Position (mm)\t↓ (µm)\t↑ (µm)\n200\t6\t5\n0\t2\t1\n100\t4\t3\n",
+                                 "Position (mm)\t0\t100\t200\n1 ↑ (µm)\t1\t3\t5\n1 ↓ (µm)\t2\t4\t6\n"}) {
+            const PastedBlock pasted = pasteBlock(m, text, at(0, 2, m), {});
+            QCOMPARE(values(pasted, 0), (std::vector<double>{1, 3, 5}));
+            QCOMPARE(values(pasted, 1), (std::vector<double>{2, 4, 6}));
+            QVERIFY(pasted.questions.empty() && pasted.left == 0);
+        }
+        // A run and a target that the test does not have are counted and put nowhere.
+        m.runs[0].deviations[0] = 0.009;
+        const PastedBlock more = pasteBlock(m,
+                                            "Position (mm)\t1 ↑ (µm)\t1 ↓ (µm)\t2 ↑ (µm)\t2 ↓ (µm)\n"
+                                            "0\t1\t2\t1.5\t2.5\n150\t3\t4\t3.5\t4.5\n",
+                                            at(0, 2, m), {});
+        QCOMPARE(values(more, 0), (std::vector<double>{1, -1, -1}));
+        QCOMPARE(values(more, 1), (std::vector<double>{2, -1, -1}));
+        QCOMPARE(more.left, std::size_t{6});
+        QCOMPARE(more.measurement.targets, m.targets);
+    }
+
+    /// What a file would be doubted for is asked, and nothing is put; what it says of the sign is said.
+    void namedBlocksAskWhatAFileWouldAsk() {
+        PositioningMeasurement m;
+        m.axis.name = "X";
+        m.targets = {0, 100};
+        m.runs = {{Direction::positive, {{}, {}}}, {Direction::negative, {{}, {}}}};
+        const char *volts = "Position (mm)\t↑ (V)\t↓ (V)\n0\t1\t2\n100\t3\t4\n";
+        const PastedBlock asked = pasteBlock(m, volts, at(0, 2, m), {});
+        QVERIFY(!asked.questions.empty());
+        QCOMPARE(asked.measurement, m);
+        BlockChoices answered;
+        answered.answers["unit"] = "um";
+        QCOMPARE(pasteBlock(m, volts, at(0, 2, m), answered).measurement.runs[1].deviations[1].value(),
+                 0.004);
+        const PastedBlock turned = pasteBlock(
+            m, "Deviation = target - actual\n\nPosition (mm)\t↑ (µm)\t↓ (µm)\n0\t1\t2\n100\t3\t4\n",
+            at(0, 2, m), {});
+        QCOMPARE(turned.measurement.runs[0].deviations[1].value(), -0.003);
+        QVERIFY(std::ranges::any_of(turned.remarks, [](const Message &remark) {
+            return QString::fromUtf8(remark.text.source).startsWith("Sign: the file says");
+        }));
     }
 };
 

@@ -13,7 +13,9 @@
 #include <QAction>
 #include <QApplication>
 #include <QClipboard>
+#include <QComboBox>
 #include <QLabel>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QTableView>
 #include <QTest>
@@ -201,6 +203,50 @@ private slots:
         QTest::keyClick(edited.table, Qt::Key_V, Qt::ControlModifier);
         QCOMPARE(edited.drift().times.size(), std::size_t{5});
         QVERIFY(edited.page.findChild<QLabel *>("driftReason")->isVisible());
+    }
+
+    /// The bar says in which units a paste was read; another one pastes anew, and Undo takes back that alone.
+    void theBarChangesAPasteAndTakesItBack() {
+        Edited edited;
+        const DriftMeasurement before = edited.drift();
+        const auto paste = [&](const char *text) {
+            edited.table->setCurrentIndex(edited.table->model()->index(0, 0));
+            QGuiApplication::clipboard()->setText(text);
+            QTest::keyClick(edited.table, Qt::Key_V, Qt::ControlModifier);
+        };
+        const auto pick = [&](const char *box, const char *word) {
+            auto *words = edited.page.findChild<QComboBox *>(box);
+            words->setCurrentIndex(words->findData(word));
+            emit words->activated(words->currentIndex());
+            QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+        };
+        const auto bar = [&](const char *name) { return edited.page.findChild<QWidget *>(name); };
+        paste("Time (min)\tDeviation (mm)\n0\t0.001\n1\t0.004");
+        QCOMPARE(edited.drift().times[1], 60.0);
+        QCOMPARE(edited.drift().deviations[1], 0.004);
+        QVERIFY(bar("pasteBar")->isVisible() && bar("pasteUndo")->isVisible());
+        pick("paste.unit", "um");
+        QCOMPARE(edited.drift().deviations[1], 0.000004);
+        pick("paste.timeUnit", "h");
+        QCOMPARE(edited.drift().times[1], 3600.0);
+        QTest::mouseClick(bar("pasteUndo"), Qt::LeftButton);
+        QCOMPARE(edited.drift(), before);
+        edited.model.edit("a step before", [](Document &document) { document.machine.name = "M"; });
+        paste("Time (s)\tDeviation (µm)\n0\t1\n60\t3");
+        const DriftMeasurement pasted = edited.drift();
+        paste("Time (s)\tDeviation (µm)\n0\t1\n60\t3"); // changes nothing: no step of its own
+        QCOMPARE(edited.drift(), pasted);
+        QVERIFY(!bar("pasteUndo")->isVisible());
+        // What is doubted is asked, and nothing is put; an answer that is no word of a list is typed.
+        paste("0\t0\t5\n1\t60\t6\n2\t120\t7");
+        QCOMPARE(edited.drift(), pasted);
+        QVERIFY(bar("pasteQuestions")->isVisible());
+        auto *confirm = edited.page.findChild<QPushButton *>("confirm.columns");
+        QVERIFY(confirm);
+        QTest::mouseClick(confirm, Qt::LeftButton);
+        QCOMPARE(edited.drift().times[2], 120.0);
+        QCOMPARE(edited.drift().deviations[2], 0.007);
+        QVERIFY(!bar("pasteQuestions")->isVisible());
     }
 
     void theWindowShowsPageAndCurve() {
