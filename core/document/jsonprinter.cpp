@@ -9,51 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 
 namespace palmer {
-
-namespace {
-
-/// A number below 10⁸ with all eight digits, the first in the lowest byte: pairs, then digits at once.
-std::uint64_t eightDigits(std::uint64_t number) {
-    const std::uint64_t fours = number / 10000 | number % 10000 << 32U;
-    const std::uint64_t hundreds = fours * 10486 >> 20U & 0x0000007F0000007FU; // each / 100
-    const std::uint64_t pairs = hundreds | (fours - 100 * hundreds) << 16U;
-    const std::uint64_t tens = pairs * 103 >> 10U & 0x000F000F000F000FU; // each / 10
-    return tens | (pairs - 10 * tens) << 8U;
-}
-
-/// The digits of a number with at most seven decimals, as those of readings, or null: a whole number of such
-/// parts below 10¹⁵ is the shortest decimal that says the double nearest to it.
-char *printParts(double size, char *text) {
-    constexpr std::int64_t parts = 10'000'000;
-    constexpr double scale = parts;
-    if (!(size < 1e8))
-        return nullptr;
-    // NOLINTNEXTLINE(bugprone-incorrect-roundings): the next line refuses what is rounded wrong
-    const auto whole = static_cast<std::int64_t>(size * scale + 0.5);
-    if (static_cast<double>(whole) / scale != size)
-        return nullptr;
-    constexpr std::size_t longest = 9;
-    char *at = std::to_chars(text, text + longest, whole / parts).ptr;
-    const std::uint64_t digits = eightDigits(static_cast<std::uint64_t>(whole % parts) * 10);
-    if (digits == 0)
-        return at;
-    *at++ = '.';
-    const std::uint64_t signs = digits | 0x3030303030303030U;
-    if constexpr (std::endian::native == std::endian::little) { // the lowest byte is the first: one store
-        std::memcpy(at, &signs, sizeof signs);
-    } else {
-        for (unsigned i = 0; i < sizeof signs; ++i)
-            at[i] = static_cast<char>(signs >> 8 * i & 0xFFU);
-    }
-    return at + (8 - std::countl_zero(digits) / 8);
-}
-
-} // namespace
 
 void JsonPrinter::number(double value, const Place &place) {
     if (!std::isfinite(value))
@@ -63,15 +21,13 @@ void JsonPrinter::number(double value, const Place &place) {
     constexpr std::size_t longest = 64;
     char *const begin = room(longest);
     const double size = std::abs(value);
-    *begin = '-';
-    char *end = printParts(size, begin + (value < 0 ? 1 : 0));
-    if (!end) {
-        // Positions and deviations as people write them; an exponent only beyond.
-        const bool plain = size >= 1e-7 && size < 1e15;
-        end = std::to_chars(begin, begin + longest, value,
-                            plain ? std::chars_format::fixed : std::chars_format::scientific)
-                  .ptr;
-    }
+    if (value == 0)
+        value = 0; // without a sign
+    // Positions and deviations as people write them; an exponent only beyond.
+    const bool plain = value == 0 || (size >= 1e-7 && size < 1e15);
+    const char *const end = std::to_chars(begin, begin + longest, value,
+                                          plain ? std::chars_format::fixed : std::chars_format::scientific)
+                                .ptr;
     m_size += static_cast<std::size_t>(end - begin);
 }
 

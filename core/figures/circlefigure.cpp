@@ -20,6 +20,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 #include <string_view>
 
 namespace palmer {
@@ -110,7 +111,7 @@ struct CircleSource {
     }
 };
 
-PathProfile profile(const Arc &arc, const RisingIndices &source, PointsView points, Point centre,
+PathProfile profile(const Arc &arc, const std::vector<std::size_t> &source, PointsView points, Point centre,
                     double nominalRadius) {
     PathProfile result;
     result.sense = arc.sense;
@@ -126,54 +127,54 @@ PathProfile profile(const Arc &arc, const RisingIndices &source, PointsView poin
     constexpr std::size_t few = 512;
     std::array<double, few> angles{};
     std::array<double, few> deviations{};
-    for (const RisingIndices::Stretch &stretch : source.stretches()) {
-        for (std::size_t begin = 0; begin < stretch.size; begin += few) {
-            const std::size_t size = std::min(few, stretch.size - begin);
-            const std::size_t place = stretch.place + begin;
-            const double *const commanded = arc.angles.data() + stretch.first + begin;
-            aboutCentre({points.x.subspan(place, size), points.y.subspan(place, size)}, centre,
-                        std::span(angles).first(size), std::span(deviations).first(size));
-            for (std::size_t i = 0; i < size; ++i) {
-                angles[i] = commanded[i] + angles[i];
-                deviations[i] = (deviations[i] - nominalRadius) * micrometresPerMillimetre;
-            }
-            result.angles.insert(result.angles.end(), angles.data(), angles.data() + size);
-            result.deviations.insert(result.deviations.end(), deviations.data(), deviations.data() + size);
+    for (std::size_t begin = 0; begin < source.size(); begin += few) {
+        const std::size_t size = std::min(few, source.size() - begin);
+        aboutCentre({points.x.subspan(begin, size), points.y.subspan(begin, size)}, centre,
+                    std::span(angles).first(size), std::span(deviations).first(size));
+        for (std::size_t i = 0; i < size; ++i) {
+            angles[i] += arc.angles[source[begin + i]];
+            deviations[i] = (deviations[i] - nominalRadius) * micrometresPerMillimetre;
         }
+        result.angles.insert(result.angles.end(), angles.data(), angles.data() + size);
+        result.deviations.insert(result.deviations.end(), deviations.data(), deviations.data() + size);
     }
     return result;
 }
 
 /// As it was read: about the centre of the set-up.
-PathProfile profileAsRead(const Arc &arc, const RisingIndices &source) {
+PathProfile profileAsRead(const Arc &arc, const std::vector<std::size_t> &source) {
     PathProfile result;
     result.sense = arc.sense;
     result.sampleInterval = arc.sampleInterval;
     result.source = source;
-    for (std::size_t place = 0; place < source.size(); ++place) {
-        const std::size_t i = source[place];
+    for (const std::size_t i : source) {
         result.angles.push_back(arc.angles[i]);
         result.deviations.push_back(arc.radialDeviations[i] * micrometresPerMillimetre);
     }
     return result;
 }
 
-RisingIndices evaluatedPoints(const Arc &arc) {
-    RisingIndices result;
+std::vector<std::size_t> allIndices(std::size_t size) {
+    std::vector<std::size_t> result(size);
+    std::iota(result.begin(), result.end(), std::size_t(0));
+    return result;
+}
+
+std::vector<std::size_t> evaluatedPoints(const Arc &arc) {
+    std::vector<std::size_t> result;
     const auto range = iso230_4::evaluatedRange(arc);
     for (std::size_t i = 0; range && i < arc.angles.size(); ++i) {
         if (arc.angles[i] >= range->from && arc.angles[i] <= range->to)
-            result.add(i);
+            result.push_back(i);
     }
     return result;
 }
 
 /// The points of a further arc as those of the evaluated ones are made.
-Points pointsOf(const Arc &arc, const RisingIndices &source, const CircleSource &from) {
+Points pointsOf(const Arc &arc, const std::vector<std::size_t> &source, const CircleSource &from) {
     std::vector<double> angles;
     std::vector<double> distances;
-    for (std::size_t place = 0; place < source.size(); ++place) {
-        const std::size_t i = source[place];
+    for (const std::size_t i : source) {
         angles.push_back(arc.angles[i]);
         distances.push_back(from.measurement.nominalRadius + arc.radialDeviations[i]);
     }
@@ -183,10 +184,10 @@ Points pointsOf(const Arc &arc, const RisingIndices &source, const CircleSource 
 }
 
 /// Each to its index.
-void put(const Points &points, const RisingIndices &source, Points &all) {
-    for (const auto &[first, size, place] : source.stretches()) {
-        std::copy_n(points.x.data() + place, size, all.x.data() + first);
-        std::copy_n(points.y.data() + place, size, all.y.data() + first);
+void put(const Points &points, const std::vector<std::size_t> &source, Points &all) {
+    for (std::size_t place = 0; place < source.size(); ++place) {
+        all.x[source[place]] = points.x[place];
+        all.y[source[place]] = points.y[place];
     }
 }
 
@@ -196,16 +197,16 @@ Points allPoints(const Arc &arc, std::size_t index, const CircleSource &from) {
     result.x.resize(arc.angles.size());
     result.y.resize(arc.angles.size());
     const auto path = std::ranges::find(from.results.paths, index, &EvaluatedPath::arc);
-    RisingIndices others;
+    std::vector<std::size_t> others;
     std::size_t next = 0; // behind the evaluated ones
     const auto leaveUpTo = [&](std::size_t end) {
         for (; next < end; ++next)
-            others.add(next);
+            others.push_back(next);
     };
     if (path != from.results.paths.end()) {
-        for (const RisingIndices::Stretch &stretch : path->source.stretches()) {
-            leaveUpTo(stretch.first);
-            next += stretch.size;
+        for (const std::size_t evaluated : path->source) {
+            leaveUpTo(evaluated);
+            ++next;
         }
         put(path->points, path->source, result);
     }
@@ -245,7 +246,7 @@ std::vector<PathProfile> profilesOf(const CircleSource &source) {
         return result;
     for (const std::size_t k : source.results.repetitions) {
         const Arc &arc = measurement.arcs[k];
-        const RisingIndices points = evaluatedPoints(arc);
+        const std::vector<std::size_t> points = evaluatedPoints(arc);
         if (!source.shows(arc.sense) || points.empty())
             continue;
         result.push_back(source.aboutSetUp() ? profileAsRead(arc, points)
@@ -701,9 +702,9 @@ PathProfile wholeArc(const Test &test, const TestEvaluation &evaluation, std::si
     const Arc &measured = source.measurement.arcs[arc];
     const CircleResult *circle =
         source.results.circle(iso230_4::circleOf(measured.sense), ReferenceCircle::leastSquares);
-    PathProfile result = profile(measured, RisingIndices::upTo(measured.angles.size()),
-                                 allPoints(measured, arc, source).view(), circle ? circle->centre : Point{},
-                                 source.measurement.nominalRadius);
+    PathProfile result =
+        profile(measured, allIndices(measured.angles.size()), allPoints(measured, arc, source).view(),
+                circle ? circle->centre : Point{}, source.measurement.nominalRadius);
     finish(result, source, arc);
     return result;
 }

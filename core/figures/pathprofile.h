@@ -5,7 +5,6 @@
 #include "figures/figure.h"
 #include "kernel/evaluation/testevaluation.h"
 #include "kernel/measurement/test.h"
-#include "kernel/numerics/risingindices.h"
 
 #include <optional>
 #include <vector>
@@ -26,7 +25,7 @@ struct PathProfile {
     std::size_t arc = 0;                  ///< index in the measurement
     std::vector<double> angles;           ///< degrees, unwrapped
     std::vector<double> deviations;       ///< distance from the centre − nominal radius (+ C for F), µm
-    RisingIndices source;                 ///< of each point: its index in the arc
+    std::vector<std::size_t> source;                 ///< of each point: its index in the arc; rising
     bool ordered = true;                  ///< the angles never turn back
     std::optional<double> sampleInterval; ///< s
     bool synthetic = false;               ///< what sources of a diagnosis make, not measured

@@ -307,7 +307,7 @@ ComparisonCurve meanCurve(const PositioningMeasurement &measurement, const Posit
 }
 
 /// What of a profile is evaluated; `points` are indices of the arc.
-PathProfile onlyPoints(const PathProfile &profile, const RisingIndices &points) {
+PathProfile onlyPoints(const PathProfile &profile, const std::vector<std::size_t> &points) {
     PathProfile result;
     result.ordered = profile.ordered;
     for (std::size_t i = 0; i < profile.source.size(); ++i) {
@@ -315,7 +315,7 @@ PathProfile onlyPoints(const PathProfile &profile, const RisingIndices &points) 
             continue;
         result.angles.push_back(profile.angles[i]);
         result.deviations.push_back(profile.deviations[i]);
-        result.source.add(profile.source[i]);
+        result.source.push_back(profile.source[i]);
     }
     return result;
 }

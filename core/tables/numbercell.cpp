@@ -6,11 +6,9 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstddef>
-#include <cstring>
 #include <string>
 
 namespace palmer {
@@ -175,58 +173,6 @@ double valueOf(std::string_view number, char point, bool large) {
     return read.ec == std::errc::result_out_of_range && !large ? 0 : std::nan("");
 }
 
-} // namespace
-
-namespace {
-
-constexpr std::ptrdiff_t blockSize = 8;
-
-struct DigitBlock {
-    std::uint64_t value = 0;
-    std::ptrdiff_t count = 0; // digits at the beginning of the eight bytes
-};
-
-// The digits that eight bytes begin with, all at once (little endian: the first byte is the lowest).
-inline DigitBlock digitBlock(const char *text) {
-    constexpr std::uint64_t each = 0x0101010101010101U;
-    std::uint64_t bytes = 0;
-    std::memcpy(&bytes, text, blockSize);
-    bytes ^= '0' * each;
-    // The high bit of the first byte that is above 9; what the sum carries reaches later bytes only.
-    const std::uint64_t others = ((bytes + (0x80U - 10U) * each) | bytes) & (0x80U * each);
-    const int bits = std::countr_zero(others) & ~7; // of the digits
-    if (bits == 0)
-        return {0, 0};
-    bytes <<= 64 - bits; // as many zeros before them as there were other bytes
-    bytes = (bytes * 10 + (bytes >> 8U)) & 0x00FF00FF00FF00FFU;
-    bytes = (bytes * 100 + (bytes >> 16U)) & 0x0000FFFF0000FFFFU;
-    bytes = (bytes * 10000 + (bytes >> 32U)) & 0xFFFFFFFFU;
-    return {bytes, bits / 8};
-}
-
-// Most numbers: at most seven digits before the mark and after it, no exponent. Size 0: it is to be read
-// digit by digit. `text` has more bytes than such a number.
-inline LeadingNumber plainNumber(const char *text, char point) {
-    const bool negative = *text == '-';
-    const char *at = text + (negative ? 1 : 0);
-    const DigitBlock whole = digitBlock(at);
-    at += whole.count;
-    DigitBlock decimals{0, 0};
-    if (*at == point) {
-        ++at;
-        decimals = digitBlock(at);
-        at += decimals.count;
-    }
-    if (whole.count == blockSize || decimals.count == blockSize || whole.count + decimals.count == 0 ||
-        *at == 'e' || *at == 'E')
-        return {};
-    constexpr std::array<std::uint64_t, blockSize> scales{1, 10, 100, 1000, 10000, 100000, 1000000, 10000000};
-    const auto places = static_cast<std::size_t>(decimals.count);
-    const double value = static_cast<double>(whole.value * scales[places] + decimals.value) /
-                         powersOfTen[places]; // both exact
-    return {negative ? -value : value, static_cast<std::size_t>(at - text)};
-}
-
 inline void takeDigits(const char *&at, const char *end, std::uint64_t &number) {
     for (; at != end && isDigit(*at); ++at)
         number = number * 10 + static_cast<std::uint64_t>(*at - '0');
@@ -251,14 +197,6 @@ inline std::ptrdiff_t takeExponent(const char *&at, const char *end) {
 
 LeadingNumber leadingNumber(std::string_view text, DecimalMark mark) {
     const char point = mark == DecimalMark::point ? '.' : ',';
-    constexpr std::size_t longestPlain = 1 + 2 * blockSize + 2; // with sign, mark and what follows
-    if constexpr (std::endian::native == std::endian::little) {
-        if (text.size() >= longestPlain) {
-            const LeadingNumber number = plainNumber(text.data(), point);
-            if (number.size > 0)
-                return number;
-        }
-    }
     const char *const begin = text.data();
     const char *const end = begin + text.size();
     const char *at = begin;

@@ -272,8 +272,9 @@ std::optional<CircleCanvas::ProfilePoint> CircleCanvas::find(const ReadingPlace 
         const PathProfile &profile = m_profiles[k];
         if (profile.arc != place.run || profile.synthetic || !shows(profile.sense))
             continue;
-        if (const auto found = profile.source.placeOf(place.target))
-            return ProfilePoint{k, *found};
+        const auto found = std::ranges::lower_bound(profile.source, place.target);
+        if (found != profile.source.end() && *found == place.target)
+            return ProfilePoint{k, static_cast<std::size_t>(found - profile.source.begin())};
     }
     return std::nullopt;
 }

@@ -476,10 +476,8 @@ DiagnosedCircle diagnosedCircle(const CircularMeasurement &measurement, const Ci
         const Arc &arc = measurement.arcs[path.arc];
         DiagnosedArc one{path.sense, path.points.view(), {}, arc.angleReference == AngleReference::commanded};
         one.angles.reserve(path.source.size());
-        for (const auto &[first, size, place] : path.source.stretches()) {
-            const std::span angles = std::span(arc.angles).subspan(first, size);
-            one.angles.insert(one.angles.end(), angles.begin(), angles.end());
-        }
+        for (const std::size_t point : path.source)
+            one.angles.push_back(arc.angles[point]);
         circle.arcs.push_back(std::move(one));
     }
     const CircleOf of =

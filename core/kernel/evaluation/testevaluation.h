@@ -12,7 +12,6 @@
 
 #include "kernel/measurement/circular.h"
 #include "kernel/numerics/points.h"
-#include "kernel/numerics/risingindices.h"
 #include "kernel/uncertainty/contribution.h"
 #include "kernel/uncertainty/simulation.h"
 
@@ -53,7 +52,7 @@ struct EvaluatedPath {
     /// the median step, the closing one among them, make up at most 90°.
     bool fullCircle = false;
     Points points;        ///< evaluated points
-    RisingIndices source; ///< of each point: its index in the arc
+    std::vector<std::size_t> source; ///< of each point: its index in the arc; rising
 };
 
 enum class CircleOf { both, counterclockwise, clockwise };

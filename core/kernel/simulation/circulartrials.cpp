@@ -297,9 +297,8 @@ void CircularTrials::perturb(long long trial, std::size_t index, const Common &a
 void CircularTrials::setReadings(std::size_t index, Workplace &place) const {
     auto &deviations = place.measurement->arcs[m_parts[index].arc].radialDeviations;
     const auto &source = m_results.paths[index].source;
-    for (const auto &[first, size, from] : source.stretches())
-        std::copy_n(place.errors.begin() + static_cast<std::ptrdiff_t>(from), size,
-                    deviations.begin() + static_cast<std::ptrdiff_t>(first));
+    for (std::size_t i = 0; i < source.size(); ++i)
+        deviations[source[i]] = place.errors[i];
 }
 
 std::vector<CommandedArc>

@@ -18,7 +18,8 @@ namespace {
 
 PathProfile profileOf(std::vector<double> angles, std::vector<double> deviations) {
     PathProfile profile;
-    profile.source = RisingIndices::upTo(angles.size());
+    for (std::size_t i = 0; i < angles.size(); ++i)
+        profile.source.push_back(i);
     profile.angles = std::move(angles);
     profile.deviations = std::move(deviations);
     profile.ordered =

@@ -4,7 +4,6 @@
 
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/hysteresis.h"
-#include "kernel/numerics/lanes.h"
 
 #include <algorithm>
 #include <span>
@@ -18,25 +17,12 @@ std::optional<double> width(const CircularCase &test, CircleOf of) {
     return circle ? std::optional(circle->width) : std::nullopt;
 }
 
-/// Of the values at some places, of which there are any. Four side by side: one after the other every
-/// comparison waits for the one before.
-Interval extremes(std::span<const double> values, const RisingIndices &places) {
-    Lanes least = values[places.front()];
-    Lanes greatest = least;
-    for (const RisingIndices::Stretch &stretch : places.stretches()) {
-        const std::span some = values.subspan(stretch.first, stretch.size);
-        std::size_t i = 0;
-        for (; i + Lanes::count <= some.size(); i += Lanes::count) {
-            const Lanes v = Lanes::from({some[i], some[i + 1], some[i + 2], some[i + 3]});
-            least = smaller(v, least);
-            greatest = larger(v, greatest);
-        }
-        for (; i < some.size(); ++i) {
-            least = smaller(Lanes(some[i]), least);
-            greatest = larger(Lanes(some[i]), greatest);
-        }
-    }
-    return {std::ranges::min(least.values()), std::ranges::max(greatest.values())};
+/// Of the values at some places, of which there are any.
+Interval extremes(std::span<const double> values, std::span<const std::size_t> places) {
+    Interval result{values[places.front()], values[places.front()]};
+    for (const std::size_t place : places)
+        result = {std::min(result.from, values[place]), std::max(result.to, values[place])};
+    return result;
 }
 
 /// Smallest and largest distance from the centre F is measured about, mm.

@@ -24,7 +24,7 @@ constexpr double mostHoles = 90;     ///< degrees, of a full circle
 struct Selection {
     std::vector<double> angles;    ///< degrees
     std::vector<double> distances; ///< mm
-    RisingIndices source;
+    std::vector<std::size_t> source;
 
     [[nodiscard]] CommandedArc commanded() const { return {angles, distances}; }
 };
@@ -41,7 +41,7 @@ Selection selection(const Arc &arc, double nominalRadius) {
             continue;
         result.angles.push_back(arc.angles[i]);
         result.distances.push_back(nominalRadius + arc.radialDeviations[i]);
-        result.source.add(i);
+        result.source.push_back(i);
     }
     return result;
 }
