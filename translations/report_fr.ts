@@ -2959,8 +2959,8 @@
         <translation>Points sans nombre, laissés de côté&#xa0;: %1.</translation>
     </message>
     <message>
-        <source>one column of numbers does not make a circle; expected x and y, angle and radius, or angle and deviation</source>
-        <translation>une seule colonne de nombres ne fait pas un cercle&#x202f;; x et y, angle et rayon ou angle et écart sont attendus</translation>
+        <source>these columns do not make a circle; expected x and y, angle and radius, angle and deviation, or radial deviations alone</source>
+        <translation>ces colonnes ne font pas un cercle&#x202f;; x et y, angle et rayon, angle et écart ou des écarts radiaux seuls sont attendus</translation>
     </message>
     <message>
         <source>Content: the columns are read as x and y of points of a circle.</source>
@@ -4772,10 +4772,6 @@
     <message>
         <source>No angles: the points are put at equal steps from %1 to %2.</source>
         <translation>Pas d’angles&#xa0;: les points sont placés à pas égaux de %1 à %2.</translation>
-    </message>
-    <message>
-        <source>Sense: nothing in the table says it; taken as anticlockwise.</source>
-        <translation>Sens&#xa0;: rien dans le tableau ne le dit&#x202f;; pris comme antihoraire.</translation>
     </message>
     <message>
         <source>a target needs a position</source>
@@ -9173,6 +9169,14 @@
     <message>
         <source>Columns: the first counts the lines and is not read; the times are those of the next.</source>
         <translation>Colonnes&#xa0;: la première compte les lignes et n’est pas lue&#x202f;; les temps sont ceux de la suivante.</translation>
+    </message>
+    <message>
+        <source>radial deviations alone</source>
+        <translation>écarts radiaux seuls</translation>
+    </message>
+    <message>
+        <source>colon between blanks</source>
+        <translation>deux-points entre blancs</translation>
     </message>
 </context>
 </TS>

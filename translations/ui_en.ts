@@ -286,6 +286,20 @@
 <context>
     <name>palmer::ui::PasteBar</name>
     <message numerus="yes">
+        <source>%n limit(s) pasted</source>
+        <translation>
+            <numerusform>%n limit pasted</numerusform>
+            <numerusform>%n limits pasted</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s) read</source>
+        <translation>
+            <numerusform>%n target read</numerusform>
+            <numerusform>%n targets read</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n reading(s) pasted</source>
         <translation>
             <numerusform>%n reading pasted</numerusform>

@@ -508,22 +508,6 @@
         <translation>&amp;Colonnes</translation>
     </message>
     <message>
-        <source>angle, radial deviation</source>
-        <translation>angle, écart radial</translation>
-    </message>
-    <message>
-        <source>angle, radius</source>
-        <translation>angle, rayon</translation>
-    </message>
-    <message>
-        <source>x, y</source>
-        <translation>x, y</translation>
-    </message>
-    <message>
-        <source>radial deviations alone</source>
-        <translation>écarts radiaux seuls</translation>
-    </message>
-    <message>
         <source>&amp;Unit</source>
         <translation>&amp;Unité</translation>
     </message>
@@ -532,28 +516,12 @@
         <translation>Séparateur &amp;décimal</translation>
     </message>
     <message>
-        <source>point</source>
-        <translation>point</translation>
-    </message>
-    <message>
-        <source>comma</source>
-        <translation>virgule</translation>
-    </message>
-    <message>
         <source>&amp;Sense</source>
         <translation>&amp;Sens</translation>
     </message>
     <message>
         <source>An&amp;gles</source>
         <translation>An&amp;gles</translation>
-    </message>
-    <message>
-        <source>of the point (polar)</source>
-        <translation>du point (polaire)</translation>
-    </message>
-    <message>
-        <source>commanded</source>
-        <translation>commandé</translation>
     </message>
     <message>
         <source>Sta&amp;rt angle</source>
@@ -3166,6 +3134,20 @@
 </context>
 <context>
     <name>palmer::ui::PasteBar</name>
+    <message numerus="yes">
+        <source>%n limit(s) pasted</source>
+        <translation>
+            <numerusform>%n limite collée</numerusform>
+            <numerusform>%n limites collées</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n target(s) read</source>
+        <translation>
+            <numerusform>%n position cible lue</numerusform>
+            <numerusform>%n positions cibles lues</numerusform>
+        </translation>
+    </message>
     <message numerus="yes">
         <source>%n reading(s) pasted</source>
         <translation>

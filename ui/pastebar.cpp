@@ -99,7 +99,7 @@ PasteBar::PasteBar(QWidget *parent)
 
 void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, const Language &language,
                     bool canUndo) {
-    QString summary = PasteBar::pasted(pasted.readings, pasted.questions);
+    QString summary = tr("%n reading(s) pasted", nullptr, static_cast<int>(pasted.readings));
     if (pasted.targets > 0)
         summary = tr("%1 and %n target(s)", "readings pasted", static_cast<int>(pasted.targets)).arg(summary);
     if (const std::size_t byNothing = pasted.erased - pasted.erasedByWords; byNothing > 0)
@@ -109,7 +109,7 @@ void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, cons
         summary = tr("%1, %n erased by cells that are no numbers", "readings pasted",
                      static_cast<int>(pasted.erasedByWords))
                       .arg(summary);
-    m_summary->setText(summary);
+    summarise(summary, pasted.questions);
     QStringList remarks;
     for (const Message &remark : pasted.remarks)
         remarks << language.sentence(remark);
@@ -132,14 +132,14 @@ void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, cons
     m_content->setCurrentIndex(static_cast<int>(content)); // −1: in a unit that is none of the choices
 }
 
-QString PasteBar::pasted(std::size_t readings, const std::vector<Question> &questions) {
-    return questions.empty() ? tr("%n reading(s) pasted", nullptr, static_cast<int>(readings))
-                             : tr("Nothing is put before the questions are answered.");
+void PasteBar::summarise(const QString &pasted, const std::vector<Question> &questions) {
+    m_summary->setText(questions.empty() ? pasted : tr("Nothing is put before the questions are answered."));
 }
 
-void PasteBar::say(std::size_t readings, const QStringList &remarks, const std::vector<ImportChoice> &choices,
-                   const std::vector<Question> &questions, bool canUndo) {
-    m_summary->setText(pasted(readings, questions));
+void PasteBar::say(const QString &pasted, const QStringList &remarks,
+                   const std::vector<ImportChoice> &choices, const std::vector<Question> &questions,
+                   bool canUndo) {
+    summarise(pasted, questions);
     for (QWidget *part : std::initializer_list<QWidget *>{m_guess, m_comma, m_point, m_content})
         part->hide();
     while (QLayoutItem *item = m_boxes->takeAt(0)) {

@@ -28,9 +28,9 @@ public:
     explicit PasteBar(QWidget *parent = nullptr);
 
     void show(const PastedBlock &pasted, const BlockChoices &choices, const Language &language, bool canUndo);
-    /// The same for another table: `choices` can be changed (units); `questions` are to be answered before
-    /// anything is put.
-    void say(std::size_t readings, const QStringList &remarks, const std::vector<ImportChoice> &choices,
+    /// The same for another table: `pasted` says what; `choices` can be changed (units); `questions` are to
+    /// be answered before anything is put.
+    void say(const QString &pasted, const QStringList &remarks, const std::vector<ImportChoice> &choices,
              const std::vector<Question> &questions, bool canUndo);
 
 signals:
@@ -45,7 +45,7 @@ protected:
 
 private:
     void retranslate();
-    [[nodiscard]] static QString pasted(std::size_t readings, const std::vector<Question> &questions);
+    void summarise(const QString &pasted, const std::vector<Question> &questions);
     void askFor(const QString &key);
     void showRemarks(const QStringList &remarks, const std::vector<Question> &questions, bool canUndo);
     void addBox(const ImportChoice &choice);

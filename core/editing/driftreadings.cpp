@@ -55,6 +55,7 @@ PastedDrift driftReadingsFrom(const std::string &pasted, Motion motion, const Di
                     {REPORT_TEXT("report", "the unit of the readings is not one of this axis")});
     for (std::size_t i = 0; i < drift.times.size(); ++i)
         result.readings.push_back({drift.times[i], drift.deviations[i]});
+    result.taken = result.readings.size();
     return result;
 }
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "import/question.h"
+#include "editing/pastedtable.h"
 #include "kernel/measurement/test.h"
 #include "language/units.h"
 
@@ -28,12 +28,8 @@ void setDriftReadings(Test &test, std::size_t row, const std::vector<DriftReadin
 /// Removes readings; those beyond the end are none.
 void removeDriftReadings(Test &test, std::size_t row, std::size_t count);
 
-/// What a paste says.
-struct PastedDrift {
+struct PastedDrift : Pasted {
     std::vector<DriftReading> readings;
-    std::vector<ImportChoice> units; ///< that they were read in
-    std::vector<Question> questions; ///< to be answered before they are taken
-    std::vector<Message> remarks;
 };
 
 /// A table of times and deviations, read as a file is; where it says no units, times are in s and deviations

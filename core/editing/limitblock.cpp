@@ -3,6 +3,7 @@
 #include "editing/limitblock.h"
 
 #include "document/documenterror.h"
+#include "editing/typedreading.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/words/unit.h"
 #include "language/entry.h"
@@ -33,6 +34,10 @@ QString squeezed(const QString &text) {
 
 const Unit *unitOfWord(const QString &word) {
     return unitIn('(' + word.toStdString() + ')');
+}
+
+Motion motionOf(Quantity quantity) {
+    return quantity == Quantity::angularDeviation ? Motion::rotary : Motion::linear;
 }
 
 /// A number with its unit, where one stands behind it: "15 µm".
@@ -72,7 +77,7 @@ struct LimitLine {
 
 class LimitBlock {
 public:
-    LimitBlock(const std::vector<LimitName> &names, const QString &block)
+    LimitBlock(const std::vector<LimitName> &names, const QString &block, const ImportOptions &answers)
         : m_names(names) {
         TableOptions options;
         options.comments = false;
@@ -98,11 +103,17 @@ public:
                                    "number"),
                        line);
         }
+        if (const auto answer = answers.find("unit"); answer != answers.end()) {
+            m_unit = unitOf(answer->second);
+            m_origin = Origin::chosen;
+        }
     }
 
     [[nodiscard]] PastedLimits into(Limits limits, std::size_t first, Quantity quantity,
                                     const DisplayUnits &units) const {
-        PastedLimits result{std::move(limits), 0};
+        PastedLimits result;
+        result.limits = std::move(limits);
+        bool areAllSaid = true; // each beside its number
         const bool named = std::ranges::any_of(m_lines, [](const LimitLine &line) { return line.name; });
         for (const LimitLine &line : m_lines) {
             if (line.amounts.empty())
@@ -125,8 +136,13 @@ public:
             limit.value = valueOf(line, quantity, units);
             if (line.edition)
                 limit.edition = line.edition->word;
+            areAllSaid &= line.amounts.front().unit || line.unit;
             ++result.taken;
         }
+        if (!areAllSaid)
+            result.units.push_back({"unit",
+                                    m_unit ? m_unit->word : usualUnits(motionOf(quantity), units)["unit"],
+                                    m_unit ? m_origin : Origin::guessed});
         return result;
     }
 
@@ -156,8 +172,7 @@ private:
         const Unit *unit = amount.unit ? amount.unit : line.unit ? line.unit : m_unit;
         const NumberEntry entry = unit ? enteredNumber(amount.number, Quantity::number)
                                        : enteredNumber(amount.number, quantity, units);
-        const UnitKind kind = quantity == Quantity::angularDeviation ? UnitKind::angle : UnitKind::length;
-        if (unit && unit->kind != kind)
+        if (unit && unit->kind != unitKindOf(motionOf(quantity)))
             refuse(REPORT_TEXT("report", "the unit in line %1 of what was pasted is not one of this axis"),
                    line);
         if (!entry.value)
@@ -169,14 +184,16 @@ private:
 
     const std::vector<LimitName> &m_names;
     std::vector<LimitLine> m_lines;
-    const Unit *m_unit = nullptr; ///< of the heading
+    const Unit *m_unit = nullptr; ///< of the heading, or chosen
+    Origin m_origin = Origin::recognised;
 };
 
 } // namespace
 
 PastedLimits pasteLimits(Limits limits, const std::vector<LimitName> &names, std::size_t first,
-                         const QString &block, Quantity quantity, const DisplayUnits &units) {
-    return LimitBlock(names, block).into(std::move(limits), first, quantity, units);
+                         const QString &block, Quantity quantity, const DisplayUnits &units,
+                         const ImportOptions &answers) {
+    return LimitBlock(names, block, answers).into(std::move(limits), first, quantity, units);
 }
 
 } // namespace palmer

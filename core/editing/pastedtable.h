@@ -6,10 +6,19 @@
 #include "kernel/measurement/axis.h"
 #include "language/units.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
 namespace palmer {
+
+/// What every pasted table says of itself.
+struct Pasted {
+    std::size_t taken = 0;           ///< numbers that can be put
+    std::vector<ImportChoice> units; ///< they were read in; each can be answered otherwise
+    std::vector<Question> questions; ///< to be answered before anything is put
+    std::vector<Message> remarks;
+};
 
 /// The units that a user reads and types: what a pasted table means where it says nothing.
 [[nodiscard]] ImportOptions usualUnits(Motion motion, const DisplayUnits &units);

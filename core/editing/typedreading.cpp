@@ -43,6 +43,17 @@ public:
                                                                                     : takeNumbers(cells);
     }
 
+    /// Another unit than the heading says.
+    void choose(const Unit *unit) { m_chosen = unit; }
+
+    [[nodiscard]] ImportChoice unit() const {
+        if (m_chosen)
+            return {"positionUnit", m_chosen->word, Origin::chosen};
+        if (m_unit)
+            return {"positionUnit", m_unit->word, Origin::recognised};
+        return {"positionUnit", usualUnits(m_axis.motion, m_units)["positionUnit"], Origin::guessed};
+    }
+
     std::vector<double> targets;
 
 private:
@@ -69,11 +80,12 @@ private:
                 continue;
             const std::string_view cell = m_table.text(cells[c]);
             const QString typed = QString::fromUtf8(cell.data(), static_cast<qsizetype>(cell.size()));
+            const Unit *unit = m_chosen ? m_chosen : m_unit;
             const auto number =
-                enteredNumber(typed, m_unit ? Quantity::number : positionQuantity(m_axis), m_units).value;
+                enteredNumber(typed, unit ? Quantity::number : positionQuantity(m_axis), m_units).value;
             if (!number)
                 return false;
-            targets.push_back(m_unit ? m_unit->toBase(*number) : *number);
+            targets.push_back(unit ? unit->toBase(*number) : *number);
         }
         return true;
     }
@@ -83,19 +95,26 @@ private:
     const DisplayUnits &m_units;
     std::optional<std::size_t> m_column; ///< the one that headings call targets
     const Unit *m_unit = nullptr;        ///< that a heading says
+    const Unit *m_chosen = nullptr;
 };
 
 } // namespace
 
-std::optional<std::vector<double>> targetsFrom(const std::string &text, const Axis &axis,
-                                               const DisplayUnits &units) {
+std::optional<PastedTargets> targetsFrom(const std::string &text, const Axis &axis, const DisplayUnits &units,
+                                         const ImportOptions &answers) {
     TableOptions options;
     options.comments = false;
     const CellTable table = readTable(text, options);
     TargetList list(table, axis, units);
+    if (const auto answer = answers.find("positionUnit"); answer != answers.end())
+        list.choose(unitOf(answer->second));
     if (!std::ranges::all_of(table.rows(), [&](const TableRow &row) { return list.take(row); }))
         return std::nullopt;
-    return std::move(list.targets);
+    PastedTargets result;
+    result.taken = list.targets.size();
+    result.units.push_back(list.unit());
+    result.targets = std::move(list.targets);
+    return result;
 }
 
 double deviationFrom(double target, double position) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "editing/pastedtable.h"
 #include "kernel/measurement/positioning.h"
 #include "kernel/words/message.h"
 #include "language/entry.h"
@@ -29,11 +30,16 @@ struct TargetEntry {
 [[nodiscard]] TargetEntry typedTarget(QStringView text, const PositioningMeasurement &measurement,
                                       std::size_t target, const DisplayUnits &units);
 
+struct PastedTargets : Pasted {
+    std::vector<double> targets; ///< mm or degrees
+};
+
 /// Target positions that were typed or pasted: numbers parted by semicolons, blanks, tabs or lines, in the
-/// unit that a heading says, else in that of positions. Where headings name a column of targets, that one.
-/// Null: something is no number, or its unit none of the axis.
-[[nodiscard]] std::optional<std::vector<double>> targetsFrom(const std::string &text, const Axis &axis,
-                                                             const DisplayUnits &units);
+/// unit that a heading says, else in that of positions; `answers` may say another ("positionUnit"). Where
+/// headings name a column of targets, that one. Null: something is no number, or its unit none of the axis.
+[[nodiscard]] std::optional<PastedTargets> targetsFrom(const std::string &text, const Axis &axis,
+                                                       const DisplayUnits &units,
+                                                       const ImportOptions &answers = {});
 
 /// The unit that a heading says, of that kind. Throws Error where numbers are not converted from it.
 [[nodiscard]] const Unit &unitOfHeading(const SaidUnit &said, UnitKind kind);

@@ -44,6 +44,7 @@ constexpr std::array delimiterWords{
     ImportWord{"semicolon", REPORT_TEXT("report", "semicolon ;")},
     ImportWord{"comma", REPORT_TEXT("report", "comma ,")},
     ImportWord{"bar", REPORT_TEXT("report", "vertical bar |")},
+    ImportWord{"colon", REPORT_TEXT("report", "colon between blanks")},
     ImportWord{"blanks", REPORT_TEXT("report", "blanks")},
 };
 constexpr std::array markWords{
@@ -63,6 +64,7 @@ constexpr std::array layoutWords{
     ImportWord{"xy", REPORT_TEXT("report", "x and y")},
     ImportWord{"angleRadius", REPORT_TEXT("report", "angle and radius")},
     ImportWord{"angleDeviation", REPORT_TEXT("report", "angle and radial deviation")},
+    ImportWord{"deviations", REPORT_TEXT("report", "radial deviations alone")},
     ImportWord{"series", REPORT_TEXT("report", "values over time")},
 };
 constexpr std::array directionWords{

@@ -4,15 +4,12 @@
 
 #include "document/documenterror.h"
 #include "document/largepages.h"
-#include "kernel/numerics/beside.h"
 #include "tables/cellunits.h"
 #include "tables/dates.h"
 #include "tables/decodetext.h"
 
 #include <algorithm>
 #include <array>
-#include <cstring>
-#include <future>
 #include <limits>
 #include <map>
 
@@ -40,6 +37,8 @@ char character(Delimiter delimiter) {
         return ',';
     case Delimiter::bar:
         return '|';
+    case Delimiter::colon:
+        return ':';
     case Delimiter::blanks:
         return ' ';
     }
@@ -95,52 +94,21 @@ public:
             scanLine();
     }
 
-    /// The same; false if that is more than a table can have, whose line is not known here.
-    bool scanWithinLimits(std::size_t end) {
-        try {
-            scanTo(end);
-            return true;
-        } catch (const Error &) {
-            return false;
-        }
-    }
-
-    /// The lines that begin before a place.
-    void scanTo(std::size_t end) {
-        while (m_at < std::min(end, m_text.size()))
-            scanLine();
-    }
-
     /// Where the next line begins.
     [[nodiscard]] std::size_t at() const { return m_at; }
-    /// Anew, there.
-    void beginAt(std::size_t place) {
-        rows.clear();
-        cells.clear();
-        m_line = 1;
-        m_at = place;
-    }
-
-    /// What another read of the lines that follow. False, and nothing taken, if that is too much.
-    bool append(const Scanner &rest) {
-        if (rows.size() + rest.rows.size() > rowLimit || cells.size() + rest.cells.size() > cellLimit)
-            return false;
-        for (TableRow row : rest.rows) {
-            row.first += static_cast<std::uint32_t>(cells.size());
-            row.line += m_line - 1;
-            rows.push_back(row);
-        }
-        cells.insert(cells.end(), rest.cells.begin(), rest.cells.end());
-        m_line += rest.m_line - 1;
-        m_at = rest.m_at;
-        saysUnits |= rest.saysUnits;
-        return true;
-    }
 
 private:
     [[nodiscard]] bool atLineEnd() const { return m_at == m_text.size() || isLineEnd(m_text[m_at]); }
     [[nodiscard]] bool isBlank(char c) const {
         return c == ' ' || (c == '\t' && m_delimiter != '\t') || c == '\f';
+    }
+
+    [[nodiscard]] bool isBlankAt(std::size_t at) const {
+        return at >= m_text.size() || isLineEnd(m_text[at]) || isBlank(m_text[at]);
+    }
+    /// A colon within a cell is a time or belongs to a word.
+    [[nodiscard]] bool isDelimiter(std::size_t at) const {
+        return m_text[at] == m_delimiter && (m_delimiter != ':' || (isBlankAt(at - 1) && isBlankAt(at + 1)));
     }
 
     void skipBlanks() {
@@ -212,7 +180,7 @@ private:
             std::size_t next = end;
             while (!m_blanks && next < m_text.size() && isBlank(m_text[next]))
                 ++next;
-            if (next == m_text.size() || isLineEnd(m_text[next]) || m_text[next] == m_delimiter ||
+            if (next == m_text.size() || isLineEnd(m_text[next]) || isDelimiter(next) ||
                 (m_blanks && isBlank(m_text[next]))) {
                 if (m_blanks && addWithUnit(begin, next))
                     return;
@@ -225,7 +193,7 @@ private:
         if (m_at < m_text.size() && m_text[m_at] == '"' && scanQuoted())
             return;
         const std::size_t begin = m_at;
-        while (!atLineEnd() && m_text[m_at] != m_delimiter && !(m_blanks && isBlank(m_text[m_at])))
+        while (!atLineEnd() && !isDelimiter(m_at) && !(m_blanks && isBlank(m_text[m_at])))
             ++m_at;
         addText(begin, m_at);
     }
@@ -261,8 +229,8 @@ private:
             std::size_t next = i + 1;
             while (next < m_text.size() && isBlank(m_text[next]))
                 ++next;
-            const bool closes = next == m_text.size() || isLineEnd(m_text[next]) ||
-                                m_text[next] == m_delimiter || (m_blanks && next > i + 1);
+            const bool closes = next == m_text.size() || isLineEnd(m_text[next]) || isDelimiter(next) ||
+                                (m_blanks && next > i + 1);
             if (!closes || isMadeOfDelimiters(m_text.substr(begin, i - begin)))
                 return false;
             addText(begin, i);
@@ -474,8 +442,8 @@ void settleForm(CellTable &table, std::string_view text, const TableOptions &opt
     const bool areQuoted = sample.find(R"(",")") != std::string::npos;
     Reading best;
     std::vector<Reading> readings;
-    for (const Delimiter delimiter :
-         {Delimiter::tab, Delimiter::semicolon, Delimiter::bar, Delimiter::comma, Delimiter::blanks}) {
+    for (const Delimiter delimiter : {Delimiter::tab, Delimiter::semicolon, Delimiter::bar, Delimiter::comma,
+                                      Delimiter::colon, Delimiter::blanks}) {
         for (const DecimalMark mark : {DecimalMark::point, DecimalMark::comma}) {
             // Both only where quotes tell them apart.
             if (delimiter == Delimiter::comma && mark == DecimalMark::comma && !areQuoted &&
@@ -522,29 +490,6 @@ void makeRoom(Scanner &scanner, std::size_t rows, std::size_t cells) {
     inLargePages(scanner.cells.data(), scanner.cells.capacity() * sizeof(TableCell));
 }
 
-/// Two pieces of whole lines that follow a place of a long text.
-struct TwoPieces {
-    std::size_t middle = 0;
-    std::size_t end = 0;
-};
-
-constexpr std::size_t longPiece = std::size_t(1) << 22U; ///< of a text, bytes
-
-/// Nothing where what follows is short. Small enough that what the second takes is not much beside the whole.
-std::optional<TwoPieces> twoPieces(std::string_view text, std::size_t from) {
-    const std::size_t left = text.size() - from;
-    if (left < longPiece)
-        return {};
-    const auto lineFrom = [&](std::size_t at) {
-        const std::size_t end = text.find_first_of("\r\n", at);
-        return end == std::string_view::npos ? text.size() : end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
-    };
-    const std::size_t pairs = (left + 2 * longPiece - 1) / (2 * longPiece);
-    const std::size_t piece = left / pairs / 2;
-    const std::size_t middle = lineFrom(from + piece);
-    return TwoPieces{middle, lineFrom(std::min(middle + piece, text.size()))};
-}
-
 } // namespace
 
 CellTable readTable(std::string text, const TableOptions &options) {
@@ -555,59 +500,37 @@ CellTable readTable(std::string text, const TableOptions &options) {
     Scanner scanner(table.m_text, table.delimiter.value, table.decimalMark.value, options.comments);
     scanner.scan(sampleRows);
     if (scanner.at() < table.m_text.size()) {
-        // Exact enough for tables, whose lines are alike.
-        const std::size_t read = scanner.at();
-        const auto makeRoomFor = [&, rows = scanner.rows.size(),
-                                  cells = scanner.cells.size()](Scanner &wanted, std::size_t size) {
-            const std::size_t times = size / read + 1;
-            makeRoom(wanted, rows * times * 9 / 8, cells * times * 9 / 8);
-        };
-        makeRoomFor(scanner, table.m_text.size());
-        // Two threads read a piece each, unless a cell in quotation marks may go on from line to line.
-        const bool isQuoted = table.m_text.find('"', scanner.at()) != std::string::npos;
-        Scanner second(table.m_text, table.delimiter.value, table.decimalMark.value, options.comments);
-        if (table.m_text.size() >= longPiece && !isQuoted)
-            makeRoomFor(second, std::min(longPiece, table.m_text.size() / 2));
-        for (auto pieces = twoPieces(table.m_text, scanner.at()); pieces && !isQuoted;
-             pieces = twoPieces(table.m_text, scanner.at())) {
-            second.beginAt(pieces->middle);
-            auto isRead = beside(true, [&second, &pieces] { return second.scanWithinLimits(pieces->end); });
-            scanner.scanTo(pieces->middle);
-            if (!isRead.get() || !scanner.append(second))
-                break;
-        }
-        scanner.scan(std::numeric_limits<std::size_t>::max()); // and says at which line it is too much
+        // Room for all: exact enough for tables, whose lines are alike.
+        const std::size_t times = table.m_text.size() / scanner.at() + 1;
+        makeRoom(scanner, scanner.rows.size() * times * 9 / 8, scanner.cells.size() * times * 9 / 8);
+        scanner.scan(std::numeric_limits<std::size_t>::max());
     }
     table.m_rows = std::move(scanner.rows);
     table.m_cells = std::move(scanner.cells);
     table.m_saysUnits = scanner.saysUnits;
     if (table.delimiter.value == Delimiter::blanks)
         table.joinWords();
+    else if (table.delimiter.value == Delimiter::colon)
+        table.placeHeads();
     return table;
 }
 
 /// "Position mm   Run 1 fwd   Run 1 rev" above three numbers: where single blanks part a line of words into
 /// more pieces than there are columns and wider gaps into as many, the words between two gaps are one cell.
 void CellTable::joinWords() {
-    std::map<std::size_t, std::size_t> widths; // of the lines that begin with a number
     const auto beginsWithNumber = [this](const TableRow &row) {
         return row.count > 0 && m_cells[row.first].isNumber();
     };
-    for (const TableRow &row : m_rows) {
-        if (beginsWithNumber(row))
-            ++widths[row.count];
-    }
     // "        Laser          Encoder": nothing stands over the first column.
     const auto isIndented = [this](const TableRow &row) {
         const std::size_t begin = row.count > 0 ? m_cells[row.first].begin : 0;
         return begin > 1 && m_text[begin - 1] == ' ' && m_text[begin - 2] == ' ';
     };
-    if (widths.empty())
+    const TableRow *usual = usualRow();
+    if (!usual)
         return;
-    const std::size_t width =
-        std::ranges::max_element(widths, {}, [](const auto &entry) { return entry.second; })->first;
-    const TableRow numbers = *std::ranges::find_if(
-        m_rows, [&](const TableRow &row) { return row.count == width && beginsWithNumber(row); });
+    const TableRow numbers = *usual;
+    const std::size_t width = numbers.count;
     for (TableRow &row : m_rows) {
         if (row.comment || beginsWithNumber(row) || (row.count <= width && !isIndented(row)))
             continue;
@@ -618,12 +541,46 @@ void CellTable::joinWords() {
             joined = joinedWords(row, false);
         if (joined.size() != width)
             joined = joined.size() < width ? placedOver(joined, numbers) : std::vector<TableCell>();
-        if (joined.empty())
-            continue;
-        row.first = static_cast<std::uint32_t>(m_cells.size());
-        row.count = static_cast<std::uint32_t>(width);
-        m_cells.insert(m_cells.end(), joined.begin(), joined.end());
+        setCells(row, joined);
     }
+}
+
+/// The first row with as many cells as most rows that begin with a number; null: no row begins with one.
+const TableRow *CellTable::usualRow() const {
+    std::map<std::size_t, std::pair<std::size_t, const TableRow *>> widths;
+    for (const TableRow &row : m_rows) {
+        if (row.count == 0 || !m_cells[row.first].isNumber())
+            continue;
+        auto &[rows, first] = widths[row.count];
+        first = first ? first : &row;
+        ++rows;
+    }
+    const auto most =
+        std::ranges::max_element(widths, {}, [](const auto &entry) { return entry.second.first; });
+    return most == widths.end() ? nullptr : most->second.second;
+}
+
+/// "Target : Error averages : 2 Std Devn" above seven columns: each group at the column it begins over.
+void CellTable::placeHeads() {
+    const TableRow *usual = usualRow();
+    if (!usual)
+        return;
+    const TableRow numbers = *usual;
+    for (TableRow &row : m_rows) {
+        if (row.comment || row.count < 2 || row.count >= numbers.count || m_cells[row.first].isNumber())
+            continue;
+        const auto words = cells(row);
+        setCells(row, placedOver({words.begin(), words.end()}, numbers));
+    }
+}
+
+/// Replaces the cells of a row, unless there are none to replace them.
+void CellTable::setCells(TableRow &row, const std::vector<TableCell> &cells) {
+    if (cells.empty())
+        return;
+    row.first = static_cast<std::uint32_t>(m_cells.size());
+    row.count = static_cast<std::uint32_t>(cells.size());
+    m_cells.insert(m_cells.end(), cells.begin(), cells.end());
 }
 
 /// The cells between gaps of more than one blank; `brackets`: words with the brackets behind them.

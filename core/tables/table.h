@@ -16,8 +16,8 @@
 
 namespace palmer {
 
-/// What stands between the cells of a line.
-enum class Delimiter { tab, semicolon, comma, bar, blanks };
+/// The separator of the cells of a line; `colon` only between blanks.
+enum class Delimiter { tab, semicolon, comma, bar, colon, blanks };
 
 /// A cell of a table; where it stands in the text of the table, without quotation marks and outer blanks.
 struct TableCell {
@@ -94,6 +94,9 @@ public:
 
 private:
     void joinWords();
+    void placeHeads();
+    void setCells(TableRow &row, const std::vector<TableCell> &cells);
+    [[nodiscard]] const TableRow *usualRow() const;
     [[nodiscard]] std::vector<TableCell> joinedWords(const TableRow &row, bool brackets) const;
     [[nodiscard]] std::vector<TableCell> placedOver(const std::vector<TableCell> &words,
                                                     const TableRow &numbers) const;

@@ -9,6 +9,7 @@
 #include "core/import/storedworkbook.h"
 #include "document/documenterror.h"
 #include "document/setfield.h"
+#include "document/templatefile.h"
 #include "editing/arctable.h"
 #include "editing/driftreadings.h"
 #include "editing/limitblock.h"
@@ -221,10 +222,11 @@ void followPlain(Follower &follower, std::mt19937 &random) {
     if (!read || !owed(imported.questions).empty())
         return;
     const auto targets = targetsFrom(lines.join('\n').toStdString(), read->axis, {});
-    follower.compare("targets", targets ? listed(*targets) : Outcome{{}, {}, true}, listed(read->targets));
+    follower.compare("targets", targets ? listed(targets->targets) : Outcome{{}, {}, true},
+                     listed(read->targets));
 }
 
-/// A list of limits, against --set.
+/// A list of limits and a template, against --set.
 void followLimits(Follower &follower, std::mt19937 &random) {
     const std::vector<LimitName> names{{"A", "A"}, {"R", "R"}, {"B", "B"}, {"E", "E"}};
     const bool isMillimetres = random() % 2 == 0;
@@ -253,6 +255,12 @@ void followLimits(Follower &follower, std::mt19937 &random) {
     follower.compare("limits", outcomeOf([&] {
                          return listed(
                              pasteLimits({}, names, 0, lines.join('\n'), Quantity::deviation).limits);
+                     }));
+    follower.compare("template", outcomeOf([&] {
+                         const Template kept{"T", limitSetOf(*document.tests[0])};
+                         Test taken = test;
+                         applyLimitSet(taken, std::get<LimitSet>(readTemplate(writeTemplate(kept)).content));
+                         return listed(taken.limits);
                      }));
 }
 
@@ -298,7 +306,8 @@ void followDrift(Follower &follower, std::mt19937 &random) {
 
 void followArcs(Follower &follower, std::mt19937 &random) {
     constexpr double radius = 100;
-    const bool isMicrometres = random() % 2 == 0;
+    const bool isAlone = random() % 4 == 0; // radial deviations at equal steps
+    const bool isMicrometres = isAlone || random() % 2 == 0;
     const char mark = random() % 2 == 0 ? '.' : ',';
     const auto points = static_cast<int>(36 + random() % 40);
     std::vector<QStringList> rows{{"Angle (°)", isMicrometres ? "Deviation (µm)" : "Radius (mm)"}};
@@ -310,16 +319,22 @@ void followArcs(Follower &follower, std::mt19937 &random) {
     }
     QStringList lines;
     for (const QStringList &row : rows)
-        lines << row.join(';');
+        lines << (isAlone ? row.last() : row.join(';'));
     const QString text = lines.join('\n');
-    const ImportOptions known{{"nominalRadius", "100"}, {"plane", "XY"}, {"angleReference", "polar"}};
+    ImportOptions known{{"nominalRadius", "100"}, {"plane", "XY"}, {"angleReference", "polar"}};
+    const ImportOptions place{{"startAngle", "90"}, {"arc", random() % 2 == 0 ? "180" : "-360"}};
+    if (isAlone) {
+        known.insert(place.begin(), place.end());
+        known["kind"] = "circular"; // nothing says it
+    }
     const Outcome file = ofFile(text.toUtf8(), "x.csv", known);
     follower.begin(text, file);
     follower.compare("arcs", outcomeOf([&]() -> Outcome {
                          CircularMeasurement open;
                          open.plane = {"X", "Y"};
                          open.nominalRadius = radius;
-                         const ArcTable pasted = readArcTable(text.toStdString(), open, {});
+                         const ArcTable pasted =
+                             readArcTable(text.toStdString(), open, isAlone ? place : ImportOptions());
                          open.arcs = pasted.arcs;
                          Imported shown;
                          shown.test.emplace();

@@ -3,6 +3,9 @@
 #include "ui/circles/arcdialog.h"
 
 #include "document/documenterror.h"
+#include "import/choices.h"
+#include "import/layouts/arcs.h"
+#include "kernel/words/shortest.h"
 #include "language/entry.h"
 #include "tables/units.h"
 #include "ui/circles/arctexts.h"
@@ -26,36 +29,34 @@
 #include <QSignalBlocker>
 #include <QTimer>
 #include <algorithm>
-#include <array>
-#include <span>
 
 namespace palmer::ui {
 
 namespace {
 
-constexpr std::array units{"mm", "um", "nm", "in", "uin"};
 constexpr int sideWidth = 300;
 constexpr int fewestLines = 3;
 constexpr int remarksHeight = 132;
-// Answers to questions of the import, in the order of the boxes.
-constexpr std::array layouts{"angleDeviation", "angleRadius", "xy"};
-constexpr std::array marks{"point", "comma"};
 
-/// The word chosen; the first entry leaves it to the table.
-template <class Value>
-std::optional<Value> chosen(const QComboBox *box) {
-    return box->currentIndex() > 0 ? std::optional(static_cast<Value>(box->currentIndex() - 1))
-                                   : std::nullopt;
+/// The entry of the first box is what the table says.
+bool isOpen(const QComboBox &box) {
+    return box.currentData().toString().isEmpty();
+}
+
+/// A choice of the import as it is said to people.
+QString wordOf(const char *key, const std::string &word) {
+    const Argument name = nameOfWord(key, word);
+    const auto *text = std::get_if<Text>(&name);
+    return text ? windowLanguage().text(*text) : QString::fromStdString(word);
 }
 
 /// Chooses without reading anew; false: the box has no such entry.
-bool choose(QComboBox *box, std::span<const char *const> words, const std::string &word) {
-    const auto found = std::ranges::find(words, word);
-    if (found == words.end())
-        return false;
+bool choose(QComboBox &box, const std::string &word) {
+    const int entry = box.findData(QString::fromStdString(word));
     const QSignalBlocker blocker(box);
-    box->setCurrentIndex(static_cast<int>(found - words.begin()) + 1);
-    return true;
+    if (entry >= 0)
+        box.setCurrentIndex(entry);
+    return entry >= 0;
 }
 
 } // namespace
@@ -136,29 +137,29 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     connect(m_confirmAll, &QPushButton::clicked, this, &ArcDialog::confirmAll);
     // What was confirmed are the numbers as they were.
     connect(m_text, &QPlainTextEdit::textChanged, this, [this] { m_answers.clear(); });
-    for (const QComboBox *box : {m_content, m_unit, m_mark})
+    for (const QComboBox *box : m_choices)
         connect(box, &QComboBox::currentIndexChanged, this, [this] { m_answers.clear(); });
     connect(m_text, &QPlainTextEdit::textChanged, this, &ArcDialog::read);
-    for (const QComboBox *box : {m_content, m_unit, m_mark, m_sense, m_reference})
+    for (const QComboBox *box : findChildren<QComboBox *>())
         connect(box, &QComboBox::currentIndexChanged, this, &ArcDialog::read);
     read();
 }
 
 QFormLayout *ArcDialog::makeForm() {
     auto *form = new QFormLayout;
-    const QString open = tr("as recognised");
-    m_content = addChoice(*form, "arcContent", tr("Co&lumns"),
-                          {open, tr("angle, radial deviation"), tr("angle, radius"), tr("x, y"),
-                           tr("radial deviations alone")});
-    QStringList signs{open};
-    for (const char *unit : units)
-        signs << QString::fromUtf8(unitOf(unit)->sign);
-    m_unit = addChoice(*form, "arcUnit", tr("&Unit"), signs);
-    m_mark = addChoice(*form, "arcMark", tr("&Decimal mark"), {open, tr("point"), tr("comma")});
-    m_sense = addChoice(*form, "arcSense", tr("&Sense"),
-                        {open, senseWord(Sense::counterclockwise), senseWord(Sense::clockwise)});
-    m_reference =
-        addChoice(*form, "arcReference", tr("An&gles"), {tr("of the point (polar)"), tr("commanded")});
+    m_content = addChoice(*form, "arcContent", tr("Co&lumns"));
+    fillWords(*m_content, "layout", isLayoutOfCircles);
+    fillWords(*addChoice(*form, "arcUnit", tr("&Unit")), "unit",
+              [](std::string_view word) { return unitOf(word)->kind == UnitKind::length; });
+    fillWords(*addChoice(*form, "arcMark", tr("&Decimal mark")), "decimalMark",
+              [](std::string_view) { return true; });
+    m_sense = addChoice(*form, "arcSense", tr("&Sense"));
+    m_sense->addItem(tr("as recognised"));
+    for (const Sense sense : {Sense::counterclockwise, Sense::clockwise})
+        m_sense->addItem(senseWord(sense), static_cast<int>(sense));
+    m_reference = addChoice(*form, "arcReference", tr("An&gles"));
+    for (const ImportWord &word : findImportKey("angleReference")->words)
+        m_reference->addItem(windowLanguage().text(word.name), QString::fromLatin1(word.word));
     if (!m_circle.arcs.empty())
         m_reference->setCurrentIndex(static_cast<int>(m_circle.arcs.front().angleReference));
     m_start = addAngle(*form, "arcStart", tr("Sta&rt angle"), 0);
@@ -168,14 +169,23 @@ QFormLayout *ArcDialog::makeForm() {
     return form;
 }
 
-QComboBox *ArcDialog::addChoice(QFormLayout &form, const char *name, const QString &label,
-                                const QStringList &words) {
+QComboBox *ArcDialog::addChoice(QFormLayout &form, const char *name, const QString &label) {
     auto *box = new QComboBox(this);
     box->setObjectName(QLatin1StringView(name));
-    box->addItems(words);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     form.addRow(label, box);
     return box;
+}
+
+/// A choice of the import: what the table says, or one of these words.
+void ArcDialog::fillWords(QComboBox &box, const char *key, bool (*isOfCircle)(std::string_view word)) {
+    box.addItem(tr("as recognised"));
+    for (const ImportWord &word : findImportKey(key)->words) {
+        if (isOfCircle(word.word))
+            box.addItem(windowLanguage().text(word.name), QString::fromLatin1(word.word));
+    }
+    box.setProperty("key", QLatin1StringView(key));
+    m_choices.push_back(&box);
 }
 
 QLineEdit *ArcDialog::addAngle(QFormLayout &form, const char *name, const QString &label, double value) {
@@ -188,7 +198,10 @@ QLineEdit *ArcDialog::addAngle(QFormLayout &form, const char *name, const QStrin
     row->addWidget(field);
     row->addWidget(new QLabel(QStringLiteral("°"), this));
     form.addRow(text, row);
-    connect(field, &QLineEdit::textChanged, this, &ArcDialog::read);
+    connect(field, &QLineEdit::textChanged, this, [this] {
+        m_answers.erase("arc"); // what was confirmed was another extent
+        read();
+    });
     return field;
 }
 
@@ -202,18 +215,25 @@ bool ArcDialog::looksLikePoints(const QString &text) {
     return lines >= fewestLines;
 }
 
-ArcTableChoices ArcDialog::choices() const {
-    ArcTableChoices result;
-    result.content = chosen<ArcContent>(m_content);
-    result.decimalMark = chosen<DecimalMark>(m_mark);
-    if (const auto unit = chosen<std::size_t>(m_unit))
-        result.unit = units.at(*unit);
-    result.sense = chosen<Sense>(m_sense);
-    result.angleReference = static_cast<AngleReference>(m_reference->currentIndex());
-    result.startAngle = enteredNumber(m_start->text(), Quantity::angle).value.value_or(0);
-    result.arc = enteredNumber(m_way->text(), Quantity::angle).value.value_or(0);
-    result.answers = m_answers;
-    return result;
+ArcTable ArcDialog::readTable(const std::string &text) const {
+    ImportOptions answers = m_answers;
+    for (const QComboBox *box : m_choices) {
+        if (!isOpen(*box))
+            answers[box->property("key").toString().toStdString()] =
+                box->currentData().toString().toStdString();
+    }
+    answers["angleReference"] = m_reference->currentData().toString().toStdString();
+    const auto numberIn = [](const QLineEdit &field) {
+        return enteredNumber(field.text(), Quantity::angle).value.value_or(0);
+    };
+    answers["startAngle"] = shortest(numberIn(*m_start));
+    const double extent = numberIn(*m_way);
+    std::optional<Sense> sense;
+    if (!isOpen(*m_sense)) {
+        sense = static_cast<Sense>(m_sense->currentData().toInt());
+        answers["arc"] = shortest(sense == Sense::clockwise ? -extent : extent);
+    }
+    return readArcTable(text, m_circle, answers, sense, {{"arc", shortest(extent)}});
 }
 
 void ArcDialog::answer(const QString &id, const QString &word) {
@@ -221,11 +241,9 @@ void ArcDialog::answer(const QString &id, const QString &word) {
     const auto asked = std::ranges::find(m_questions, key, &Question::id);
     if (asked != m_questions.end() && !asked->proposal.empty() && asked->proposal != word.toStdString())
         m_answers.clear(); // the numbers become others
-    const bool chosen = key == "layout"        ? choose(m_content, layouts, word.toStdString())
-                        : key == "unit"        ? choose(m_unit, units, word.toStdString())
-                        : key == "decimalMark" ? choose(m_mark, marks, word.toStdString())
-                                               : false;
-    if (!chosen)
+    const auto box = std::ranges::find_if(
+        m_choices, [&](const QComboBox *each) { return each->property("key").toString() == id; });
+    if (box == m_choices.end() || !choose(**box, word.toStdString()))
         m_answers[key] = word.toStdString();
     read();
     // The button that was pressed goes, and those that come are shown in the next turn.
@@ -257,13 +275,12 @@ void ArcDialog::read() {
         showProblem({});
         return;
     }
-    const ArcTableChoices asked = choices();
-    if (!(asked.arc > 0)) {
+    if (!(enteredNumber(m_way->text(), Quantity::angle).value.value_or(0) > 0)) {
         showProblem(tr("The extent of an arc is a number of degrees above 0."));
         return;
     }
     try {
-        ArcTable table = readArcTable(text.toStdString(), m_circle, asked);
+        ArcTable table = readTable(text.toStdString());
         m_arcs = std::move(table.arcs);
         m_questions = table.questions;
         showTable(table);
@@ -276,16 +293,18 @@ void ArcDialog::read() {
 }
 
 void ArcDialog::showTable(const ArcTable &table) {
-    const bool alone = table.content.value == ArcContent::deviations;
+    const auto chosen = [&](const char *key) {
+        const auto choice = std::ranges::find(table.choices, key, &ImportChoice::key);
+        return choice == table.choices.end() ? std::string() : choice->value;
+    };
+    const bool alone = chosen("layout") == "deviations";
     m_start->setEnabled(alone);
     m_way->setEnabled(alone);
     const auto questions = static_cast<int>(m_questions.size());
     m_problem->setText(tr("%n question(s) to answer", nullptr, questions));
     m_problem->setVisible(questions > 0);
-    const Unit *unit = unitOf(table.unit.value);
     QStringList paths{tr("read as %1, in %2", "columns, unit")
-                          .arg(m_content->itemText(static_cast<int>(table.content.value) + 1),
-                               unit ? QString::fromUtf8(unit->sign) : QString())};
+                          .arg(wordOf("layout", chosen("layout")), wordOf("unit", chosen("unit")))};
     for (const Arc &arc : m_arcs)
         paths << tr("%1, %2 points: %3 … %4", "sense of a path")
                      .arg(senseWord(arc.sense),

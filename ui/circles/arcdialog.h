@@ -6,6 +6,7 @@
 #include "language/language.h"
 
 #include <QDialog>
+#include <string_view>
 #include <vector>
 
 class QComboBox;
@@ -39,14 +40,15 @@ public:
 
 private:
     QFormLayout *makeForm();
-    QComboBox *addChoice(QFormLayout &form, const char *name, const QString &label, const QStringList &words);
+    QComboBox *addChoice(QFormLayout &form, const char *name, const QString &label);
+    void fillWords(QComboBox &box, const char *key, bool (*isOfCircle)(std::string_view word));
     QLineEdit *addAngle(QFormLayout &form, const char *name, const QString &label, double value);
     void read();
     void showTable(const ArcTable &table);
     void showProblem(const QString &problem);
     void answer(const QString &id, const QString &word);
     void confirmAll();
-    [[nodiscard]] ArcTableChoices choices() const;
+    [[nodiscard]] ArcTable readTable(const std::string &text) const;
 
     CircularMeasurement m_circle;
     Language m_language;
@@ -54,9 +56,8 @@ private:
     std::vector<Question> m_questions; ///< that keep the arcs from being added
     ImportOptions m_answers;           ///< beside the choices; they hold for the numbers as they were read
     QPlainTextEdit *m_text;
+    std::vector<QComboBox *> m_choices; ///< of the import, in the order of the form; each knows its key
     QComboBox *m_content = nullptr;
-    QComboBox *m_unit = nullptr;
-    QComboBox *m_mark = nullptr;
     QComboBox *m_sense = nullptr;
     QComboBox *m_reference = nullptr;
     QLineEdit *m_start = nullptr;

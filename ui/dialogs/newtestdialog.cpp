@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/newtestdialog.h"
 
-#include "editing/typedreading.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/planning/cycleprogram.h"
 #include "language/decimals.h"
@@ -10,6 +9,7 @@
 #include "ui/dialogs/formrows.h"
 #include "ui/dialogs/limits.h"
 #include "ui/dialogs/statementsbox.h"
+#include "ui/pastebar.h"
 #include "ui/tabletext.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
@@ -62,6 +62,7 @@ NewTestDialog::NewTestDialog(Language language, const Test *like, QWidget *paren
     , m_last(new QLineEdit(this))
     , m_count(new QLineEdit(this))
     , m_list(new TableText(this))
+    , m_read(new PasteBar(this))
     , m_statements(new StatementsBox(this))
     , m_problem(new QLabel(this)) {
     setObjectName(QStringLiteral("newTestDialog"));
@@ -87,6 +88,7 @@ NewTestDialog::NewTestDialog(Language language, const Test *like, QWidget *paren
     makePrimary(*m_create);
     auto *column = new QVBoxLayout(this);
     column->addLayout(m_form);
+    column->addWidget(m_read);
     column->addWidget(m_statements);
     column->addWidget(buttons);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
@@ -180,7 +182,12 @@ void NewTestDialog::connectFields() {
         });
     }
     connect(m_both, &QCheckBox::toggled, this, &NewTestDialog::check);
+    connect(m_read, &PasteBar::answered, this, [this](const QString &key, const QString &word) {
+        m_answers[key.toStdString()] = word.toStdString();
+        check();
+    });
     connect(m_list, &QPlainTextEdit::textChanged, this, [this] {
+        m_answers.clear();
         m_listed = true;
         m_proposed = false;
         check();
@@ -288,8 +295,22 @@ void NewTestDialog::writeTargets(const QString &text) {
     m_proposed = true;
 }
 
+std::optional<PastedTargets> NewTestDialog::readTargets() const {
+    return targetsFrom(m_list->toPlainText().toStdString(), axis(), m_language.units(), m_answers);
+}
+
 std::optional<std::vector<double>> NewTestDialog::targets() const {
-    return targetsFrom(m_list->toPlainText().toStdString(), axis(), m_language.units());
+    const auto read = readTargets();
+    return read ? std::optional(read->targets) : std::nullopt;
+}
+
+/// Of a table that was put into the list: how it was read.
+void NewTestDialog::showRead() {
+    const auto read = m_listed && m_list->document()->blockCount() > 1 ? readTargets() : std::nullopt;
+    if (read)
+        m_read->say(PasteBar::tr("%n target(s) read", nullptr, static_cast<int>(read->taken)), {},
+                    read->units, {}, false);
+    m_read->setVisible(read.has_value());
 }
 
 /// What is wrong first, and at which field.
@@ -332,6 +353,7 @@ NewTestDialog::Problem NewTestDialog::problem() const {
 /// The sentence stands below its field.
 void NewTestDialog::check() {
     const Problem found = problem();
+    showRead();
     for (QWidget *field :
          std::initializer_list<QWidget *>{m_name, m_travel, m_runs, m_first, m_last, m_count, m_list}) {
         const bool refused = field == found.field;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "editing/newtest.h"
+#include "editing/typedreading.h"
 #include "kernel/planning/targetplan.h"
 #include "language/language.h"
 
@@ -20,6 +21,7 @@ class QPushButton;
 
 namespace palmer::ui {
 
+class PasteBar;
 class StatementsBox;
 
 /// Asks what a new positioning test begins with. Targets are proposed after the rule of the edition, with a
@@ -57,7 +59,9 @@ private:
                                                    std::size_t most) const;
     [[nodiscard]] Axis axis() const;
     [[nodiscard]] std::optional<double> number(const QLineEdit *field) const;
+    [[nodiscard]] std::optional<PastedTargets> readTargets() const;
     [[nodiscard]] std::optional<std::vector<double>> targets() const;
+    void showRead();
     [[nodiscard]] TargetRequest request() const;
     [[nodiscard]] TargetPlan planned() const;
 
@@ -77,6 +81,8 @@ private:
     QLineEdit *m_last;
     QLineEdit *m_count;
     QPlainTextEdit *m_list;
+    PasteBar *m_read; ///< how a list that was pasted was understood
+    ImportOptions m_answers;
     StatementsBox *m_statements;
     QLabel *m_problem;
     std::array<QLabel *, 4> m_units{};

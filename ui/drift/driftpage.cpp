@@ -14,6 +14,7 @@
 #include "ui/measures.h"
 #include "ui/model/clipboardtext.h"
 #include "ui/pastebar.h"
+#include "ui/tablepaste.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 
@@ -52,7 +53,8 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
     , m_reason(new QLabel(this))
     , m_paste(new QToolButton(this))
     , m_remove(new QToolButton(this))
-    , m_table(new QTableView(this)) {
+    , m_table(new QTableView(this))
+    , m_pasted(new TablePaste(model, *this)) {
     setObjectName(QStringLiteral("driftPage"));
     setFocusProxy(m_table);
     m_range->setObjectName(QStringLiteral("driftRange"));
@@ -103,11 +105,10 @@ void DriftPage::connectParts() {
         write(row, readings, QT_TRANSLATE_NOOP("edits", "change a reading"));
     });
     connect(&m_readings, &DriftModel::refusedText, this, &DriftPage::showReason);
-    connect(m_model.undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
-        m_readings.keepRefused();
-        if (m_pasteIndex > 0 && index != m_pasteIndex)
-            hidePasteBar(); // its choices would paste once more
-    });
+    connect(m_model.undoStack(), &QUndoStack::indexChanged, this, [this] { m_readings.keepRefused(); });
+    connect(m_pasted, &TablePaste::refused, this,
+            [this](const QString &sentence) { showReason(sentence + u'.'); });
+    connect(m_pasted, &TablePaste::undone, m_table, [this] { m_table->setFocus(); });
     connect(m_table->itemDelegate(), &QAbstractItemDelegate::closeEditor, this,
             [this](QWidget *, QAbstractItemDelegate::EndEditHint hint) {
                 if (hint == QAbstractItemDelegate::SubmitModelCache)
@@ -159,7 +160,7 @@ void DriftPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
     const int scrolled = test == m_test ? m_table->verticalScrollBar()->value() : 0;
     if (test != m_test) {
         m_reason->hide();
-        hidePasteBar();
+        m_pasted->end();
     }
     m_evaluated = evaluated;
     m_test = test;
@@ -233,66 +234,22 @@ void DriftPage::write(std::size_t row, const std::vector<DriftReading> &readings
     });
 }
 
-/// Made when it is needed.
-PasteBar &DriftPage::pasteBar() {
-    if (m_pasteBar)
-        return *m_pasteBar;
-    m_pasteBar = new PasteBar(this);
-    layout()->addWidget(m_pasteBar);
-    connect(m_pasteBar, &PasteBar::answered, this, [this](const QString &key, const QString &word) {
-        m_answers[key.toStdString()] = word.toStdString();
-        takePasted();
-    });
-    connect(m_pasteBar, &PasteBar::undoWanted, this, [this] {
-        if (m_pasteIndex == m_model.undoStack()->index())
-            m_model.undoStack()->undo();
-        m_pasteBar->hide();
-        m_table->setFocus();
-    });
-    return *m_pasteBar;
-}
-
-void DriftPage::hidePasteBar() {
-    if (m_pasteBar)
-        m_pasteBar->hide();
-}
-
 void DriftPage::paste() {
     const QModelIndex current = m_table->currentIndex();
-    m_pasted = clipboardText().toStdString();
-    m_pastedRow = current.isValid() ? static_cast<std::size_t>(current.row()) : m_readings.readings();
-    m_answers.clear();
-    takePasted();
-}
-
-/// Also once more, with another answer: in the place of what was pasted.
-void DriftPage::takePasted() {
-    if (!test())
-        return;
-    const Motion motion = motionOf(*test()); // an undo shows another document
-    QUndoStack &stack = *m_model.undoStack();
-    const bool isAgain = m_pasteIndex == stack.index() && !m_answers.empty();
-    m_pasteIndex = -1;
-    if (isAgain)
-        stack.undo();
-    try {
-        const PastedDrift pasted = driftReadingsFrom(m_pasted, motion, m_language.units(), m_answers);
-        QStringList remarks;
-        for (const Message &remark : pasted.remarks)
-            remarks << m_language.sentence(remark);
-        std::size_t readings = 0;
-        if (pasted.questions.empty()) {
-            const int before = stack.index();
-            write(m_pastedRow, pasted.readings, QT_TRANSLATE_NOOP("edits", "paste readings"));
-            m_pasteIndex = stack.index() == before ? -1 : stack.index(); // what changes nothing is no step
-            readings = pasted.readings.size();
-        }
-        m_reason->hide();
-        pasteBar().say(readings, remarks, pasted.units, pasted.questions, m_pasteIndex > 0);
-    } catch (const Error &error) {
-        hidePasteBar();
-        showReason(m_language.sentence(error.message) + u'.');
-    }
+    const std::size_t row =
+        current.isValid() ? static_cast<std::size_t>(current.row()) : m_readings.readings();
+    m_reason->hide();
+    m_pasted->take(
+        [this, row, text = clipboardText().toStdString()](const ImportOptions &answers) -> Pasted {
+            const Test *shown = test();
+            if (!shown)
+                return {};
+            PastedDrift pasted = driftReadingsFrom(text, motionOf(*shown), m_language.units(), answers);
+            if (pasted.questions.empty())
+                write(row, pasted.readings, QT_TRANSLATE_NOOP("edits", "paste readings"));
+            return pasted;
+        },
+        [](int taken) { return PasteBar::tr("%n reading(s) pasted", nullptr, taken); });
 }
 
 void DriftPage::removeRows() {

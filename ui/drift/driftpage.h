@@ -14,7 +14,7 @@ class QToolButton;
 
 namespace palmer::ui {
 
-class PasteBar;
+class TablePaste;
 
 /// The page of a drift test: E_VE, which tests take it, and the readings, typed or pasted. Its curve is the
 /// figure beside it.
@@ -46,9 +46,6 @@ private:
     void arrange();
     void refresh();
     void paste();
-    void takePasted();
-    PasteBar &pasteBar();
-    void hidePasteBar();
     void removeRows();
     void goOn();
     void showReason(const QString &reason);
@@ -66,14 +63,10 @@ private:
     QLabel *m_explained;
     QLabel *m_taken;
     QLabel *m_reason;
-    PasteBar *m_pasteBar = nullptr;
     QToolButton *m_paste;
     QToolButton *m_remove;
     QTableView *m_table;
-    std::string m_pasted; ///< what was pasted last
-    std::size_t m_pastedRow = 0;
-    ImportOptions m_answers;
-    int m_pasteIndex = -1;    ///< of the stack of edits, behind the paste
+    TablePaste *m_pasted;     ///< what was pasted last
     bool m_following = false; ///< the selection of the window is what moves the current cell
 };
 

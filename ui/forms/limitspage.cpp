@@ -12,6 +12,8 @@
 #include "ui/formulatext.h"
 #include "ui/measures.h"
 #include "ui/model/clipboardtext.h"
+#include "ui/pastebar.h"
+#include "ui/tablepaste.h"
 #include "ui/theme.h"
 
 #include <QCoreApplication>
@@ -142,15 +144,21 @@ Member<std::string> originOfAll() {
 } // namespace
 
 LimitsPage::LimitsPage(DocumentModel &model, Selection &selection, QWidget *parent)
-    : Form(limitsContext, Page::limits, model, parent) {
+    : Form(limitsContext, Page::limits, model, parent)
+    , m_pasted(new TablePaste(model, *this)) {
     follow(selection);
     setObjectName(QStringLiteral("limitsPage"));
     addToBar(new TemplateButton(TemplateButton::Kind::limits, model, selection, this));
+    connect(m_pasted, &TablePaste::refused, this, [this](const QString &sentence) {
+        showError(this, tr("Nothing was pasted"), sentence, QMessageBox::Warning);
+    });
     refresh();
 }
 
 /// A row of fields for each parameter that the edition of the test knows.
 void LimitsPage::prepare() {
+    if (std::exchange(m_pastedTest, test()) != test())
+        m_pasted->end();
     const Test *shown = shownTest();
     const Edition *edition = shown ? findEdition(shown->edition) : nullptr;
     if (!edition) {
@@ -252,21 +260,20 @@ bool LimitsPage::eventFilter(QObject *watched, QEvent *event) {
 }
 
 void LimitsPage::pasteLimits(std::size_t row) {
-    const Test *shown = shownTest();
-    if (!shown)
-        return;
-    try {
-        PastedLimits pasted =
-            palmer::pasteLimits(shown->limits, m_ids, row, clipboardText(), m_quantity, language().units());
-        if (pasted.limits == shown->limits)
-            return;
-        edit(QT_TRANSLATE_NOOP("edits", "paste limits"), [&](Document &document) {
-            editTest(document, test(), [&](Test &test) { test.limits = std::move(pasted.limits); });
-        });
-    } catch (const Error &error) {
-        showError(this, word(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Nothing was pasted")), error,
-                  QMessageBox::Warning);
-    }
+    m_pasted->take(
+        [this, row, text = clipboardText()](const ImportOptions &answers) -> Pasted {
+            const Test *shown = shownTest();
+            if (!shown)
+                return {};
+            PastedLimits pasted =
+                palmer::pasteLimits(shown->limits, m_ids, row, text, m_quantity, language().units(), answers);
+            if (!(pasted.limits == shown->limits))
+                edit(QT_TRANSLATE_NOOP("edits", "paste limits"), [&](Document &document) {
+                    editTest(document, test(), [&](Test &test) { test.limits = pasted.limits; });
+                });
+            return pasted;
+        },
+        [](int taken) { return PasteBar::tr("%n limit(s) pasted", nullptr, taken); });
 }
 
 void LimitsPage::refreshOthers() {

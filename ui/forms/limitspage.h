@@ -11,6 +11,8 @@ class QLabel;
 namespace palmer::ui {
 
 /// The agreed limits of a test and the decision rule. Never beside a verdict.
+class TablePaste;
+
 class LimitsPage : public Form {
     Q_OBJECT
 
@@ -36,6 +38,8 @@ private:
         std::vector<const Term *> terms; ///< what it limits; empty: nothing of this edition
     };
 
+    TablePaste *m_pasted; ///< what was pasted last
+    std::size_t m_pastedTest = 0;
     std::vector<Name> m_names;
     Field *m_first = nullptr;       ///< the limit below the head of its column
     std::vector<LimitName> m_ids;   ///< of the rows

@@ -6,11 +6,16 @@
 #include "import/choices.h"
 #include "kernel/measurement/plane.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palmer {
 
-namespace {}
+bool isLayoutOfCircles(std::string_view word) {
+    constexpr std::array<std::string_view, 4> words{"xy", "angleRadius", "angleDeviation", "deviations"};
+    return std::ranges::find(words, word) != words.end();
+}
 
 void settleCircle(CircularMeasurement &measurement, std::string &edition, std::string_view plane,
                   std::optional<double> feed, Choices &choices, std::vector<Remark> &remarks) {

@@ -17,6 +17,9 @@ namespace palmer {
 void settleCircle(CircularMeasurement &measurement, std::string &edition, std::string_view plane,
                   std::optional<double> feed, Choices &choices, std::vector<Remark> &remarks);
 
+/// What the columns of points of a circle can be, as words of the choice "layout".
+[[nodiscard]] bool isLayoutOfCircles(std::string_view word);
+
 /// Angles made continuous: no step beyond 180°.
 void unwrap(std::vector<double> &degrees);
 

@@ -39,9 +39,9 @@ std::string upper(std::string text) {
     return text;
 }
 
-/// A path as the file gives it: two numbers a point.
+/// A path as the file gives it: two numbers a point, or one.
 struct RawPath {
-    std::vector<double> first;  ///< angle or x
+    std::vector<double> first;  ///< angle or x; empty of deviations alone
     std::vector<double> second; ///< radius, deviation or y
     std::optional<Sense> stated;
 };
@@ -61,6 +61,8 @@ public:
         if (plane.empty() && layout == "xy")
             plane = planeOfHeadings();
         settleCircle(measurement, test.edition, plane, m.notes.feed, m.choices, m.result.remarks);
+        if (layout == "deviations")
+            putAtEqualSteps();
         if (layout == "xy")
             convertXy(measurement);
         else
@@ -93,10 +95,14 @@ private:
         else if (m_question)
             m.remark(RemarkGrade::assumption, *m_question, 0, "columns");
         if (m_seconds.empty())
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "one column of numbers does not make a circle; expected "
-                                               "x and y, angle and radius, or angle and deviation")});
+            refuseColumns();
         takeNominal();
+    }
+
+    [[noreturn]] static void refuseColumns() {
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "these columns do not make a circle; expected x and y, angle and "
+                                           "radius, angle and deviation, or radial deviations alone")});
     }
 
     void setRole(std::size_t column, ColumnRole role) { m.result.columns[column].role = role; }
@@ -137,7 +143,17 @@ private:
         // "angle, x, y": the points, and where on their way they were taken.
         const bool isXy =
             coordinates && (angle.empty() || (of(Meaning::radius).empty() && of(Meaning::deviation).empty()));
-        if (isXy) {
+        const std::vector<std::size_t> columns = body.numberColumns();
+        if (columns.size() == 1 || m.choices.chosen("layout") == "deviations") {
+            m_seconds = of(Meaning::deviation);
+            if (m_seconds.empty())
+                std::ranges::copy_if(columns, std::back_inserter(m_seconds), [&](std::size_t c) {
+                    return senseIn(body.columns[c].heading).has_value();
+                });
+            if (m_seconds.empty() && !columns.empty())
+                m_seconds = {columns.front()};
+            m_first.reset();
+        } else if (isXy) {
             m_first = coordinates->first;
             m_seconds = {coordinates->second};
         } else {
@@ -148,9 +164,10 @@ private:
             if (m_seconds.empty())
                 m_seconds = unnamed();
         }
-        setRole(m_first, isXy ? ColumnRole::x : ColumnRole::angle);
+        if (m_first)
+            setRole(*m_first, isXy ? ColumnRole::x : ColumnRole::angle);
         for (const std::size_t c : m_seconds)
-            setRole(c, isXy ? ColumnRole::y : roleOf(c));
+            setRole(c, !m_first ? ColumnRole::deviation : isXy ? ColumnRole::y : roleOf(c));
         for (const std::size_t c : of(Meaning::nominal))
             setRole(c, ColumnRole::nominal);
         takeSenses();
@@ -198,8 +215,8 @@ private:
         std::vector<std::size_t> sensed;
         for (const std::size_t c : m.body.numberColumns()) {
             const Meaning meaning = m.body.columns[c].meaning;
-            if (c <= m_first || !(meaning == Meaning::unknown || meaning == Meaning::run ||
-                                  meaning == Meaning::reading || meaning == Meaning::actual))
+            if (c <= *m_first || !(meaning == Meaning::unknown || meaning == Meaning::run ||
+                                   meaning == Meaning::reading || meaning == Meaning::actual))
                 continue;
             columns.push_back(c);
             if (senseIn(m.body.columns[c].heading))
@@ -258,11 +275,10 @@ private:
         }
         const bool pooled = std::ranges::any_of(
             m_seconds, [&](std::size_t c) { return chosen[c].role != chosen[m_seconds.front()].role; });
-        if (!first || m_seconds.empty() || pooled)
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "one column of numbers does not make a circle; expected "
-                                               "x and y, angle and radius, or angle and deviation")});
-        m_first = *first;
+        if (m_seconds.empty() || pooled ||
+            (!first && chosen[m_seconds.front()].role != ColumnRole::deviation))
+            refuseColumns();
+        m_first = first;
         m.result.columns = std::move(chosen);
         if (std::ranges::find(m.result.columns, ColumnRole::direction, &ImportColumn::role) ==
             m.result.columns.end())
@@ -296,34 +312,36 @@ private:
         return {REPORT_TEXT("report", "Content: the columns are read as angle and radial deviation.")};
     }
 
+    /// What the columns are called, else what their numbers look like, which is a guess.
+    [[nodiscard]] Choice<std::string> recognisedLayout() const {
+        const Meaning meaning = m.body.columns[m_seconds.front()].meaning;
+        if (!m_first)
+            return {"deviations", Origin::recognised};
+        if (m.result.columns[*m_first].role == ColumnRole::x)
+            return {"xy", Origin::recognised};
+        if (!m_named && areOnCircle(m, *m_first, m_seconds.front()))
+            return {"xy", Origin::guessed};
+        if (m.choices.isChosen("columns") || meaning == Meaning::radius || meaning == Meaning::deviation)
+            return {m.result.columns[m_seconds.front()].role == ColumnRole::radius ? "angleRadius"
+                                                                                   : "angleDeviation",
+                    Origin::recognised};
+        return {areRadii(m_seconds.front()) ? "angleRadius" : "angleDeviation", Origin::guessed};
+    }
+
     std::string settleLayout() {
-        const TableBody &body = m.body;
-        const ColumnRole first = m.result.columns[m_first].role;
-        const ColumnRole role = m.result.columns[m_seconds.front()].role;
-        const bool xy = first == ColumnRole::x;
-        const bool isSaid = m.choices.isChosen("columns") ||
-                            body.columns[m_seconds.front()].meaning == Meaning::radius ||
-                            body.columns[m_seconds.front()].meaning == Meaning::deviation;
-        std::string found = "angleDeviation";
-        Origin origin = Origin::recognised;
-        if (xy || (!m_named && areOnCircle(m, m_first, m_seconds.front()))) {
-            found = "xy";
-            origin = m_named ? Origin::recognised : Origin::guessed;
-        } else if (isSaid) {
-            found = role == ColumnRole::radius ? "angleRadius" : "angleDeviation";
-        } else {
-            found = areRadii(m_seconds.front()) ? "angleRadius" : "angleDeviation";
-            origin = Origin::guessed;
-        }
-        const auto choice = m.choices.settle("layout", found, origin);
-        if (choice.value != "xy" && choice.value != "angleRadius" && choice.value != "angleDeviation")
+        const Choice<std::string> found = recognisedLayout();
+        const auto choice = m.choices.settle("layout", found.value, found.origin);
+        if (!isLayoutOfCircles(choice.value))
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for a circular test"),
                                                {nameOfChoice("layout"), nameOfWord("layout", choice.value)}});
+        if ((choice.value == "deviations") == m_first.has_value())
+            refuseColumns();
         if (choice.origin == Origin::guessed)
             m.remark(RemarkGrade::assumption, contentOf(choice.value), 0, "layout");
         // The columns are what the layout says they are, also where it was chosen against their headings.
         const bool isXy = choice.value == "xy";
-        setRole(m_first, isXy ? ColumnRole::x : ColumnRole::angle);
+        if (m_first)
+            setRole(*m_first, isXy ? ColumnRole::x : ColumnRole::angle);
         for (const std::size_t second : m_seconds)
             setRole(second, isXy                            ? ColumnRole::y
                             : choice.value == "angleRadius" ? ColumnRole::radius
@@ -378,15 +396,17 @@ private:
         path.second.reserve(block.rows.size());
         for (const std::uint32_t row : block.rows) {
             part(parting, row, path);
-            const auto a = m.number(row, m_first);
+            const auto a = m_first ? m.number(row, *m_first) : std::nullopt;
             const auto b = m.number(row, second);
-            if (!a || !b) {
+            if (!b || (m_first && !a)) {
                 ++m_missing;
                 continue;
             }
-            path.first.push_back(*a);
             path.second.push_back(*b);
-            m.setRole(row, m_first, CellRole::position);
+            if (m_first) {
+                path.first.push_back(*a);
+                m.setRole(row, *m_first, CellRole::position);
+            }
             m.setRole(row, second, path.stated == Sense::clockwise ? CellRole::negative : CellRole::positive);
         }
         finish(path);
@@ -419,7 +439,7 @@ private:
     /// Numbers of the paths: each has its own arc.
     [[nodiscard]] std::optional<std::size_t> columnOfRuns() const {
         const std::vector<std::size_t> found = numbersOf(Meaning::run);
-        return found.size() == 1 && found.front() != m_first &&
+        return found.size() == 1 && found.front() != m_first.value_or(m_seconds.front()) &&
                        std::ranges::find(m_seconds, found.front()) == m_seconds.end()
                    ? std::optional(found.front())
                    : std::nullopt;
@@ -438,13 +458,46 @@ private:
     }
 
     void finish(RawPath &path) {
-        if (!path.first.empty())
+        if (!path.second.empty())
             m_paths.push_back(std::move(path));
         path = {};
     }
 
+    /// Deviations without angles: where the path begins, and how far it goes.
+    void putAtEqualSteps() {
+        if (m_missing > 0)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT_COUNTED(
+                             "report", "%n line(s) without a number: without angles every point is needed"),
+                         {},
+                         static_cast<int>(m_missing)});
+        constexpr double wholeTurn = 360;
+        const auto usual = [this](const char *key, double otherwise) {
+            const std::string_view word = m.choices.usual(key);
+            return word.empty() ? otherwise : std::stod(std::string(word));
+        };
+        const auto start = m.choices.settleNumber("startAngle", usual("startAngle", 0), Origin::guessed);
+        const auto way = m.choices.settleNumber("arc", usual("arc", wholeTurn), Origin::guessed);
+        for (RawPath &path : m_paths) {
+            const double extent = !path.stated                       ? way.value
+                                  : *path.stated == Sense::clockwise ? -std::abs(way.value)
+                                                                     : std::abs(way.value);
+            const auto steps = static_cast<double>(std::max<std::size_t>(path.second.size(), 2) - 1);
+            for (std::size_t i = 0; i < path.second.size(); ++i)
+                path.first.push_back(start.value + extent * static_cast<double>(i) / steps);
+        }
+        const char *open = start.origin != Origin::chosen ? "startAngle"
+                           : way.origin != Origin::chosen ? "arc"
+                                                          : "";
+        const RawPath &path = m_paths.front();
+        m.remark(*open == '\0' ? RemarkGrade::note : RemarkGrade::assumption,
+                 {REPORT_TEXT("report", "No angles: the points are put at equal steps from %1 to %2."),
+                  {Number{path.first.front(), Quantity::angle}, Number{path.first.back(), Quantity::angle}}},
+                 0, open);
+    }
+
     [[nodiscard]] std::string planeOfHeadings() const {
-        const std::string a = withoutUnit(m.body.columns[m_first].heading);
+        const std::string a = withoutUnit(m.body.columns[*m_first].heading);
         const std::string b = withoutUnit(m.body.columns[m_seconds.front()].heading);
         return a.size() == 1 && b.size() == 1 ? upper(a + b) : std::string();
     }
@@ -476,7 +529,7 @@ private:
 
     void convertXy(CircularMeasurement &measurement) {
         const Unit *unit =
-            settleUnit("unit", saidFor(m.body.columns[m_first]), UnitKind::length, "mm",
+            settleUnit("unit", saidFor(m.body.columns[*m_first]), UnitKind::length, "mm",
                        REPORT_TEXT("report", "Unit of x and y: nothing in the file says it; read as %1."));
         Points points;
         std::size_t count = 0;
@@ -577,10 +630,12 @@ private:
             }
         }
         mean /= static_cast<double>(std::max<std::size_t>(n, 1));
-        form.angle =
-            settleUnit("positionUnit", m.body.columns[m_first].said(), UnitKind::angle,
-                       largest < 7 && n > 20 ? "rad" : "deg",
-                       REPORT_TEXT("report", "Unit of the angles: nothing in the file says it; read as %1."));
+        form.angle = unitOf("deg");
+        if (m_first)
+            form.angle = settleUnit(
+                "positionUnit", m.body.columns[*m_first].said(), UnitKind::angle,
+                largest < 7 && n > 20 ? "rad" : "deg",
+                REPORT_TEXT("report", "Unit of the angles: nothing in the file says it; read as %1."));
         const TableColumn &second = m.body.columns[m_seconds.front()];
         form.reading = settleUnit(
             "unit", saidFor(second), UnitKind::length, form.radii || size < 0.5 ? "mm" : "um",
@@ -693,7 +748,7 @@ private:
     }
 
     TableReading &m;
-    std::size_t m_first = 0;
+    std::optional<std::size_t> m_first; ///< angles or x; null: radial deviations alone
     std::vector<std::size_t> m_seconds;
     std::vector<RawPath> m_paths;
     std::size_t m_missing = 0;

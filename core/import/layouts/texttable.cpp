@@ -17,7 +17,7 @@ namespace palmer {
 namespace {
 
 constexpr std::array encodings{"UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252", "GB18030"};
-constexpr std::array delimiters{"tab", "semicolon", "comma", "bar", "blanks"};
+constexpr std::array delimiters{"tab", "semicolon", "comma", "bar", "colon", "blanks"};
 constexpr std::array marks{"point", "comma"};
 
 template <class Enumeration, std::size_t size>

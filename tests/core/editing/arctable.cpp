@@ -58,6 +58,16 @@ QString table(Columns columns, double step, char mark, const QString &delimiter,
     return text;
 }
 
+QString chosen(const ArcTable &table, const char *key) {
+    const auto choice = std::ranges::find(table.choices, key, &ImportChoice::key);
+    return choice == table.choices.end() ? QString() : QString::fromStdString(choice->value);
+}
+
+bool asks(const ArcTable &table, const char *choice) {
+    return std::ranges::any_of(table.questions,
+                               [&](const Question &question) { return question.id == choice; });
+}
+
 bool mentions(const ArcTable &table, const char *choice) {
     return std::ranges::any_of(table.remarks, [&](const Remark &remark) { return remark.choice == choice; });
 }
@@ -75,23 +85,24 @@ private slots:
         QTest::addColumn<char>("mark");
         QTest::addColumn<QString>("delimiter");
         QTest::addColumn<QString>("head");
-        QTest::addColumn<ArcContent>("content");
+        QTest::addColumn<QString>("content");
         QTest::newRow("angle and deviation, tabs and commas, with heads")
             << Columns::angleDeviation << 5.0 << ',' << "\t"
             << "Angle (°)\tÉcart (µm)\n"
-            << ArcContent::angleDeviation;
+            << "angleDeviation";
         QTest::newRow("angle and deviation, clockwise, semicolons")
             << Columns::angleDeviation << -5.0 << '.' << ";"
             << "angle;deviation µm\n"
-            << ArcContent::angleDeviation;
+            << "angleDeviation";
         QTest::newRow("angle and radius") << Columns::angleRadius << 5.0 << '.' << "\t"
                                           << "angle\tradius mm\n"
-                                          << ArcContent::angleRadius;
+                                          << "angleRadius";
         QTest::newRow("angle and radius without a word") << Columns::angleRadius << 5.0 << ',' << "\t"
-                                                         << "" << ArcContent::angleRadius;
+                                                         << ""
+                                                         << "angleRadius";
         QTest::newRow("x and y, clockwise") << Columns::xy << -5.0 << '.' << "\t"
                                             << "x mm\ty mm\n"
-                                            << ArcContent::xy;
+                                            << "xy";
     }
 
     void readsAllKindsOfColumns() {
@@ -100,10 +111,10 @@ private slots:
         QFETCH(char, mark);
         QFETCH(QString, delimiter);
         QFETCH(QString, head);
-        QFETCH(ArcContent, content);
+        QFETCH(QString, content);
         const ArcTable read =
             readArcTable(table(columns, step, mark, delimiter, head).toStdString(), circle(), {});
-        QCOMPARE(read.content.value, content);
+        QCOMPARE(chosen(read, "layout"), content);
         QCOMPARE(read.arcs.size(), std::size_t{1});
         QCOMPARE(read.points, std::size_t{72});
         const Arc &arc = read.arcs.front();
@@ -124,7 +135,7 @@ private slots:
     /// Without a word the columns are guessed: not as points of a huge circle, and never in silence.
     void whatIsGuessedIsAsked() {
         const std::string text = table(Columns::angleDeviation, 5, ',', "\t").toStdString() + "365\tn/a\n";
-        ArcTableChoices choices;
+        ImportOptions choices;
         const auto ids = [&] {
             QStringList found;
             for (const Question &question : readArcTable(text, circle(), choices).questions)
@@ -133,14 +144,13 @@ private slots:
             return found.join(' ');
         };
         const ArcTable read = readArcTable(text, circle(), choices);
-        QCOMPARE(read.content.value, ArcContent::angleDeviation);
+        QCOMPARE(chosen(read, "layout"), "angleDeviation");
         QCOMPARE(read.arcs.at(0).radialDeviations.at(1), deviationAt(5) / 1000);
         QCOMPARE(ids(), QString("layout positionUnit unit unread"));
-        choices.content = ArcContent::angleDeviation;
-        choices.unit = "mm";
-        choices.answers = {{"positionUnit", "deg"}, {"unread", "leave"}};
+        choices = {
+            {"layout", "angleDeviation"}, {"unit", "mm"}, {"positionUnit", "deg"}, {"unread", "leave"}};
         QCOMPARE(ids(), QString("large"));
-        choices.answers["large"] = "keep";
+        choices["large"] = "keep";
         QCOMPARE(ids(), QString());
     }
 
@@ -160,26 +170,24 @@ private slots:
         QString text = "Δr µm\n";
         for (int i = 0; i <= 36; ++i)
             text += number(deviationAt(10 * i), 1, '.') + '\n';
-        ArcTableChoices choices;
+        ImportOptions choices;
         ArcTable read = readArcTable(text.toStdString(), circle(), choices);
-        QCOMPARE(read.content.value, ArcContent::deviations);
+        QCOMPARE(chosen(read, "layout"), "deviations");
         QCOMPARE(read.arcs.at(0).angles.front(), 0.0);
         QCOMPARE(read.arcs.at(0).angles.back(), 360.0);
         QCOMPARE(read.arcs.at(0).angles.at(9), 90.0);
         QCOMPARE(read.arcs.at(0).radialDeviations.at(9), deviationAt(90) / 1000);
-        QVERIFY(mentions(read, "startAngle") && mentions(read, "sense") && !mentions(read, "unit"));
-        choices.startAngle = 180;
-        choices.arc = 90;
-        choices.sense = Sense::clockwise;
-        choices.unit = "mm";
-        choices.angleReference = AngleReference::commanded;
+        QVERIFY(asks(read, "startAngle") && !asks(read, "unit"));
+        choices = {{"startAngle", "0"}};
+        QVERIFY(asks(readArcTable(text.toStdString(), circle(), choices), "arc")); // and with it the sense
+        choices = {{"startAngle", "180"}, {"arc", "-90"}, {"unit", "mm"}, {"angleReference", "commanded"}};
         read = readArcTable(text.toStdString(), circle(), choices);
         const Arc &arc = read.arcs.at(0);
         QCOMPARE(arc.angles.front(), 180.0);
         QCOMPARE(arc.angles.back(), 90.0);
         QCOMPARE(arc.radialDeviations.at(9), deviationAt(90));
         QCOMPARE(arc.angleReference, AngleReference::commanded);
-        QVERIFY(!mentions(read, "sense"));
+        QVERIFY(!asks(read, "startAngle") && !asks(read, "arc"));
     }
 
     void aMissingPointOfDeviationsAloneIsRefused() {
@@ -187,11 +195,9 @@ private slots:
     }
 
     void theSenseChosenTurnsTheOrder() {
-        ArcTableChoices choices;
-        choices.sense = Sense::clockwise;
         const ArcTable read =
             readArcTable(table(Columns::angleDeviation, 5, '.', "\t", "angle\tdeviation µm\n").toStdString(),
-                         circle(), choices);
+                         circle(), {}, Sense::clockwise);
         const Arc &arc = read.arcs.at(0);
         QCOMPARE(arc.sense, Sense::clockwise);
         QCOMPARE(arc.angles.front(), 355.0);
@@ -217,8 +223,7 @@ private slots:
     }
 
     void theCommaIsNeverASeparatorOfThousands() {
-        ArcTableChoices choices;
-        choices.decimalMark = DecimalMark::comma;
+        const ImportOptions choices{{"decimalMark", "comma"}};
         const ArcTable read =
             readArcTable(table(Columns::angleDeviation, 5, ',', "\t", "angle\tdeviation µm\n").toStdString(),
                          circle(), choices);
@@ -233,8 +238,7 @@ private slots:
     }
     void textThatIsNoTableIsRefused() {
         QFETCH(QString, text);
-        ArcTableChoices choices;
-        choices.content = ArcContent::xy;
+        const ImportOptions choices{{"layout", "xy"}};
         QVERIFY_THROWS_EXCEPTION(Error, (void)readArcTable(text.toStdString(), circle(), choices));
     }
 };

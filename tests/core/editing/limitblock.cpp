@@ -129,6 +129,21 @@ private slots:
         QCOMPARE(paste("A\t0.002 °", 0, {}, Quantity::angularDeviation).limits.at("A").value.value(), 0.002);
     }
 
+    /// The unit that was taken is said, and another can be chosen for numbers that have none of their own.
+    void theUnitCanBeChosen() {
+        const auto unitOf = [](const PastedLimits &pasted) {
+            return pasted.units.empty() ? QString() : QString::fromStdString(pasted.units.front().value);
+        };
+        QCOMPARE(unitOf(paste("A\t15")), QString("um"));
+        QCOMPARE(unitOf(paste("Symbol\tLimit (mm)\nA\t0.015")), QString("mm"));
+        QCOMPARE(unitOf(paste("A\t15 µm")), QString());
+        const PastedLimits chosen = pasteLimits({}, names, 0, "Symbol\tLimit (µm)\nA\t15\nR\t8 µm",
+                                                Quantity::deviation, {}, {{"unit", "mm"}});
+        QCOMPARE(chosen.limits.at("A").value.value(), 15.0);
+        QCOMPARE(chosen.limits.at("R").value.value(), 0.008);
+        QCOMPARE(unitOf(chosen), QString("mm"));
+    }
+
     /// Any order of lines, separator, decimal mark and unit gives the same limits.
     void theFormDoesNotMatter() {
         std::mt19937 random(5);

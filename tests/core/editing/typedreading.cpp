@@ -102,7 +102,21 @@ private slots:
         QFETCH(const QString, text);
         QFETCH(const std::vector<double>, targets);
         const auto found = targetsFrom(text.toStdString(), axis(Motion::linear), usual);
-        QCOMPARE(found.value_or(std::vector<double>()), targets);
+        QCOMPARE(found.value_or(PastedTargets()).targets, targets);
+    }
+
+    /// The unit that was taken is said, and another can be chosen.
+    void unitsOfTargets() {
+        const auto read = [](const char *text, const ImportOptions &answers = {}) {
+            return targetsFrom(text, axis(Motion::linear), usual, answers).value();
+        };
+        const PastedTargets plain = read("0\n0.5\n");
+        QVERIFY(plain.units == (std::vector<ImportChoice>{{"positionUnit", "mm", Origin::guessed}}));
+        QVERIFY(read("P (m)\n0\n0.5\n").units ==
+                (std::vector<ImportChoice>{{"positionUnit", "m", Origin::recognised}}));
+        const PastedTargets chosen = read("P (m)\n0\n0.5\n", {{"positionUnit", "in"}});
+        QCOMPARE(chosen.targets, (std::vector<double>{0, 12.7}));
+        QVERIFY(chosen.units == (std::vector<ImportChoice>{{"positionUnit", "in", Origin::chosen}}));
     }
 
     /// What is shown with all its digits and typed again is the same number.

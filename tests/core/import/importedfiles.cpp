@@ -189,6 +189,14 @@ void ImportedFilesTest::takesChoices_data() {
                             << "kind=circular layout=angleDeviation unit=um nominalRadius=75 plane=ZX "
                                "feed=500 angleReference=commanded"
                             << "ISO 230-4:2005 ZX R 75 mm F 500\nccw commanded 3: 0:1 100:3 200:2";
+    QTest::newRow("radial deviations alone")
+        << QByteArray("1\n3\n2\n4\n5\n")
+        << "kind=circular unit=um nominalRadius=75 plane=ZX startAngle=90 arc=-180 angleReference=polar"
+        << "ISO 230-4:2005 ZX R 75 mm F –\ncw polar 5: 90:1 45:3 0:2 -45:4 -90:5";
+    QTest::newRow("radial deviations alone in two columns")
+        << QByteArray("CW µm;CCW µm\n1;3\n2;4\n5;6\n")
+        << "kind=circular layout=deviations nominalRadius=75 plane=ZX startAngle=0 angleReference=polar"
+        << "ISO 230-4:2005 ZX R 75 mm F –\ncw polar 3: 0:1 -180:2 -360:5\nccw polar 3: 0:3 180:4 360:6";
 }
 
 void ImportedFilesTest::takesChoices() {

@@ -424,11 +424,11 @@ private slots:
         QVERIFY(dialog.findChild<QLabel *>("arcProblem")->text().contains("to answer"));
         QVERIFY(dialog.findChild<QLabel *>("arcPaths")
                     ->text()
-                    .startsWith("read as angle, radial deviation, in µm"));
+                    .startsWith("read as angle and radial deviation, in µm"));
         QVERIFY(std::abs(dialog.arcs().at(0).radialDeviations.at(0) - 0.0045) < 1e-12);
         // Read as coordinates, as the user says: deviations of metres are asked about.
         auto *content = dialog.findChild<QComboBox *>("arcContent");
-        content->setCurrentIndex(3);
+        content->setCurrentIndex(content->findData("xy"));
         settle();
         QVERIFY(confirm("large"));
         QVERIFY(!add->isEnabled());
@@ -438,7 +438,7 @@ private slots:
         QVERIFY(confirm("layout") && confirm("unit"));
         confirm("layout")->click();
         settle();
-        QCOMPARE(content->currentIndex(), 1);
+        QCOMPARE(content->currentData().toString(), QString("angleDeviation"));
         QVERIFY(!add->isEnabled());
         dialog.findChild<QPushButton *>("confirmAll")->click();
         settle();
@@ -465,7 +465,10 @@ private slots:
         alone.findChild<QComboBox *>("arcUnit")->setCurrentIndex(1);
         QVERIFY(!alone.findChild<QPushButton *>("addArcs")->isEnabled()); // deviations of 3.5 mm
         alone.findChild<QPushButton *>("confirm.large")->click();
+        QVERIFY(!alone.findChild<QPushButton *>("addArcs")->isEnabled()); // nothing says the sense
+        alone.findChild<QComboBox *>("arcSense")->setCurrentIndex(2);
         QVERIFY(alone.findChild<QPushButton *>("addArcs")->isEnabled());
+        QCOMPARE(alone.arcs().at(0).angles, (std::vector<double>{0, -180, -360}));
         alone.findChild<QComboBox *>("arcUnit")->setCurrentIndex(2);
         QVERIFY(alone.findChild<QPushButton *>("addArcs")->isEnabled());
     }

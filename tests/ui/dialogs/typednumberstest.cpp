@@ -10,6 +10,9 @@
 #include "ui/dialogs/plandialog.h"
 
 #include <QAbstractSpinBox>
+#include <QClipboard>
+#include <QComboBox>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -148,6 +151,25 @@ private slots:
             QCOMPARE(wanted.targets.size(), text.toULongLong());
         else if (field == "newRuns")
             QCOMPARE(wanted.runs, text.toInt());
+    }
+
+    /// A list that was pasted says how it was read; another unit reads it anew.
+    void aPastedListSaysItsUnit() {
+        NewTestDialog dialog{Language(Language::Id::english)};
+        dialog.show();
+        auto *list = dialog.findChild<QPlainTextEdit *>("newTargets");
+        const auto *bar = dialog.findChild<QWidget *>("pasteBar");
+        list->setPlainText("0; 1; 2");
+        QVERIFY(!bar->isVisible());
+        QGuiApplication::clipboard()->setText("Target (mm)\n0\n1\n2\n");
+        list->paste();
+        QVERIFY(bar->isVisible());
+        QCOMPARE(dialog.wanted().targets, (std::vector<double>{0, 1, 2}));
+        auto *unit = dialog.findChild<QComboBox *>("paste.positionUnit");
+        QCOMPARE(unit->currentData().toString(), QString("mm"));
+        unit->setCurrentIndex(unit->findData("in"));
+        emit unit->activated(unit->currentIndex());
+        QCOMPARE(dialog.wanted().targets, (std::vector<double>{0, 25.4, 50.8}));
     }
 
     /// What another first target has replaced comes back by one step.

@@ -821,6 +821,25 @@ private slots:
         QVERIFY(!edited.page.findChild<QMessageBox *>());
     }
 
+    /// The bar says in which unit limits were read; another one pastes anew, and Undo takes back that alone.
+    void theBarChangesPastedLimits() {
+        Edited<LimitsPage> edited(example());
+        const Limits before = edited.test().limits;
+        QGuiApplication::clipboard()->setText(u"A\t0.015\nR\t0.008\n"_s);
+        button(edited.page, "pasteLimits")->click();
+        QCOMPARE(edited.test().limits.at("A").value, std::optional(0.000015));
+        auto *unit = edited.page.findChild<QComboBox *>(u"paste.unit"_s);
+        QVERIFY(unit && unit->isVisibleTo(&edited.page));
+        QCOMPARE(unit->currentData().toString(), u"um"_s);
+        unit->setCurrentIndex(unit->findData(u"mm"_s));
+        emit unit->activated(unit->currentIndex());
+        QCOMPARE(edited.test().limits.at("A").value, std::optional(0.015));
+        QCOMPARE(edited.test().limits.at("R").value, std::optional(0.008));
+        edited.page.findChild<QToolButton *>(u"pasteUndo"_s)->click();
+        QVERIFY(edited.test().limits == before);
+        QVERIFY(!edited.page.findChild<QWidget *>(u"pasteBar"_s)->isVisibleTo(&edited.page));
+    }
+
     void circlesHaveTheirOwnLimits() {
         Test test;
         test.edition = "ISO 230-4:2005";

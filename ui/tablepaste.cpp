@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tablepaste.h"
+
+#include "document/documenterror.h"
+#include "ui/model/documentmodel.h"
+#include "ui/pastebar.h"
+#include "ui/windowlanguage.h"
+
+#include <QLayout>
+#include <QUndoStack>
+#include <utility>
+
+namespace palmer::ui {
+
+TablePaste::TablePaste(DocumentModel &model, QWidget &page)
+    : QObject(&page)
+    , m_model(model)
+    , m_page(page) {
+    connect(m_model.undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
+        if (m_index > 0 && index != m_index)
+            end(); // its choices would paste once more
+    });
+}
+
+/// Made when it is needed.
+PasteBar &TablePaste::bar() {
+    if (m_bar)
+        return *m_bar;
+    m_bar = new PasteBar(&m_page);
+    m_page.layout()->addWidget(m_bar);
+    connect(m_bar, &PasteBar::answered, this, [this](const QString &key, const QString &word) {
+        m_answers[key.toStdString()] = word.toStdString();
+        read();
+    });
+    connect(m_bar, &PasteBar::undoWanted, this, [this] {
+        if (m_index == m_model.undoStack()->index())
+            m_model.undoStack()->undo();
+        end();
+        emit undone();
+    });
+    return *m_bar;
+}
+
+void TablePaste::take(Put put, QString (*counted)(int)) {
+    m_put = std::move(put);
+    m_counted = counted;
+    m_answers.clear();
+    read();
+}
+
+/// Also once more, with another answer: in the place of what was pasted.
+void TablePaste::read() {
+    QUndoStack &stack = *m_model.undoStack();
+    const bool isAgain = m_index == stack.index() && !m_answers.empty();
+    m_index = -1;
+    if (isAgain)
+        stack.undo();
+    try {
+        const int before = stack.index();
+        const Pasted pasted = m_put(m_answers);
+        m_index = stack.index() == before ? -1 : stack.index(); // what changes nothing is no step
+        QStringList remarks;
+        for (const Message &remark : pasted.remarks)
+            remarks << windowLanguage().sentence(remark);
+        bar().say(m_counted(static_cast<int>(pasted.taken)), remarks, pasted.units, pasted.questions,
+                  m_index > 0);
+    } catch (const Error &error) {
+        end();
+        emit refused(windowLanguage().sentence(error.message));
+    }
+}
+
+void TablePaste::end() {
+    m_index = -1;
+    if (m_bar)
+        m_bar->hide();
+}
+
+} // namespace palmer::ui
