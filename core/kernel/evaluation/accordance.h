@@ -10,12 +10,12 @@ namespace palmer {
 
 struct Edition;
 
-/// Whether a test was carried out as its edition asks; the first that holds. notChecked: the text of the
-/// edition was not read; no: a requirement is unmet; notShown: one is undeclared; partly: the text was read
-/// in part; yes: else.
+/// Accordance of a test with its edition; the first state that applies. notChecked: the text of the edition
+/// was not read; no: a requirement is unmet; notShown: one is undeclared; partly: the text was read in part;
+/// yes: otherwise.
 enum class Accordance { notChecked, no, notShown, partly, yes };
 
-/// What counts for accordance, and what departs from practice where the text was not read.
+/// Requirements that count for accordance, and departures from practice if the text was not read.
 struct RequirementCounts {
     int unmet = 0;
     int undeclared = 0;
@@ -26,10 +26,10 @@ struct RequirementCounts {
 
 [[nodiscard]] RequirementCounts countRequirements(std::span<const Finding> findings);
 
-/// What practice asks for and is not declared.
+/// Returns the number of practice requirements that are not declared.
 [[nodiscard]] int countOpenInPractice(std::span<const Finding> findings);
 
-/// A pure function of findings and edition; null for drift tests, which have no edition.
+/// Depends on findings and edition only; null for drift tests, which have no edition.
 [[nodiscard]] Accordance accordanceOf(std::span<const Finding> findings, const Edition *edition);
 
 } // namespace palmer

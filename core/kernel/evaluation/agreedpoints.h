@@ -10,21 +10,21 @@
 
 namespace palmer {
 
-/// What the parties wrote about a point; null: nothing.
+/// Returns the parties' statement about a point, or null.
 [[nodiscard]] const AgreedPoint *agreedPoint(const Test &test, std::string_view point);
 
-/// The parties agreed on the point.
+/// True if the parties agreed on the point.
 [[nodiscard]] bool isAgreed(const Test &test, std::string_view point);
 
-/// Points that the test states and its edition does not list, as other editions of the kind name them.
+/// Returns the points stated by the test that its edition does not list, under their names in other editions.
 [[nodiscard]] std::vector<const AgreementPoint *> furtherPoints(const Edition &edition, const Test &test);
 
-/// Whether the point is one of those listed for the test, is asked for by a row of the requirements, or does
-/// not apply: as stated, and by its rule where nothing is.
+/// Returns whether the point is listed for the test, covered by a row of the requirements, or not applicable:
+/// as stated, otherwise by the rule of the point.
 [[nodiscard]] PointRole roleOf(const AgreementPoint &point, const Test &test);
 
-/// A recommendation (where the text was not read, a note) for each point of the edition that applies, is
-/// asked for by no row of its own and is not agreed, or not declared.
+/// Adds a recommendation (a note if the text was not read) for each point of the edition that applies, has no
+/// requirement row of its own and is not agreed or not declared.
 void findNotAgreed(const Edition &edition, const Test &test, std::vector<Finding> &findings);
 
 } // namespace palmer

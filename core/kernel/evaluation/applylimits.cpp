@@ -11,7 +11,7 @@ namespace palmer {
 
 namespace {
 
-/// Agreed for the edition in use or one of its aliases.
+/// True if agreed for the edition in use or one of its aliases.
 bool holds(const Limit &limit, const TestEvaluation &evaluation) {
     if (!limit.edition)
         return true;
@@ -27,7 +27,7 @@ Verdict decide(const Judged &judged, double limit, const DecisionRule &rule) {
                        p.guardedUncertainty(), rule, roundingBeside(p, limit));
 }
 
-/// How far the value may still go before it reaches the limit.
+/// Returns the distance of the value from the limit; negative beyond it.
 double room(const Parameter &p, double limit, Bound bound) {
     return p.value ? judgedLimit(limit, bound) - judgedValue(*p.value, bound) : 0;
 }
@@ -42,7 +42,7 @@ void note(TestEvaluation &evaluation, const char *id, Source source, Message mes
     evaluation.findings.push_back(std::move(finding));
 }
 
-/// Why of two limits one rules.
+/// Why one of two limits rules.
 enum class Rules { worseVerdict, tighter, alike };
 
 void findSecondLimit(TestEvaluation &evaluation, const Parameter &p, const std::string &other, Rules why) {
@@ -65,8 +65,8 @@ void findSecondLimit(TestEvaluation &evaluation, const Parameter &p, const std::
     note(evaluation, "limits", Source::program, {text, {plainSymbol(p), p.limitOf, other}});
 }
 
-/// Puts the limit of `key` and its verdict into the row, unless the one that stands there rules. A limit for
-/// the parameter itself (it comes later than F) goes before one that is as tight.
+/// Stores the limit of `key` and its verdict in the parameter, unless the limit already stored rules. A limit
+/// for the parameter itself (processed after F) replaces an equally tight one.
 void enter(TestEvaluation &evaluation, const Judged &judged, const std::string &key, const Limit &limit,
            Verdict verdict) {
     Parameter &p = *judged.parameter;
@@ -90,12 +90,12 @@ void enter(TestEvaluation &evaluation, const Judged &judged, const std::string &
         findSecondLimit(evaluation, p, other, why);
 }
 
-/// To a list: "A, B".
+/// Appends to a list: "A, B".
 void add(std::string &list, const std::string &symbol) {
     list += (list.empty() ? "" : ", ") + symbol;
 }
 
-/// Why a limit cannot be evaluated; null if it can. `found`: the results it holds for.
+/// Returns why a limit cannot be evaluated; null if it can. `found`: the results it applies to.
 std::optional<NotEvaluable> reasonForNone(const std::string &id, const Limit &limit,
                                           const std::vector<Judged> &found, const TestEvaluation &evaluation,
                                           const std::function<NotEvaluable(const std::string &id)> &missing) {
@@ -107,7 +107,7 @@ std::optional<NotEvaluable> reasonForNone(const std::string &id, const Limit &li
     return std::nullopt;
 }
 
-/// The sentence for a limit that holds for no result.
+/// Returns the sentence for a limit that applies to no result.
 Message noVerdict(const std::string &id, const Limit &limit, NotEvaluable reason, const char *edition) {
     switch (reason) {
     case NotEvaluable::otherEdition:
@@ -124,7 +124,7 @@ Message noVerdict(const std::string &id, const Limit &limit, NotEvaluable reason
     }
 }
 
-/// What pages call a key of `limits`, where need be in the words of another edition.
+/// Returns the symbol of a key of `limits`, taken from another edition if necessary.
 std::string symbolOf(const std::string &key, const Edition &edition) {
     const std::span<const Edition *const> others = editionsOf(edition.kind);
     std::vector<const Edition *> known{&edition};
@@ -135,7 +135,7 @@ std::string symbolOf(const std::string &key, const Edition &edition) {
                 return std::string(term->symbol.base) + term->symbol.subscript + term->symbol.arrow;
         }
     }
-    return key; // "F", of Fmax and Fmin
+    return key; // "F", which covers Fmax and Fmin
 }
 
 LimitState stateOf(Verdict verdict) {
@@ -144,7 +144,7 @@ LimitState stateOf(Verdict verdict) {
                                            : LimitState::exceeded;
 }
 
-/// Said even where the edition allows for the temperature: the decision rule does not.
+/// Reported even if the edition permits the temperature: the decision rule does not.
 void findUncorrected(TestEvaluation &evaluation, At20 at20, const std::string &symbols) {
     if (symbols.empty())
         return;
@@ -157,7 +157,7 @@ void findUncorrected(TestEvaluation &evaluation, At20 at20, const std::string &s
           {symbols}});
 }
 
-/// What the size of U against the limits means, whatever the verdicts.
+/// Reports U that is large compared with the limits, whatever the verdicts.
 void findLargeUncertainty(TestEvaluation &evaluation, const DecisionRule &rule) {
     std::string guarded;
     std::string large;
@@ -208,7 +208,7 @@ Text notEvaluableText(NotEvaluable reason) {
 
 namespace {
 
-/// A limit in millimetres beside results in micrometres.
+/// Reports a limit that looks like millimetres compared with results in micrometres.
 void findScale(TestEvaluation &evaluation, const Parameter &p, double limit) {
     constexpr double suspicious = 1000;
     if (!p.value || !(*p.value > 0) || !(limit > suspicious * *p.value))
@@ -219,26 +219,26 @@ void findScale(TestEvaluation &evaluation, const Parameter &p, double limit) {
     evaluation.findings.back().id = "limitScale";
 }
 
-/// What is said once for all limits.
+/// Facts reported once for all limits.
 struct Seen {
     bool uncertaintyMissing = false;
     std::string uncorrected; ///< symbols
 };
 
-/// Whether the rule, which asks for a proof, has one: what is not known proves nothing, and takes no
-/// rejection back.
+/// True if the rule, which demands a proof, has one: unknown temperatures prove nothing, but do not revoke a
+/// rejection.
 bool isProof(Verdict verdict, At20 at20) {
     return at20 == At20::hold || (at20 == At20::open && verdict != Verdict::conforms);
 }
 
-/// Judges one result by a limit, and enters what it is in its row, the limit and the verdict of the test.
+/// Judges one result by a limit and updates its parameter, the limit and the verdict of the test.
 void judge(TestEvaluation &evaluation, const Judged &one, const Limit &limit, const DecisionRule &rule,
            At20 at20, AgreedLimit &agreed, Seen &seen) {
     Parameter &p = *one.parameter;
     p.guardBand = guardBand(p.guardedUncertainty(), rule);
     Verdict verdict = decide(one, *limit.value, rule);
     if (rule.rule != Rule::simpleAcceptance) {
-        // Where the budget decides in its place it is by the shift of the simulation.
+        // Even where the budget decides instead, the reason is a shift found by the simulation.
         evaluation.provisional |=
             evaluation.uncertainty.outdated && evaluation.uncertainty.method == UncertaintyMethod::monteCarlo;
         seen.uncertaintyMissing |= !p.expandedUncertainty;

@@ -11,23 +11,22 @@
 
 namespace palmer {
 
-/// A parameter that a limit is for.
+/// A parameter to which a limit applies.
 struct Judged {
     Parameter *parameter = nullptr;
     Bound bound = Bound::magnitude;
 };
 
-/// Why a limit cannot be evaluated, in words: "one run in each direction".
+/// Returns the reason why a limit cannot be evaluated: "one run in each direction".
 [[nodiscard]] Text notEvaluableText(NotEvaluable reason);
 
-/// Puts the agreed limits of the test on its parameters, decides, and sums up: limit, guard band and verdict
-/// of each, verdict of the test. `judged`: the parameters a key of `limits` is for; none: a finding says so,
-/// as it does for a limit agreed for another edition; `missing` says why there are none. A limit that cannot
-/// be evaluated leaves the test not proven. Of two limits for one parameter its row has the one
-/// with the worse verdict, of equal verdicts the one with less room, and a finding says which: the verdict of
-/// the test is always the worst of its rows. Where lengths do not hold at 20 °C, rules that ask for a proof
-/// prove nothing of what depends on them; where that is open, they do not prove conformity. A view has no
-/// verdicts.
+/// Applies the agreed limits of the test to its parameters: limit, guard band and verdict of each, and the
+/// verdict of the test. `judged`: the parameters a key of `limits` applies to; if none, or if the limit was
+/// agreed for another edition, a finding says so; `missing` gives the reason. A limit that cannot be
+/// evaluated leaves the test not proven. Of two limits for one parameter, the parameter gets the one with the
+/// worse verdict, with equal verdicts the one with less room, and a finding names it: the verdict of the test
+/// is always the worst of its rows. If lengths do not hold at 20 °C, rules that demand a proof prove nothing
+/// that depends on them; if this is open, they do not prove conformity. A view has no verdicts.
 void applyLimits(TestEvaluation &evaluation, const Test &test, At20 at20,
                  const std::function<std::vector<Judged>(const std::string &id)> &judged,
                  const std::function<NotEvaluable(const std::string &id)> &missing);

@@ -15,7 +15,7 @@ namespace palmer::common {
 namespace {
 
 constexpr double margin = 0.5;    ///< °C
-constexpr double rounding = 1e-9; ///< of differences of temperatures
+constexpr double rounding = 1e-9; ///< for differences of temperatures
 
 bool specified(const Conditions &conditions, const Test &test) {
     return conditions.warmUp.specifiedBy != SpecifiedBy::notStated || isAgreed(test, "warmUp");

@@ -17,7 +17,7 @@ Verdict decide(std::optional<double> value, double limit, std::optional<double> 
 
 Verdict decideUpper(double value, double limit, std::optional<double> expandedUncertainty,
                     const DecisionRule &rule, double rounding) {
-    // 18 against 18 is equal, whatever the rounding errors of doubles made of the readings.
+    // 18 equals 18, whatever the rounding errors of the readings.
     rounding *= std::max(std::abs(value), std::abs(limit));
     if (rule.rule == Rule::simpleAcceptance)
         return value <= limit + rounding ? Verdict::conforms : Verdict::doesNotConform;

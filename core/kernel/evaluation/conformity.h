@@ -8,34 +8,34 @@
 
 namespace palmer {
 
-/// The verdict on a value against its upper limit, from unrounded numbers; signed results by absolute value.
-/// simple acceptance: value ≤ limit conforms. ISO 14253-1 and "rejection proven": with g = guardFactor·U,
-/// value ≤ limit − g conforms, value > limit + g does not, between (or without U) it is not proven. Without a
-/// value conformity is not proven under any rule. All in the same unit.
+/// Returns the verdict on a value against its upper limit, from unrounded numbers; signed results by absolute
+/// value. Simple acceptance: value ≤ limit conforms. ISO 14253-1 and "rejection proven": with g =
+/// guardFactor·U, value ≤ limit − g conforms, value > limit + g does not, between them (or without U) it is
+/// not proven. Without a value conformity is not proven under any rule. All in the same unit.
 [[nodiscard]] Verdict decide(std::optional<double> value, double limit,
                              std::optional<double> expandedUncertainty, const DecisionRule &rule);
 
-/// The same for a signed value that exists: value ≤ limit, whatever its sign. `rounding`: relative difference
-/// that is no difference: that of sums of readings, or of a number as it was written.
+/// The same for an existing signed value: value ≤ limit, whatever its sign. `rounding`: relative difference
+/// to be ignored: for sums of readings, or for numbers as written.
 inline constexpr double roundingOfSums = 1e-12;
 inline constexpr double roundingOfWritten = 2e-15;
 [[nodiscard]] Verdict decideUpper(double value, double limit, std::optional<double> expandedUncertainty,
                                   const DecisionRule &rule, double rounding = roundingOfSums);
 
-/// The relative difference of a value from a limit that is none: of sums of readings, and of a difference
-/// between numbers of the size of a radius, which a double holds to 2e-16 of it.
+/// Returns the relative difference between a value and a limit to be ignored: for sums of readings, and for a
+/// difference of numbers the size of a radius, each of which a double holds to 2e-16.
 [[nodiscard]] double roundingBeside(const Parameter &parameter, double limit);
 
-/// A value and its limit turned so that less is better: upper limits as they are, signed results by their
-/// size, lower limits with both signs exchanged.
+/// A value and its limit transformed so that less is better: upper limits unchanged, signed results by
+/// magnitude, lower limits with both signs reversed.
 [[nodiscard]] double judgedValue(double value, Bound bound);
 [[nodiscard]] double judgedLimit(double limit, Bound bound);
 
-/// guardFactor·U, null under simple acceptance or without U.
+/// Returns guardFactor·U; null under simple acceptance or without U.
 [[nodiscard]] std::optional<double> guardBand(std::optional<double> expandedUncertainty,
                                               const DecisionRule &rule);
 
-/// The worse of two verdicts; null is no verdict.
+/// Returns the worse of two verdicts; null means no verdict.
 [[nodiscard]] std::optional<Verdict> worst(std::optional<Verdict> a, std::optional<Verdict> b);
 
 } // namespace palmer

@@ -13,10 +13,10 @@ namespace palmer {
 namespace {
 
 constexpr double negligible = 0.05e-3; ///< mm
-constexpr double margin = 0.05;        ///< °C: what does not round to 20.0
-constexpr double rounding = 1e-9;      ///< of differences of temperatures
+constexpr double margin = 0.05;        ///< °C: beyond it a value does not round to 20.0
+constexpr double rounding = 1e-9;      ///< for differences of temperatures
 
-/// θ of machine or instrument: its mean, or at some time of the test.
+/// θ of machine or instrument: mean, or at one time of the test.
 using Theta = std::optional<double> (*)(const Conditions &, SensorMeasures);
 
 std::optional<double> mean(const Conditions &conditions, SensorMeasures what) {
@@ -41,7 +41,7 @@ std::optional<double> differenceAt(const Conditions &conditions, Theta theta) {
     return machine && instrument ? std::optional(*machine - *instrument) : std::nullopt;
 }
 
-/// A correction would be nil, at every temperature of the test.
+/// True if a correction would be nil at every temperature of the test.
 bool needsNoCorrection(const Conditions &conditions, double length) {
     return std::ranges::all_of(times, [&](Theta theta) {
         const auto difference = differenceAt(conditions, theta);

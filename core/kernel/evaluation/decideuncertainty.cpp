@@ -9,7 +9,7 @@ namespace palmer {
 
 namespace {
 
-/// The symbols of the parameters that `holds` is true for: "A, E, M".
+/// Returns the symbols of the parameters for which `holds` is true: "A, E, M".
 template <class Predicate>
 std::string symbolsOf(std::span<const Parameter> parameters, Predicate holds) {
     std::string symbols;
@@ -127,7 +127,7 @@ void decideUncertainty(TestEvaluation &evaluation, UncertaintyMethod method, con
         case UncertaintyMethod::budget:
             parameter.expandedUncertainty = parameter.budgetUncertainty;
             break;
-        case UncertaintyMethod::budgetActual: // what has no S in it has one U alone
+        case UncertaintyMethod::budgetActual: // a parameter without S has only one U
             parameter.expandedUncertainty =
                 parameter.actualUncertainty ? parameter.actualUncertainty : parameter.budgetUncertainty;
             break;
@@ -170,7 +170,7 @@ void findUncertainty(TestEvaluation &evaluation, const std::vector<MissingInput>
             {REPORT_TEXT("report", "The Monte Carlo simulation was run before the last edit of the test: its "
                                    "figures are outdated.")});
     if (!uncertainty.simulation->mayDecide()) {
-        // Shifts and differences of so few trials say nothing.
+        // Shifts and differences of so few trials mean nothing.
         findFewTrials(evaluation, simulationDecides);
         return;
     }

@@ -41,7 +41,7 @@ std::optional<DriftStatistic> driftStatistic(const ReadingsView &readings,
         add(readings.positive, &TargetStatistics::positive);
         add(readings.negative, &TargetStatistics::negative);
         if (count == 0)
-            return std::nullopt; // a run without any reading has no place on the line
+            return std::nullopt; // a run without readings has no place on the line
         result.means[run] = sum / count;
     }
 
@@ -57,7 +57,7 @@ std::optional<DriftStatistic> driftStatistic(const ReadingsView &readings,
         along += j * j;
         across += j * (result.means[run] - mean);
     }
-    // Means that differ by rounding errors only have no slope.
+    // Means that differ only by rounding errors have no slope.
     const bool flat = std::ranges::all_of(result.means, [&](double g) { return std::abs(g) <= rounding; });
     const double slope = flat ? 0 : across / along;
     double residuals = 0;

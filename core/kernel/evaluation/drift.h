@@ -16,16 +16,16 @@ namespace palmer {
 struct DriftStatistic {
     std::vector<double> means; ///< ḡ_j, mm
     double change = 0;         ///< D, mm
-    double t = 0;              ///< infinite when the means lie exactly on a line
+    double t = 0;              ///< infinite if the means lie exactly on a line
     double critical = 0;       ///< t(0.975; n − 2)
 
-    /// |t| > t(0.975): the progression is not chance.
+    /// True if |t| > t(0.975): the progression is not due to chance.
     [[nodiscard]] bool significant() const;
 
     bool operator==(const DriftStatistic &) const = default;
 };
 
-/// Null for fewer than 3 runs a direction.
+/// Null for fewer than 3 runs per direction.
 [[nodiscard]] std::optional<DriftStatistic> driftStatistic(const ReadingsView &readings,
                                                            std::span<const TargetStatistics> statistics);
 

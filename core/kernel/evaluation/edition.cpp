@@ -23,7 +23,7 @@ std::span<const Edition *const> editions() {
     return all;
 }
 
-/// Editions of a kind stand together: each table is of one.
+/// Editions of a kind are adjacent, as each table contains one kind.
 std::span<const Edition *const> editionsOf(Kind kind) {
     const auto all = editions();
     const auto ofKind = [kind](const Edition *edition) { return edition->kind == kind; };

@@ -17,7 +17,7 @@ namespace palmer {
 
 namespace {
 
-/// U as the laboratory states it; U of F is that of Fmax and Fmin.
+/// Returns U as stated by the laboratory; for F that of Fmax and Fmin.
 std::optional<double> statedUncertainty(const CircularMeasurement &measurement, const Parameter &p) {
     const auto &expanded = measurement.uncertainty.expanded;
     auto found = expanded.find(p.term.id);
@@ -40,7 +40,7 @@ Parameter parameter(const iso230_4::ListedParameter &listed, const CircularCase 
     return result;
 }
 
-/// The inputs that the uncertainty of a parameter lacks.
+/// Records the inputs missing for the uncertainty of a parameter.
 void noteMissing(std::vector<MissingInput> &missing, const CircularBudget &budget,
                  const CircularContributions &uses, const Parameter &parameter) {
     for (const Contribution &contribution : budget.contributions) {
@@ -57,7 +57,7 @@ void noteMissing(std::vector<MissingInput> &missing, const CircularBudget &budge
     }
 }
 
-/// Budget, simulation and statement of the uncertainty; what is missing for which results.
+/// Adds budget, simulation and stated uncertainty; returns the missing inputs with the results affected.
 std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const CircularCase &test,
                                          const std::vector<iso230_4::ListedParameter> &listed) {
     const CircularUncertaintyInputs &inputs = test.measurement.uncertainty;
@@ -101,7 +101,7 @@ std::vector<MissingInput> addUncertainty(TestEvaluation &evaluation, const Circu
     return missing;
 }
 
-/// Why budget and simulation differ: the first reason that is computed to hold.
+/// Returns why budget and simulation differ: the first reason confirmed by computation.
 Message reasonOfDifference(const Parameter &p, const TestEvaluation &evaluation,
                            const CircularMeasurement &measurement) {
     const SimulatedParameter &simulated = *p.simulated;
@@ -141,7 +141,7 @@ Message reasonOfDifference(const Parameter &p, const TestEvaluation &evaluation,
                         "is known explains it.")};
 }
 
-/// The parameters a key of `limits` is for. F stands for the larger of |Fmax| and |Fmin| of each path.
+/// Returns the parameters a key of `limits` applies to. F means the larger of |Fmax| and |Fmin| of each path.
 std::vector<Judged> judged(std::vector<Parameter> &parameters, const std::string &id) {
     std::vector<Judged> result;
     for (Parameter &p : parameters) {
@@ -159,7 +159,7 @@ std::vector<Judged> judged(std::vector<Parameter> &parameters, const std::string
     return result;
 }
 
-/// Why the limit of a quantity cannot be evaluated.
+/// Returns why the limit of a quantity cannot be evaluated.
 NotEvaluable whyMissing(const std::string &id, const CircularCase &test) {
     const auto &rows = test.edition.circles->rows;
     const auto row = std::ranges::find_if(rows, [&](const CircularRow &r) { return r.term.isMeantBy(id); });

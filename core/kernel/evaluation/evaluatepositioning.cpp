@@ -25,7 +25,7 @@ int runsOf(const PositioningMeasurement &measurement, Direction direction) {
     return static_cast<int>(std::ranges::count(measurement.runs, direction, &Run::approach));
 }
 
-/// What the test offers to parameters: its directions, and s once any direction has more than one run.
+/// Returns what the test offers to parameters: its directions, and s if any direction has more than one run.
 unsigned offered(const PositioningResults &results) {
     unsigned bits = 0;
     if (results.upward)
@@ -37,12 +37,12 @@ unsigned offered(const PositioningResults &results) {
     return bits;
 }
 
-/// U as the laboratory states it.
+/// Returns U as stated by the laboratory.
 std::optional<double> statedUncertainty(const PositioningMeasurement &measurement, const Parameter &p) {
     const auto found = measurement.uncertainty.expanded.find(p.term.id);
     if (found == measurement.uncertainty.expanded.end() || !(found->second >= 0) ||
         !std::isfinite(found->second))
-        return std::nullopt; // a negative U would turn the guard band round: no number
+        return std::nullopt; // a negative U would reverse the guard band
     return found->second / (measurement.axis.motion == Motion::linear ? 1000.0 : 3600.0); // µm, arc seconds
 }
 
@@ -72,8 +72,8 @@ Parameter parameter(const Row &row, const PositioningMeasurement &measurement,
     return result;
 }
 
-/// Why parameters have no value: the first target whose statistic is missing, and the parameters it takes
-/// away; not those given on request only, which no clause on results asks for.
+/// Explains why parameters have no value: the first target with a missing statistic and the parameters
+/// affected, except those given only on request, which no clause on results asks for.
 void explainMissingValues(TestEvaluation &evaluation, std::span<const TargetStatistics> targets,
                           const PositioningResults &results, const Edition &edition) {
     std::string symbols;
@@ -118,7 +118,7 @@ void explainMissingValues(TestEvaluation &evaluation, std::span<const TargetStat
     evaluation.findings.push_back(std::move(finding));
 }
 
-/// Why the limit of a parameter cannot be evaluated.
+/// Returns why the limit of a parameter cannot be evaluated.
 NotEvaluable whyMissing(const std::string &id, const Edition &edition, unsigned offers) {
     const auto row = std::ranges::find_if(edition.rows, [&](const Row &r) { return id == r.term.id; });
     if (row == edition.rows.end())
@@ -129,7 +129,7 @@ NotEvaluable whyMissing(const std::string &id, const Edition &edition, unsigned 
                                    : NotEvaluable::noValue;
 }
 
-/// What the readings give, before any parameter.
+/// Returns the results that precede the parameters.
 PositioningResults statisticsOf(const PositioningMeasurement &measurement, const Edition &edition) {
     PositioningResults results;
     results.positiveRuns = runsOf(measurement, Direction::positive);

@@ -9,7 +9,7 @@ namespace palmer {
 namespace {
 
 /// A kind without an evaluation does not compile. `edition` is null for kinds that no edition judges, and for
-/// a word that no reader lets in.
+/// a word that no reader accepts.
 struct EvaluationOfKind {
     const Test &test;
     const Surroundings &surroundings;

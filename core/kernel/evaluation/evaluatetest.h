@@ -7,8 +7,8 @@
 
 namespace palmer {
 
-/// The edition a test is evaluated under: `asked` where it is one of the test's kind, else the test's own;
-/// null for drift tests.
+/// Returns the edition a test is evaluated under: `asked` if it is for the test's kind, otherwise the test's
+/// own; null for drift tests.
 [[nodiscard]] const Edition *editionFor(const Test &test, const Edition *asked);
 
 /// Evaluates a test under its own edition, or under `asked` of the same kind (a view: results, no verdicts).
@@ -16,13 +16,13 @@ namespace palmer {
 [[nodiscard]] TestEvaluation evaluateTest(const Test &test, const Surroundings &surroundings,
                                           const Edition *asked = nullptr);
 
-/// The evaluation of a positioning test; `test.measurement` holds a PositioningMeasurement and `edition` is
-/// one of ISO 230-2 or its kin.
+/// Evaluates a positioning test. Precondition: `test.measurement` holds a PositioningMeasurement and
+/// `edition` is one of ISO 230-2 or related standards.
 [[nodiscard]] TestEvaluation evaluatePositioning(const Test &test, const Surroundings &surroundings,
                                                  const Edition &edition);
 
-/// The evaluation of a circular test; `test.measurement` holds a CircularMeasurement and `edition` is one of
-/// ISO 230-4.
+/// Evaluates a circular test. Precondition: `test.measurement` holds a CircularMeasurement and `edition` is
+/// one of ISO 230-4.
 [[nodiscard]] TestEvaluation evaluateCircular(const Test &test, const Surroundings &surroundings,
                                               const Edition &edition);
 

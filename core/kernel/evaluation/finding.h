@@ -14,17 +14,17 @@ namespace palmer {
 /// knowing.
 enum class Grade { requirement, recommendation, note };
 
-/// Where a finding comes from. text: the clause that is cited, of the edition of the test. practice: the
-/// field's practice or another edition, not verified in this one. laboratory: good practice of a laboratory,
-/// decision rules. program: what the computation needs, lacks or assumes. Only requirements of the text count
-/// for accordance; a clause is known of the text alone.
+/// Source of a finding. text: the cited clause of the edition of the test. practice: the field's practice or
+/// another edition, not verified in this one. laboratory: good laboratory practice, decision rules. program:
+/// what the computation needs, lacks or assumes. Only requirements of the text count for accordance, and only
+/// they have a clause.
 enum class Source { text, practice, laboratory, program };
 
 /// unmet: false, contradicted by the data, or a statement that the report must contain and does not;
-/// undeclared: not stated, which is neither a fault nor an accordance.
+/// undeclared: not stated, which is neither a fault nor accordance.
 enum class State { unmet, undeclared };
 
-/// What a finding speaks of: where it is mended.
+/// Subject of a finding, i.e. where it can be corrected.
 enum class Subject {
     readings,
     conditions,
@@ -37,25 +37,25 @@ enum class Subject {
     report
 };
 
-/// What else of the report a finding explains: the report repeats it there.
+/// Part of the report that a finding explains: the report repeats it there.
 enum class Explains { nothing, missingValues, missingUncertainty, substituteReadings };
 
-/// Something the edition asks for and this test does not have, or what a reader of the results must know.
+/// Something the edition asks for and this test lacks, or something a reader of the results must know.
 struct Finding {
     Grade grade = Grade::note;
     Source source = Source::program;
-    std::optional<State> state = {}; ///< of a requirement, also one of practice; null for all else
+    std::optional<State> state = {}; ///< for requirements, also of practice; null for all others
     Subject subject = Subject::readings;
-    std::string clause = {};            ///< empty where it is not known
+    std::string clause = {};            ///< empty if unknown
     std::string id = {};                ///< stable, for scripts
-    std::vector<std::string> keys = {}; ///< fields of the file, from the test or the document on
-    /// What is not declared, not stated or not agreed, in words; `message` is then a text that takes one, or
-    /// several and how many they are ("Not declared%2: %1."). Empty where the message stands for itself.
+    std::vector<std::string> keys = {}; ///< fields of the file, relative to the test or the document
+    /// Name of what is not declared, not stated or not agreed; `message` then is a text that takes one or
+    /// several names and their number ("Not declared%2: %1."). Empty if the message is complete by itself.
     Text name = {};
-    std::string letter = {};  ///< of a point to be agreed: stands before its name
-    std::string results = {}; ///< that it is missing of, "A, R": stand behind its name
+    std::string letter = {};  ///< of a point to be agreed: precedes its name
+    std::string results = {}; ///< results it is missing for, "A, R": follow its name
     Explains explains = Explains::nothing;
-    bool missing = false; ///< something the file lacks and the user may state
+    bool missing = false; ///< the file lacks something the user can state
     Message message = {};
 
     bool operator==(const Finding &) const = default;

@@ -13,8 +13,8 @@ namespace palmer {
 
 namespace {
 
-/// Which of our results says the same as one of an instrument's program. Its circularity is the difference of
-/// the largest and smallest radius over all its runs.
+/// Returns our result that corresponds to one of an instrument's program. Its circularity is the difference
+/// between the largest and smallest radius over all its runs.
 const Parameter *ourResult(const TestEvaluation &evaluation, const std::string &name) {
     const auto withId = [&](std::string_view id) -> const Parameter * {
         for (const Parameter &parameter : evaluation.parameters) {
@@ -30,7 +30,7 @@ const Parameter *ourResult(const TestEvaluation &evaluation, const std::string &
     return withId(name);
 }
 
-/// The unit as people read it, with either letter mu, or by its word: "µm", "um".
+/// Returns the unit by its sign, with either letter mu, or by its word: "µm", "um".
 const Unit *unitStated(std::string_view stated) {
     constexpr std::string_view micro = "µ";
     constexpr std::string_view greekMu = "μ";
@@ -77,7 +77,7 @@ void findOtherResults(TestEvaluation &evaluation, const Test &test, const Surrou
         const double least = 0.2 * (quantity == Quantity::angularDeviation ? arcSecond : micrometre);
         const double most = std::max({share * std::abs(result.value), resolutions * resolution, least});
         const double ours = *result.ours->value;
-        if (std::abs(ours - result.value) <= most * (1 + 1e-9)) // of conversions of units
+        if (std::abs(ours - result.value) <= most * (1 + 1e-9)) // allows for unit conversions
             continue;
         constexpr int decimals = 2;
         Finding finding;

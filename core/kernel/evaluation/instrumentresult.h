@@ -10,20 +10,20 @@
 
 namespace palmer {
 
-/// A result that the instrument's own program states, and ours that says the same.
+/// A result stated by the instrument's own program, and our corresponding result.
 struct InstrumentResult {
     const ImportedFile *file = nullptr;
     const ImportedResult *stated = nullptr;
-    const Parameter *ours = nullptr; ///< null: there is none, or its unit is none of a length or angle
-    double value = 0;                ///< what is stated, in the unit of ours: mm or degrees
+    const Parameter *ours = nullptr; ///< null: none, or the stated unit is not a length or angle
+    double value = 0;                ///< stated value in the unit of ours: mm or degrees
 };
 
-/// The results the imported files of a test state, in their order. Points into the arguments.
+/// Returns the results stated by the imported files of a test, in their order. Points into the arguments.
 [[nodiscard]] std::vector<InstrumentResult> instrumentResults(const Test &test,
                                                               const TestEvaluation &evaluation);
 
-/// A note for each result of an instrument's program that ours differs from by more than 5 % of it, twice the
-/// resolution of the instruments and 0.2 µm (0.2″): bounds of ours.
+/// Adds a note for each result of an instrument's program that differs from ours by more than the largest of
+/// 5 %, twice the resolution of the instruments and 0.2 µm (0.2″). These bounds are ours.
 void findOtherResults(TestEvaluation &evaluation, const Test &test, const Surroundings &surroundings);
 
 } // namespace palmer

@@ -11,10 +11,10 @@
 #include <array>
 #include <span>
 
-/// Good practice of a laboratory, asked of tests of all kinds: notes that never count.
+/// Good laboratory practice for tests of all kinds: notes that never count.
 namespace palmer::laboratory {
 
-/// The machine and the date. `named`: the name of the machine, or its type.
+/// Name or type of the machine.
 template <class Case>
 bool named(const Case &test) {
     return stated::ofMachine<&Machine::name>(test) || stated::ofMachine<&Machine::model>(test);
@@ -30,7 +30,7 @@ std::optional<Message> purposeNotStated(const Case &test) {
     return Message{REPORT_TEXT("report", "Purpose of the test not stated.")};
 }
 
-/// One of two tests of the same axis or plane: which is the one before?
+/// One of two tests of the same axis or plane does not state whether it is before or after.
 template <class Case>
 std::optional<Message> roleNotStated(const Case &test) {
     if (!test.surroundings.repeated || test.test.role != TestRole::notStated)
@@ -54,7 +54,7 @@ std::optional<Message> picturesNotReadable(const Case &test) {
                                "report is printed without it.")};
 }
 
-/// Instruments whose calibration had ended, or was made after the test. Days as they are written compare.
+/// Instruments whose calibration had expired or was made after the test. ISO dates compare as strings.
 template <class Case>
 std::optional<Message> calibrationNotValid(const Case &test) {
     std::string names;
@@ -71,7 +71,7 @@ std::optional<Message> calibrationNotValid(const Case &test) {
     return Message{REPORT_TEXT("report", "Calibration of %1 not valid on the date of the test."), {names}};
 }
 
-/// The report before the test, or the test outside the days in which the tests were made.
+/// The report predates the test, or the test is outside the stated period of testing.
 template <class Case>
 std::optional<Message> datesContradict(const Case &test) {
     const auto &day = test.test.date;
@@ -88,7 +88,7 @@ std::optional<Message> datesContradict(const Case &test) {
     return std::nullopt;
 }
 
-/// The budget names a drift test that has nothing for it: readings of an axis of the other motion, or none.
+/// The budget names a drift test it cannot use: without readings, or of an axis with the other motion.
 template <class Case>
 std::optional<Message> driftTestOfNoUse(const Case &test) {
     const std::string *drift = driftTestOf(test.test);

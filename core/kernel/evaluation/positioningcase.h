@@ -12,22 +12,22 @@
 
 namespace palmer {
 
-/// The longest short axis, and the zone that has the full test of a longer one: 2 000 mm, 360°.
+/// The longest short axis, which is also the zone for the full test of a longer one: 2 000 mm, 360°.
 [[nodiscard]] constexpr double longestShort(Motion motion) {
     return motion == Motion::linear ? 2000 : 360;
 }
 
-/// The travel of the axis, mm, rotary: degrees: as stated, and never less than the measurement travel, which
-/// the axis has gone.
+/// Returns the axis travel, mm, rotary: degrees: as stated, but at least the measurement travel actually
+/// covered.
 [[nodiscard]] double judgedAxisTravel(const PositioningMeasurement &measurement);
 
-/// The axis is longer than a short one.
+/// True if the axis is longer than a short one.
 [[nodiscard]] bool isLongAxis(const PositioningMeasurement &measurement);
 
-/// A zone is stated and all targets lie in it, its ends included.
+/// True if a zone is stated and contains all targets, ends included.
 [[nodiscard]] bool isInsideZone(const PositioningMeasurement &measurement);
 
-/// A positioning test and all that its requirements look at. Owns nothing.
+/// A positioning test with all inputs of its requirements. Owns nothing.
 struct PositioningCase {
     const Test &test;
     const PositioningMeasurement &measurement;
@@ -37,21 +37,21 @@ struct PositioningCase {
     const std::optional<DriftStatistic> &drift;
     int positiveRuns = 0;
     int negativeRuns = 0;
-    std::string withoutUncertainty = {}; ///< as resultsWithoutUncertainty
+    std::string withoutUncertainty = {}; ///< from resultsWithoutUncertainty
 
     [[nodiscard]] const PositioningConditions &conditions() const { return measurement.conditions; }
     [[nodiscard]] const Conditions &common() const { return measurement.conditions.common; }
     [[nodiscard]] bool linear() const { return measurement.axis.motion == Motion::linear; }
 
-    /// As judgedAxisTravel.
+    /// Returns judgedAxisTravel().
     [[nodiscard]] double travel() const;
-    /// The axis is longer than a short one.
+    /// True if the axis is longer than a short one.
     [[nodiscard]] bool longAxis() const;
-    /// All targets lie in the agreed zone of a long axis: judged as a short one.
+    /// True if all targets lie in the agreed zone of a long axis: judged as a short one.
     [[nodiscard]] bool zoneTest() const;
-    /// What the number of targets is asked for: the zone of a zone test, else the travel.
+    /// Returns the travel that determines the number of targets: the zone for a zone test.
     [[nodiscard]] double judgedTravel() const;
-    /// A test of a long axis over its whole travel.
+    /// True for a test of a long axis over its whole travel.
     [[nodiscard]] bool wholeTravelOfLongAxis() const { return longAxis() && !zoneTest(); }
 
     [[nodiscard]] bool agreed(std::string_view point) const;

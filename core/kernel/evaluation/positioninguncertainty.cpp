@@ -29,7 +29,7 @@ const TargetStatistics &targetOf(const Ruling &ruling, Targets targets) {
 }
 
 /// For a mean over the targets, on the safe side: the target with the largest uncertainty, as if it ruled
-/// alone, in the directions the parameter looks at.
+/// alone, in the directions used by the parameter.
 Rulers leastCertain(const Row &row, const Coefficients &coefficients, Targets targets, double c) {
     Rulers result;
     double most = -1;
@@ -45,7 +45,7 @@ Rulers leastCertain(const Row &row, const Coefficients &coefficients, Targets ta
     return result;
 }
 
-/// The direction by which R_i is as large as it is; null: both together with B_i.
+/// Returns the direction that determines R_i; null: both together with B_i.
 std::optional<Direction> rulingDirection(const TargetStatistics &target, double c) {
     const double up = repeatability(target.positive, c);
     const double down = repeatability(target.negative, c);
@@ -54,7 +54,7 @@ std::optional<Direction> rulingDirection(const TargetStatistics &target, double 
     return up >= down ? Direction::positive : Direction::negative;
 }
 
-/// Of the means of a target the larger (or the smaller).
+/// Returns the direction of the larger (or smaller) mean of a target.
 Direction directionOfMean(const TargetStatistics &target, bool larger) {
     return (target.positive.mean >= target.negative.mean) == larger ? Direction::positive
                                                                     : Direction::negative;
@@ -80,7 +80,7 @@ Rulers rulersOf(const Parameter &p, const Row &row, const Coefficients &coeffici
     return result;
 }
 
-/// A parameter of readings that are tilted by t at the distance L from the first target: s stays as it is.
+/// A parameter of readings tilted by t at the distance L from the first target: s is unchanged.
 class Tilted {
 public:
     Tilted(const PositioningMeasurement &measurement, double length, Targets targets)
@@ -105,8 +105,8 @@ private:
     std::vector<TargetStatistics> m_tilted;
 };
 
-/// Half of the shortest interval that holds 95.45 % of a parameter whose readings are tilted by S and nothing
-/// else: normally distributed (S is 2 deviations) or uniformly.
+/// Returns half of the shortest interval that contains 95.45 % of a parameter whose readings are tilted by S
+/// only: normally distributed (S is 2 standard deviations) or uniformly.
 double halfIntervalOfTilts(Tilted &tilted, const Row &row, double systematic, double c, bool normal) {
     constexpr int count = 200;
     const double deviation = systematic / 2;
@@ -141,8 +141,8 @@ Systematic partsOf(const PositioningBudget &budget, double systematic) {
     return result;
 }
 
-/// The scatter of the readings at a target and direction that rules, as the drift of a simulation widens it;
-/// 1: not at all.
+/// Returns the factor by which the drift of a simulation widens the scatter of the readings at a ruling
+/// target and direction; 1: not at all.
 double widening(const Parameter &p, const Row &row, const PositioningBudget &budget,
                 const PositioningMeasurement &measurement, Targets targets) {
     constexpr double twelve = 12; // variance of a uniform distribution
@@ -168,8 +168,8 @@ double widening(const Parameter &p, const Row &row, const PositioningBudget &bud
     return widest;
 }
 
-/// Without the targets that rule it the parameter is smaller by no more than `uncertainty`: from trial to
-/// trial another target may rule.
+/// True if the parameter falls by no more than `uncertainty` without its ruling targets: another target may
+/// then rule from trial to trial.
 bool othersComeClose(const Parameter &p, const Row &row, Targets targets, double c, double uncertainty) {
     std::vector<TargetStatistics> others;
     for (std::size_t i = 0; i < targets.size(); ++i) {
@@ -187,8 +187,8 @@ bool agrees(double found, double expected) {
     return std::abs(found - expected) <= agreementOfMethods * expected;
 }
 
-/// Why the errors that tilt the readings make the difference; null: they do not. `environment`: what is left
-/// of U without S.
+/// Returns the reason if errors that tilt the readings explain the difference, otherwise null. `environment`:
+/// U without S.
 std::optional<Text> reasonOfTilt(const Parameter &p, const Row &row, Tilted &tilted, double systematic,
                                  double environment, double c, bool fixedPart) {
     const SimulatedParameter &simulated = *p.simulated;

@@ -10,17 +10,17 @@
 
 namespace palmer {
 
-/// Puts the contributions into the evaluation and U by the budget on its parameters: the n of every mean and
-/// s are those of the targets and directions that rule it; the fewest of all where a mean over targets is
-/// taken. Beside it U with the actual targets:
+/// Adds the contributions to the evaluation and the budget's U to its parameters: the n of every mean and s
+/// are those of the ruling targets and directions; the fewest of all for a mean over targets. Also adds U
+/// with the actual targets:
 ///     S_eff = max(Y(+T), Y(−T)) − Y(0),   Y(t) the evaluation of x_ij + t·ℓ_i/L,
-/// T the part of S that grows with the length; what does not (a fixed part of the instrument) counts in full.
-/// Nothing without a complete budget.
+/// T being the part of S that grows with the length; the rest (a fixed part of the instrument) counts in
+/// full. Adds no U without a complete budget.
 void addPositioningBudget(TestEvaluation &evaluation, const PositioningMeasurement &measurement,
                           const PositioningBudget &budget, std::span<const TargetStatistics> targets);
 
-/// Why budget and simulation differ by more than 20 % for a parameter: the first reason that is computed to
-/// hold; that there is none where there is none. The sentence has %1 for the symbols.
+/// Returns why budget and simulation differ by more than 20 % for a parameter: the first reason confirmed by
+/// computation, otherwise a sentence that none was found. The sentence has %1 for the symbols.
 [[nodiscard]] Message reasonOfDifference(const Parameter &parameter, const TestEvaluation &evaluation,
                                          const PositioningMeasurement &measurement,
                                          const PositioningBudget &budget,

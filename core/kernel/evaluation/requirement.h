@@ -14,54 +14,54 @@
 
 namespace palmer {
 
-/// How a requirement stands. `sentence`: of an unmet one what is wrong; null: the subject of its row says it.
+/// State of a requirement. `sentence`: what is wrong if unmet; null: the name of its row says it.
 struct Judgement {
     std::optional<State> state = {}; ///< null: met
     std::optional<Message> sentence = {};
-    Text name = {}; ///< of a row made of several fields those that are missing; empty: all that it asks for
-    std::string results = {}; ///< what it is missing of; empty: the test
+    Text name = {};           ///< missing fields of a row with several; empty: all of them
+    std::string results = {}; ///< results it is missing for; empty: the test
 
     [[nodiscard]] static Judgement met() { return {}; }
     [[nodiscard]] static Judgement unmet() { return {State::unmet}; }
     [[nodiscard]] static Judgement unmet(Message message) { return {State::unmet, std::move(message)}; }
     [[nodiscard]] static Judgement undeclared() { return {State::undeclared}; }
-    /// Of a row made of several fields: `missing` has a bit for each that is, `names` their names by these
-    /// bits (an empty one, or none: the name of the row).
+    /// For a row with several fields: `missing` has a bit for each missing field, `names` their names indexed
+    /// by these bits (empty or absent: the name of the row).
     [[nodiscard]] static Judgement lacking(State state, unsigned missing, std::span<const Text> names) {
         if (missing == 0)
             return met();
         return {state, {}, missing < names.size() ? names[missing] : Text{}};
     }
-    /// Of a condition that is declared or not.
+    /// For a condition that is declared or not.
     [[nodiscard]] static Judgement of(std::optional<bool> condition) {
         return !condition ? undeclared() : *condition ? met() : unmet();
     }
-    /// Met unless there is a sentence that says what is wrong.
+    /// Met unless there is a sentence saying what is wrong.
     [[nodiscard]] static Judgement of(std::optional<Message> wrong) {
         return wrong ? unmet(std::move(*wrong)) : met();
     }
 };
 
-/// One row of what an edition asks of a test; `Case` is a test and all that is known of it.
+/// One requirement of an edition; `Case` is a test with its results and surroundings.
 template <class Case>
 struct RequirementOf {
     const char *id = nullptr;
     Source source = Source::text;
-    const char *clause = nullptr;        ///< of the text; else empty
-    Grade modality = Grade::requirement; ///< what the clause says: shall, should, or worth knowing
+    const char *clause = nullptr;        ///< of the text; otherwise empty
+    Grade modality = Grade::requirement; ///< shall, should, or worth knowing, as in the clause
     Subject subject = Subject::readings;
     bool (*applies)(const Case &) = nullptr; ///< null: always
     Judgement (*judge)(const Case &) = nullptr;
-    Text name = {};     ///< what it asks for: "Not declared: …", "Not stated in the report: …"
-    Text sentence = {}; ///< when it is unmet and the judgement says nothing of its own
+    Text name = {};     ///< what is required: "Not declared: …", "Not stated in the report: …"
+    Text sentence = {}; ///< if unmet and the judgement has no sentence of its own
     std::array<const char *, 2> keys = {};
     Explains explains = Explains::nothing;
 };
 
-/// The sentence of a finding that names what is missing, by its source and state.
+/// Returns the sentence of a finding that names what is missing, by source and state.
 [[nodiscard]] Text missingText(Source source, std::optional<State> state);
 
-/// The finding of a row that is not met.
+/// Returns the finding of a row that is not met.
 template <class Case>
 [[nodiscard]] Finding findingOf(const RequirementOf<Case> &row, Judgement judgement) {
     const bool counted =
@@ -92,7 +92,7 @@ template <class Case>
     return finding;
 }
 
-/// Judges a test by the rows, in their order.
+/// Judges a test by the rows in their order.
 template <class Case>
 void judge(std::span<const RequirementOf<Case>> rows, const Case &test, std::vector<Finding> &findings) {
     for (const RequirementOf<Case> &row : rows) {
@@ -104,7 +104,7 @@ void judge(std::span<const RequirementOf<Case>> rows, const Case &test, std::vec
     }
 }
 
-/// The same rows where the text of the edition was not read: practice, without clauses.
+/// Returns the same rows for an edition whose text was not read: practice, without clauses.
 template <class Case>
 [[nodiscard]] std::vector<RequirementOf<Case>>
 asPractice(std::span<const RequirementOf<Case>> rows, std::initializer_list<std::string_view> without = {}) {
@@ -122,13 +122,13 @@ asPractice(std::span<const RequirementOf<Case>> rows, std::initializer_list<std:
 
 // ---- Words for tables ------------------------------------------------------------------------------------
 
-/// Turns a question whose answer is the sentence of what is wrong into a judgement.
+/// Converts a check that returns a sentence into a judgement.
 template <auto wrong, class Case>
 Judgement unless(const Case &test) {
     return Judgement::of(std::optional<Message>(wrong(test)));
 }
 
-/// A bit for each statement that is missing, the first the lowest.
+/// Returns a bit for each missing statement, the lowest for the first.
 template <class... Statements>
 [[nodiscard]] constexpr unsigned missingOf(const Statements &...stated) {
     unsigned bits = 0;
@@ -137,7 +137,7 @@ template <class... Statements>
     return bits;
 }
 
-/// Turns a question into a judgement: unmet where the answer is no.
+/// Converts a bool check into a judgement: unmet if false.
 template <auto stated, class Case>
 Judgement stating(const Case &test) {
     return stated(test) ? Judgement::met() : Judgement::unmet();

@@ -7,7 +7,7 @@
 
 namespace palmer {
 
-// The results that belong to the measurement of a kind; `evaluation` is that of its test.
+// Returns the results that belong to the measurement of a kind; `evaluation` is that of its test.
 
 [[nodiscard]] inline const PositioningResults &resultsOf(const PositioningMeasurement & /*measurement*/,
                                                          const TestEvaluation &evaluation) {
@@ -22,7 +22,7 @@ namespace palmer {
     return std::get<DriftResults>(evaluation.results);
 }
 
-/// What `use` makes of the measurement of a test with its results; it has an overload for each kind.
+/// Returns `use` applied to the measurement of a test and its results; it has an overload for each kind.
 template <class Use>
 auto withResults(const Test &test, const TestEvaluation &evaluation, Use use) {
     return std::visit(

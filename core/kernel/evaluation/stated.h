@@ -9,7 +9,7 @@
 #include <string>
 #include <type_traits>
 
-/// Whether a test states what reports of all kinds have to state. `Case` has test, surroundings and common().
+/// Checks that a test states what all reports must state. `Case` has test, surroundings and common().
 namespace palmer::stated {
 
 template <auto text, class Case>
@@ -17,7 +17,7 @@ bool ofMachine(const Case &test) {
     return test.surroundings.machine && !isBlank(test.surroundings.machine->*text);
 }
 
-/// A text that is not empty, or a value that is not null, of the conditions.
+/// True for a non-empty text or a non-null value of the conditions.
 template <auto member, class Case>
 bool common(const Case &test) {
     const auto &value = test.common().*member;
@@ -37,7 +37,7 @@ bool instruments(const Case &test) {
     return !test.surroundings.instruments.empty();
 }
 
-/// Of every named instrument; without any, the row "instruments" says so.
+/// True if every named instrument has one; without instruments the row "instruments" reports it.
 template <class Case>
 bool instrumentSerial(const Case &test) {
     return std::ranges::none_of(test.surroundings.instruments,

@@ -51,7 +51,7 @@ void columnStatistics(const Value *values, std::size_t runs, std::size_t stride,
         rest += d;
         squares += d * d;
     }
-    // The mean was rounded: its error is rest/n, and it must leave the squares too.
+    // The mean was rounded: its error is rest/n, and the squares must be corrected for it, too.
     const Value correction = rest / n;
     result.mean = mean + correction;
     if constexpr (ranges)
@@ -82,7 +82,7 @@ void targetStatistics(std::span<const Value> positive, std::span<const Value> ne
         columns<ranges>(positive, targets, result, &TargetStatisticsOf<Value>::positive);
         columns<ranges>(negative, targets, result, &TargetStatisticsOf<Value>::negative);
     };
-    // Of several tests at once nobody looks at W but the range method.
+    // For several tests at once only the range method uses W.
     if (std::is_same_v<Value, double> || method == DeviationMethod::range)
         bothDirections.template operator()<true>();
     else

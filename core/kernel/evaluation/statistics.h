@@ -22,7 +22,7 @@ struct ReadingsView {
     [[nodiscard]] std::size_t negativeRuns() const { return targets ? negative.size() / targets : 0; }
 };
 
-/// Owner of the table behind a ReadingsView.
+/// Owner of the tables behind a ReadingsView.
 struct Readings {
     std::vector<double> positive;
     std::vector<double> negative;
@@ -31,16 +31,16 @@ struct Readings {
     [[nodiscard]] ReadingsView view() const { return {positive, negative, targets}; }
 };
 
-/// The readings of a measurement in the order of its runs; `corrections` (one a target, mm) are added.
+/// Returns the readings of a measurement in the order of its runs; adds `corrections` (one per target, mm).
 [[nodiscard]] Readings readings(const PositioningMeasurement &measurement,
                                 std::span<const double> corrections = {});
 
-/// Statistics of one target in one direction. NaN = undefined: mean and range need n ≥ 1, s needs n ≥ 2.
-/// The NaN stay inside the kernel: parameters and outputs have null. `Value` is double, or Lanes for several
-/// tests at once that have the same readings missing.
+/// Statistics of one target in one direction. NaN = undefined: mean and range need n ≥ 1, s needs n ≥ 2. NaN
+/// stays inside the kernel: parameters and outputs use null. `Value` is double, or Lanes for several tests at
+/// once with the same readings missing.
 template <class Value>
 struct DirectionStatisticsOf {
-    int n = 0;       ///< readings that exist
+    int n = 0;       ///< existing readings
     Value mean = 0;  ///< x̄_i↑ or x̄_i↓, mm
     Value s = 0;     ///< estimator of the standard deviation, mm
     Value range = 0; ///< W = max − min, mm
@@ -57,13 +57,13 @@ struct TargetStatisticsOf {
 };
 using TargetStatistics = TargetStatisticsOf<double>;
 
-/// Statistics of all targets: mean and s by the corrected two-pass algorithm (the rounding error of the mean
-/// is taken out of both, Chan, Golub, LeVeque 1983), or s = W/k(n) by the range method of ISO 230-2:1988, 2.9
-/// (undefined outside n = 2 … 10). `result` has one element a target. No allocation.
+/// Computes the statistics of all targets: mean and s by the corrected two-pass algorithm (both corrected for
+/// the rounding error of the mean, Chan, Golub, LeVeque 1983), or s = W/k(n) by the range method of ISO
+/// 230-2:1988, 2.9 (undefined outside n = 2 … 10). `result` has one element per target. No allocation.
 void statistics(const ReadingsView &readings, DeviationMethod method, std::span<TargetStatistics> result);
 
-/// The same for four tests at once, bit by bit: the tables have the form of a ReadingsView, and where a
-/// reading is missing it is so in all four.
+/// The same for four tests at once, bit for bit: the tables have the form of a ReadingsView; a reading
+/// missing in one test is missing in all four.
 void statistics(std::span<const Lanes> positive, std::span<const Lanes> negative, std::size_t targets,
                 DeviationMethod method, std::span<TargetStatisticsOf<Lanes>> result);
 
@@ -76,7 +76,7 @@ template <class Value>
     return 2 * c * direction.s;
 }
 
-/// R_i = max(c·s_i↑ + c·s_i↓ + |B_i|; R_i↑; R_i↓); NaN where one of them is.
+/// R_i = max(c·s_i↑ + c·s_i↓ + |B_i|; R_i↑; R_i↓); NaN if one of them is.
 template <class Value>
 [[nodiscard]] Value repeatability(const TargetStatisticsOf<Value> &target, double c) {
     const Value up = target.positive.s;

@@ -11,23 +11,22 @@
 
 namespace palmer {
 
-/// What the evaluation of a test sees of the rest of its file. Owns nothing: valid as long as the document
-/// is.
+/// Parts of the file outside a test that its evaluation uses. Owns nothing: valid as long as the document.
 struct Surroundings {
     const Machine *machine = nullptr;
-    std::vector<const Instrument *> instruments; ///< those the test names
+    std::vector<const Instrument *> instruments; ///< those named by the test
     bool otherTestOfLongAxis =
-        false; ///< whole travel and zone: the file holds the other one for the same axis
-    /// The file holds another test of the same axis or plane under the same edition: before and after an
-    /// adjustment, for anything that is known.
+        false; ///< whole travel and zone: the file has the other test for the same axis
+    /// True if the file has another test of the same axis or plane under the same edition, perhaps before or
+    /// after an adjustment.
     bool repeated = false;
-    bool adjustmentsStated = false;           ///< of the report
-    bool picturesReadable = true;             ///< logo and mark of the laboratory, where there are any
-    std::optional<std::string> reportDate;    ///< YYYY-MM-DD, as the two below
+    bool adjustmentsStated = false;           ///< in the report
+    bool picturesReadable = true;             ///< logo and mark of the laboratory, if any
+    std::optional<std::string> reportDate;    ///< YYYY-MM-DD, like the two below
     std::optional<std::string> performedFrom; ///< when the tests of the report were made
     std::optional<std::string> performedTo;
-    std::optional<double> environmentalVariation; ///< range of the drift test the inputs name, mm or degrees
-    std::shared_ptr<const Simulation> simulation; ///< that was run of the test; null: none
+    std::optional<double> environmentalVariation; ///< range of the named drift test, mm or degrees
+    std::shared_ptr<const Simulation> simulation; ///< run for the test; null: none
     bool simulationOutdated = false;              ///< the test was edited since
 };
 

@@ -9,10 +9,10 @@
 
 namespace palmer {
 
-/// The quantity of a target that a TargetTerm names: "mean+", "mean-", "mean", "reversal", "s+", "s-",
-/// "range+", "range-", "R+", "R-", "R", of VDI/DGQ 3441 "U" (the size of the reversal) and "Ps"
-/// (c·(s↑ + s↓)), besides "lower+", "upper+", "lower-", "upper-" (x̄ ∓ c·s). `c`: factor
-/// of s of the edition. mm, rotary: degrees. Null where it is undefined or the id names nothing.
+/// Returns the quantity of a target named by a TargetTerm: "mean+", "mean-", "mean", "reversal", "s+", "s-",
+/// "range+", "range-", "R+", "R-", "R", for VDI/DGQ 3441 "U" (magnitude of the reversal) and "Ps" (c·(s↑ +
+/// s↓)), also "lower+", "upper+", "lower-", "upper-" (x̄ ∓ c·s). `c`: factor of s of the edition. mm, rotary:
+/// degrees. Null if undefined or the id is unknown.
 [[nodiscard]] std::optional<double> targetValue(std::string_view id, const TargetStatistics &target,
                                                 double c);
 

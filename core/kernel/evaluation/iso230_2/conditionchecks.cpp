@@ -17,7 +17,7 @@ namespace palmer::iso230_2 {
 
 namespace {
 
-constexpr double roundingOfWriting = 1e-9; ///< of numbers as they are written
+constexpr double roundingOfWriting = 1e-9; ///< for numbers as written
 constexpr double hoursBefore = 12;
 
 Number perHour(double value) {
@@ -59,7 +59,7 @@ Judgement gradient(const PositioningCase &test) {
     static constexpr std::array<Text, 3> names{
         Text{}, REPORT_TEXT("report", "temperature gradient over 12 h"),
         REPORT_TEXT("report", "agreed limit of the temperature gradient")};
-    // A gradient of fewer hours says nothing of the twelve that are asked for.
+    // A gradient over fewer hours says nothing about the twelve required.
     const auto &hours = conditions.gradientHoursBefore;
     const bool stated = conditions.gradientPerHour && hours && *hours >= hoursBefore - roundingOfWriting;
     Judgement missing =
@@ -128,8 +128,8 @@ Sentence correctionOfRotary(const PositioningCase &test) {
 
 Sentence expansionUncertainty(const PositioningCase &test) {
     const auto range = test.measurement.uncertainty.expansionRange.machine;
-    constexpr double factor = 0.6;  // expanded uncertainty of a quantity known by its range
-    constexpr double typical = 2.0; // µm/(m·°C), the smallest that is usual
+    constexpr double factor = 0.6;  // U/R of a quantity known only by its range
+    constexpr double typical = 2.0; // µm/(m·°C), the typical minimum
     if (!test.linear() || !range || factor * *range >= typical)
         return std::nullopt;
     return Message{
@@ -176,7 +176,7 @@ Judgement correctionStatements(const PositioningCase &test) {
     Judgement lacking = Judgement::lacking(
         State::unmet, missingOf(common::machineSensorsPlaced(test.common()), alpha.machine, alpha.instrument),
         names);
-    // They go with a correction: whether there was one is asked first.
+    // These belong to a correction, so ask first whether there was one.
     if (lacking.state && test.common().correctionTo20 == CorrectionTo20::notStated)
         return {State::undeclared, {}, REPORT_TEXT("report", "correction to 20 °C")};
     return lacking;

@@ -44,7 +44,7 @@ Edition iso1988(const char *word) {
             .pointsClause = "8"};
 }
 
-/// 1997 and its aliases: the arithmetic and names of 2006; clauses are not known.
+/// 1997 and its aliases: arithmetic and names of 2006; clauses unknown.
 Edition iso1997(const char *word) {
     return {.word = word,
             .family = "ISO 230-2:1997",

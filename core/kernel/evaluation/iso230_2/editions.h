@@ -6,7 +6,7 @@
 
 namespace palmer::iso230_2 {
 
-/// ISO 230-2 of 1988, 1997, 2006, 2014, VDI/DGQ 3441 and the national aliases.
+/// Returns ISO 230-2 of 1988, 1997, 2006, 2014, VDI/DGQ 3441 and the national aliases.
 [[nodiscard]] std::span<const Edition> editions();
 
 } // namespace palmer::iso230_2

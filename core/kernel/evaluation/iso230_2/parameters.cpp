@@ -13,11 +13,11 @@ namespace palmer::iso230_2 {
 namespace {
 
 constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
-/// Values that are equal in decimals differ by rounding errors of their computation only.
+/// Values equal as decimals differ only by rounding errors of the computation.
 constexpr double rounding = 1e-12;
 
-/// The largest and the smallest of the values it is shown, and where they stand: the first on ties.
-/// A NaN stays for good: a parameter that needs a missing statistic has no value.
+/// Largest and smallest of the values added, and their targets: the first on ties. A NaN persists: a
+/// parameter that needs a missing statistic has no value.
 template <class Value>
 class Extremes;
 
@@ -52,7 +52,7 @@ private:
     Ruling m_lowest;
 };
 
-/// Of several tests at once: the values alone, which exist.
+/// For several tests at once: values only, which must exist.
 template <>
 class Extremes<Lanes> {
 public:
@@ -68,7 +68,7 @@ private:
     Lanes m_lower = std::numeric_limits<double>::infinity();
 };
 
-/// Null on ties, to rounding: nothing rules alone.
+/// Returns the direction that rules alone; null on ties, to rounding.
 std::optional<Direction> directionThatRules(const TargetStatistics &target, double c) {
     const double up = repeatability(target.positive, c);
     const double down = repeatability(target.negative, c);
@@ -82,7 +82,7 @@ std::optional<Direction> directionThatRules(const TargetStatistics &target, doub
 template <class Value>
 using All = std::span<const TargetStatisticsOf<Value>>;
 
-/// Outcome for a double, else the values alone.
+/// Outcome for double, otherwise the value only.
 template <class Value>
 using ResultOf = std::conditional_t<std::is_same_v<Value, double>, Outcome, Value>;
 
@@ -136,7 +136,7 @@ constexpr auto largestRepeatability = []<class Value>(All<Value> targets, double
     return extremes.highest();
 };
 
-/// The largest of what `value` says of each target.
+/// The largest `value` of all targets.
 template <auto value>
 constexpr auto largestOf = []<class Value>(All<Value> targets, double c) {
     Extremes<Value> extremes;
@@ -147,7 +147,7 @@ constexpr auto largestOf = []<class Value>(All<Value> targets, double c) {
     return extremes.highest();
 };
 
-/// Mean over the targets of what `value` says of each; no ruling target.
+/// The mean `value` of all targets; no ruling target.
 template <auto value>
 constexpr auto meanOf = []<class Value>(All<Value> targets, double c) -> ResultOf<Value> {
     Value sum = 0;
@@ -160,7 +160,7 @@ constexpr auto meanOf = []<class Value>(All<Value> targets, double c) -> ResultO
         return mean;
 };
 
-/// R_i, and the direction whose R_i↑ or R_i↓ alone is larger than the sum of both with the reversal value.
+/// The largest R_i, and its direction if R_i↑ or R_i↓ alone exceeds the combination with the reversal value.
 constexpr auto largestOfBoth = []<class Value>(All<Value> targets, double c) {
     Extremes<Value> extremes;
     for (std::size_t i = 0; i < targets.size(); ++i) {

@@ -6,9 +6,8 @@
 
 #include <span>
 
-/// How each parameter of an axis follows from the statistics per target (ISO 230-2; VDI/DGQ 3441). Pure,
-/// without allocation; NaN where a statistic that is needed is missing. c: factor of s. Results in mm
-/// (rotary: degrees).
+/// Computation of each parameter of an axis from the statistics per target (ISO 230-2; VDI/DGQ 3441). Pure,
+/// without allocation; NaN if a needed statistic is missing. c: factor of s. Results in mm (rotary: degrees).
 namespace palmer::iso230_2 {
 
 using Targets = std::span<const TargetStatistics>;
@@ -24,9 +23,8 @@ Outcome meanRange(Targets targets, double c);      ///< M = max x̄_i − min x�
 
 Outcome repeatabilityUp(Targets targets, double c);   ///< R↑ = max R_i↑
 Outcome repeatabilityDown(Targets targets, double c); ///< R↓ = max R_i↓
-Outcome
-repeatabilityOfAxis(Targets targets,
-                    double c); ///< R = max R_i; ruled by a direction where R_i↑ or R_i↓ alone is larger
+Outcome repeatabilityOfAxis(Targets targets,
+                            double c); ///< R = max R_i; a direction rules if its R_i↑ or R_i↓ alone is larger
 Outcome smallerRepeatability(Targets targets, double c); ///< UPR = min(R↑; R↓)
 
 Outcome meanRepeatabilityUp(Targets targets, double c);   ///< r̄↑: mean of R_i↑
@@ -42,8 +40,8 @@ Outcome vdiMeanScatter(Targets targets, double c);  ///< P̄s: mean of Ps_i
 Outcome vdiUncertainty(Targets targets,
                        double c); ///< P = max(x̄_i + (U_i + Ps_i)/2) − min(x̄_i − (U_i + Ps_i)/2)
 
-/// The same formula for four tests at once, lane by lane to the last bit; the values must exist in all of
-/// them. Null for a function that is none of the above.
+/// Returns the same formula for four tests at once, identical per lane to the last bit; the values must exist
+/// in all of them. Null for a function not listed above.
 using LanesFormula = Lanes (*)(std::span<const TargetStatisticsOf<Lanes>>, double c);
 [[nodiscard]] LanesFormula inLanes(Outcome (*value)(Targets, double));
 

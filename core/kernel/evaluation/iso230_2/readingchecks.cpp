@@ -16,9 +16,9 @@ namespace palmer::iso230_2 {
 
 namespace {
 
-constexpr int approachesOfTest = 5; ///< approaches each way
+constexpr int approachesOfTest = 5; ///< per direction
 
-/// Places without a reading; those set aside have a finding of their own, `withSetAside` names them, too.
+/// Returns the places without a reading; `withSetAside`: including those set aside.
 NameList gaps(const PositioningCase &test, bool withSetAside) {
     const PositioningMeasurement &m = test.measurement;
     NameList result;
@@ -40,7 +40,7 @@ NameList gaps(const PositioningCase &test, bool withSetAside) {
     return result;
 }
 
-/// Somewhere fewer readings are left than a full test asks for, though there were enough runs.
+/// True if a target has fewer readings left than a full test requires although there were enough runs.
 bool tooFewLeft(const PositioningCase &test) {
     if (std::min(test.positiveRuns, test.negativeRuns) < approachesOfTest)
         return false;
@@ -193,14 +193,14 @@ Sentence rangeMethodRuns(const PositioningCase &test) {
 Sentence drift(const PositioningCase &test) {
     if (!test.drift || !test.drift->significant())
         return std::nullopt;
-    // VDI/DGQ 3441 knows no R.
+    // VDI/DGQ 3441 has no R.
     constexpr std::array scatters{repeatabilityOfAxis, repeatabilityUp, repeatabilityDown, vdiScatter};
     const auto valueOf = [&](const Row &row) { return row.value(test.statistics, test.edition.c).value; };
     const auto beside = std::ranges::find_if(test.edition.rows, [&](const Row &row) {
         return std::ranges::find(scatters, row.value) != scatters.end() && !std::isnan(valueOf(row));
     });
     const Number change = deviation(test, test.drift->change, 2);
-    // Runs that differ by nothing but the progress leave no scatter but that of floating point.
+    // Runs that differ only by the progression leave no scatter but rounding errors.
     constexpr double largest = 1e6;
     const double ratio = std::abs(test.drift->t);
     const Argument t =
@@ -266,7 +266,7 @@ Sentence stepCycleAgreed(const PositioningCase &test) {
 }
 
 Sentence workedExample(const PositioningCase &test) {
-    // Readings of targets 6↓ and 7↑, which the readable copy lost: nobody measures just these again.
+    // Readings of targets 6↓ and 7↑, missing in the readable copy: no real test has exactly these.
     constexpr std::array sixDown{-0.0061, -0.0057, -0.0045, -0.0036, -0.0031};
     constexpr std::array sevenUp{-0.0065, -0.0056, -0.0048, -0.0039, -0.0035};
     const PositioningMeasurement &m = test.measurement;

@@ -90,7 +90,7 @@ bool mayBeCorrected(const PositioningCase &test) {
     return test.linear() && test.common().correctionTo20 != CorrectionTo20::notApplied;
 }
 
-// ---- What needs its own words ----------------------------------------------------------------------------
+// ---- Rows with their own wording -------------------------------------------------------------------------
 
 Judgement temperature1988(const PositioningCase &test) {
     return common::temperature(
@@ -277,7 +277,7 @@ constexpr Demand laboratoryRow(const char *id, Subject subject, bool (*applies)(
     return {id, laboratory, "", info, subject, applies, judge, name, {}, {key}};
 }
 
-/// Of every positioning test.
+/// For every positioning test.
 constexpr std::array laboratoryRows{
     laboratoryRow("name", conditions, nullptr, stating<axisName>, REPORT_TEXT("report", "name of the axis"), "axis.name"),
     laboratoryRow("positionFeedback", conditions, nullptr, stating<positionFeedback>, REPORT_TEXT("report", "measuring system of the axis"), "axis.positionFeedback"),
@@ -286,7 +286,7 @@ constexpr std::array laboratoryRows{
     laboratoryRow("airPressure", conditions, nullptr, stating<number<&PositioningConditions::airPressure>>, REPORT_TEXT("report", "air pressure"), "conditions.airPressure"),
     laboratoryRow("airHumidity", conditions, nullptr, stating<number<&PositioningConditions::airHumidity>>, REPORT_TEXT("report", "air humidity"), "conditions.airHumidity"),
 };
-/// Where the text of the edition does not ask for the temperatures.
+/// If the text of the edition does not ask for temperatures.
 constexpr std::array temperatureRows{
     laboratoryRow("sensors", conditions, linear, temperaturesOfMachineAndInstrument, REPORT_TEXT("report", "temperatures of machine and instrument"), "conditions.sensors"),
     laboratoryRow("expansion", conditions, linear, ofConditions<common::expansionStated>, REPORT_TEXT("report", "coefficients of thermal expansion of machine and instrument"), "conditions.expansion"),
@@ -296,7 +296,7 @@ constexpr std::array temperatureRows{
 constexpr std::array choiceOfRotary{
     laboratoryRow("targetChoice", conditions, rotary, stating<choiceStated>, REPORT_TEXT("report", "how the targets were chosen"), "targetChoice"),
 };
-/// Where no edition of ISO asks: VDI.
+/// VDI only, where no ISO edition asks.
 constexpr std::array otherRows{
     laboratoryRow("targetChoice", conditions, nullptr, stating<choiceStated>, REPORT_TEXT("report", "how the targets were chosen"), "targetChoice"),
     laboratoryRow("otherAxes", conditions, nullptr, ofConditions<common::otherAxes>, REPORT_TEXT("report", "position of the axes not under test"), "conditions.otherAxes"),
@@ -307,7 +307,7 @@ constexpr std::array otherRows{
     laboratoryRow("dwell", conditions, nullptr, stating<number<&PositioningConditions::dwell>>, REPORT_TEXT("report", "dwell at each target"), "conditions.dwell"),
 };
 
-// ---- What the program has to say -------------------------------------------------------------------------------
+// ---- Rows of the program ----------------------------------------------------------------------------------
 
 constexpr Demand programRow(const char *id, Subject subject, bool (*applies)(const PositioningCase &),
                          Judgement (*judge)(const PositioningCase &), Explains explains = Explains::nothing) {
@@ -327,11 +327,11 @@ constexpr std::array programRows{
     programRow("coverage", readings, nullptr, unless<coverage>),
     programRow("workedExample", readings, nullptr, unless<workedExample>, Explains::substituteReadings),
 };
-/// Readings that are missing where no row asks for five approaches.
+/// Missing readings if no row asks for five approaches.
 constexpr std::array longLinearRows{programRow("missingReadings", readings, wholeOfLinear, unless<fewReadings>)};
 constexpr std::array longRows{programRow("missingReadings", readings, wholeTravel, unless<fewReadings>)};
 constexpr std::array vdiRows{programRow("missingReadings", readings, nullptr, unless<fewReadings>)};
-/// Ends of the axis: 1988 does not speak of them.
+/// Ends of the axis: not mentioned in 1988.
 constexpr std::array endRows{programRow("ends", conditions, approachedBothWays, unless<ends>)};
 constexpr std::array endUnknownRows{programRow("ends", conditions, approachedBothWays, unless<endsUnknown>)};
 constexpr std::array driftRows{programRow("drift", readings, nullptr, unless<drift>)};
@@ -422,7 +422,7 @@ std::vector<Demand> practiceOf2006(std::initializer_list<std::string_view> witho
 std::span<const Requirement> requirements1988() {
     static const std::vector<Demand> rows = [] {
         std::vector<Demand> instruments = table({laboratory::instrumentRows<PositioningCase>()});
-        for (Demand &row : instruments) { // of rotary axes the text asks for the instrument
+        for (Demand &row : instruments) { // for rotary axes the text itself asks for the instrument
             if (row.id == std::string_view("instruments"))
                 row.applies = linear;
         }

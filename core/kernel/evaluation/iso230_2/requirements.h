@@ -4,15 +4,14 @@
 
 #include "kernel/evaluation/edition.h"
 
-/// What the editions of ISO 230-2 ask of a test: one table an edition, rows in the order of the printed
-/// standard, then what is good practice of a laboratory, then what the program itself has to say.
+/// Requirements of the editions of ISO 230-2: one table per edition, rows in the order of the printed
+/// standard, then good laboratory practice, then rows of the program itself.
 namespace palmer::iso230_2 {
 
 [[nodiscard]] std::span<const Requirement> requirements1988();
-[[nodiscard]] std::span<const Requirement>
-requirements1997(); ///< practice: those of 2006 but the uncertainty
+[[nodiscard]] std::span<const Requirement> requirements1997(); ///< practice: as 2006 except uncertainty
 [[nodiscard]] std::span<const Requirement> requirements2006();
-[[nodiscard]] std::span<const Requirement> requirements2014();    ///< practice: those of 2006
+[[nodiscard]] std::span<const Requirement> requirements2014();    ///< practice: as 2006
 [[nodiscard]] std::span<const Requirement> requirementsVdi3441(); ///< nothing of ISO
 
 [[nodiscard]] std::span<const AgreementPoint> points1988();

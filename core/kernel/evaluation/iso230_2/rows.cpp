@@ -53,7 +53,7 @@ constexpr std::array table2006{
     Row{{"Bmean", {"B̄"}, REPORT_TEXT("report", "mean reversal value of an axis"), "2.14", "B", {REPORT_TEXT("report", "signed mean"), REPORT_TEXT("report", "mean reversal value")}, detail}, bothWays, meanReversal},
 };
 
-/// Of the clauses of 2014 only 3.18 to 3.22, 3.26 and 3.27 were seen: the others are not printed.
+/// Only clauses 3.18 to 3.22, 3.26 and 3.27 of 2014 were seen: no others are printed.
 constexpr std::array table2014{
     Row{{"A", {"A"}, REPORT_TEXT("report", "bi-directional positioning accuracy of an axis"), "3.27", "A", {REPORT_TEXT("report", "accuracy")}}, both, accuracy, at20},
     Row{{"A+", {"A↑"}, REPORT_TEXT("report", "unidirectional positioning accuracy of an axis"), "3.26", "A", unidirectionalAccuracy, detail}, upOnly, accuracyUp, at20},

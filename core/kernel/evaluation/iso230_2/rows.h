@@ -6,7 +6,7 @@
 
 #include <span>
 
-/// The parameters of the editions of ISO 230-2 and their kin: one table an edition, in the order of print.
+/// Parameters of the editions of ISO 230-2 and related standards: one table per edition, in printing order.
 namespace palmer::iso230_2 {
 
 [[nodiscard]] std::span<const Row> rows1988();

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <string>
 
-/// Small words of the findings of positioning tests.
+/// Building blocks of the findings of positioning tests.
 namespace palmer::iso230_2 {
 
-/// A position or length along the axis: mm or degrees. Differences of positions lose what floating point
-/// adds to them: nobody states the billionth of a millimetre.
+/// A position or length along the axis: mm or degrees. Rounded to 1e-9, which removes the floating-point
+/// error of differences of positions.
 [[nodiscard]] inline Number along(const PositioningCase &test, double value, int decimals = -1) {
     constexpr double billion = 1e9;
     return {std::round(value * billion) / billion, test.linear() ? Quantity::position : Quantity::angle,
@@ -35,7 +35,7 @@ namespace palmer::iso230_2 {
 [[nodiscard]] std::string readingName(const PositioningMeasurement &measurement, std::size_t run,
                                       std::size_t target);
 
-/// A list that stays readable: the first dozen, then "…".
+/// A list kept readable: the first dozen names, then "…".
 class NameList {
 public:
     void add(const std::string &name);

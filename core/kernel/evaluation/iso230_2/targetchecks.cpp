@@ -17,7 +17,7 @@ std::size_t targetCount(const PositioningCase &test) {
     return test.measurement.targets.size();
 }
 
-/// The same for a sentence that counts them.
+/// The same as int, for a counted sentence.
 int numberOfTargets(const PositioningCase &test) {
     return static_cast<int>(targetCount(test));
 }
@@ -36,7 +36,7 @@ double leftOut(const PositioningCase &test) {
     return test.travel() - measurementTravel(test.measurement);
 }
 
-/// Length of the agreed zone when it is another one than the standard's.
+/// Returns the length of the agreed zone if it differs from that of the standard.
 std::optional<double> otherZoneLength(const PositioningCase &test) {
     if (!test.measurement.zone)
         return std::nullopt;
@@ -53,8 +53,8 @@ std::vector<double> steps(const PositioningCase &test) {
     return result;
 }
 
-/// Whether each whole element between the ends of the axis (or the outer targets) holds a target. Elements
-/// count from the lower end: where they really begin is not known.
+/// True if each whole element between the ends of the axis (or the outer targets) contains a target. Elements
+/// count from the lower end, as their true start is unknown.
 bool everyElementHasTarget(const PositioningCase &test, double element) {
     const auto &targets = test.measurement.targets;
     if (targets.empty())
@@ -65,7 +65,7 @@ bool everyElementHasTarget(const PositioningCase &test, double element) {
     const double count = std::floor((to - from) / element + 1e-9);
     if (count > static_cast<double>(targets.size()))
         return false;
-    double next = 0; // element that has no target yet
+    double next = 0; // first element without a target so far
     for (const double target : targets) {
         const double index = std::floor((target - from) / element + 1e-9);
         if (index > next)
@@ -86,7 +86,7 @@ Sentence meanIntervalWhere(const PositioningCase &test, bool tooLong) {
         numberOfTargets(test)};
 }
 
-/// The ends are stated, or are those of the measurement travel, which goes over the whole stated one.
+/// True if the ends are stated, or equal those of a measurement travel that covers the stated axis travel.
 bool endsKnown(const PositioningCase &test) {
     const Axis &axis = test.measurement.axis;
     return axis.range || (axis.travel && std::abs(measurementTravel(test.measurement) - *axis.travel) <=
@@ -97,7 +97,7 @@ Judgement endsNotDeclared() {
     return {State::undeclared, {}, REPORT_TEXT("report", "ends of the axis")};
 }
 
-/// The quarters of a turn within `reach` that have no target.
+/// Returns the quarter turns within `reach` that have no target.
 NameList quartersWithoutTarget(const std::vector<double> &targets, const Interval &reach) {
     NameList missing;
     for (const double quarter : {0.0, 90.0, 180.0, 270.0}) {
@@ -109,7 +109,7 @@ NameList quartersWithoutTarget(const std::vector<double> &targets, const Interva
     return missing;
 }
 
-/// The choice of targets or the cyclic pitch is not stated.
+/// Undeclared if the choice of targets or the cyclic pitch is not stated.
 Judgement choiceMissing(const TargetChoice &choice) {
     static constexpr std::array<Text, 3> names{Text{}, REPORT_TEXT("report", "choice of targets"),
                                                REPORT_TEXT("report", "cyclic pitch")};
@@ -118,7 +118,7 @@ Judgement choiceMissing(const TargetChoice &choice) {
         missingOf(choice.kind != TargetChoiceKind::notStated, choice.period && *choice.period > 0), names);
 }
 
-/// The interval whose multiples the targets follow most closely: the spread is convex in it.
+/// Returns the interval whose multiples fit the targets best: the spread is convex in it.
 double bestInterval(std::span<const double> targets) {
     double low = 0;
     double high = targets.back() - targets.front();
@@ -176,8 +176,8 @@ Judgement quarterTurns(const PositioningCase &test) {
     constexpr Interval turn{0, 359.999};
     const auto &targets = test.measurement.targets;
     const auto &range = test.measurement.axis.range;
-    // A tilting axis cannot go everywhere: only the quarters within its reach are asked for. Without its ends
-    // that is what the targets cover, at least.
+    // A tilting axis has limited reach: only quarters within it are required. If its ends are unknown, the
+    // reach is at least the range of the targets.
     const bool wholeTurn = !range && test.measurement.axis.travel.value_or(0) >= turn.to;
     const Interval covered = targets.empty() ? turn : Interval{targets.front(), targets.back()};
     const NameList missing = quartersWithoutTarget(targets, range ? *range : wholeTurn ? turn : covered);
@@ -329,12 +329,12 @@ Judgement choiceOf1988(const PositioningCase &test) {
 
 namespace {
 
-/// What the test is to cover: the agreed zone of a long axis, else the whole of it between its ends.
+/// Returns the range to be covered: the agreed zone of a long axis, otherwise the whole axis.
 std::optional<Interval> covered(const PositioningCase &test) {
     return test.longAxis() ? test.measurement.zone : test.measurement.axis.range;
 }
 
-/// First and last target within two mean steps of the ends of the axis; of ends that are not stated only
+/// First and last target within two mean steps of the ends of the axis; if the ends are not stated, only
 /// their distance is known.
 Judgement reachesEnds(const PositioningCase &test) {
     const auto &targets = test.measurement.targets;
@@ -351,7 +351,7 @@ Judgement reachesEnds(const PositioningCase &test) {
     }
     const auto &travel = test.measurement.axis.travel;
     if (test.longAxis())
-        return Judgement::met(); // a row of its own asks for the zone
+        return Judgement::met(); // the zone has its own row
     const double measured = measurementTravel(test.measurement);
     if (!travel || *travel < measured * (1 - 1e-9)) // contradicted by the targets
         return Judgement::undeclared();
@@ -380,7 +380,7 @@ Judgement spacing(const PositioningCase &test) {
     Judgement ends = reachesEnds(test);
     if (ends.state == State::unmet)
         return ends;
-    // Unequal steps may differ by more than two periods if the period is not known.
+    // If the period is unknown, unequal steps may differ by more than two periods.
     const bool anyPeriod = (period && *period > 0) || evenlySpaced(targets);
     return anyPeriod ? ends : Judgement::undeclared();
 }

@@ -13,7 +13,7 @@ namespace {
 
 constexpr double alike = 0.01; ///< of a step or period
 
-/// Whether it is so of all steps between neighbours; false where there is none.
+/// True if `isSo` holds for all steps between neighbours; false if there is none.
 template <class Question>
 bool allSteps(std::span<const double> targets, Question isSo) {
     for (std::size_t i = 1; i < targets.size(); ++i) {

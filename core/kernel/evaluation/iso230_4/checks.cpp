@@ -20,8 +20,8 @@ namespace palmer::iso230_4 {
 namespace {
 
 constexpr double leastExtent = 90;    ///< degrees
-constexpr double largeOfRadius = 0.1; ///< no machine that runs deviates by so much, and no set-up
-constexpr double noiseOfAngles = 5;   ///< degrees: a step back beyond it is no noise of measured angles
+constexpr double largeOfRadius = 0.1; ///< no machine and no set-up deviates by that much
+constexpr double noiseOfAngles = 5;   ///< degrees: a larger step back is not noise of measured angles
 
 bool asksForF(const CircularCase &test) {
     return !test.feedback() && test.asksFor(OfCircle::radialDeviation);
@@ -35,9 +35,8 @@ bool partialArc(const CircularCase &test) {
     return std::ranges::any_of(test.results.paths, [](const EvaluatedPath &p) { return !p.fullCircle; });
 }
 
-/// Whether the angles of an arc go back: measured in the other sense, not unwrapped, or one of them mistyped.
-/// Small steps back, of an arc of a few points up to half of what they cover, are the noise of measured
-/// angles.
+/// True if the angles of an arc go back: measured in the other sense, not unwrapped, or one is mistyped.
+/// Small steps back (for an arc of a few points up to half of its range) are noise of measured angles.
 bool runsBack(const Arc &arc) {
     const double sign = arc.sense == Sense::counterclockwise ? 1 : -1;
     double least = std::numeric_limits<double>::infinity();
@@ -51,7 +50,7 @@ bool runsBack(const Arc &arc) {
     return back > std::min(noiseOfAngles, (furthest - least) / 2) && !arc.angles.empty();
 }
 
-/// The path has minimum zone circles and no least squares circle, though a result that is asked for rests on
+/// True if the path has minimum zone circles but no least squares circle, although a requested result needs
 /// one.
 bool lacksLeastSquares(const CircularCase &test, CircleOf of, bool needed) {
     return needed && test.results.circle(of, ReferenceCircle::minimumZone) &&
@@ -72,7 +71,7 @@ Sentence noArcs(const CircularCase &test) {
 
 Sentence shortArc(const CircularCase &test) {
     if (noArcs(test))
-        return std::nullopt; // and says so
+        return std::nullopt; // noArcs reports it
     for (const EvaluatedPath &path : test.results.paths) {
         if (path.source.empty())
             return Message{
@@ -316,7 +315,7 @@ Sentence otherContouringFeed(const CircularCase &test) {
         contouringFeed({*specified.diameter, *specified.feed, 2 * test.measurement.nominalRadius});
     if (!feed || std::abs(*test.measurement.feed - *feed) <= (margin + 1e-12) * *feed)
         return std::nullopt;
-    // A hundredth is to be seen: whole numbers, below 100 three digits.
+    // Show three significant digits below 100, whole numbers above.
     constexpr double threeDigits = 100;
     const int decimals =
         *feed >= threeDigits || !(*feed > 0) ? 0 : 2 - static_cast<int>(std::floor(std::log10(*feed)));
@@ -345,7 +344,7 @@ bool centringUncertaintyStated(const CircularCase &test) {
 }
 
 bool planeStated(const CircularCase &test) {
-    const Plane &plane = test.measurement.plane; // a circle is in the plane of two axes
+    const Plane &plane = test.measurement.plane; // a circle lies in the plane of two axes
     return !isBlank(plane.first) && !isBlank(plane.second) && plane.first != plane.second;
 }
 bool positionFeedbackStated(const CircularCase &test) {

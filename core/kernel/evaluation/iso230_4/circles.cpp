@@ -56,7 +56,7 @@ std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths, const
                       wanted(CircleOf::both, ReferenceCircle::leastSquares);
     if (both && bothMeasured(paths)) {
         Points points;
-        for (std::vector<double> *each : {&points.x, &points.y}) // not copied a second time
+        for (std::vector<double> *each : {&points.x, &points.y}) // avoids copying twice
             each->reserve(paths[0].points.size() + paths[1].points.size());
         points.append(paths[0].points.view());
         points.append(paths[1].points.view());

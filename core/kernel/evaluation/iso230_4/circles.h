@@ -9,23 +9,23 @@
 
 namespace palmer::iso230_4 {
 
-/// The circles about the path of a sense.
+/// Identifies the circles about the path of a sense.
 [[nodiscard]] constexpr CircleOf circleOf(Sense sense) {
     return sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise;
 }
 
-/// Both senses were measured: a pair of paths, each of as many points as circles of its own need. A result of
-/// both from a path and a few points would be that of the one path.
+/// True if both senses were measured: a pair of paths, each with enough points for its own circles. A result
+/// from one path and a few points of the other would really be that of the one path.
 [[nodiscard]] bool bothMeasured(const std::vector<EvaluatedPath> &paths);
 
-/// The minimum zone circles and the least squares circle of each path and, of a pair, of both together (each
-/// path with equal weight). Those that do not exist (too few points, collinear) are left out.
+/// Returns the minimum zone circles and the least squares circle of each path and, for a pair, of both (each
+/// path with equal weight). Circles that do not exist (too few points, collinear) are left out.
 [[nodiscard]] std::vector<CircleResult> circles(const std::vector<EvaluatedPath> &paths);
 
-/// The circle of that kind about one path; null where there is none.
+/// Returns the circle of that kind about one path, or null.
 [[nodiscard]] std::optional<CircleResult> circleOfPath(const EvaluatedPath &path, ReferenceCircle kind);
 
-/// Those of them alone that `wanted` asks for.
+/// Returns only the circles selected by `wanted`.
 [[nodiscard]] std::vector<CircleResult>
 circles(const std::vector<EvaluatedPath> &paths,
         const std::function<bool(CircleOf of, ReferenceCircle kind)> &wanted);

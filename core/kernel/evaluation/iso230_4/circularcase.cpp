@@ -26,7 +26,7 @@ bool CircularCase::isRequired(const Term &term) const {
     const auto isAsked = [&](const Term &one) {
         return std::ranges::any_of(asked, [&](const std::string &word) { return one.isMeantBy(word); });
     };
-    // Fmax or Fmin alone is a part of F.
+    // Fmax or Fmin alone is part of F.
     return asked.empty() || isAsked(term) ||
            (*term.also && std::ranges::any_of(edition.circles->rows, [&](const CircularRow &row) {
                return std::string_view(row.term.also) == term.also && isAsked(row.term);

@@ -10,36 +10,36 @@
 
 namespace palmer {
 
-/// A circular test and all that its parameters and requirements look at. Owns nothing.
+/// A circular test with all inputs of its parameters and requirements. Owns nothing.
 struct CircularCase {
     const Test &test;
     const CircularMeasurement &measurement;
     const Surroundings &surroundings;
     const Edition &edition;
     const CircularResults &results;
-    std::string withoutUncertainty = {}; ///< as resultsWithoutUncertainty
+    std::string withoutUncertainty = {}; ///< from resultsWithoutUncertainty
 
     [[nodiscard]] const CircularConditions &conditions() const { return measurement.conditions; }
     [[nodiscard]] const Conditions &common() const { return measurement.conditions.common; }
     [[nodiscard]] bool feedback() const { return measurement.source == SignalSource::feedback; }
 
-    /// The path of that sense; null where none was measured.
+    /// Returns the path of that sense; null if not measured.
     [[nodiscard]] const EvaluatedPath *path(Sense sense) const;
-    /// Of a path of each sense there are points enough to evaluate.
+    /// True if a path of each sense has enough points to evaluate.
     [[nodiscard]] bool bothSenses() const;
-    /// Both senses, both full circles.
+    /// True if both senses were measured as full circles.
     [[nodiscard]] bool twoFullCircles() const;
-    /// A result the parties asked for; all where they asked for none.
+    /// True if the parties asked for the result, or for none in particular.
     [[nodiscard]] bool isRequired(const Term &term) const;
-    /// The parties say which results they ask for: by name, or by the limits they agreed.
+    /// True if the parties state the results they ask for: by name, or by agreed limits.
     [[nodiscard]] bool resultsStated() const;
-    /// The edition has such a result, or one of both paths, and the parties ask for it; for all where they do
-    /// not say.
+    /// True if the edition has such a result, or one of both paths, and the parties ask for it, or for none
+    /// in particular.
     [[nodiscard]] bool asksFor(OfCircle what) const;
     [[nodiscard]] bool asksForPair() const;
-    /// F or D is asked for and can be: the reference length counts, the temperature too.
+    /// True if F or D is asked for and possible: reference length and temperature then matter.
     [[nodiscard]] bool needsLength() const;
-    /// The reference length is stated to be uncalibrated: F and D are refused.
+    /// True if the reference length is stated to be uncalibrated: F and D are refused.
     [[nodiscard]] bool notCalibrated() const;
 
 private:
@@ -49,15 +49,15 @@ private:
 /// One parameter of an edition of ISO 230-4.
 struct CircularRow {
     Term term;
-    bool external = false;             ///< of an external instrument; else of the feedback signal
+    bool external = false;             ///< measured by an external instrument; otherwise the feedback signal
     bool dependsOnTemperature = false; ///< a length: corrected to 20 °C
-    /// Value in mm; null where it cannot be had. `path` is null for a pair.
+    /// Value in mm; null if unavailable. `path` is null for a pair.
     std::optional<double> (*value)(const CircularCase &, const EvaluatedPath *path) = nullptr;
 };
 
 using CircularRequirement = RequirementOf<CircularCase>;
 
-/// What an edition of ISO 230-4 computes and asks for.
+/// Parameters and requirements of an edition of ISO 230-4.
 struct CircularRules {
     std::span<const CircularRow> rows;
     std::span<const CircularRequirement> requirements;

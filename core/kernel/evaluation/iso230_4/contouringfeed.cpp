@@ -11,7 +11,7 @@ std::optional<double> contouringFeed(const ContouringFeed &specified) {
         if (!std::isfinite(number) || number <= 0)
             return std::nullopt;
     }
-    // Roots apart: the quotient of the diameters may leave the range of doubles.
+    // Separate roots: the quotient of the diameters may exceed the range of double.
     const double feed =
         specified.specifiedFeed * (std::sqrt(specified.diameter) / std::sqrt(specified.specifiedDiameter));
     return std::isfinite(feed) && feed > 0 ? std::optional(feed) : std::nullopt;

@@ -6,16 +6,15 @@
 
 namespace palmer::iso230_4 {
 
-/// A contouring feed agreed for one diameter, and the diameter to test at. Feed in mm/min, diameters in mm.
+/// A contouring feed agreed for one diameter, and the test diameter. Feed in mm/min, diameters in mm.
 struct ContouringFeed {
     double specifiedDiameter = 0; ///< d2
     double specifiedFeed = 0;     ///< V2
     double diameter = 0;          ///< d1
 };
 
-/// V1 = V2·√(d1/d2), the feed that gives the same centripetal acceleration on another diameter (ISO
-/// 230-4:2005, annex C), mm/min. Null unless all three numbers, and the feed they give, are finite and above
-/// zero.
+/// Returns V1 = V2·√(d1/d2) in mm/min, the feed with the same centripetal acceleration on another diameter
+/// (ISO 230-4:2005, annex C). Null unless all three numbers and the result are finite and above zero.
 [[nodiscard]] std::optional<double> contouringFeed(const ContouringFeed &specified);
 
 } // namespace palmer::iso230_4

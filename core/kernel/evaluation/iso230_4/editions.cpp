@@ -28,7 +28,7 @@ constexpr std::array points2005{
     AgreementPoint{"results", "c", REPORT_TEXT("report", "which of the results are required")},
 };
 
-/// The same where the text was not read: no letters.
+/// The same for editions whose text was not read: no letters.
 constexpr auto pointsOfOthers = [] {
     auto result = points2005;
     for (AgreementPoint &point : result)

@@ -6,7 +6,7 @@
 
 namespace palmer::iso230_4 {
 
-/// ISO 230-4 of 1996, 2005 and 2022.
+/// Returns ISO 230-4 of 1996, 2005 and 2022.
 [[nodiscard]] std::span<const Edition> editions();
 
 } // namespace palmer::iso230_4

@@ -8,7 +8,7 @@
 
 namespace palmer::iso230_4 {
 
-/// A point as seen from a centre.
+/// A point in polar coordinates about a centre.
 struct PolarPoint {
     double angle = 0;    ///< radians, −π … π
     double distance = 0; ///< mm
@@ -16,11 +16,11 @@ struct PolarPoint {
 
 [[nodiscard]] PolarPoint polarPoint(Point point, Point centre);
 
-/// Distance of a closed path at an angle, interpolated; `path` sorted by angle and not empty.
+/// Returns the interpolated distance of a closed path. Precondition: `path` sorted by angle, not empty.
 [[nodiscard]] double distanceAt(std::span<const PolarPoint> path, double angle);
 
-/// max |r_first − r_second| about a centre over the angles of all points, mm; between the points of the other
-/// path r is interpolated. No path is empty.
+/// Returns max |r_first − r_second| about a centre over the angles of all points, mm; r is interpolated
+/// between the points of the other path. Precondition: no path is empty.
 [[nodiscard]] double largestDifference(PointsView first, PointsView second, Point centre);
 
 } // namespace palmer::iso230_4

@@ -25,7 +25,7 @@ Interval extremes(std::span<const double> values, std::span<const std::size_t> p
     return result;
 }
 
-/// Smallest and largest distance from the centre F is measured about, mm.
+/// Returns the smallest and largest distance from the centre of F, mm.
 std::optional<Interval> distances(const CircularCase &test, const EvaluatedPath &path) {
     if (test.notCalibrated() || path.source.empty())
         return std::nullopt;

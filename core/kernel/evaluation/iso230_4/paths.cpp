@@ -17,10 +17,10 @@ namespace palmer::iso230_4 {
 namespace {
 
 constexpr double largestClosing = 2; ///< times the largest inner step
-constexpr double largestStep = 4;    ///< times the median step; beyond is a hole
+constexpr double largestStep = 4;    ///< times the median step; larger ones are holes
 constexpr double mostHoles = 90;     ///< degrees, of a full circle
 
-/// Angles and distances from the programmed centre of what is evaluated of an arc.
+/// Angles and distances from the programmed centre of the evaluated part of an arc.
 struct Selection {
     std::vector<double> angles;    ///< degrees
     std::vector<double> distances; ///< mm
@@ -46,7 +46,7 @@ Selection selection(const Arc &arc, double nominalRadius) {
     return result;
 }
 
-/// Degrees of a circle that no points cover.
+/// Returns the degrees of a circle not covered by points.
 double holes(std::vector<double> steps) {
     const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
     std::ranges::nth_element(steps, middle);
@@ -60,14 +60,14 @@ double holes(std::vector<double> steps) {
 void measureExtent(EvaluatedPath &path, std::vector<double> angles) {
     if (angles.size() > 1 && angles.back() < angles.front())
         std::ranges::reverse(angles);
-    if (!std::ranges::is_sorted(angles)) // mostly they are: a look instead of n·log n
+    if (!std::ranges::is_sorted(angles)) // usually sorted: avoids n·log n
         std::ranges::sort(angles);
     angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
     if (angles.size() < 2)
         return;
     const double span = angles.back() - angles.front();
     const double closing = fullTurn - span;
-    std::vector<double> steps; // the inner ones, then the closing one
+    std::vector<double> steps; // the inner steps, then the closing one
     steps.reserve(angles.size());
     for (std::size_t i = 1; i < angles.size(); ++i)
         steps.push_back(angles[i] - angles[i - 1]);
@@ -129,7 +129,7 @@ Paths paths(const CircularMeasurement &measurement) {
             result.centringError = error.e;
     }
 
-    // Of 10⁶ points every sine and cosine takes 20 ms: those of the second path beside those of the first.
+    // Sine and cosine of 10⁶ points take 20 ms each: compute the paths in parallel.
     constexpr std::size_t many = 50'000;
     std::vector<std::future<EvaluatedPath>> made;
     std::array<bool, 2> seen{};
@@ -145,7 +145,7 @@ Paths paths(const CircularMeasurement &measurement) {
             return pathOf(measurement, k, std::move(selections[k]), result.centringError);
         }));
     }
-    for (auto each = made.rbegin(); each != made.rend(); ++each) // the one on a thread last
+    for (auto each = made.rbegin(); each != made.rend(); ++each) // wait for the one on its own thread last
         each->wait();
     for (std::future<EvaluatedPath> &each : made)
         result.evaluated.push_back(each.get());

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::array senses{Sense::counterclockwise, Sense::clockwise};
 
-/// Indices of the arcs of a sense, in the order of time.
+/// Returns the indices of the arcs of a sense in chronological order.
 std::vector<std::size_t> arcsOf(const CircularMeasurement &measurement, Sense sense) {
     std::vector<std::size_t> result;
     for (std::size_t k = 0; k < measurement.arcs.size(); ++k) {
@@ -26,7 +26,7 @@ std::vector<std::size_t> arcsOf(const CircularMeasurement &measurement, Sense se
     return result;
 }
 
-/// The first rows that are of one quantity: Fmax and Fmin of a path stand together.
+/// Returns the leading rows of one quantity: Fmax and Fmin of a path are adjacent.
 std::span<const CircularRow> rowsOfAQuantity(std::span<const CircularRow> rows) {
     const Term &first = rows.front().term;
     std::size_t count = 1;
@@ -48,10 +48,10 @@ std::optional<double> standardDeviation(const std::vector<double> &values) {
     return std::sqrt(squares / (n - 1));
 }
 
-/// A path of each sense, as measured at one time.
+/// One repetition: a path of each sense.
 struct Repetition {
     CircularMeasurement measurement;
-    std::array<bool, 2> own{}; ///< else the path of that sense is the first again
+    std::array<bool, 2> own{}; ///< false: the first path of that sense again
 };
 
 Repetition repetition(const CircularMeasurement &whole, const std::array<std::vector<std::size_t>, 2> &arcs,
@@ -65,7 +65,7 @@ Repetition repetition(const CircularMeasurement &whole, const std::array<std::ve
             chosen.push_back(arcs[k][result.own[k] ? time : 0]);
     }
     if (chosen.size() == 2 && arcs[0].front() > arcs[1].front())
-        std::swap(chosen[0], chosen[1]); // the first measured gives the index
+        std::swap(chosen[0], chosen[1]); // the path measured first gives the index
     for (const std::size_t k : chosen)
         result.measurement.arcs.push_back(whole.arcs[k]);
     return result;

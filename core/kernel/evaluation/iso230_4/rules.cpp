@@ -122,7 +122,7 @@ constexpr Row statement(const char *id, const char *clause, Subject subject, boo
     return {id, text, clause, shall, subject, applies, judge, name, {}, {key}};
 }
 
-/// What the report states: date, machine, measuring equipment and the parameters of the test.
+/// Statements required in the report: date, machine, measuring equipment and the parameters of the test.
 constexpr std::array statements2005{
     statement("date", "6", conditions, nullptr, stating<stated::date<CircularCase>>, REPORT_TEXT("report", "date of the test"), "date"),
     statement("machineName", "6", machine, nullptr, stating<laboratory::named<CircularCase>>, REPORT_TEXT("report", "name of the machine"), "machine.name"),
@@ -182,7 +182,7 @@ std::vector<Row> table(std::initializer_list<Rows> parts,
     return result;
 }
 
-/// Where the text was not read statements are a laboratory's practice, the other rows that of the field.
+/// If the text was not read, statements are laboratory practice and the other rows are practice of the field.
 std::vector<Row> unread(std::initializer_list<std::string_view> without) {
     const std::vector<Row> rows = asPractice(Rows(text2005), without);
     std::vector<Row> statements(statements2005.begin(), statements2005.end());
