@@ -72,7 +72,7 @@ bool makesStep(InfluenceId id) {
     return id == InfluenceId::backlash || id == InfluenceId::lateralPlay;
 }
 
-/// A reading near a reversal, and what the smooth columns leave of it.
+/// A reading near a reversal, and its residual from the smooth columns.
 struct NearReversal {
     PathPosition position;
     double rest = 0;
@@ -111,7 +111,7 @@ std::vector<NearReversal> nearReversals(std::span<const DiagnosedCircle> circles
     return near;
 }
 
-/// With the steps `degrees` later.
+/// Returns the sum of squares with the steps delayed by `degrees`.
 double sumOfSquares(const std::vector<NearReversal> &near, const InfluenceFit &fit, double degrees) {
     double sum = 0;
     for (const NearReversal &point : near) {
@@ -129,8 +129,8 @@ double sumOfSquares(const std::vector<NearReversal> &near, const InfluenceFit &f
     return sum;
 }
 
-/// How far the steps of commanded angles lie behind the reversals, degrees. The columns are fitted to what is
-/// far from the reversals; near them the lag is the one at which the steps so fitted meet the readings best.
+/// Returns the lag of the steps of commanded angles behind the reversals, degrees. The columns are fitted far
+/// from the reversals; the lag is the one at which the fitted steps match the readings near them best.
 double lagOfSteps(std::span<const DiagnosedCircle> circles, const PathRows &rows, const InfluenceFit &fit) {
     if (!hasSteps(fit))
         return 0;
@@ -139,7 +139,7 @@ double lagOfSteps(std::span<const DiagnosedCircle> circles, const PathRows &rows
     constexpr int most = 160; // −0.2° … 3.2°
     const std::vector<NearReversal> near = nearReversals(circles, rows, fit);
     const double without = sumOfSquares(near, fit, 0);
-    // Between two readings all lags are alike: the middle of the best ones, or none if none is as good.
+    // All lags between two readings are equivalent: take the middle of the best, or none.
     double best = without;
     std::vector<double> alike{0};
     for (int k = least; k <= most; ++k) {
@@ -152,7 +152,7 @@ double lagOfSteps(std::span<const DiagnosedCircle> circles, const PathRows &rows
         if (sum <= best * (1 + 1e-3))
             alike.push_back(degrees);
     }
-    // Spikes, which are not fitted as yet, look a little like a lag; steps in the wrong place look far worse.
+    // Spikes, not fitted at this stage, look slightly like a lag; steps in the wrong place look far worse.
     const bool none = (alike.front() <= 0 && alike.back() >= 0) || best > without / 2;
     return none ? 0 : (alike.front() + alike.back()) / 2;
 }
@@ -161,7 +161,7 @@ std::string planeName(const DiagnosedCircle &circle) {
     return circle.first + "–" + circle.second;
 }
 
-/// Width of the minimum zone of a trace (one value a row of that circle) about the nominal radius, mm.
+/// Returns the minimum zone width of a trace (one value per row of the circle) about the nominal radius, mm.
 double zoneOf(const PathRows &rows, std::size_t circle, const Vector &trace) {
     std::vector<double> x;
     std::vector<double> y;
@@ -179,7 +179,7 @@ double zoneOf(const PathRows &rows, std::size_t circle, const Vector &trace) {
     return zone.valid() ? zone.width : 0;
 }
 
-/// Standard deviation of what no source explains of the readings themselves.
+/// Returns the standard deviation of the part of the readings that no source explains.
 double restOf(const DiagnosedCircle &circle, const Diagnosis &diagnosis) {
     double squares = 0;
     std::size_t count = 0;
@@ -191,7 +191,7 @@ double restOf(const DiagnosedCircle &circle, const Diagnosis &diagnosis) {
     return std::sqrt(squares / static_cast<double>(count));
 }
 
-/// Makes the diagnosis of a finished fit.
+/// Builds the diagnosis from a finished fit.
 class Assembly {
 public:
     Assembly(std::span<const DiagnosedCircle> circles, const PathRows &rows, const InfluenceFit &fit,
@@ -221,7 +221,7 @@ private:
     [[nodiscard]] bool isListed(const FitTerm &term) const {
         return !term.second && (term.id != InfluenceId::centre || m_circles.size() == 1);
     }
-    /// The second column that goes with a term.
+    /// True if a term is followed by its second column.
     [[nodiscard]] bool hasSecond(std::size_t term) const {
         return term + 1 < m_fit.terms.size() && m_fit.terms[term + 1].second;
     }
@@ -276,7 +276,7 @@ private:
         m_diagnosis.sources.push_back(std::move(source));
     }
 
-    /// To G(b) of the circle where it is largest; centre and radius are taken out before any G.
+    /// Returns the contribution to G(b) of the circle where it is largest; G excludes centre and radius.
     [[nodiscard]] double contribution(const std::vector<std::size_t> &terms) const {
         const auto moves = [&](std::size_t j) {
             return m_fit.terms[j].id != InfluenceId::centre && m_fit.terms[j].id != InfluenceId::radius;
@@ -298,7 +298,7 @@ private:
         return largest;
     }
 
-    /// What counts most first; then what cannot be told; centre and radius last.
+    /// Sorts sources by contribution; inseparable ones follow, centre and radius come last.
     void order() {
         const auto key = [&](std::size_t i) {
             const SourceEstimate &source = m_diagnosis.sources[i];
@@ -318,7 +318,7 @@ private:
         m_terms = std::move(terms);
     }
 
-    /// Groups of sources that cannot be told apart, each with what is known of it.
+    /// Finds groups of sources that cannot be separated, and the known sum of each group.
     void findPartners() {
         std::vector<std::size_t> apart;
         for (std::size_t i = 0; i < m_terms.size(); ++i) {
@@ -338,7 +338,7 @@ private:
         }
     }
 
-    /// The first of the sources and all that are linked to it, directly or by others.
+    /// Takes the first of the sources and all linked to it, directly or through others.
     [[nodiscard]] std::vector<std::size_t> takeGroup(std::vector<std::size_t> &apart) const {
         std::vector<std::size_t> group{apart.front()};
         apart.erase(apart.begin());
@@ -353,7 +353,7 @@ private:
         return group;
     }
 
-    /// One stands for the other, at least partly: in the null space, or with almost the same column.
+    /// True if one can replace the other, at least partly: in the null space, or with almost the same column.
     [[nodiscard]] bool areLinked(std::size_t a, std::size_t b) const {
         const ColumnFit &fit = m_fit.fit;
         const auto i = Eigen::Index(a);
@@ -365,8 +365,8 @@ private:
                close * fit.inflation(i) * fit.inflation(j);
     }
 
-    /// The combination of the group that the circle tells best: the eigenvector of the greatest eigenvalue of
-    /// its information after all other columns are fitted.
+    /// Adds the best determined combination of the group: the eigenvector of the largest eigenvalue of its
+    /// information after all other columns are fitted.
     void addSum(const std::vector<std::size_t> &group) {
         const auto n = Eigen::Index(group.size());
         const Eigen::MatrixXd gram = information(group);
@@ -407,7 +407,7 @@ private:
         m_diagnosis.sums.push_back(std::move(sum));
     }
 
-    /// Of the scaled coefficients of the group when all others are free.
+    /// Returns the information on the scaled coefficients of the group while all others are free.
     [[nodiscard]] Eigen::MatrixXd information(const std::vector<std::size_t> &group) const {
         const Eigen::Index p = m_fit.fit.toScaled.rows();
         // The scaled columns in the basis: (Mᵀ)⁺ = the transpose of the pseudo-inverse of M.
@@ -434,7 +434,7 @@ private:
     const PathRows &m_rows;
     const InfluenceFit &m_fit;
     std::vector<Point> m_centres;
-    std::vector<std::size_t> m_terms; ///< of each source
+    std::vector<std::size_t> m_terms; ///< per source
     Diagnosis m_diagnosis;
 };
 
@@ -548,7 +548,7 @@ Diagnosis diagnose(std::span<const DiagnosedCircle> circles, const DiagnosisOpti
     const bool fittedMeans =
         std::ranges::any_of(rows.arcs(), [](const ArcRows &arc) { return arc.perRow > 1; });
     if (fittedMeans && circles.size() == 1)
-        result.residual = restOf(circles.front(), result); // means scatter less
+        result.residual = restOf(circles.front(), result); // averaged rows scatter less
     result.remarks = diagnosisRemarks(circles, options, result);
     return result;
 }

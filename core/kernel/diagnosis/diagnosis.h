@@ -15,98 +15,98 @@
 
 namespace palmer {
 
-/// One sense of a circle, as it was evaluated. Views: whoever fills them keeps the points.
+/// One sense of a circle, as evaluated. A view: the caller owns the points.
 struct DiagnosedArc {
     Sense sense = Sense::counterclockwise;
-    PointsView points;          ///< mm about the programmed centre, in the order of time
+    PointsView points;          ///< mm about the programmed centre, in chronological order
     std::vector<double> angles; ///< of the points, unwrapped degrees
-    bool commanded = false;     ///< the angles are those of the programmed path
+    bool commanded = false;     ///< angles are those of the programmed path
 };
 
-/// One circular test, of which the diagnosis looks at the arcs that were evaluated.
+/// A circular test with its evaluated arcs.
 struct DiagnosedCircle {
     std::string first; ///< axes of the plane
     std::string second;
     double nominalRadius = 0;   ///< mm
     std::optional<double> feed; ///< mm/s
-    bool feedback = false;      ///< the position came from the scales of the machine
+    bool feedback = false;      ///< the position was read from the scales of the machine
     std::vector<DiagnosedArc> arcs;
-    std::optional<Point> centre; ///< of least squares, where it is known already
+    std::optional<Point> centre; ///< least squares centre, if already known
 };
 
-/// The evaluated arcs of a test. `results` has to outlive it.
+/// Returns the evaluated arcs of a test. `results` must outlive it.
 [[nodiscard]] DiagnosedCircle diagnosedCircle(const CircularMeasurement &measurement,
                                               const CircularResults &results);
 
 struct DiagnosisOptions {
-    /// Pitch of the screw or scale of the first and second axis, mm: their cyclic error is fitted. Null: the
-    /// plausible pitches are tried where `search` is set.
+    /// Pitch of the screw or scale of the first and second axis, mm: their cyclic error is fitted. Null:
+    /// plausible pitches are tried if `search` is set.
     std::array<std::optional<double>, 2> pitch;
-    /// Width of the reversal spikes, degrees: they are fitted. Null: widths are tried where `search` is set.
+    /// Width of the reversal spikes, degrees: they are fitted. Null: widths are tried if `search` is set.
     std::optional<double> spikeWidth;
-    /// Look for reversal spikes, cyclic errors and a drift, and fit those that are significant.
+    /// Search for reversal spikes, cyclic errors and a drift, and fit the significant ones.
     bool search = true;
-    bool drift = false; ///< fit a drift of the radius in any case
-    /// Between the end of one arc and the start of the next, in turns of the circle; null: unknown, then a
-    /// drift comes with a free step between the arcs.
+    bool drift = false; ///< always fit a drift of the radius
+    /// Between the end of one arc and the start of the next, in turns of the circle; null: unknown, so a
+    /// drift is fitted with a free step between the arcs.
     std::optional<double> pause;
 };
 
-/// What the circle says about one influence. Values in base units (mm, rad, s, see Influence), µm and the
-/// like by `shownParameter`.
+/// Result for one influence. Values in base units (mm, rad, s, see Influence); use `shownParameter` for µm
+/// and the like.
 struct SourceEstimate {
     InfluenceId id = InfluenceId::centre;
     PlaneAxis axis = PlaneAxis::none;
     std::string axisName; ///< letter of the axis, or "X–Y"
     bool separable = false;
-    std::vector<std::size_t> with;      ///< if not: places of the sources it cannot be told from
-    std::optional<double> value;        ///< null where it cannot be told, or the feed is not stated
-    std::optional<double> u;            ///< standard uncertainty of the fit alone
+    std::vector<std::size_t> with;      ///< if not separable: indices of the sources it is mixed with
+    std::optional<double> value;        ///< null if inseparable, or if the feed is not stated
+    std::optional<double> u;            ///< standard uncertainty from the fit only
     double degreesOfFreedom = 0;        ///< of u
-    std::optional<double> contribution; ///< to G(b), alone, mm; null where it cannot be told
-    std::optional<double> pitch;        ///< of a cyclic error, mm
-    std::optional<double> phase;        ///< of a cyclic error in the centre of the circle, rad
-    std::optional<double> width;        ///< of a reversal spike, degrees
-    std::optional<double> step;         ///< of a drift: radius counterclockwise − clockwise, mm
-    bool proposed = false;              ///< was looked for and found, not stated
+    std::optional<double> contribution; ///< to G(b), on its own, mm; null if inseparable
+    std::optional<double> pitch;        ///< for a cyclic error, mm
+    std::optional<double> phase;        ///< for a cyclic error at the centre of the circle, rad
+    std::optional<double> width;        ///< for a reversal spike, degrees
+    std::optional<double> step;         ///< for a drift: radius counterclockwise − clockwise, mm
+    bool proposed = false;              ///< found by the search, not stated
     std::optional<double> significance; ///< if so: probability that noise alone looks as much like it
     double shape = 0;                   ///< of the columns
-    std::array<double, 2> fitted{};     ///< factors of both columns: what the trace is made of
+    std::array<double, 2> fitted{};     ///< factors of both columns, which give the trace
 
-    /// The 95 % interval, base units; null without value.
+    /// Returns the 95 % interval, base units; null without value.
     [[nodiscard]] std::optional<Interval> interval() const;
 };
 
-/// u of a source in the unit it is shown in; 0 without u. The time of a lag is the root of what was fitted:
-/// near 0 its u is that of the root.
+/// Returns u of a source in the unit shown; 0 without u. A lag is shown as the root of the fitted parameter:
+/// near 0 its u is the root of u.
 [[nodiscard]] double shownUncertainty(const SourceEstimate &source);
 
-/// What is known of sources that cannot be told apart: Σ factor·value of them.
+/// Known combination of inseparable sources: Σ factor·value.
 struct SourceSum {
     struct Part {
         std::size_t source = 0;
-        double factor = 1; ///< of the values in shown units
+        double factor = 1; ///< for values in the units shown
     };
     std::vector<Part> of;
-    double value = 0; ///< in the unit the first is shown in
+    double value = 0; ///< in the unit shown for the first source
     double u = 0;
-    double contribution = 0; ///< of all of them together to G(b), mm
+    double contribution = 0; ///< to G(b), of all together, mm
 };
 
-/// What a circle, or several of one plane at different feeds, says about the machine: an interpretation, not
+/// Interpretation of one circle, or several in one plane at different feeds: findings about the machine, not
 /// a result of ISO 230-4 (its Annex B, and beyond).
 struct Diagnosis {
     std::string first; ///< axes of the plane
     std::string second;
-    int rank = 0;                        ///< parameters that the circle can tell
-    int of = 0;                          ///< parameters that were fitted
+    int rank = 0;                        ///< parameters that the circle determines
+    int of = 0;                          ///< parameters fitted
     double condition = 0;                ///< of the scaled columns
-    double residual = 0;                 ///< standard deviation of what no source explains, mm
-    double readingsPerIndependent = 1;   ///< how many neighbouring readings are worth one
-    std::size_t points = 0;              ///< that the fit used
-    double lagAngle = 0;                 ///< of commanded angles: what the pattern lags behind them, degrees
-    double pause = 0;                    ///< between the arcs, turns; as stated
-    std::vector<SourceEstimate> sources; ///< those that count most first, centre and radius last
+    double residual = 0;                 ///< standard deviation not explained by any source, mm
+    double readingsPerIndependent = 1;   ///< neighbouring readings worth one independent reading
+    std::size_t points = 0;              ///< used by the fit
+    double lagAngle = 0;                 ///< with commanded angles: lag of the pattern behind them, degrees
+    double pause = 0;                    ///< between the arcs, turns, as stated
+    std::vector<SourceEstimate> sources; ///< by contribution, centre and radius last
     std::vector<SourceSum> sums;
     std::vector<Message> remarks;
 
@@ -116,20 +116,20 @@ struct Diagnosis {
 
 /// Fits the influences to a circle: one linear least-squares fit over both senses, of the rebuilt points
 /// about the least squares centre. Readings within 0.1° (or the angle of the largest deviation) of a reversal
-/// do not count: a step there belongs to one side or the other, nobody knows which.
-/// What cannot be told apart (no part in the null space and at most ten times the uncertainty of its column
-/// alone is asked for) has no value; the sum of it has.
-/// Uncertainties count the correlation of neighbouring readings (numerics/correlatednoise.h).
-/// Beyond 7 200 readings an arc, means of neighbours are fitted, columns and deviations alike.
-/// Not valid (rank 0) without points enough: 30 that count.
+/// are omitted, as it is unknown to which side a step there belongs. A source is separable if it has no part
+/// in the null space and at most ten times the uncertainty of its column alone. Inseparable sources have no
+/// value, only their sum has.
+/// Uncertainties allow for the correlation of neighbouring readings (numerics/correlatednoise.h).
+/// Beyond 7 200 readings per arc, means of neighbours are fitted, for columns and deviations alike.
+/// Not valid (rank 0) with fewer than 30 used points.
 [[nodiscard]] Diagnosis diagnose(const DiagnosedCircle &circle, const DiagnosisOptions &options = {});
 
-/// The same of several circles of one plane and radius at different feeds: tells the lag, which grows with
-/// the square of the feed, from radius and scales. The centres are those of each circle and not listed.
+/// The same for several circles in one plane and radius at different feeds: separates the lag, which grows
+/// with the square of the feed, from radius and scales. Each circle has its own centre, which is not listed.
 [[nodiscard]] Diagnosis diagnose(std::span<const DiagnosedCircle> circles,
                                  const DiagnosisOptions &options = {});
 
-/// Whether the circles can be diagnosed together: one plane and radius, feeds known, two of them different.
+/// True if the circles can be diagnosed together: same plane and radius, known feeds, at least two different.
 [[nodiscard]] bool areSeveralFeeds(std::span<const DiagnosedCircle> circles);
 
 } // namespace palmer

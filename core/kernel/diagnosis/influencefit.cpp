@@ -17,27 +17,27 @@ using Vector = Eigen::VectorXd;
 
 constexpr double mostHidden = 1e-6;
 constexpr double mostInflated = 10;
-constexpr double leastAmplitude = 2e-5; ///< mm: no instrument for circles tells less
+constexpr double leastAmplitude = 2e-5; ///< mm: no circular test instrument resolves less
 constexpr double mostByChance = 1e-3;   ///< probability
-constexpr double worthATrial = 1e-2;    ///< probability, by the quick test
+constexpr double worthATrial = 1e-2;    ///< probability, from the quick test
 
-/// Pitches of screws and racks, mm; those of inches among them.
+/// Pitches of screws and racks, mm, including inch sizes.
 constexpr std::array plausiblePitches{1.0,  2.0,  2.5,  3.0,  4.0,  5.0,  5.08, 6.0,  6.35, 8.0,  10.0,
                                       12.0, 12.7, 15.0, 16.0, 20.0, 25.0, 25.4, 30.0, 32.0, 40.0, 50.0};
-/// Widths of spikes, degrees; each half of the one before.
+/// Widths of spikes, degrees; each half of the previous one.
 constexpr std::array plausibleWidths{8.0, 4.0, 2.0, 1.0, 0.5};
 
 struct Candidate {
     std::vector<FitTerm> terms;
-    double score = 0; ///< explained part of the sum of squares by the variance of noise of its band
+    double score = 0; ///< explained part of the sum of squares / noise variance in its band
 };
 
 bool has(const std::vector<FitTerm> &terms, InfluenceId id, PlaneAxis axis) {
     return std::ranges::any_of(terms, [&](const FitTerm &t) { return t.id == id && t.axis == axis; });
 }
 
-/// Of a narrower one too little lies between the readings, and beyond what the reversals hide, to tell its
-/// height. Degrees.
+/// Returns the narrowest spike, in degrees, whose height can be determined: enough of it lies between the
+/// readings and outside the omitted reversals.
 double narrowestSpike(const PathRows &rows) {
     constexpr double beyondReversals = 0.3;
     return std::max(beyondReversals, 1.5 * rows.step() * 180 / std::numbers::pi);
@@ -49,7 +49,7 @@ double stated(const DiagnosisOptions &options, PlaneAxis axis) {
     return options.pitch[axis == PlaneAxis::second].value_or(0);
 }
 
-/// All that is looked for, with how much of the residual it would explain.
+/// Candidates of the search, with the part of the residual each would explain.
 class Search {
 public:
     Search(const PathRows &rows, const DiagnosisOptions &options)
@@ -58,7 +58,7 @@ public:
         , m_bothSenses(std::ranges::any_of(rows.positions(), [](const auto &p) { return p.sense > 0; }) &&
                        std::ranges::any_of(rows.positions(), [](const auto &p) { return p.sense < 0; })) {}
 
-    /// The most conspicuous; score 0 if there is nothing to look for.
+    /// Returns the best candidate; score 0 if there is none.
     Candidate best(const InfluenceFit &fit) {
         m_trials = 0;
         Candidate result;
@@ -81,17 +81,17 @@ public:
     [[nodiscard]] int trials() const { return m_trials; }
 
 private:
-    /// Noise in the band of something that takes `angle` (rad) for a wave.
+    /// Returns the noise in the band of a feature whose wave takes `angle` (rad).
     [[nodiscard]] double noiseOf(const InfluenceFit &fit, double angle) const {
         return fit.noise.variance(m_rows.step() / angle);
     }
-    /// What is looked for counts as noise as yet. A few waves a turn long, it would hide itself: in a band
-    /// four times as wide it counts less.
+    /// Like noiseOf(), in a band four times as wide: a feature not yet fitted counts as noise, and one only a
+    /// few waves per turn long would otherwise hide itself.
     [[nodiscard]] double noiseAround(const InfluenceFit &fit, double angle) const {
         return noiseOf(fit, angle / 4);
     }
 
-    /// The part of the residual that each column alone reaches beyond what is fitted already.
+    /// Returns the part of the residual that each column explains alone, beyond what is already fitted.
     [[nodiscard]] static Vector explained(const InfluenceFit &fit, const Eigen::MatrixXd &columns) {
         const Vector along = columns.transpose() * fit.fit.residual;
         const Vector whole = columns.colwise().squaredNorm();
@@ -107,7 +107,7 @@ private:
         for (Eigen::Index i = 0; i < m_rows.size(); ++i) {
             if (!m_rows.counts(i))
                 continue;
-            // Every width is half of the one before: the square of its column.
+            // Each width is half of the previous one, so its column is the square.
             double value =
                 std::exp(-sinceReversal(m_rows.positions()[std::size_t(i)], axis) / plausibleWidths[0]);
             for (Eigen::Index k = 0; k < count; ++k, value *= value)
@@ -140,8 +140,8 @@ private:
             squares[i] = along[i] * along[i];
         }
         for (const double pitch : plausiblePitches) {
-            // Slower ones, with fewer than four periods over the circle, look like the shape of the guideway;
-            // faster ones fall between the readings.
+            // Longer pitches, with fewer than four periods over the circle, look like the shape of the
+            // guideway; shorter ones fall between the readings.
             if (pitch > radius / 2 || radius * m_rows.step() > pitch / 3)
                 continue;
             const double noise = noiseOf(fit, pitch / radius);
@@ -167,7 +167,7 @@ private:
     int m_trials = 0;
 };
 
-/// Turns the width of each spike that is free until it stands.
+/// Iterates the width of each free spike until it converges.
 void refineWidths(const PathRows &rows, InfluenceFit &fit) {
     constexpr int turns = 8;
     for (int turn = 0; turn < turns; ++turn) {
@@ -193,7 +193,7 @@ void refineWidths(const PathRows &rows, InfluenceFit &fit) {
     }
 }
 
-/// How probable noise alone makes as much of the candidate, the last terms of the fit.
+/// Returns the probability that noise alone makes as much of the candidate, the last terms of the fit.
 double byChance(const InfluenceFit &fit, std::size_t firstTerm, int trials) {
     const FitTerm &term = fit.terms[firstTerm];
     double square = 0;

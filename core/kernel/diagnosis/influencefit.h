@@ -9,17 +9,17 @@
 
 namespace palmer {
 
-/// The columns of a diagnosis fitted to its rows, and what that says about the noise.
+/// The columns of a diagnosis fitted to its rows, with the noise derived from the residual.
 struct InfluenceFit {
     InfluenceFit(const PathRows &rows, std::vector<FitTerm> fitted);
 
     [[nodiscard]] double factor(std::size_t term) const { return fit.coefficient(Eigen::Index(term)); }
-    /// Standard uncertainty of Σ weights·factors, `weights` one a term.
+    /// Standard uncertainty of Σ weights·factors, one weight per term.
     [[nodiscard]] double u(const Eigen::VectorXd &weights) const;
     [[nodiscard]] double degreesOfFreedom(const Eigen::VectorXd &weights) const;
-    /// Of one factor.
+    /// Returns the standard uncertainty of one factor.
     [[nodiscard]] double u(std::size_t term) const;
-    /// Part that cannot be told below 1e-6, and at most ten times as uncertain as alone.
+    /// True if the hidden part is below 1e-6 and the uncertainty at most ten times that of the column alone.
     [[nodiscard]] bool isSeparable(std::size_t term) const;
 
     std::vector<FitTerm> terms;
@@ -31,20 +31,20 @@ private:
     [[nodiscard]] Eigen::VectorXd basisWeights(const Eigen::VectorXd &weights) const;
 };
 
-/// A source looked for and found, or not.
+/// An influence found by the search.
 struct FoundInfluence {
     InfluenceId id = InfluenceId::cyclic;
     PlaneAxis axis = PlaneAxis::none;
-    double significance = 1; ///< probability that noise looks as much like it anywhere it was looked for
+    double significance = 1; ///< probability that noise looks as much like it anywhere searched
 };
 
-/// Looks in the residual of `fit` for reversal spikes, cyclic errors and a drift, one after the other, the
-/// most conspicuous first, and fits what is significant with all the rest: less than one in a thousand by
-/// noise alone and at least 0.02 µm.
+/// Searches the residual of `fit` for reversal spikes, cyclic errors and a drift, one at a time, the most
+/// conspicuous first, and adds the significant ones to the fit: probability below 1/1000 from noise alone,
+/// and at least 0.02 µm. Returns those found.
 [[nodiscard]] std::vector<FoundInfluence>
 searchInfluences(const PathRows &rows, const DiagnosisOptions &options, InfluenceFit &fit);
 
-/// Columns of a spike (its width to be found too, or given), a cyclic error, a drift.
+/// Columns of a spike (width fixed or to be found), a cyclic error, a drift.
 [[nodiscard]] std::vector<FitTerm> spikeTerms(PlaneAxis axis, double width, bool fixed);
 [[nodiscard]] std::vector<FitTerm> cyclicTerms(PlaneAxis axis, double pitch);
 [[nodiscard]] std::vector<FitTerm> driftTerms(const DiagnosisOptions &options, bool bothSenses);

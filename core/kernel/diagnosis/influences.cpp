@@ -14,8 +14,8 @@ namespace palmer {
 
 namespace {
 
-// Signs and factors: the radial deviation is dx·cos θ + dy·sin θ with (dx, dy) where the machine stands minus
-// where it is sent to; the axes move with vx = −s·F·sin θ, vy = s·F·cos θ.
+// Signs and factors: the radial deviation is dx·cos θ + dy·sin θ with (dx, dy) the actual minus the commanded
+// position; the axes move with vx = −s·F·sin θ, vy = s·F·cos θ.
 
 double cosTwo(const PathPosition &p) {
     return (p.cosine - p.sine) * (p.cosine + p.sine);
@@ -62,7 +62,7 @@ double backlash(const PathPosition &p, PlaneAxis axis, double) {
     return isFirst(axis) ? p.sense / 2 * signOf(p.sine) * p.cosine : -p.sense / 2 * signOf(p.cosine) * p.sine;
 }
 
-/// L > 0: the carriage stands towards + of the other axis while its own moves towards +
+/// L > 0: the carriage is offset towards + of the other axis while its own axis moves towards +
 double lateralPlay(const PathPosition &p, PlaneAxis axis, double) {
     return isFirst(axis) ? -p.sense / 2 * std::abs(p.sine) : p.sense / 2 * std::abs(p.cosine);
 }
@@ -75,18 +75,18 @@ double straightness(const PathPosition &p, PlaneAxis axis, double) {
     return isFirst(axis) ? sinThree / 4 : -cosThree / 4;
 }
 
-/// S > 0: outwards, dying out with the width
+/// S > 0: outwards, decaying with the width
 double spike(const PathPosition &p, PlaneAxis axis, double width) {
     return std::exp(-sinceReversal(p, axis) / width);
 }
 
-/// How a spike changes with its width, per degree
+/// Change of a spike with its width, per degree
 double spikeByWidth(const PathPosition &p, PlaneAxis axis, double width) {
     const double since = sinceReversal(p, axis);
     return since / (width * width) * std::exp(-since / width);
 }
 
-/// Phase 0 in the centre of the circle: C·sin(2πx/p + φ) has C·cos φ here and C·sin φ in the next
+/// Phase 0 at the centre of the circle: C·sin(2πx/p + φ) has C·cos φ here and C·sin φ in the next column
 double cyclic(const PathPosition &p, PlaneAxis axis, double pitch) {
     const double along = isFirst(axis) ? p.cosine : p.sine;
     return std::sin(2 * std::numbers::pi * p.radius * along / pitch) * along;
@@ -97,7 +97,7 @@ double cyclicAcross(const PathPosition &p, PlaneAxis axis, double pitch) {
     return std::cos(2 * std::numbers::pi * p.radius * along / pitch) * along;
 }
 
-/// q, mean of both axes: a following axis of that lag runs 1 − q·ω²/2 of its stroke
+/// q, mean of both axes: a following axis with that lag travels 1 − q·ω²/2 of its stroke
 double commonLag(const PathPosition &p, PlaneAxis, double) {
     return -p.feed * p.feed / (2 * p.radius);
 }
@@ -111,7 +111,7 @@ double radiusDrift(const PathPosition &p, PlaneAxis, double) {
     return p.turns;
 }
 
-/// A step of the radius between the senses: what a pause of unknown length makes of the drift, halved
+/// A step of the radius between the senses, halved: effect of the drift during a pause of unknown length
 double stepBetweenSenses(const PathPosition &p, PlaneAxis, double) {
     return p.sense / 2;
 }

@@ -12,7 +12,7 @@ namespace palmer {
 
 namespace {
 
-constexpr std::size_t mostRows = 7200; ///< of an arc; one row is 0.05° of a circle then
+constexpr std::size_t mostRows = 7200; ///< per arc; one row then covers 0.05° of a circle
 
 double extentInTurns(const DiagnosedArc &arc) {
     return arc.angles.empty() ? 0 : std::abs(arc.angles.back() - arc.angles.front()) / 360;

@@ -17,7 +17,7 @@ struct FitTerm {
     PlaneAxis axis = PlaneAxis::none;
     bool second = false;    ///< the second column of the influence
     double shape = 0;       ///< pitch or width
-    std::size_t circle = 0; ///< of a centre: whose
+    std::size_t circle = 0; ///< for a centre: its circle
 };
 
 [[nodiscard]] inline double columnValue(const FitTerm &term, const PathPosition &position) {
@@ -25,10 +25,10 @@ struct FitTerm {
     return (term.second ? row.second : row.column)(position, term.axis, term.shape);
 }
 
-/// The least squares centre of all arcs together, each with equal weight; null where there is none.
+/// Returns the least squares centre of all arcs together, each with equal weight; null if there is none.
 [[nodiscard]] std::optional<Point> centreOf(const DiagnosedCircle &circle);
 
-/// An arc and where its rows stand. `perRow` neighbouring points make one row, their mean.
+/// An arc and the range of its rows. A row is the mean of `perRow` neighbouring points.
 struct ArcRows {
     std::size_t circle = 0;
     std::size_t arc = 0;
@@ -36,13 +36,13 @@ struct ArcRows {
     Record record;
 };
 
-/// Walks over the points of an arc as they are fitted.
+/// Iterates over the points of an arc as fitted.
 class ArcWalk {
 public:
     ArcWalk(const DiagnosedCircle &circle, std::size_t arc, Point centre, double lagAngle, double pause);
 
     [[nodiscard]] std::size_t size() const { return m_arc.points.size(); }
-    /// Distance from the centre, mm, and all a column looks at.
+    /// Returns the distance from the centre, mm, and sets the inputs of the columns.
     double at(std::size_t i, PathPosition &position) const {
         const double x = m_arc.points.x[i] - m_centre.x;
         const double y = m_arc.points.y[i] - m_centre.y;
@@ -65,11 +65,11 @@ private:
     double m_start = 0;
 };
 
-/// The rows of a fit: every circle, every arc, in order.
+/// The rows of a fit: all arcs of all circles, in order.
 class PathRows {
 public:
-    /// `centres`: the least squares centre of each circle. What is nearer to a reversal than `reach`
-    /// (degrees, at least 0.1° and the angle of the largest deviation) does not count.
+    /// `centres`: least squares centre of each circle. Points nearer to a reversal than `reach` (degrees, at
+    /// least 0.1° and the angle of the largest deviation) are omitted.
     PathRows(std::span<const DiagnosedCircle> circles, std::span<const Point> centres, double lagAngle,
              double pause, double reach = 0.1);
 
@@ -77,31 +77,31 @@ public:
     [[nodiscard]] const std::vector<ArcRows> &arcs() const { return m_arcs; }
     [[nodiscard]] std::vector<Record> records() const;
     [[nodiscard]] std::size_t used() const;
-    /// Distance − nominal radius; 0 in rows that do not count.
+    /// Returns distance − nominal radius; 0 in omitted rows.
     [[nodiscard]] const Eigen::VectorXd &deviations() const { return m_deviations; }
-    /// Whether a row counts.
+    /// True if a row is not omitted.
     [[nodiscard]] bool counts(Eigen::Index row) const { return m_weights[row] > 0; }
-    /// In the middle of each row, those that do not count too.
+    /// Returns the middle of each row, including omitted ones.
     [[nodiscard]] const std::vector<PathPosition> &positions() const { return m_positions; }
-    /// The circle each row belongs to.
+    /// Returns the circle of a row.
     [[nodiscard]] std::size_t circleOf(Eigen::Index row) const;
-    /// Largest angle from a row to the next, rad.
+    /// Returns the largest angle between consecutive rows, rad.
     [[nodiscard]] double step() const { return m_step; }
 
-    /// A column each of the terms; 0 in rows that do not count.
+    /// Returns one column per term; 0 in omitted rows.
     [[nodiscard]] Eigen::MatrixXd columns(std::span<const FitTerm> terms) const;
 
 private:
-    /// A column while its means are taken.
+    /// A column while its means are computed.
     struct Column {
         Influence::Column value = nullptr;
         PlaneAxis axis = PlaneAxis::none;
         double shape = 0;
-        double *row = nullptr; ///< where the next mean goes
+        double *row = nullptr; ///< position of the next mean
         double sum = 0;
     };
     void addMeans(const ArcRows &arc, std::vector<Column> &columns) const;
-    /// From the mean distance of its arc, mm.
+    /// Returns the largest deviation from the mean distance of its arc, mm.
     [[nodiscard]] double largestDeviation(std::size_t circle) const;
     void fill(ArcRows &arc);
     [[nodiscard]] bool isReversal(const PathPosition &position, std::size_t circle) const;
@@ -111,10 +111,10 @@ private:
     double m_lagAngle;
     double m_pause;
     std::vector<double>
-        m_reversal; ///< per circle: sine of the angle from a reversal below which nothing counts
+        m_reversal; ///< per circle: points with a smaller sine of the angle from a reversal are omitted
     std::vector<ArcRows> m_arcs;
     Eigen::VectorXd m_deviations;
-    Eigen::VectorXd m_weights; ///< 1 by the points that count
+    Eigen::VectorXd m_weights; ///< 1 over the number of points used
     std::vector<PathPosition> m_positions;
     double m_step = 0;
 };

@@ -15,7 +15,7 @@ struct SineCosine {
     Lanes cosine;
 };
 
-/// Of whole turns: the nearest whole number off, sine and cosine of half the angle by their series, doubled.
+/// Sine and cosine of an angle in turns: whole turns subtracted, series of half the angle, doubled.
 SineCosine ofTurns(Lanes turns) {
     const Lanes round(0x1.8p52);
     const Lanes x = (turns - ((turns + round) - round)) * 3.141592653589793;
@@ -41,7 +41,7 @@ double explainedByPitch(std::span<const double> along, std::span<const double> c
     Lanes a11(0.0);
     Lanes a12(0.0);
     Lanes all(0.0);
-    // What is left over beyond fours is too little to matter for the choice of a pitch.
+    // The remainder beyond multiples of four is too small to affect the choice of a pitch.
     for (std::size_t i = 0; i + Lanes::count <= along.size(); i += Lanes::count) {
         const SineCosine wave = ofTurns(Lanes::from(&along[i]) * periods);
         const Lanes v = Lanes::from(&curve[i]);

@@ -14,7 +14,7 @@ bool isKnown(const SourceEstimate *source) {
     return source && source->value && source->u && std::abs(*source->value) > 5 * *source->u;
 }
 
-/// Lateral play of both axes, opposite and alike: so looks a radius that changed between the arcs.
+/// True for opposite and equal lateral play of both axes, like a radius that changed between the arcs.
 bool looksLikeStep(const Diagnosis &diagnosis) {
     const SourceEstimate *first = diagnosis.find(InfluenceId::lateralPlay, PlaneAxis::first);
     const SourceEstimate *second = diagnosis.find(InfluenceId::lateralPlay, PlaneAxis::second);

@@ -6,7 +6,7 @@
 
 namespace palmer {
 
-/// What a reader of the diagnosis has to know of it as a whole.
+/// Returns remarks on the diagnosis as a whole.
 [[nodiscard]] std::vector<Message> diagnosisRemarks(std::span<const DiagnosedCircle> circles,
                                                     const DiagnosisOptions &options,
                                                     const Diagnosis &diagnosis);

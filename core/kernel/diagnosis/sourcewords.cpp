@@ -8,7 +8,7 @@ namespace palmer {
 
 namespace {
 
-/// %1 the axis (of the plane: the first), %2 the other one.
+/// %1 is the axis (for the plane: the first), %2 the other one.
 struct Words {
     InfluenceId id = InfluenceId::centre;
     Text positive;
@@ -72,7 +72,7 @@ const Words *wordsOf(InfluenceId id) {
     return nullptr;
 }
 
-/// The axis and the other one; of a plane both in order.
+/// Returns the axis and the other one; for the plane both in order.
 std::vector<Argument> axesOf(const std::string &first, const std::string &second, PlaneAxis axis) {
     if (axis == PlaneAxis::second)
         return {second, first};

@@ -6,15 +6,15 @@
 
 namespace palmer {
 
-/// "Backlash X"
+/// Returns the name of a source: "Backlash X".
 [[nodiscard]] Message sourceName(const SourceEstimate &source);
-/// What it is, by its sign ("X loses motion at each reversal"); or why it has no value.
+/// Returns the meaning of a source by its sign ("X loses motion at each reversal"), or why it has no value.
 [[nodiscard]] Message sourceMeaning(const Diagnosis &diagnosis, const SourceEstimate &source);
-/// What a positive value of a source means, whatever its value is; an empty text for centre and radius.
+/// Returns the meaning of a positive value of a source, whatever its value; empty for centre and radius.
 [[nodiscard]] Message positiveMeaning(const Diagnosis &diagnosis, const SourceEstimate &source);
-/// What to look at on the machine; an empty text for centre and radius.
+/// Returns what to inspect on the machine; empty for centre and radius.
 [[nodiscard]] Message sourceAdvice(const Diagnosis &diagnosis, const SourceEstimate &source);
-/// "squareness", "backlash:X": as scripts write it.
+/// Returns the id used by scripts: "squareness", "backlash:X".
 [[nodiscard]] std::string sourceId(const SourceEstimate &source);
 
 } // namespace palmer

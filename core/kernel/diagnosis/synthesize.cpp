@@ -14,14 +14,14 @@ namespace palmer {
 
 namespace {
 
-/// Readings in the order of time, one stream a test.
+/// Readings in chronological order, one stream per test.
 class Noise {
 public:
     explicit Noise(const SynthesizedNoise &asked)
         : m_asked(asked)
         , m_draws(asked.seed) {}
 
-    /// Noise of neighbours in time; a new record starts anew.
+    /// Returns noise correlated between consecutive readings; a new record starts afresh.
     double next() {
         if (m_asked.deviation == 0)
             return 0;
@@ -36,7 +36,7 @@ public:
     [[nodiscard]] double rounded(double reading) const {
         if (!(m_asked.resolution > 0))
             return reading;
-        // 1e-5 is no double, 1e5 is: the quotient has the short decimals of the display.
+        // 1e-5 is not exact as a double, 1e5 is: dividing gives the short decimals of the display.
         const double perUnit = 1 / m_asked.resolution;
         const double whole = std::nearbyint(perUnit);
         if (std::abs(perUnit - whole) <= 1e-9 * perUnit)
@@ -66,7 +66,7 @@ double columnsOf(const CircularSource &source, const PathPosition &position) {
                            std::sin(source.phase) * row.second(position, source.axis, source.shape));
 }
 
-/// The centre is a place, no column: a column would be true to the first order only.
+/// The centre is applied as a position: a column would be exact to first order only.
 Point centreOf(const std::vector<CircularSource> &sources) {
     Point centre;
     for (const CircularSource &source : sources) {
@@ -114,7 +114,7 @@ CircularMeasurement synthesizeCircular(const CircularSynthesis &asked) {
                 asked.vibration.amplitude * std::sin(2 * std::numbers::pi * asked.vibration.frequency * time);
             const double r = asked.radius + deviation;
             const Point p{centre.x + r * u.x, centre.y + r * u.y};
-            // The angle as seen from the programmed centre, near the one about the machine's own.
+            // The angle seen from the programmed centre, close to the one about the machine's own.
             const double turned = std::atan2(u.x * p.y - u.y * p.x, u.x * p.x + u.y * p.y);
             const bool centred = centre == Point{};
             arc.angles.push_back(centred ? angle : angle + turned / degree);

@@ -11,8 +11,8 @@
 
 namespace palmer {
 
-/// Noise of made measurements, mm. Neighbours in time are correlated by `correlation` (0 … below 1); the
-/// reading is rounded to a multiple of `resolution` (0: not).
+/// Noise of synthesized measurements, mm. `correlation` (0 … below 1) is that of consecutive readings;
+/// readings are rounded to a multiple of `resolution` (0: not rounded).
 struct SynthesizedNoise {
     double deviation = 0;
     double correlation = 0;
@@ -20,31 +20,30 @@ struct SynthesizedNoise {
     long long seed = 1;
 };
 
-/// An influence that a made circle is to have.
+/// An influence to be added to a synthesized circle.
 struct CircularSource {
     InfluenceId id = InfluenceId::squareness;
     PlaneAxis axis = PlaneAxis::none;
     double value = 0; ///< base unit: mm, rad, s
     double shape = 0; ///< pitch of a cyclic error, mm; width of a spike, degrees
-    double phase = 0; ///< of a cyclic error in the centre, rad
+    double phase = 0; ///< of a cyclic error at the centre, rad
 };
 
-/// A vibration between spindle and table as it shows in the radius: A·sin(2πft), t from the start of each
-/// arc.
+/// A vibration between spindle and table as seen in the radius: A·sin(2πft), t from the start of each arc.
 struct SynthesizedVibration {
     double amplitude = 0;  ///< A, mm
     double frequency = 10; ///< f, Hz
 };
 
-/// A circular test with known truth: the columns of the diagnosis, added up, and noise. Points are as the
-/// machine reaches them at equal angles about its own centre, half a step off the ends of the arc.
+/// A circular test with known truth: the columns of the diagnosis, added up, plus noise. Points are those the
+/// machine reaches at equal angles about its own centre, half a step from the ends of the arc.
 struct CircularSynthesis {
     Plane plane{"X", "Y"};
     double radius = 150;                                                  ///< mm
     double feed = 1000;                                                   ///< mm/min
-    std::vector<Sense> senses{Sense::counterclockwise, Sense::clockwise}; ///< in the order of time
+    std::vector<Sense> senses{Sense::counterclockwise, Sense::clockwise}; ///< in chronological order
     Interval arc{0, 360};                                                 ///< degrees
-    std::size_t points = 1800;                                            ///< each sense
+    std::size_t points = 1800;                                            ///< per sense
     double pause = 0;                                                     ///< between the arcs, turns
     std::vector<CircularSource> sources;
     SynthesizedVibration vibration;
@@ -53,18 +52,18 @@ struct CircularSynthesis {
 
 [[nodiscard]] CircularMeasurement synthesizeCircular(const CircularSynthesis &asked);
 
-/// What a made positioning test is to have; lengths in mm, from the first target on.
+/// A synthesized positioning test; lengths in mm, from the first target.
 struct PositioningSynthesis {
     std::string axis = "X";
     std::vector<double> targets;
-    int runs = 5;            ///< each way
-    double scale = 0;        ///< deviation by travel, mm/mm
+    int runs = 5;            ///< per direction
+    double scale = 0;        ///< deviation per travel, mm/mm
     double cyclic = 0;       ///< amplitude of a periodic error, mm
     double pitch = 10;       ///< its period, mm
     double phase = 0;        ///< at the first target, rad
-    double backlash = 0;     ///< lost motion, mm: what comes from above stands so much too far
-    double reversal = 0;     ///< further lost motion, 0 at the first target and this at the last, mm
-    double drift = 0;        ///< of the zero from the first reading to the last, mm
+    double backlash = 0;     ///< lost motion, mm: negative approaches stop that much too far
+    double reversal = 0;     ///< additional lost motion, mm: 0 at the first target, this value at the last
+    double drift = 0;        ///< of the zero, from the first to the last reading, mm
     double temperature = 20; ///< of the machine, °C
     double expansion = 11.7; ///< of its scale, µm/(m·°C)
     SynthesizedNoise noise;

@@ -16,7 +16,7 @@ namespace palmer {
 
 namespace {
 
-/// The columns of a source with their factors.
+/// A column of a source with its factor.
 struct Part {
     FitTerm term;
     double factor = 0;
@@ -33,7 +33,7 @@ std::vector<Part> partsOf(const Diagnosis &diagnosis, std::span<const std::size_
     return parts;
 }
 
-/// For each point: f(arc, point, distance from the centre, position).
+/// Calls f(arc, point, distance from the centre, position) for each point.
 template <class F>
 void forEachPoint(const DiagnosedCircle &circle, const Diagnosis &diagnosis, const F &f) {
     const Point centre = centreOf(circle).value_or(Point{});
@@ -91,7 +91,7 @@ bool isFrame(const SourceEstimate &source) {
     return source.id == InfluenceId::centre || source.id == InfluenceId::radius;
 }
 
-/// About the least squares centre.
+/// Returns the mean radius about the least squares centre.
 double meanRadius(const DiagnosedCircle &circle) {
     const Point centre = centreOf(circle).value_or(Point{});
     double sum = 0;
@@ -104,8 +104,8 @@ double meanRadius(const DiagnosedCircle &circle) {
     return count > 0 ? sum / static_cast<double>(count) : circle.nominalRadius;
 }
 
-/// Points of all arcs, every `stride`-th of each, at the distance `distanceAt(arc, point, r, trace)` from the
-/// centre in the direction in which they were measured.
+/// Returns the minimum zone width of every `stride`-th point of all arcs, moved radially to the distance
+/// `distanceOf(r, trace)` from the centre.
 template <class F>
 double zoneWidth(const DiagnosedCircle &circle, const Diagnosis &diagnosis,
                  std::span<const std::size_t> chosen, std::size_t stride, const F &distanceOf) {
@@ -127,8 +127,8 @@ double zoneWidth(const DiagnosedCircle &circle, const Diagnosis &diagnosis,
     return zone.valid() ? zone.width : 0;
 }
 
-/// Above three times its uncertainty, as one of a dozen: two would be chance. A lag whose feed is not stated
-/// has none.
+/// True above three times the uncertainty, as with a dozen sources two would be chance. A lag without a
+/// stated feed has no uncertainty.
 bool standsOut(const Diagnosis &diagnosis, const DiagnosedPart &part) {
     constexpr double times = 3;
     if (part.sum)
@@ -147,8 +147,8 @@ double widthOf(const DiagnosedCircle &circle, const Diagnosis &diagnosis, std::s
 
 std::vector<Points> syntheticPath(const DiagnosedCircle &circle, const Diagnosis &diagnosis,
                                   std::span<const std::size_t> chosen) {
-    // What of centre and radius cannot be told from others is drawn with these alone: its numbers mean
-    // nothing without theirs.
+    // An inseparable part of centre and radius is drawn only together with the sources it is mixed with: its
+    // numbers mean nothing without theirs.
     std::vector<std::size_t> all(chosen.begin(), chosen.end());
     double radius = circle.nominalRadius;
     for (std::size_t i = 0; i < diagnosis.sources.size(); ++i) {
@@ -238,8 +238,8 @@ std::size_t prevailingParts(const DiagnosedCircle &circle, const Diagnosis &diag
 
 namespace {
 
-/// How many of `count` points are transformed: all, but of many whose number has a large prime factor, for
-/// which the time would grow with their square, as many as have none above 5.
+/// Returns how many of `count` points are transformed: all, unless there are many and their number has a
+/// large prime factor (time would be quadratic); then the largest number without prime factors above 5.
 std::size_t transformLength(std::size_t count) {
     constexpr std::size_t few = 4096;
     constexpr std::size_t largestPrime = 97;
@@ -266,7 +266,7 @@ std::vector<SpectralLine> spectrum(const DiagnosedCircle &circle, std::size_t ar
         return {};
     const std::span<const double> angles(circle.arcs[arc].angles.data(), transformLength(curve.size()));
     curve = curve.first(angles.size());
-    // As many steps as points: the arc goes on for a step beyond its last one.
+    // As many steps as points: the arc extends one step beyond its last point.
     const auto n = static_cast<double>(curve.size());
     const double turns = std::abs(angles.back() - angles.front()) / 360 * n / (n - 1);
     if (!(turns > 0))
@@ -279,7 +279,7 @@ std::vector<SpectralLine> spectrum(const DiagnosedCircle &circle, std::size_t ar
     std::vector<SpectralLine> lines;
     for (std::size_t k = 1; k < waves.size(); ++k) {
         const double perTurn = static_cast<double>(k) / turns;
-        const bool highest = 2 * k == curve.size(); // has no partner
+        const bool highest = 2 * k == curve.size(); // has no conjugate
         SpectralLine line{perTurn, {}, (highest ? 1 : 2) * std::abs(waves[k]) / n};
         if (circle.feed)
             line.frequency = perTurn * *circle.feed / (2 * std::numbers::pi * circle.nominalRadius);

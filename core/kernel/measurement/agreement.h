@@ -10,7 +10,7 @@ namespace palmer {
 
 enum class AgreementState { notAgreed, agreed, notApplicable };
 
-/// A point to be agreed between supplier/manufacturer and user; `point` is the word of the file format.
+/// A point to be agreed between supplier/manufacturer and user; `point` is its key in the file format.
 struct AgreedPoint {
     std::string point;
     AgreementState state = AgreementState::notAgreed;
@@ -20,8 +20,8 @@ struct AgreedPoint {
     bool operator==(const AgreedPoint &) const = default;
 };
 
-/// An agreed limit of a parameter, in mm (rotary: degrees). `edition`: the one it was agreed for; null: the
-/// test's.
+/// An agreed limit of a parameter, in mm (rotary: degrees). `edition`: the edition it was agreed for; null:
+/// the test's own.
 struct Limit {
     std::optional<double> value;
     std::optional<std::string> edition;
@@ -35,7 +35,7 @@ using Limits = std::map<std::string, Limit>;
 
 enum class Rule { simpleAcceptance, iso14253_1, rejectionProven };
 
-/// How value, limit and uncertainty make a verdict; the guard band is guardFactor·U.
+/// How value, limit and uncertainty give a verdict; the guard band is guardFactor·U.
 struct DecisionRule {
     Rule rule = Rule::simpleAcceptance;
     double guardFactor = 1.0;

@@ -9,10 +9,10 @@ namespace palmer {
 
 enum class Motion { linear, rotary };
 
-/// The side a target is approached from: the positive (↑) or the negative (↓) direction of the axis.
+/// The direction in which a target is approached: positive (↑) or negative (↓).
 enum class Direction { positive, negative };
 
-/// From … to, in the unit of what it bounds; from < to.
+/// A closed interval, in the unit of the bounded quantity; from < to.
 struct Interval {
     double from = 0;
     double to = 0;
@@ -20,7 +20,7 @@ struct Interval {
     bool operator==(const Interval &) const = default;
 };
 
-/// The numerically controlled axis under test. Lengths in mm, of rotary axes in degrees.
+/// The numerically controlled axis under test. Lengths in mm, for rotary axes in degrees.
 struct Axis {
     std::string name;
     Motion motion = Motion::linear;

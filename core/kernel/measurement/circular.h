@@ -12,17 +12,17 @@
 
 namespace palmer {
 
-/// Sense of contouring; from the first axis towards the second is counterclockwise (ISO 230-4, 3.8).
+/// Sense of contouring; counterclockwise leads from the first axis towards the second (ISO 230-4, 3.8).
 enum class Sense { counterclockwise, clockwise };
 
-/// What the angles of an arc are: of the measured point (polar), or of the programmed path (commanded).
+/// Meaning of the angles of an arc: of the measured point (polar) or the programmed path (commanded).
 enum class AngleReference { polar, commanded };
 
 enum class SignalSource { external, feedback };
 enum class Centring { leastSquares, instrument };
 enum class ReferenceCircle { minimumZone, leastSquares };
 
-/// What of its circle a result of ISO 230-4 is: G and G(b), F, D, H.
+/// Which property of a circle a result of ISO 230-4 describes: G and G(b), F, D, H.
 enum class OfCircle { nothing, deviation, radialDeviation, meanRadialDeviation, hysteresis };
 
 struct Plane {
@@ -41,7 +41,7 @@ struct ReferenceLength {
 };
 
 /// One measured path in one sense. Angles in degrees from the first axis towards the second, unwrapped;
-/// radial deviations in mm, positive outwards, as many as angles.
+/// radial deviations in mm, positive outwards, one per angle.
 struct Arc {
     Sense sense = Sense::counterclockwise;
     AngleReference angleReference = AngleReference::polar;
@@ -49,7 +49,7 @@ struct Arc {
     std::vector<double> radialDeviations;
     std::optional<Interval> evaluated;    ///< unwrapped degrees; null: all, or the middle 360°
     std::optional<double> sampleInterval; ///< s
-    std::string cutOff = {};              ///< what `evaluated` leaves out: feed-in, overshoot
+    std::string cutOff = {};              ///< range left out by `evaluated`: feed-in, overshoot
 
     bool operator==(const Arc &) const = default;
 };
@@ -62,7 +62,7 @@ struct SpecifiedCircle {
     bool operator==(const SpecifiedCircle &) const = default;
 };
 
-/// A circular test as measured (ISO 230-4); arcs in the order of time.
+/// A circular test as measured (ISO 230-4); arcs in chronological order.
 struct CircularMeasurement {
     Plane plane;
     std::string positionFeedback;

@@ -16,7 +16,7 @@ double temperatureAt(const TemperatureSeries &series, std::vector<double>::const
     return series.temperatures[static_cast<std::size_t>(time - series.times.begin())];
 }
 
-/// The series in the order of its times.
+/// Returns the series sorted by time.
 TemperatureSeries inOrder(const TemperatureSeries &series) {
     std::vector<std::pair<double, double>> both;
     for (std::size_t i = 0; i < series.times.size(); ++i)
@@ -50,7 +50,7 @@ std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasur
     int count = 0;
     for (const Sensor &sensor : conditions.sensors) {
         if (sensor.measures == SensorMeasures::notStated)
-            return std::nullopt; // it may be one of them
+            return std::nullopt; // it may measure `what`
         if (sensor.measures != what)
             continue;
         const auto value = temperature(sensor);
@@ -84,7 +84,7 @@ TemperatureSpan temperatureSpan(const Conditions &conditions, SensorMeasures wha
     };
     bool open = false;
     for (const Sensor &sensor : conditions.sensors) {
-        open |= sensor.measures == SensorMeasures::notStated; // it may be one of them
+        open |= sensor.measures == SensorMeasures::notStated; // it may measure `what`
         if (sensor.measures != what)
             continue;
         for (const auto value : {sensor.start, sensor.end}) {
@@ -107,7 +107,7 @@ std::optional<double> gradientPerHour(const TemperatureSeries &series) {
     constexpr double hour = 3600;
     if (t.empty() || t.back() - t.front() < hour)
         return std::nullopt;
-    // Extremes of a window that slides: indexes whose values fall (rise) from the front to the back.
+    // Extremes in a sliding window: indices whose values fall (rise) from front to back.
     std::deque<std::size_t> highest;
     std::deque<std::size_t> lowest;
     double largest = 0;

@@ -11,7 +11,7 @@ namespace palmer {
 
 enum class WarmUpKind { notStated, procedure, dryRun, setUpOnly };
 
-/// By whom the warm-up was specified.
+/// The party that specified the warm-up.
 enum class SpecifiedBy { notStated, maker, agreement };
 
 struct WarmUp {
@@ -25,7 +25,7 @@ struct WarmUp {
 enum class SensorMeasures { machine, instrument, air, notStated };
 inline constexpr std::size_t kindsOfSensors = static_cast<std::size_t>(SensorMeasures::notStated) + 1;
 
-/// Temperatures of a sensor over the time of the test; both of the same length.
+/// Temperatures of a sensor during the test; both vectors have the same length.
 struct TemperatureSeries {
     std::vector<double> times;        ///< s
     std::vector<double> temperatures; ///< °C
@@ -51,15 +51,15 @@ struct Expansion {
     bool operator==(const Expansion &) const = default;
 };
 
-/// Whether the results hold at 20 °C (nominal differential expansion). Asked for, never guessed.
+/// True if the results hold at 20 °C (nominal differential expansion). Stated by the user, never guessed.
 enum class CorrectionTo20 { notStated, notApplied, appliedByInstrument, appliedHere };
 
 using Point3 = std::array<std::optional<double>, 3>; ///< X, Y, Z in mm; null: not stated
 
-/// The compensation of the instrument for the air and the temperature of the machine; none: it has none.
+/// Compensation of the instrument for air and machine temperature; none: the instrument has none.
 enum class InstrumentCompensation { notStated, on, off, none };
 
-/// What positioning and circular tests state alike.
+/// Conditions stated for both positioning and circular tests.
 struct Conditions {
     WarmUp warmUp;
     std::string compensation;
@@ -70,7 +70,7 @@ struct Conditions {
     std::optional<bool> unloaded;
     std::string soak;
     std::optional<bool> shielded;
-    std::optional<bool> temperatureControlled; ///< the temperature of the room can be controlled
+    std::optional<bool> temperatureControlled; ///< the room temperature can be controlled
     std::optional<bool> stabilised;            ///< machine and instruments were thermally stable
     InstrumentCompensation instrumentCompensation = InstrumentCompensation::notStated;
     std::string thermalGuidelines;
@@ -96,7 +96,7 @@ struct PositioningConditions {
     std::optional<double> airHumidity;         ///< %
     std::optional<double> gradientPerHour;     ///< °C/h
     std::optional<double> gradientHoursBefore; ///< hours before the test that the gradient covers
-    std::optional<bool> continuousDevice; ///< rotary: a continuous scale of suitable accuracy was at hand
+    std::optional<bool> continuousDevice; ///< rotary: a continuous scale of suitable accuracy was available
     std::optional<double>
         referencePosition; ///< mm: where the displacement was set to zero; null = first target
 
@@ -114,31 +114,31 @@ struct CircularConditions {
     bool operator==(const CircularConditions &) const = default;
 };
 
-/// θ: mean over all sensors that measure it, of each the mean of start and end, or the one that is known; °C.
-/// Null unless each of them has one, and as long as a sensor may be one of them.
+/// Returns θ in °C: the mean over all sensors that measure `what` of the mean of start and end, or of the
+/// only one known. Null unless each of them has a value, or if a sensor does not state what it measures.
 [[nodiscard]] std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what);
 
-/// Temperature at start or end of a sensor: stated, or that at the earliest or latest time of its series.
+/// Start or end temperature of a sensor: stated, or taken at the earliest or latest time of its series.
 [[nodiscard]] std::optional<double> startTemperature(const Sensor &sensor);
 [[nodiscard]] std::optional<double> endTemperature(const Sensor &sensor);
 
-/// Mean at one time, startTemperature or endTemperature, over all sensors that measure it, °C. Null unless
-/// each of them has it, and as long as a sensor may be one of them.
+/// Returns the mean of startTemperature or endTemperature over all sensors that measure `what`, °C. Null
+/// unless each of them has a value, or if a sensor does not state what it measures.
 [[nodiscard]] std::optional<double> meanTemperature(const Conditions &conditions, SensorMeasures what,
                                                     std::optional<double> (*temperature)(const Sensor &));
 
-/// Every temperature that is stated of machine, instrument or air, °C.
+/// Extremes of all temperatures stated for machine, instrument or air, °C.
 struct TemperatureSpan {
     std::optional<double> lowest;
     std::optional<double> highest;
-    bool complete = false; ///< something measures it, each such sensor has start and end, and no other may
+    bool complete = false; ///< at least one sensor, each with start and end, and none of unknown subject
 
     [[nodiscard]] std::optional<double> farthest() const; ///< from 20 °C
 };
 [[nodiscard]] TemperatureSpan temperatureSpan(const Conditions &conditions, SensorMeasures what);
 
-/// The largest change of temperature within an hour, °C/h: highest − lowest of any window of one hour, so
-/// that noise is not magnified by short steps. Null for a series shorter than an hour.
+/// Returns the largest change of temperature within an hour, °C/h: highest − lowest in any one-hour window,
+/// so that short steps do not magnify noise. Null for a series shorter than an hour.
 [[nodiscard]] std::optional<double> gradientPerHour(const TemperatureSeries &series);
 
 } // namespace palmer

@@ -8,8 +8,7 @@
 
 namespace palmer {
 
-/// A drift test: the deviation at rest over time; times in s, deviations in mm (rotary: degrees), same
-/// length.
+/// A drift test: deviation at rest over time; times in s, deviations in mm (rotary: degrees), same length.
 struct DriftMeasurement {
     Axis axis; ///< name and motion only
     std::vector<double> times;

@@ -32,7 +32,7 @@ struct Instrument {
     std::string calibratedBy;
     std::optional<std::string> calibrationDate; ///< YYYY-MM-DD
     std::optional<std::string> calibrationDue;  ///< YYYY-MM-DD
-    std::optional<double> resolution;           ///< mm; of angular instruments degrees
+    std::optional<double> resolution;           ///< mm; angular instruments: degrees
 
     bool operator==(const Instrument &) const = default;
 };

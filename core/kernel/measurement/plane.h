@@ -9,7 +9,7 @@
 
 namespace palmer {
 
-/// The plane of a word such as "XY" or "yz": the letters of two different axes; nothing for any other word.
+/// Returns the plane named by a word such as "XY" or "yz" (letters of two different axes), otherwise null.
 [[nodiscard]] inline std::optional<Plane> planeOf(std::string_view word) {
     const auto capital = [](char letter) {
         return letter >= 'a' && letter <= 'z' ? static_cast<char>(letter - 'a' + 'A') : letter;

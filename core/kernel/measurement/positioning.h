@@ -38,7 +38,7 @@ struct Run {
     bool operator==(const Run &) const = default;
 };
 
-/// A reading set aside; run and target count from 1. The place itself is null in the run.
+/// A reading set aside; run and target count from 1. Its entry in the run is null.
 struct ExcludedReading {
     int run = 1;
     int target = 1;
@@ -48,18 +48,17 @@ struct ExcludedReading {
     bool operator==(const ExcludedReading &) const = default;
 };
 
-/// What was typed in the place of a reading and is no number: shown, and missing in every statistic. Run and
-/// target count from 1; the place itself is null in the run. In the file it stands in the extensions of the
-/// test, as "refusedReadings".
+/// Text typed in place of a reading that is not a number: shown, but missing in every statistic. Run and
+/// target count from 1; the entry in the run is null. Saved in the test's extensions as "refusedReadings".
 struct RefusedReading {
     int run = 1;
     int target = 1;
-    std::string text; ///< as it was typed, UTF-8
+    std::string text; ///< as typed, UTF-8
 
     bool operator==(const RefusedReading &) const = default;
 };
 
-/// A positioning test as measured (ISO 230-2): the axis, the targets, the runs in the order of time.
+/// A positioning test as measured (ISO 230-2): the axis, the targets and the runs in chronological order.
 struct PositioningMeasurement {
     Axis axis;
     DeviationMethod standardDeviation = DeviationMethod::calculation;
@@ -76,10 +75,10 @@ struct PositioningMeasurement {
     bool operator==(const PositioningMeasurement &) const = default;
 };
 
-/// Indices of the targets at which no run has a reading.
+/// Returns the indices of the targets at which no run has a reading.
 [[nodiscard]] std::vector<std::size_t> targetsWithoutReading(const PositioningMeasurement &measurement);
 
-/// Measurement travel: last − first target, mm or degrees; 0 without targets.
+/// Returns the measurement travel: last − first target, mm or degrees; 0 without targets.
 [[nodiscard]] double measurementTravel(const PositioningMeasurement &measurement);
 
 } // namespace palmer

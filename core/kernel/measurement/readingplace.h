@@ -6,13 +6,13 @@
 
 namespace palmer {
 
-/// A place among the readings of a positioning test: indices of run and target as in the measurement, from 0.
+/// Position of a reading in a positioning test: zero-based indices of run and target.
 struct ReadingPlace {
     std::size_t run = 0;
     std::size_t target = 0;
 
     bool operator==(const ReadingPlace &) const = default;
-    /// By run, then by target.
+    /// Orders by run, then by target.
     friend bool operator<(const ReadingPlace &a, const ReadingPlace &b) {
         return a.run != b.run ? a.run < b.run : a.target < b.target;
     }

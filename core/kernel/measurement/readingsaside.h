@@ -9,17 +9,17 @@
 
 namespace palmer {
 
-/// The readings of a measurement that are set aside, by their place: for those who ask for many places.
-/// Borrows the measurement, whose list must not change.
+/// Index of the readings set aside, for repeated look-ups by position. Borrows the measurement, whose list
+/// must not change.
 class ReadingsAside {
 public:
     explicit ReadingsAside(const PositioningMeasurement &measurement);
 
-    /// `run` and `target` count from 0. Null where none is set aside.
+    /// Returns the excluded reading at zero-based `run` and `target`, or null.
     [[nodiscard]] const ExcludedReading *at(std::size_t run, std::size_t target) const;
 
 private:
-    std::vector<const ExcludedReading *> m_inOrder; ///< of run and target
+    std::vector<const ExcludedReading *> m_inOrder; ///< sorted by run and target
 };
 
 } // namespace palmer

@@ -4,7 +4,7 @@
 
 namespace palmer {
 
-/// The temperature that lengths are stated at, °C.
+/// The temperature at which lengths are stated, °C.
 inline constexpr double referenceTemperature = 20;
 
 } // namespace palmer

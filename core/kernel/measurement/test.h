@@ -15,7 +15,7 @@
 
 namespace palmer {
 
-/// A result that the instrument's own program stated.
+/// A result stated by the instrument's own software.
 struct ImportedResult {
     std::string name;
     double value = 0;
@@ -30,7 +30,7 @@ struct ImportedFile {
     std::string sha256;
     std::optional<std::string> data; ///< base64, when the user keeps the bytes
     std::vector<ImportedResult> results;
-    std::optional<bool> signAssumed; ///< its deviations were taken for actual − target, which it does not say
+    std::optional<bool> signAssumed; ///< actual − target was assumed, as the file states no sign
 
     bool operator==(const ImportedFile &) const = default;
 };
@@ -47,10 +47,10 @@ enum class Purpose {
     other
 };
 
-/// Before or after the adjustment of the machine.
+/// State of the machine in a test: before or after its adjustment.
 enum class TestRole { notStated, asFound, asLeft };
 
-/// What the laboratory, which owns the text of the edition, declares of what was not checked here.
+/// Declaration by the laboratory, which owns the text of the edition, about requirements not checked here.
 struct DeclaredAccordance {
     std::string by;                  ///< empty: nothing was declared
     std::optional<std::string> date; ///< YYYY-MM-DD
@@ -59,12 +59,12 @@ struct DeclaredAccordance {
     bool operator==(const DeclaredAccordance &) const = default;
 };
 
-/// In the order of the measurements of a test.
+/// In the order of the alternatives of Test::measurement.
 enum class Kind { positioning, circular, drift };
 inline constexpr std::array allKinds{Kind::positioning, Kind::circular, Kind::drift};
 
-/// One test of a report: what all kinds have in common, and the measurement. `edition` is the word of the
-/// file, echoed literally; drift tests have none. `extensions` is a JSON object, kept as text.
+/// One test of a report: the parts common to all kinds, and the measurement. `edition` is the word in the
+/// file, echoed literally; drift tests have none. `extensions` is a JSON object kept as text.
 struct Test {
     std::string id;
     std::string title;
@@ -88,7 +88,7 @@ struct Test {
 
 static_assert(allKinds.size() == std::variant_size_v<decltype(Test::measurement)>);
 
-/// The kind of a test: that of its measurement.
+/// Returns the kind of a test, given by its measurement.
 [[nodiscard]] inline Kind kindOf(const Test &test) {
     return allKinds.at(test.measurement.index());
 }

@@ -57,7 +57,7 @@ Test testOf(Kind kind) {
 
 const KindOfTest &traitsOf(Kind kind) {
     static constexpr std::array rows{
-        // in the order of the kinds
+        // in the order of allKinds
         KindOfTest{.isJudged = true, .isOfAxis = true, .hasTargets = true},
         KindOfTest{.isJudged = true},
         KindOfTest{.isOfAxis = true},

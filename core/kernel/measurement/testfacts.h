@@ -10,11 +10,11 @@
 
 namespace palmer {
 
-// What a test says whatever its kind. A measurement answers by the parts it has: an axis or a plane,
-// conditions, inputs of the uncertainty. A new kind that has them needs nothing here.
+// Facts about a test of any kind, derived from the parts its measurement has: an axis or a plane, conditions,
+// inputs of the uncertainty. A new kind with these parts needs no change here.
 
-/// What `take` says of the measurement of a test, or of its results: of a part that not every kind has.
-/// `otherwise` where they have none: where `take`, which returns a decltype, does not compile with them.
+/// Returns `take` applied to the measurement (or results) of a test if that kind has the part `take` reads,
+/// otherwise `otherwise`. `take` returns a decltype, so that it does not compile for kinds without the part.
 template <class Value, class Alternatives, class Take>
 [[nodiscard]] Value partOr(Value otherwise, Alternatives &ofKinds, Take take) {
     return std::visit(
@@ -27,44 +27,44 @@ template <class Value, class Alternatives, class Take>
         ofKinds);
 }
 
-/// What tests of a kind have.
+/// Properties of a kind of test.
 struct KindOfTest {
-    bool isJudged = false;   ///< held to an edition, its points to agree and its limits
-    bool isOfAxis = false;   ///< of one axis; else of a plane
-    bool hasTargets = false; ///< readings of runs at target positions
+    bool isJudged = false;   ///< has an edition, points to agree and limits
+    bool isOfAxis = false;   ///< tests one axis, otherwise a plane
+    bool hasTargets = false; ///< has readings in runs at target positions
 };
 [[nodiscard]] const KindOfTest &traitsOf(Kind kind);
 [[nodiscard]] inline const KindOfTest &traitsOf(const Test &test) {
     return traitsOf(kindOf(test));
 }
 
-/// A test of that kind that says nothing yet.
+/// Returns an empty test of this kind.
 [[nodiscard]] Test testOf(Kind kind);
 
-/// The axis of a test of one axis; null for a plane.
+/// Returns the axis of a test of one axis; null for a plane.
 [[nodiscard]] const Axis *axisOf(const Test &test);
 
-/// Rotary where the readings are angles.
+/// Returns rotary if the readings are angles.
 [[nodiscard]] Motion motionOf(const Test &test);
 
-/// What the deviations and the feed of a test are: lengths, or angles of a rotary axis.
+/// Quantity of the deviations or the feed of a test: linear, or angular for a rotary axis.
 [[nodiscard]] Quantity deviationQuantity(const Test &test);
 [[nodiscard]] Quantity feedQuantity(const Test &test);
 
-/// "X", or "XY" of a plane; empty where none is stated.
+/// Returns "X", or "XY" for a plane; empty if none is stated.
 [[nodiscard]] std::string axesOf(const Test &test);
 
-/// What a test states of its conditions; null for a drift test.
+/// Returns the stated conditions of a test; null for a drift test.
 [[nodiscard]] Conditions *conditionsOf(Test &test);
 [[nodiscard]] const Conditions *conditionsOf(const Test &test);
 
-/// Held to an edition, its points to agree and its limits: drift tests are not.
+/// True if the test has an edition, points to agree and limits; false for drift tests.
 [[nodiscard]] inline bool isJudged(const Test &test) {
     return traitsOf(test).isJudged;
 }
 
-/// The method, the seed, …: what the inputs of all budgets have. Calls `use` with those of the test, not at
-/// all where its kind has no budget.
+/// Calls `use` with the uncertainty inputs of a test, for members common to all kinds (method, seed, …); does
+/// nothing for kinds without a budget.
 template <class AnyTest, class Use>
 void withUncertainty(AnyTest &test, Use use) {
     std::visit(
@@ -75,31 +75,31 @@ void withUncertainty(AnyTest &test, Use use) {
         test.measurement);
 }
 
-/// The method that decides; null where the kind of test has no budget.
+/// Returns the selected uncertainty method; null if the kind of test has no budget.
 [[nodiscard]] const UncertaintyMethod *methodOf(const Test &test);
 
-/// The id of the drift test that gives E_VE; null where none is named.
+/// Returns the id of the drift test that gives E_VE; null if none is named.
 [[nodiscard]] const std::string *driftTestOf(const Test &test);
 
-/// E_VE, the environmental variation error: the largest less the smallest deviation at rest, mm or degrees;
-/// null without readings, and for a test of another kind.
+/// Returns E_VE, the environmental variation error: largest − smallest deviation at rest, mm or degrees; null
+/// without readings and for tests of another kind.
 [[nodiscard]] std::optional<double> rangeOf(const DriftMeasurement &measurement);
 [[nodiscard]] std::optional<double> rangeAtRest(const Test &test);
 
-/// Whether the device has an uncertainty per metre to state: a rotary axis has no metres, but what a file
-/// says of them is there to be taken out.
+/// True if the form shows the device's uncertainty per metre: a rotary axis has no metres, but a value read
+/// from a file must be removable.
 [[nodiscard]] bool asksPerMetre(const Test &test);
 
-/// Judged tests of one kind and of the same axis, or plane.
+/// True for two judged tests of one kind on the same axis or plane.
 [[nodiscard]] bool areOfSameAxis(const Test &a, const Test &b);
 
-/// Readings with the missing ones, points of circles.
+/// Returns the number of readings, missing ones included, or of points of circles.
 [[nodiscard]] std::size_t readingsOf(const Test &test);
 
-/// A positioning test without targets or runs, or with a reading that is missing and was not set aside.
+/// True for a positioning test without targets or runs, or with a missing reading that was not set aside.
 [[nodiscard]] bool isUnfinished(const Test &test);
 
-/// What `alike` says of the measurements of two tests of one kind; false for tests of two kinds.
+/// Returns `alike` of the two measurements; false for tests of different kinds.
 template <class Alike>
 [[nodiscard]] bool areOfOneKind(const Test &a, const Test &b, Alike alike) {
     return std::visit(

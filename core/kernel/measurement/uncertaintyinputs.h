@@ -8,15 +8,15 @@
 
 namespace palmer {
 
-/// budgetActual: the budget with what the actual targets carry of S; positioning only.
+/// budgetActual: the budget with the share of S that the actual targets carry; positioning only.
 enum class UncertaintyMethod { none, budget, budgetActual, monteCarlo, direct };
 
-/// Whether a method stands on the contributions of a budget.
+/// True if a method uses the contributions of a budget.
 [[nodiscard]] constexpr bool usesContributions(UncertaintyMethod method) {
     return method != UncertaintyMethod::none && method != UncertaintyMethod::direct;
 }
 
-inline constexpr long long mostTrialsStated = 1'000'000'000; ///< of a simulation with a fixed number
+inline constexpr long long mostTrialsStated = 1'000'000'000; ///< if the number of trials is fixed
 
 enum class DeviceKind { certificate, range };
 enum class DriftModel { independent, linear };
@@ -42,7 +42,7 @@ struct MachineAndInstrument {
 /// Expanded uncertainties entered directly: parameter id → U in µm (rotary: arc seconds).
 using ExpandedUncertainties = std::map<std::string, double>;
 
-/// What the budget of a positioning test needs; null = unknown, 0 = stated to be zero.
+/// Inputs of the budget of a positioning test; null = unknown, 0 = stated to be zero.
 struct PositioningUncertaintyInputs {
     UncertaintyMethod method = UncertaintyMethod::none;
     DeviceUncertainty device;
@@ -68,7 +68,7 @@ struct ExpandedValue {
     bool operator==(const ExpandedValue &) const = default;
 };
 
-/// What the budgets of a circular test need; null = unknown, 0 = stated to be zero.
+/// Inputs of the budgets of a circular test; null = unknown, 0 = stated to be zero.
 struct CircularUncertaintyInputs {
     UncertaintyMethod method = UncertaintyMethod::none;
     ExpandedValue displacement;

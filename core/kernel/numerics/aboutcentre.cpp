@@ -14,7 +14,7 @@ namespace palmer {
 namespace {
 
 constexpr double halfTurn = 180;
-constexpr double smallTangent = 1e-3; ///< below, t − t³/3 is the arc tangent to rounding
+constexpr double smallTangent = 1e-3; ///< below it t − t³/3 is the arc tangent to rounding
 
 double turnBySlowWay(Point p, Point away) {
     const double sine = p.x * away.y - p.y * away.x;
@@ -25,8 +25,8 @@ double turnBySlowWay(Point p, Point away) {
     return radians * halfTurn / std::numbers::pi;
 }
 
-/// As if all tangents were small; returns whether they were. A plain loop, which the compiler turns into
-/// vectors of the function it is inlined into: a choice between two ways would keep it from that.
+/// Assumes that all tangents are small; returns whether they were. A plain loop, so that the compiler can
+/// vectorise it for the function it is inlined into; a branch would prevent that.
 [[gnu::always_inline]] inline bool allSmall(const double *x, const double *y, std::size_t size, Point centre,
                                             double *turns, double *distances) {
     std::uint64_t large = 0;
@@ -59,7 +59,7 @@ template <class AllSmall>
 void fill(PointsView points, Point centre, std::span<double> turns, std::span<double> distances,
           const AllSmall &allSmallOf) {
     assert(turns.size() == points.size() && distances.size() == points.size());
-    constexpr std::size_t block = 256; // so few are worked out again where one is not small
+    constexpr std::size_t block = 256; // a block is recomputed if one tangent in it is not small
     for (std::size_t begin = 0; begin < points.size(); begin += block) {
         const std::size_t size = points.size() - begin < block ? points.size() - begin : block;
         if (allSmallOf(&points.x[begin], &points.y[begin], size, centre, &turns[begin], &distances[begin]))

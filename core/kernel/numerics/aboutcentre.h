@@ -8,12 +8,12 @@
 
 namespace palmer {
 
-/// How a centre c sees points P, against how the origin sees them: the angle from P to P − c in degrees
-/// (−180 … 180; 0 of the origin and of c themselves) and the distance |P − c| in mm. Quick where
-/// |c| is below a thousandth of |P|. As many of each as points. Wide registers are used where the processor
-/// has them; the numbers are the same on all.
+/// Compares points P seen from a centre c with the view from the origin: the angle from P to P − c in degrees
+/// (−180 … 180; 0 for the origin and for c itself) and the distance |P − c| in mm. Fast while |c| is below a
+/// thousandth of |P|. Output spans have the size of `points`. Uses wide registers if the processor has them;
+/// results are identical on all.
 void aboutCentre(PointsView points, Point centre, std::span<double> turns, std::span<double> distances);
-/// With the registers every processor has.
+/// Uses only the registers every processor has.
 void aboutCentreNarrow(PointsView points, Point centre, std::span<double> turns, std::span<double> distances);
 
 } // namespace palmer

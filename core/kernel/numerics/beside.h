@@ -9,14 +9,14 @@
 
 namespace palmer {
 
-/// Work that is long enough runs on a thread of its own; other work, and all where the system gives no thread
-/// (a limit of memory or of threads), when its result is asked for. Either way the result is the same.
+/// Runs long work on its own thread; other work, and all work if the system provides no thread (limit of
+/// memory or threads), runs when its result is requested. The result is the same either way.
 template <class Work>
 [[nodiscard]] std::future<std::invoke_result_t<Work>> beside(bool isLong, Work work) {
     if (isLong) {
         try {
             return std::async(std::launch::async, work);
-        } catch (const std::system_error &) { // the others go on with what there is
+        } catch (const std::system_error &) { // run deferred instead
         }
     }
     return std::async(std::launch::deferred, std::move(work));

@@ -13,7 +13,7 @@ namespace {
 
 using Status = CentringError::Status;
 
-/// The normal equations of e with the R_k eliminated, and what gives the steps of the R_k back.
+/// Normal equations of e with the R_k eliminated, and the terms that recover the steps of the R_k.
 struct Normal {
     double xx = 0, xy = 0, yy = 0, x = 0, y = 0;
 
@@ -88,7 +88,7 @@ std::vector<Point> directionsOf(const CommandedArc &arc) {
     return directions;
 }
 
-/// 0 of none.
+/// Returns 0 for an empty span.
 double meanOf(std::span<const double> distances) {
     double sum = 0;
     for (const double distance : distances)

@@ -29,7 +29,7 @@ ColumnFit columnFit(const Eigen::MatrixXd &columns, const Eigen::VectorXd &b, do
     fit.condition = rank > 0 ? singular[0] / singular[rank - 1] : 0;
     fit.toScaled = svd.matrixV().leftCols(rank) * singular.head(rank).cwiseInverse().asDiagonal();
     fit.hidden = svd.matrixV().rightCols(p - rank);
-    // Q·b by the reflections: exact also where the basis, made of ill-conditioned columns, is not.
+    // Compute Q·b from the reflections: exact even if the basis, made of ill-conditioned columns, is not.
     const Eigen::VectorXd turned = (qr.householderQ().adjoint() * b).head(p);
     fit.scaled = fit.toScaled * (svd.matrixU().leftCols(rank).adjoint() * turned);
     fit.basis = scaled * fit.toScaled;

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <cstring>
 
-/// Sums over columns of numbers. Eight rows go side by side, in one register or in several: the sums are the
-/// same on all processors, to the last bit, and take an eighth of the time where registers hold eight.
+/// Sums over columns of numbers. Eight rows are summed in parallel, in one register or several: the sums are
+/// identical on all processors, to the last bit, and take an eighth of the time if registers hold eight.
 namespace palmer::columnsums {
 
 inline constexpr std::size_t together = 8;
@@ -30,7 +30,7 @@ struct Widest {
 
 // NOLINTBEGIN(modernize-avoid-c-arrays): registers are no arguments of templates, GCC drops their width
 
-/// Sums of `n` terms of `number` sums each, of the columns of a table.
+/// Adds `n` terms to each of `number` sums over the columns of a table.
 template <class Register, class Terms>
 [[gnu::always_inline]] inline void sumUp(const Terms &terms, std::size_t n,
                                          std::array<double, Terms::number> &sums) {
@@ -75,8 +75,8 @@ PALMER_WIDEST void sumUpWidest(const Terms &terms, std::size_t n, std::array<dou
     sumUp<Widest>(terms, n, sums);
 }
 
-/// `Terms`: `number` of sums, `columns` and their starts in `column[columns]`, and a template `of(row,
-/// values)` that makes the terms of a row, of doubles or of registers of them.
+/// `Terms` has a `number` of sums, `columns` and their starts in `column[columns]`, and a template `of(row,
+/// values)` that computes the terms of a row, for doubles or registers of them.
 template <class Terms>
 std::array<double, Terms::number> sumsOf(const Terms &terms, std::size_t n) {
     std::array<double, Terms::number> sums{};

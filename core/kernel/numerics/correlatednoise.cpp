@@ -21,7 +21,7 @@ using Vector = Eigen::VectorXd;
 using Spectra = Eigen::MatrixXcd; ///< frequencies × columns
 
 constexpr int steps = 16; ///< φ = 1 − 2^(−k/2), k = 0 … 15: up to 0.994
-/// A coloured part has two parameters more: twice of what each gains by chance, and a half for the choice.
+/// A coloured part adds two parameters: twice the chance gain of each, plus a half for the choice.
 constexpr double leastGain = 3;
 
 double correlation(int step) {
@@ -33,7 +33,7 @@ double shape(int step, double angle) {
     return (1 - phi) * (1 - phi) / (1 + phi * phi - 2 * phi * std::cos(angle));
 }
 
-/// The next length that a fast Fourier transform likes.
+/// Returns the next length suited to a fast Fourier transform.
 Eigen::Index smoothLength(std::size_t least) {
     for (std::size_t n = std::max<std::size_t>(least, 2);; ++n) {
         std::size_t rest = n;
@@ -45,7 +45,7 @@ Eigen::Index smoothLength(std::size_t least) {
     }
 }
 
-/// Parameters of the model with one φ.
+/// Parameters of the model for one φ.
 struct Model {
     double white = 0;
     double coloured = 0;
@@ -54,7 +54,7 @@ struct Model {
 
 } // namespace
 
-/// Periodogram of the residuals and what the fit left of each frequency, over all records, in bands.
+/// Periodogram of the residuals and the part of each frequency left by the fit, over all records, in bands.
 struct CorrelatedNoise::Spectrum {
     Spectrum(const Eigen::MatrixXd &basis, const Vector &residual, std::span<const Record> records) {
         std::size_t longest = 0;
@@ -106,7 +106,7 @@ struct CorrelatedNoise::Spectrum {
             result[f] = shape(step, angle(f));
         return result;
     }
-    /// Sum over each band.
+    /// Returns the sum over each band.
     [[nodiscard]] Vector banded(const Vector &values) const {
         Vector result(Eigen::Index(bands.size()) - 1);
         for (Eigen::Index b = 0; b < result.size(); ++b) {
@@ -115,7 +115,7 @@ struct CorrelatedNoise::Spectrum {
         }
         return result;
     }
-    /// Fourier sum of the columns, weighted.
+    /// Returns the weighted Fourier sum of the columns.
     [[nodiscard]] Eigen::MatrixXd weightedGram(const Vector &weights) const {
         const Eigen::Index rank = columns.empty() ? 0 : columns.front().cols();
         Eigen::MatrixXd result = Eigen::MatrixXd::Zero(rank, rank);
@@ -130,21 +130,21 @@ struct CorrelatedNoise::Spectrum {
 
     Eigen::Index length = 0;
     Vector multiplicity;
-    Vector power; ///< I, half for the frequencies that have no partner
-    Vector left;  ///< h, in complex numbers worth of information
+    Vector power; ///< I, halved at the frequencies that have no partner
+    Vector left;  ///< h, counted in complex numbers
     std::vector<Spectra> columns;
     std::vector<Eigen::Index> bands;
 };
 
 namespace {
 
-/// White and coloured of one φ by weighted least squares of I/h on its shape, the weights from the last turn.
+/// White and coloured for one φ by weighted least squares of I/h on its shape, iterating the weights.
 Model fitModel(const Vector &power, const Vector &left, const Vector &bandShape, bool coloured) {
     Model model;
     const double total = left.sum();
     model.white = power.sum() / total;
     constexpr int turns = 12;
-    constexpr double deepest = -0.95; // of white: S stays positive
+    constexpr double deepest = -0.95; // relative to white: S stays positive
     if (coloured) {
         const Eigen::Index half = power.size() / 2;
         const Eigen::Index rest = power.size() - half;
@@ -195,7 +195,7 @@ CorrelatedNoise::CorrelatedNoise(const Eigen::MatrixXd &basis, const Vector &res
 void CorrelatedNoise::choose(const Spectrum &spectrum) {
     Vector power = spectrum.banded(spectrum.power);
     Vector left = spectrum.banded(spectrum.left);
-    // Bands of which the fit left nothing say nothing.
+    // Bands removed entirely by the fit carry no information.
     const double least = 1e-3;
     for (Eigen::Index b = 0; b < left.size(); ++b) {
         if (left[b] < least)

@@ -10,43 +10,43 @@
 
 namespace palmer {
 
-/// A stretch of rows that follow each other in time at equal steps; rows of zeros are readings left out.
+/// Rows consecutive in time at equal steps; rows of zeros are omitted readings.
 struct Record {
     std::size_t begin = 0;
     std::size_t size = 0;
-    std::size_t used = 0; ///< rows that count
+    std::size_t used = 0; ///< rows not omitted
 };
 
-/// What the residuals of a linear fit say about its noise, and so about the uncertainty of every estimate.
-/// Neighbouring readings of a circle are not independent; a standard uncertainty that takes them so is too
-/// small by the root of how many of them are worth one.
+/// Noise estimated from the residuals of a linear fit, and from it the uncertainty of every estimate.
+/// Neighbouring readings of a circle are correlated; a standard uncertainty that assumes independence is too
+/// small by the square root of the number of readings worth one independent reading.
 ///
-/// Model: stationary noise, the same in all records and independent between them, with the spectrum
+/// Model: stationary noise, equal in all records and independent between them, with the spectrum
 ///     S(ω) = white + coloured·(1 − φ)²/|1 − φ·e^(−iω)|²
-/// (white noise and one whose neighbours are correlated by φ; coloured may be negative, S not).
-/// Method: the periodogram I of the residuals has at each frequency the expectation h·S with h = what the fit
-/// has left of that frequency. white, coloured and φ minimise Σ h·log S + I/S over bands of frequencies; φ
-/// from a fixed list, and only where it explains more than chance would.
-/// With a fit of orthonormal columns B: cov(Bᵀ·noise) = white·1 + coloured·K, K the Fourier sum of the
-/// columns weighted with the spectrum.
-/// Validity: records long against the correlation: where the neighbours of a whole arc are alike, noise
-/// cannot be told from signal by anyone.
+/// (white noise plus noise with correlation φ between neighbours; coloured may be negative, S may not).
+/// Method: at each frequency the periodogram I of the residuals has the expectation h·S, with h the part of
+/// the frequency left by the fit. white, coloured and φ minimise Σ h·log S + I/S over bands of frequencies; φ
+/// is taken from a fixed list, and only if it explains more than chance would. For a fit with orthonormal
+/// columns B: cov(Bᵀ·noise) = white·1 + coloured·K, K the Fourier sum of the columns weighted with the
+/// spectrum.
+/// Validity: records long compared with the correlation; if the readings of a whole arc are correlated, noise
+/// cannot be separated from signal.
 class CorrelatedNoise {
 public:
-    /// `basis`: rows × rank, orthonormal; `residual`: what is left of the fit; zeros in rows left out.
+    /// `basis`: rows × rank, orthonormal; `residual`: residual of the fit; zeros in omitted rows.
     CorrelatedNoise(const Eigen::MatrixXd &basis, const Eigen::VectorXd &residual,
                     std::span<const Record> records);
 
-    /// Covariance of the coefficients of the basis.
+    /// Returns the covariance of the coefficients of the basis.
     [[nodiscard]] const Eigen::MatrixXd &covariance() const { return m_covariance; }
-    /// Standard uncertainty of the estimate Σ weights·t, t the coefficients of the basis.
+    /// Returns the standard uncertainty of the estimate Σ weights·t, t being the coefficients of the basis.
     [[nodiscard]] double standardUncertainty(const Eigen::VectorXd &weights) const;
-    /// How well that is known, as degrees of freedom (JCGM 100, G.4); at least 1.
+    /// Returns the degrees of freedom of that uncertainty (JCGM 100, G.4); at least 1.
     [[nodiscard]] double degreesOfFreedom(const Eigen::VectorXd &weights) const;
-    /// Mean of S over the frequencies from 0 to `highest` (cycles a row): variance of a reading as an
-    /// estimate sees it whose weights vary that fast.
+    /// Returns the mean of S over the frequencies from 0 to `highest` (cycles per row): the variance of a
+    /// reading in an estimate whose weights vary that fast.
     [[nodiscard]] double variance(double highest) const;
-    /// How many readings are worth one to a slowly varying estimate: S(0) by the variance of a reading.
+    /// Returns the readings worth one independent reading in a slowly varying estimate: S(0) / variance.
     [[nodiscard]] double readingsPerIndependent() const;
 
 private:
@@ -59,7 +59,7 @@ private:
     int m_correlation = 0; ///< index of φ
     Eigen::MatrixXd m_covariance;
     Eigen::MatrixXd m_ofParameters;             ///< covariance of white, coloured and φ
-    std::vector<Eigen::MatrixXd> m_derivatives; ///< of m_covariance by each of them
+    std::vector<Eigen::MatrixXd> m_derivatives; ///< of m_covariance with respect to each of them
 };
 
 } // namespace palmer

@@ -10,10 +10,10 @@
 
 namespace palmer {
 
-/// Four doubles side by side, for formulas that are worked through for four cases at once: the operators do
-/// for each lane what they do for a double, to the last bit. Registers of 16 bytes, which every processor of
-/// the architectures in use has. `larger`, `smaller`, `magnitude`, `squareRoot` and `isMissing` exist for
-/// double too, so that one template serves both.
+/// Four doubles processed in parallel, to evaluate a formula for four cases at once: per lane the operators
+/// do what they do for a double, to the last bit. Uses 16-byte registers, which every processor of the
+/// supported architectures has. `larger`, `smaller`, `magnitude`, `squareRoot` and `isMissing` also exist for
+/// double, so that one template serves both.
 class Lanes {
 public:
     using Pair = double __attribute__((vector_size(16)));
@@ -34,7 +34,7 @@ public:
         return {m_low[0], m_low[1], m_high[0], m_high[1]};
     }
     static Lanes from(const std::array<double, count> &values) { return from(values.data()); }
-    /// From four doubles that follow each other.
+    /// Loads four consecutive doubles.
     static Lanes from(const double *values) {
         return {Pair{values[0], values[1]}, Pair{values[2], values[3]}};
     }
@@ -68,10 +68,10 @@ public:
     friend Lanes magnitude(const Lanes &a) { return {withoutSign(a.m_low), withoutSign(a.m_high)}; }
     friend Lanes squareRoot(const Lanes &a) { return {root(a.m_low), root(a.m_high)}; }
 
-    /// The reading is missing in the case of the first lane, and so in all.
+    /// True if the reading is missing in the first lane, and thus in all.
     friend bool isMissing(const Lanes &a) { return std::isnan(a.m_low[0]); }
 
-    /// Whole numbers of 32 bits, one a lane, as doubles.
+    /// Converts one 32-bit integer per lane to double.
     using Integers = std::int32_t __attribute__((vector_size(16)));
     static Lanes of(Integers integers) {
         const Eigen::Array4i all(integers[0], integers[1], integers[2], integers[3]);

@@ -20,13 +20,13 @@ namespace {
 
 using Status = LeastSquaresCircle::Status;
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
-constexpr double lineMargin = 1e-9; ///< of the sum: a circle as good as a line
-constexpr double quick = 10;        ///< by which steps shrink that need no second derivatives
+constexpr double lineMargin = 1e-9; ///< relative to the sum: a circle no better than a line
+constexpr double quick = 10;        ///< shrinkage of steps that need no second derivatives
 
-constexpr std::size_t block = 512; ///< points that are summed up before they join the rest
+constexpr std::size_t block = 512; ///< points summed before being added to the total
 
-/// Weighted means of K sums over the points, `sums(begin, size)` those of up to `block` of them: in blocks
-/// rounding does not grow with n.
+/// Returns weighted means of K sums over the points; `sums(begin, size)` gives those of up to `block` points.
+/// Summing in blocks keeps the rounding error from growing with n.
 template <std::size_t K, class Sums>
 std::array<double, K> weightedMean(std::span<const std::size_t> groups, const Sums &sums) {
     const auto counting = std::count_if(groups.begin(), groups.end(), [](std::size_t n) { return n > 0; });
@@ -47,7 +47,7 @@ std::array<double, K> weightedMean(std::span<const std::size_t> groups, const Su
     return mean;
 }
 
-/// The least weight that a point has.
+/// Returns the smallest weight of a point.
 double leastWeight(std::span<const std::size_t> groups) {
     const auto counting = std::count_if(groups.begin(), groups.end(), [](std::size_t n) { return n > 0; });
     return 1 / (static_cast<double>(counting) * static_cast<double>(std::ranges::max(groups)));
@@ -68,8 +68,8 @@ struct Scatter {
     Point mean;
     double xx, xy, yy, xz, yz; // z = x² + y²
 
-    /// Variance across the straight line that the points lie along: the mean square of the distances from it,
-    /// which circles come near to without end.
+    /// Variance across the straight line through the points, i.e. the mean square distance from it, which
+    /// circles can approach arbitrarily closely.
     [[nodiscard]] double across() const { return (xx + yy) / 2 - std::hypot((xx - yy) / 2, xy); }
 };
 
@@ -99,7 +99,7 @@ struct MomentTerms {
 
 // NOLINTEND(modernize-avoid-c-arrays)
 
-/// The mean of some points, spread evenly.
+/// Returns the mean of an evenly spaced subset of the points.
 Point middleOfSome(PointsView points) {
     constexpr std::size_t most = 1000;
     const std::size_t every = (points.size() + most - 1) / most;
@@ -110,8 +110,8 @@ Point middleOfSome(PointsView points) {
     return {sum.x / count, sum.y / count};
 }
 
-/// Mean and moments in one look: about a point near the mean, then shifted to the mean, which loses nothing
-/// where that is near; else once more. A look less than the mean first.
+/// Mean and moments, usually in one pass instead of two: about a point near the mean, then shifted to the
+/// mean, which is accurate if the two are close; otherwise repeated about the mean.
 Scatter scatterOf(PointsView points, std::span<const std::size_t> groups) {
     Point origin = middleOfSome(points);
     Scatter s{};
@@ -135,18 +135,18 @@ Scatter scatterOf(PointsView points, std::span<const std::size_t> groups) {
     return s;
 }
 
-/// Across the straight line that the points lie along.
+/// Returns the unit normal of the straight line through the points.
 Point normalOf(const Scatter &s) {
     const double angle = std::atan2(2 * s.xy, s.xx - s.yy) / 2;
     return {-std::sin(angle), std::cos(angle)};
 }
 
-/// Collinear to the rounding of the coordinates: the r.m.s. distance from the principal axis is a few ulp.
+/// True if collinear to coordinate rounding: r.m.s. distance from the principal axis of a few ulp.
 bool collinear(PointsView points, std::span<const std::size_t> groups, const Scatter &s) {
     const Point normal = normalOf(s);
     const double length = std::sqrt(s.xx + s.yy);
     const double few = 4 * epsilon * (length + std::abs(s.mean.x) + std::abs(s.mean.y));
-    // The moments tell a width that is far above their own rounding: no look.
+    // Moments suffice if they show a width far above their own rounding: no pass over the points.
     constexpr double rounding = 1e-11;
     if (s.across() > rounding * (s.xx + s.yy) + 4 * few * few)
         return false;
@@ -161,26 +161,26 @@ bool collinear(PointsView points, std::span<const std::size_t> groups, const Sca
     return std::sqrt(square) <= few;
 }
 
-/// Weighted means at a centre (about the mean of the points), R being a value near that of mean r.
+/// Weighted means at a centre (relative to the mean of the points), with R close to mean r.
 struct Linearised {
     double R;
     double ux, uy, uxx, uxy, uyy; // u
     double f, fx, fy, ff;         // f = r − R, f·u, f²
-    double bxx, bxy, byy;         // f/r·(1 − u·uᵀ): how the circles about the points bend
+    double bxx, bxy, byy;         // f/r·(1 − u·uᵀ): curvature of the circles about the points
 
     [[nodiscard]] double radius() const { return R + f; }
     [[nodiscard]] double variance() const { return std::max(0.0, ff - f * f); }
 };
 
-/// What the sums are made of, of a block of points.
+/// Terms of the sums for a block of points.
 struct Directions {
     std::array<double, block> ux, uy, f, bend; // u, r − R, f/r
 };
 
-/// A plain loop, which the compiler turns into vectors of the function it is inlined into.
+/// A plain loop, so that the compiler can vectorise it for the function it is inlined into.
 [[gnu::always_inline]] inline void directions(const double *x, const double *y, std::size_t size,
                                               Point origin, Point c, double R, Directions &into) {
-    constexpr double tiny = std::numeric_limits<double>::min(); // a point at c pulls nowhere
+    constexpr double tiny = std::numeric_limits<double>::min(); // a point at c has no effect
     for (std::size_t i = 0; i < size; ++i) {
         const double dx = (x[i] - origin.x) - c.x;
         const double dy = (y[i] - origin.y) - c.y;
@@ -206,11 +206,11 @@ PALMER_WIDEST void directionsWidest(const double *x, const double *y, std::size_
 
 // NOLINTBEGIN(modernize-avoid-c-arrays): rows as columnsums::sumUp makes them
 
-/// In the order of Linearised.
+/// In the order of the members of Linearised.
 struct LinearTerms {
     static constexpr std::size_t number = 12;
     static constexpr std::size_t columns = 4;
-    const double *column[columns]{}; ///< those of Directions
+    const double *column[columns]{}; ///< the columns of Directions
 
     template <class Value>
     [[gnu::always_inline]] inline void of(const Value (&c)[columns], Value (&values)[number]) const {
@@ -248,7 +248,7 @@ Linearised linearise(PointsView points, std::span<const std::size_t> groups, Poi
     return {R, m[0], m[1], m[2], m[3], m[4], m[5], m[6], m[7], m[8], m[9], m[10], m[11]};
 }
 
-/// The smaller eigenvalue of half the second derivatives of the variance of r.
+/// Returns the smaller eigenvalue of half the second derivatives of the variance of r.
 double leastCurvature(const Linearised &at) {
     const double xx = at.uxx - at.ux * at.ux + at.bxx;
     const double xy = at.uxy - at.ux * at.uy + at.bxy;
@@ -256,9 +256,8 @@ double leastCurvature(const Linearised &at) {
     return (xx + yy) / 2 - std::hypot((xx - yy) / 2, xy);
 }
 
-/// The step to the least of the variance of r where it is a quadratic of c: by the products of the first
-/// derivatives alone (Gauss–Newton), or by the second derivatives too (Newton). Null where that is no
-/// minimum.
+/// Returns the step to the minimum of a quadratic model of the variance of r in c: from products of first
+/// derivatives only (Gauss–Newton), or with second derivatives (Newton). Null if the model has no minimum.
 std::optional<Point> step(const Linearised &at, bool secondDerivatives) {
     const double xx = at.uxx - at.ux * at.ux + (secondDerivatives ? at.bxx : 0);
     const double xy = at.uxy - at.ux * at.uy + (secondDerivatives ? at.bxy : 0);
@@ -272,11 +271,11 @@ std::optional<Point> step(const Linearised &at, bool secondDerivatives) {
     return std::isfinite(result.x + result.y) ? std::optional(result) : std::nullopt;
 }
 
-/// The step that surely ends at the minimum to the tolerance, so that nothing is looked at again: null where
-/// that is not sure. Along it the second derivatives of half the variance, D²φ, change by |D³φ|·|Δ| at most,
+/// Returns a step guaranteed to end at the minimum within the tolerance, so that no further pass is needed;
+/// otherwise null. Along it the second derivatives of half the variance, D²φ, change by at most |D³φ|·|Δ|,
 ///     D³φ = 3·cov(Dr, D²r) + cov(f, D³r),   |D³φ| ≤ 3/r + 1.2·max|f|/r² < 5/r,   r the least distance,
-/// which is the part q = 5·|Δ|/(r·λ) of their least eigenvalue λ; the step misses the minimum by q·|Δ| at
-/// most while q is at most a half. No point is farther off the circle R than √(mean f²/least weight).
+/// i.e. by the fraction q = 5·|Δ|/(r·λ) of their least eigenvalue λ; for q ≤ ½ the step misses the minimum by
+/// at most q·|Δ|. No point is farther from the circle R than √(mean f²/least weight).
 std::optional<Point> lastStep(const Linearised &at, double leastWeight, double tolerance) {
     const std::optional<Point> move = step(at, true);
     const double curvature = leastCurvature(at);
@@ -290,7 +289,7 @@ std::optional<Point> lastStep(const Linearised &at, double leastWeight, double t
     return move;
 }
 
-/// After the last step: r falls by u·Δ, and half the variance by half of its slope times Δ.
+/// State after the last step: r falls by u·Δ, and half the variance by half of its slope times Δ.
 Linearised moved(Linearised at, Point by) {
     const double gx = at.fx - at.ux * at.f;
     const double gy = at.fy - at.uy * at.f;
@@ -302,17 +301,17 @@ Linearised moved(Linearised at, Point by) {
 
 struct Fit {
     Status status = Status::notConverged;
-    Point c; ///< about the mean of the points
+    Point c; ///< relative to the mean of the points
     Linearised at{};
     int iterations = 0;
 };
 
-/// Beyond the largest radius the points lie on a line.
+/// Returns collinear if the radius reaches the largest at which the points are not a line.
 Status statusAt(double radius, double largestRadius) {
     return radius < largestRadius ? Status::converged : Status::collinear;
 }
 
-/// Gauss–Newton, and near the end Newton, from a start.
+/// Iterates from a start with Gauss–Newton, and with Newton near the end.
 Fit fitFrom(Point c, double R, PointsView points, std::span<const std::size_t> groups, Point mean,
             double largestRadius, const LeastSquaresCircleOptions &options) {
     Fit fit{Status::notConverged, c, linearise(points, groups, mean, c, R)};
@@ -333,19 +332,19 @@ Fit fitFrom(Point c, double R, PointsView points, std::span<const std::size_t> g
             fit.status = Status::collinear;
             return fit;
         }
-        // Far from the end steps overshoot: the centre of a short arc goes to where all circles are lines.
+        // Far from the minimum steps overshoot: the centre of a short arc would move out to a line.
         if (const double whole = std::hypot(move->x, move->y); whole > radius)
             move = Point{move->x * radius / whole, move->y * radius / whole};
         const auto after = [&](Point by) {
             return linearise(points, groups, mean, {fit.c.x + by.x, fit.c.y + by.y},
                              radius - at.ux * by.x - at.uy * by.y);
         };
-        // Below this the sum of squares is all rounding, and says nothing about the step.
+        // Below this the sum of squares is only rounding error and cannot judge the step.
         const double noise = 4 * epsilon * radius * (std::sqrt(at.variance()) + epsilon * radius);
         fit.at = after(*move);
         double length = std::hypot(move->x, move->y);
         if (length > before / quick) {
-            // Large residuals: near the end the second derivatives make quick steps of slow ones.
+            // Large residuals: near the minimum, second derivatives speed up slow convergence.
             const std::optional<Point> newton = step(at, true);
             const Linearised there = newton ? after(*newton) : fit.at;
             if (newton && there.variance() <= std::min(fit.at.variance(), at.variance()) + noise) {
@@ -359,7 +358,7 @@ Fit fitFrom(Point c, double R, PointsView points, std::span<const std::size_t> g
             fit.at = after(*move);
         }
         fit.c = {fit.c.x + move->x, fit.c.y + move->y};
-        // Done, or at the floor of rounding, where neither the steps nor the sum of squares shrink any more.
+        // Converged, or at the rounding floor, where neither steps nor sum of squares shrink any more.
         const double floor = std::max(1e-12, 64 * epsilon / leastCurvature(fit.at)) * radius;
         const bool still = length > before / 2 && at.variance() - fit.at.variance() <= noise;
         if (length <= options.tolerance * radius || (length <= floor && still)) {
@@ -371,11 +370,11 @@ Fit fitFrom(Point c, double R, PointsView points, std::span<const std::size_t> g
     return fit;
 }
 
-/// The centre with the least sum among some across the line that the points lie along, on either side from
-/// near to far. From there steps that lower the sum cannot end in the line where a circle is better.
+/// Returns the centre with the smallest sum among candidates on both sides of the line through the points,
+/// near to far. Descent from there cannot end in the line if a circle is better.
 Point startAcross(Point normal, double extent, PointsView points, std::span<const std::size_t> groups,
                   Point mean) {
-    constexpr int distances = 24; // up to 10⁶ extents: beyond it the points are as straight as a line
+    constexpr int distances = 24; // up to 10⁶ extents: beyond that the points are as straight as a line
     Point best;
     double least = std::numeric_limits<double>::infinity();
     for (const double side : {extent / 4, -extent / 4}) {
@@ -393,7 +392,7 @@ Point startAcross(Point normal, double extent, PointsView points, std::span<cons
     return best;
 }
 
-/// Some of many points, evenly: what there is to choose a start by.
+/// Returns an evenly spaced subset of the points, enough to choose a start.
 Points thinned(PointsView points) {
     constexpr std::size_t most = 1000;
     const std::size_t every = (points.size() + most - 1) / most;
@@ -405,11 +404,11 @@ Points thinned(PointsView points) {
     return some;
 }
 
-/// Centres about the mean of the points from which the sum falls on all sides, of a net of directions and
-/// distances; those with the least sums.
+/// Returns local minima of the sum on a grid of directions and distances: centres relative to the mean of the
+/// points, those with the smallest sums.
 std::vector<Point> startsAround(double extent, PointsView points, Point mean) {
     constexpr int directions = 36;
-    constexpr int distances = 34; // by √2, up to 3 000 extents: beyond it short arcs are lines
+    constexpr int distances = 34; // by √2, up to 3 000 extents: beyond that short arcs are lines
     constexpr std::size_t most = 20;
     const Points some = thinned(points);
     const std::array<std::size_t, 1> all{some.size()};
@@ -451,9 +450,8 @@ std::vector<Point> startsAround(double extent, PointsView points, Point mean) {
     return starts;
 }
 
-/// Short arcs with large residuals may have several circles that are best of their neighbours; only where the
-/// residuals are as large as the arc is bent, or beside the extent of the points, need the others be looked
-/// for.
+/// True if other local minima must be searched. Short arcs with large residuals may have several, but only if
+/// the residuals are as large as the bend of the arc, or large compared with the extent of the points.
 bool needsOthers(const Fit &fit, double extent) {
     constexpr double large = 0.02;
     const double bend = 1 - std::hypot(fit.at.ux, fit.at.uy);
@@ -510,7 +508,7 @@ LeastSquaresCircle leastSquaresCircle(PointsView points, const LeastSquaresCircl
     const Point start{(s.xz * s.yy - s.yz * s.xy) / (2 * determinant),
                       (s.yz * s.xx - s.xz * s.xy) / (2 * determinant)};
     const double R = std::sqrt(start.x * start.x + start.y * start.y + s.xx + s.yy);
-    // A radius of which the sagitta over the points is lost in rounding is a straight line.
+    // A circle whose sagitta over the points is lost in rounding is a straight line.
     const double largestRadius = extent * 1e8;
     Fit fit = fitFrom(start, R, points, groups, mean, largestRadius, options);
     if (needsOthers(fit, extent)) {
@@ -521,7 +519,7 @@ LeastSquaresCircle leastSquaresCircle(PointsView points, const LeastSquaresCircl
                 (fit.status != Status::converged || other.at.variance() < fit.at.variance()))
                 fit = other;
         }
-        // The best of its neighbours is not enough where a line is better than all.
+        // A local minimum is not enough if a line is better than all circles.
         if (fit.status == Status::converged && fit.at.variance() > s.across() * (1 + lineMargin))
             fit.status = Status::collinear;
     }

@@ -10,11 +10,11 @@
 namespace palmer {
 
 struct LeastSquaresCircleOptions {
-    /// Sizes of the consecutive groups of points that count alike whatever their numbers: the weight of a
-    /// point is w_i = 1/(N_g·groups) with N_g the points of its group. Empty: one group, w_i = 1/N. The sizes
-    /// add up to the number of points; a group of size 0 does not count.
+    /// Sizes of consecutive groups of points with equal total weight whatever their size: a point has the
+    /// weight w_i = 1/(N_g·groups), N_g being the points in its group. Empty: one group, w_i = 1/N. The sizes
+    /// add up to the number of points; a group of size 0 is ignored.
     std::span<const std::size_t> groups;
-    double tolerance = 1e-15; ///< Stop when |Δc| ≤ tolerance·R.
+    double tolerance = 1e-15; ///< Stop if |Δc| ≤ tolerance·R.
     int maxIterations = 100;
 };
 
@@ -23,26 +23,26 @@ struct LeastSquaresCircleOptions {
 /// Method: algebraic fit (minimise Σ w_i·(r_i² − R²)²) on points about their mean, then Gauss–Newton on the
 /// geometric sum with R eliminated: with u_i = (P_i − c)/r_i, f_i = r_i − R̄ and bars for weighted means,
 ///     [mean(u·uᵀ) − ū·ūᵀ]·Δc = mean(u·f) − ū·f̄,    R = mean(r);
-/// a step that would enlarge the sum is halved, none is longer than R, and where steps shrink slowly the
-/// second derivatives, mean(f/r·(1 − u·uᵀ)), are added to the matrix (Newton). A Newton step that surely ends
-/// at the minimum to the tolerance is the last: for the deviations of machines it is the first, and all takes
-/// three looks at the points (moments, directions, extremes). Of short arcs with residuals
-/// as large as their bend the sum has several minima: steps start from each that a net of centres (36
-/// directions, distances by √2 up to 3 000 extents of the points) shows, and the best circle is taken; where
-/// none leads to one, steps start from the best centre across the line that the points lie along.
-/// Validity: any position of the points, full circles and arcs. A bad input gives a status and zeros, never
+/// a step that would increase the sum is halved, none is longer than R, and if steps shrink slowly the second
+/// derivatives, mean(f/r·(1 − u·uᵀ)), are added to the matrix (Newton). A Newton step guaranteed to end at
+/// the minimum within the tolerance is the last; for deviations of machines it is the first, and the whole
+/// fit takes three passes over the points (moments, directions, extremes). For short arcs with residuals as
+/// large as their bend the sum has several minima: steps start from each one visible on a grid of centres (36
+/// directions, distances by √2 up to 3 000 extents of the points), and the best circle is taken; if none
+/// leads to a circle, steps start from the best centre across the line through the points.
+/// Validity: any position of the points, full circles and arcs. Bad input gives a status and zeros, never
 /// NaN.
 ///
-/// Sources: I. Kåsa, IEEE Trans. Instrum. Meas. 25 (1976), 8–14 (start); A. B. Forbes, Least-squares
-/// best-fit geometric elements, NPL Report DITC 140/89 (1989) (finish).
+/// Sources: I. Kåsa, IEEE Trans. Instrum. Meas. 25 (1976), 8–14 (start); A. B. Forbes, Least-squares best-fit
+/// geometric elements, NPL Report DITC 140/89 (1989) (finish).
 struct LeastSquaresCircle {
     enum class Status {
         converged,
         notConverged, ///< maxIterations reached: no circle.
         tooFewPoints, ///< Fewer than 3 distinct points.
-        collinear,    ///< On one straight line (to rounding), or no circle fits better than a line to seven
+        collinear,    ///< On a straight line (to rounding), or no circle fits better than a line to seven
                       ///< digits.
-        notFinite,    ///< A coordinate is not a finite number, or too large to be squared.
+        notFinite,    ///< A coordinate is not finite, or too large to be squared.
     };
 
     Status status = Status::tooFewPoints;
@@ -57,7 +57,7 @@ struct LeastSquaresCircle {
 
     /// max r_i − min r_i, mm
     [[nodiscard]] double range() const { return outerRadius - innerRadius; }
-    /// Whether there is a circle.
+    /// True if a circle was found.
     [[nodiscard]] bool valid() const { return status == Status::converged; }
 
     bool operator==(const LeastSquaresCircle &) const = default;

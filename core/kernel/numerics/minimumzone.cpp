@@ -19,7 +19,7 @@ namespace {
 using Status = MinimumZone::Status;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A point with its index in the data; coordinates about the origin of the search.
+/// A point with its index in the data; coordinates relative to the origin of the search.
 struct Sample {
     Point point;
     std::size_t index = 0;
@@ -48,7 +48,7 @@ struct Ring {
     [[nodiscard]] double innerRadius() const { return std::sqrt(least); }
     [[nodiscard]] double outerRadius() const { return std::sqrt(greatest); }
     [[nodiscard]] double width() const { return outerRadius() - innerRadius(); }
-    /// The width with what its rounding may hide: a ring of enormous radius has no width one could trust.
+    /// Width plus its possible rounding error: the width of a ring of enormous radius cannot be trusted.
     [[nodiscard]] double bound(double tolerance) const { return width() + tolerance * outerRadius(); }
 
     void include(Point p) {
@@ -62,7 +62,7 @@ struct Ring {
 struct Bisector {
     Point n;
     double k;
-    std::array<const Sample *, 2> of; ///< they live as long
+    std::array<const Sample *, 2> of; ///< must outlive the bisector
 
     Bisector(const Sample &a, const Sample &b)
         : n(difference(b.point, a.point))
@@ -70,7 +70,7 @@ struct Bisector {
         , of{&a, &b} {}
 };
 
-/// Not finite if the bisectors are parallel, or one of them that of the same point twice.
+/// Returns a non-finite point if the bisectors are parallel or one of them is of the same point twice.
 Point intersection(const Bisector &a, const Bisector &b) {
     const double inverse = 1 / cross(a.n, b.n);
     return {(a.k * b.n.y - b.k * a.n.y) * inverse, (a.n.x * b.k - b.n.x * a.k) * inverse};
@@ -83,7 +83,7 @@ Ring ringOf(const Bisector &a, const Bisector &b, Point centre, double least, do
     return {centre, least, greatest, {*outer.of[0], *outer.of[1]}, {*inner.of[0], *inner.of[1]}};
 }
 
-/// The ring about the intersection of two bisectors, as wide as needed to hold the four points.
+/// Returns the ring about the intersection of two bisectors, just wide enough for the four points.
 std::optional<Ring> intersect(const Bisector &a, const Bisector &b) {
     const Point centre = intersection(a, b);
     const double d = squaredDistance(a.of[0]->point, centre);
@@ -96,7 +96,7 @@ std::optional<Ring> intersect(const Bisector &a, const Bisector &b) {
     return ring;
 }
 
-/// Whether p lies on the way from a to b, counterclockwise.
+/// True if p lies between a and b counterclockwise.
 bool between(Point a, Point b, Point p) {
     if (cross(a, b) >= 0)
         return cross(a, p) > 0 && cross(p, b) > 0;
@@ -110,7 +110,7 @@ bool alternate(const Ring &ring) {
            between(a, b, difference(ring.inner[1].point, ring.centre));
 }
 
-/// Whether the ring is a local minimum: four different points that touch the circles, and alternate.
+/// True if the ring is a local minimum: four distinct points touch the circles, and alternate.
 bool isMinimum(const Ring &ring, double tolerance) {
     const double outerRadius = ring.outerRadius() * (1 - 2 * tolerance);
     const double innerRadius = ring.innerRadius() * (1 + 2 * tolerance);
@@ -133,7 +133,7 @@ struct Strip {
     double width = infinity;
 };
 
-/// The thinnest strip that holds some points: one of its lines goes through two of them.
+/// Returns the thinnest strip that contains the points: one of its lines passes through two of them.
 Strip thinnestStrip(std::span<const Sample> samples) {
     Strip thinnest;
     for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -158,7 +158,7 @@ Strip thinnestStrip(std::span<const Sample> samples) {
     return thinnest;
 }
 
-/// The three ways to pair four points.
+/// The three ways of pairing four points.
 using Pairing = std::array<std::size_t, 4>;
 constexpr std::array<Pairing, 3> pairings{{{0, 1, 2, 3}, {0, 2, 1, 3}, {0, 3, 1, 2}}};
 
@@ -166,8 +166,8 @@ std::optional<Ring> intersect(const std::array<Sample, 4> &four, const Pairing &
     return intersect({four[p[0]], four[p[1]]}, {four[p[2]], four[p[3]]});
 }
 
-/// The O(1) certificate, see the header: proven from the four contacts alone. All other rings of the contacts
-/// are wider by `margin` at least.
+/// The O(1) certificate (see the header), proven from the four contacts alone: all other rings of the
+/// contacts are wider by at least `margin`.
 bool certify(const Ring &ring, double tolerance, double margin = 0) {
     if (!isMinimum(ring, tolerance))
         return false;
@@ -188,8 +188,8 @@ struct Contacts {
     void add(const Sample &s) { samples[size++] = s; }
 };
 
-/// The thinnest of some rings, each about all points of a set. The width stands beside the ring: two roots a
-/// ring that is tried instead of four.
+/// The thinnest of several rings, each about all points of a set. The width is stored with the ring, which
+/// saves two of four square roots per candidate.
 class Thinnest {
 public:
     explicit Thinnest(std::span<const Point> points)
@@ -204,7 +204,7 @@ public:
             least = std::min(least, d);
             greatest = std::max(greatest, d);
         }
-        // Parallel bisectors have no width, or a negative one: no distance was compared.
+        // Parallel bisectors give NaN or a negative width, as no distance was compared.
         const double width = std::sqrt(greatest) - std::sqrt(least);
         if (!(width >= 0 && width < m_width))
             return;
@@ -220,7 +220,7 @@ private:
     double m_width = infinity;
 };
 
-/// The least ring about some points, whichever of them are outside.
+/// Returns the least ring about some points, with every choice of outer points.
 std::optional<Ring> leastRingOfAll(std::span<const Sample> all, std::span<const Point> points) {
     Thinnest best(points);
     for (std::size_t i = 0; i < all.size(); ++i)
@@ -232,9 +232,8 @@ std::optional<Ring> leastRingOfAll(std::span<const Sample> all, std::span<const 
     return best.ring();
 }
 
-/// The least ring about outer and inner points: first as they are paired, outer with outer and inner with
-/// inner; if none of these rings is a minimum, some point belongs to the other circle, and all pairings are
-/// tried.
+/// Returns the least ring about outer and inner points: first with outer points paired with outer, inner with
+/// inner; if no such ring is a minimum, some point belongs to the other circle, and all pairings are tried.
 std::optional<Ring> leastRing(const Contacts &outer, const Contacts &inner, double tolerance) {
     std::array<Point, 16> coordinates;
     std::size_t size = 0;
@@ -259,7 +258,7 @@ std::optional<Ring> leastRing(const Contacts &outer, const Contacts &inner, doub
     return leastRingOfAll({all.data(), size}, points);
 }
 
-/// The points outside a ring: the farthest, the nearest.
+/// The points farthest outside a ring: beyond the outer and within the inner circle.
 struct Violators {
     std::optional<Sample> farthest;
     std::optional<Sample> nearest;
@@ -267,17 +266,17 @@ struct Violators {
     [[nodiscard]] bool any() const { return farthest || nearest; }
 };
 
-constexpr std::size_t smallest = 256; ///< up to so many all points are the working set
+constexpr std::size_t smallest = 256; ///< up to this size the working set contains all points
 
-/// The working set begins with every so-manieth point: some 3·√n of them.
+/// Returns k such that the working set starts with every k-th point: about 3·√n points.
 std::size_t strideOfWorkingSet(std::size_t n) {
     constexpr std::size_t sampleFactor = 3;
     return n <= smallest ? 1 : static_cast<std::size_t>(std::sqrt(static_cast<double>(n))) / sampleFactor;
 }
 
-/// The data, and a small working set of its points that is looked at first. Looks at all points go block by
-/// block; a block is passed over while the movement of the centre since the first look cannot have brought
-/// any of its points outside the ring.
+/// The data and a small working set of its points, which is searched first. Passes over all points go block
+/// by block; a block is skipped while the movement of the centre since the first pass cannot have brought any
+/// of its points outside the ring.
 class Search {
 public:
     Search(PointsView points, double tolerance)
@@ -309,7 +308,7 @@ public:
     [[nodiscard]] std::size_t workingSize() const { return m_index.size(); }
     [[nodiscard]] Sample working(std::size_t k) const { return {{m_x[k], m_y[k]}, m_index[k]}; }
 
-    /// Up to four distinct points of the data.
+    /// Returns up to four distinct points of the data.
     [[nodiscard]] std::vector<Sample> fourDistinct() {
         std::vector<Sample> found;
         const auto offer = [&](const Sample &s) {
@@ -326,7 +325,7 @@ public:
         return found;
     }
 
-    /// The centre of the algebraic circle of the working set: good enough to begin with. NaN, if collinear.
+    /// Returns the centre of the algebraic circle of the working set, a rough start; NaN if collinear.
     [[nodiscard]] Point algebraicCentre() {
         double xx = 0;
         double xy = 0;
@@ -348,8 +347,8 @@ public:
         return {(xz * yy - yz * xy) / determinant, (yz * xx - xz * xy) / determinant};
     }
 
-    /// The farthest and the nearest point outside the ring: of the working set; if it has none, of all
-    /// points, and then the violators of every block join the working set.
+    /// Returns the farthest and nearest points outside the ring in the working set; if there are none, those
+    /// of all points, and the violators of every block are added to the working set.
     Violators violators(const Ring &ring) {
         const double allowance = m_tolerance * ring.outerRadius();
         const double outer = ring.outerRadius() + allowance;
@@ -364,7 +363,7 @@ public:
         return violatorsFrom(size, ring.centre, outer, inner);
     }
 
-    /// The extremes of all points about a centre.
+    /// Extremes of all points relative to a centre.
     struct Extremes {
         double least = 0;
         double greatest = 0;
@@ -381,8 +380,8 @@ public:
                 farthest};
     }
 
-    /// The outermost points of all in the two senses of a direction, their distance in it, and how far the
-    /// points reach from the origin.
+    /// The outermost points in both senses of a direction, their distance along it, and the greatest distance
+    /// of a point from the origin.
     struct Span {
         Sample lowest;
         Sample highest;
@@ -445,7 +444,7 @@ private:
             m_blocks.resize((n + blockSize - 1) / blockSize);
             m_reference = centre;
         }
-        // |r(c) − r(c_reference)| ≤ |c − c_reference|, and something for rounding.
+        // |r(c) − r(c_reference)| ≤ |c − c_reference|, plus an allowance for rounding.
         const double movement =
             std::hypot(centre.x - m_reference.x, centre.y - m_reference.y) + m_tolerance * outer;
         double sum = 0;
@@ -473,7 +472,7 @@ private:
 
     void join(std::size_t i) {
         if (i >= m_points.size())
-            return; // not found: the block holds a NaN
+            return; // not found: the block contains a NaN
         m_x.push_back(m_points.x[i] - m_origin.x);
         m_y.push_back(m_points.y[i] - m_origin.y);
         m_index.push_back(i);
@@ -487,17 +486,17 @@ private:
     PointsView m_points;
     double m_tolerance;
     Point m_origin;
-    std::vector<double> m_x; // the working set, about the origin
+    std::vector<double> m_x; // the working set, relative to the origin
     std::vector<double> m_y;
-    std::vector<std::size_t> m_index; // of the working set in the data
-    bool m_complete = false;          // the working set is all points
+    std::vector<std::size_t> m_index; // indices of the working set in the data
+    bool m_complete = false;          // the working set contains all points
     std::vector<Block> m_blocks;      // distances from m_reference
     Point m_reference;
     int m_scans = 0;
     bool m_finite = true;
 };
 
-/// The first contacts: the farthest and the nearest point of each quarter, seen from the mean.
+/// Returns the initial ring, from the farthest and nearest point of each quadrant about the mean.
 std::optional<Ring> firstRing(Search &search, double tolerance) {
     const Point centre = search.algebraicCentre();
     if (!search.finite() || !std::isfinite(centre.x) || !std::isfinite(centre.y))
@@ -530,7 +529,7 @@ std::optional<Ring> firstRing(Search &search, double tolerance) {
     return leastRing(outer, inner, tolerance);
 }
 
-/// The exchange; nothing if it comes to no end.
+/// Runs the exchange; null if it does not terminate.
 std::optional<Ring> exchange(Search &search, const MinimumZoneOptions &options) {
     std::optional<Ring> ring = firstRing(search, options.tolerance);
     for (int step = 0; ring && search.finite() && step < options.maxExchanges; ++step) {
@@ -552,8 +551,8 @@ std::optional<Ring> exchange(Search &search, const MinimumZoneOptions &options) 
     return std::nullopt;
 }
 
-/// The search over the whole plane. Every local minimum of the width over the core that is not wider than
-/// the best ring known to hold all points is in m_rings.
+/// Search over the whole plane. m_rings holds every local minimum of the width over the core that is not
+/// wider than the best ring known to contain all points.
 class CoreSearch {
 public:
     CoreSearch(Search &search, const MinimumZoneOptions &options)
@@ -567,7 +566,7 @@ public:
             const Ring *least = leastRing();
             const Strip strip = thinnestStrip(m_core);
             if (!least || strip.width <= least->bound(tolerance())) {
-                // No ring of the core is thinner than this strip; is there a point outside the strip?
+                // No ring of the core is thinner than this strip; is a point outside the strip?
                 const Search::Span all = m_search.span(strip.normal);
                 const bool outside = all.width > strip.width + 2 * tolerance() * all.extent;
                 if (!outside || (int{add(all.lowest)} + int{add(all.highest)}) == 0)
@@ -583,7 +582,7 @@ public:
                 m_best = candidate;
                 m_bound = candidate.bound(tolerance());
             }
-            // Inside to rounding: the least ring of the core holds all points.
+            // All inside to rounding: the least ring of the core contains all points.
             const bool grown =
                 candidate.width() > bound && (int{add(all.farthest)} + int{add(all.nearest)}) > 0;
             if (!grown) {
@@ -601,7 +600,7 @@ public:
 private:
     [[nodiscard]] double tolerance() const { return m_options.tolerance; }
 
-    /// The least ring; of those equal to rounding one whose contacts show it to be a minimum.
+    /// Returns the least ring; among those equal to rounding, one whose contacts prove it to be a minimum.
     [[nodiscard]] const Ring *leastRing() const {
         const Ring *least = nullptr;
         for (const Ring &ring : m_rings)
@@ -615,7 +614,7 @@ private:
         return least;
     }
 
-    /// Adds a point to the core; false if it is there already.
+    /// Adds a point to the core; returns false if already present.
     bool add(const Sample &s) {
         if (std::any_of(m_core.begin(), m_core.end(), [&](const Sample &c) { return c.point == s.point; }))
             return false;
@@ -644,7 +643,7 @@ private:
     const MinimumZoneOptions &m_options;
     std::vector<Sample> m_core;
     std::vector<Ring> m_rings;
-    std::optional<Ring> m_best; // holds all points
+    std::optional<Ring> m_best; // contains all points
     double m_bound = infinity;  // of m_best
 };
 
@@ -657,8 +656,7 @@ public:
         std::size_t n = 0;
         for (const RaysLook &part : points)
             n += part.rays->size();
-        // The same origin as that of the plain search: coordinates about it, and all after, are the same
-        // bits.
+        // The same origin as in the ordinary search, so that all coordinates and results are the same bits.
         Point sum;
         std::size_t size = 0;
         const std::size_t stride = strideOfWorkingSet(n);
@@ -710,10 +708,10 @@ public:
 private:
     struct Beyond {
         Violators violators;
-        bool close = false; ///< a point that is no contact lies beyond or within the margin
+        bool close = false; ///< a point other than the contacts lies outside the ring or within its margin
     };
 
-    /// Far above all rounding, far below the distance of one point from the next.
+    /// Far above rounding errors, far below the distance between neighbouring points.
     static double margin(const Ring &ring) { return 1e-12 * ring.outerRadius(); }
 
     [[nodiscard]] Sample sample(std::size_t i) const {
@@ -729,7 +727,7 @@ private:
 
     [[nodiscard]] Point about(Point p) const { return {p.x - m_origin.x, p.y - m_origin.y}; }
 
-    /// Squared distances: of the margins inside the ring, of the ring with its tolerance.
+    /// Squared radii: of the ring reduced by the margins, and of the ring extended by the tolerance.
     struct Borders {
         double outerMargin;
         double innerMargin;
@@ -743,7 +741,7 @@ private:
                 square(ring.outerRadius() + allowance), square(ring.innerRadius() - allowance)};
     }
 
-    /// Notes the points of a part that are beyond; `reached` goes with the outermost.
+    /// Records the points of a part that are outside; `reached` follows the outermost.
     [[nodiscard]] auto visitor(const Ring &ring, std::size_t k, const Borders &borders, Borders &reached,
                                Beyond &result) const {
         const std::size_t offset = k == 0 ? 0 : m_points[0].rays->size();
@@ -765,7 +763,7 @@ private:
         };
     }
 
-    /// The violators, from the sectors that may reach farthest out and in: as good to go on with as the
+    /// Returns violators from the sectors that may reach farthest out and in: as good to continue with as the
     /// outermost of all, while many points are outside.
     [[nodiscard]] Violators likelyViolators(const Ring &ring) const {
         const Point centre{m_origin.x + ring.centre.x, m_origin.y + ring.centre.y};

@@ -13,41 +13,39 @@
 namespace palmer {
 
 struct MinimumZoneOptions {
-    /// A point is inside the ring, and a ring is not thinner than another, when it is so to tolerance·R:
-    /// the rounding of a distance.
+    /// Points are inside the ring, and rings no thinner than another, within tolerance·R: the rounding error
+    /// of a distance.
     double tolerance = 1e-15;
-    int maxExchanges = 200; ///< Of the exchange; after them the search over the whole plane goes on.
-    int maxCorePoints = 64; ///< Of the search over the whole plane; after them the result is not certified.
+    int maxExchanges = 200; ///< For the exchange; after that the search over the whole plane continues.
+    int maxCorePoints = 64; ///< For the search over the whole plane; beyond it the result is not certified.
 };
 
-/// The minimum zone circles: the two concentric circles of least separation that have all points between
-/// them,
+/// The minimum zone circles: the two concentric circles of least separation that enclose all points,
 ///     w = min over c of (max r_i(c) − min r_i(c)),   r_i(c) = |P_i − c|.
 ///
-/// Characterisation: with u_i = (P_i − c)/r_i, c is a local minimum if and only if the segment between the
-/// u of two outer contacts (r = max) crosses the segment between the u of two inner contacts (r = min): the
-/// four contacts alternate in angle. So c lies on the bisector of the outer pair and on that of the inner
-/// pair.
+/// Characterisation: with u_i = (P_i − c)/r_i, c is a local minimum if and only if the segment between the u
+/// of two outer contacts (r = max) crosses the segment between the u of two inner contacts (r = min): the
+/// four contacts alternate in angle. So c lies on the bisectors of the outer pair and of the inner pair.
 ///
-/// Method (exchange): the four contacts of a small set, one look at all points for those outside its ring,
-/// these join the set, again until none is outside. Each ring is the least of its set; the last, which has
-/// all points inside, is a minimum of all.
+/// Method (exchange): find the four contacts of a small set, add the points outside its ring found in one
+/// pass over all points, and repeat until none is outside. Each ring is the least of its set; the last one
+/// contains all points and is therefore the minimum of all.
 ///
 /// Certificate, O(1): four contacts can be paired in three ways, and every local minimum of w over the four
 /// belongs to one of them; far away w tends to the width of a strip. If neither another pairing nor a strip
-/// is thinner than the ring, then no ring that holds the four points is thinner, and so none that holds all.
-/// Should the four contacts not suffice (seen on short arcs with w/R beyond some per cent), the same proof is
-/// carried out with more points: every pairing among a core set is enumerated and the core grows until its
-/// least ring holds all points.
+/// is thinner than the ring, no ring that contains the four points is thinner, and so none that contains all.
+/// If the four contacts do not suffice (seen on short arcs with w/R beyond a few per cent), the same proof
+/// uses more points: every pairing among a core set is enumerated, and the core grows until its least ring
+/// contains all points.
 ///
-/// Validity: any number and order of points, duplicates and ties included, arcs, coordinates far off the
-/// origin. Time: O(n), two to four looks at the data; memory: about a hundredth of the data.
+/// Validity: any number and order of points, including duplicates and ties, arcs, coordinates far from the
+/// origin. Time: O(n), two to four passes over the data; memory: about a hundredth of the data.
 struct MinimumZone {
     enum class Status {
         found,
         tooFewPoints, ///< Fewer than 4 distinct points.
-        straight, ///< Collinear, or so nearly that a strip between parallel lines is thinner than every ring.
-        notFinite, ///< A coordinate is not a finite number, or too large to be squared.
+        straight,     ///< Collinear, or a strip between parallel lines is thinner than every ring.
+        notFinite,    ///< A coordinate is not finite, or too large to be squared.
     };
 
     Status status = Status::tooFewPoints;
@@ -58,7 +56,7 @@ struct MinimumZone {
     std::array<std::size_t, 2> outer{}; ///< Indices of the outer contacts.
     std::array<std::size_t, 2> inner{}; ///< Indices of the inner contacts.
     bool certified = false;             ///< Proven to be the least of all rings, to rounding.
-    int scans = 0;                      ///< Looks at the data.
+    int scans = 0;                      ///< Passes over the data.
 
     [[nodiscard]] bool valid() const { return status == Status::found; }
 
@@ -67,18 +65,18 @@ struct MinimumZone {
 
 [[nodiscard]] MinimumZone minimumZone(PointsView points, const MinimumZoneOptions &options = {});
 
-/// The points of some rays at one look, one set behind the other.
+/// The points of one set of rays at one look.
 struct RaysLook {
     const Rays *rays;
     const Rays::Look *look;
 };
 
-/// The minimum zone circles of the points of one or two sets of rays near a reference, to the last bit those
-/// of the plain way; null where it cannot be told from so little: the plain way tells then. `first`: indices
-/// of the contacts to begin with, those of the reference, outer then inner, so that the result depends on no
-/// other look. The exchange needs the points beyond each ring alone, which Rays finds without looking at all.
-/// The result is taken only where no other ring can be as thin: the O(1) certificate holds, and no point but
-/// the contacts comes near the circles, both by more than all rounding.
+/// Returns the minimum zone circles of one or two sets of rays near a reference, identical to those of the
+/// ordinary search to the last bit; null if the ordinary search is needed. `first`: indices of the initial
+/// contacts, outer then inner, those of the reference, so that the result depends on no other look. The
+/// exchange needs only the points outside each ring, which Rays finds without visiting all. The result is
+/// returned only if no other ring can be as thin: the O(1) certificate holds, and no other point than the
+/// contacts comes near the circles, both by more than rounding.
 [[nodiscard]] std::optional<MinimumZone> minimumZone(std::span<const RaysLook> points,
                                                      const std::array<std::size_t, 4> &first,
                                                      const MinimumZoneOptions &options = {});

@@ -16,7 +16,7 @@ constexpr Eigen::Index ex = 0;
 constexpr Eigen::Index ey = 1;
 constexpr Eigen::Index firstRadius = 2;
 
-/// m = |R·u − e| and its first derivatives by e and R.
+/// m = |R·u − e| and its first derivatives with respect to e and R.
 struct Model {
     double m;
     Point w;      ///< (R·u − e)/m
@@ -43,7 +43,7 @@ NearbyCentring::NearbyCentring(std::span<const CommandedArc> arcs, const Centrin
         for (std::size_t i = 0; i < arc.distances.size(); ++i) {
             const Point u = arc.directions[i];
             const Model at(u, reference.radii[k], reference.e);
-            // ∂²m/∂a∂b = (v_a·v_b − (w·v_a)·(w·v_b))/m: what is across w. v_e = −1, v_R = u.
+            // ∂²m/∂a∂b = (v_a·v_b − (w·v_a)·(w·v_b))/m: components perpendicular to w. v_e = −1, v_R = u.
             const double bend = (arc.distances[i] - at.m) / at.m * each;
             const Point across{-at.w.y, at.w.x};
             const double acrossR = u.x * across.x + u.y * across.y;
@@ -77,7 +77,7 @@ NearbyCentring::NearbyCentring(std::span<const CommandedArc> arcs, const Centrin
 }
 
 std::optional<Point> NearbyCentring::centringError(std::span<const std::span<const double>> distances) const {
-    constexpr std::size_t together = 8; // sums side by side, which the compiler turns into vectors
+    constexpr std::size_t together = 8; // parallel sums, which the compiler vectorises
     std::array<double, together> x{};
     std::array<double, together> y{};
     std::array<double, together> largest{};

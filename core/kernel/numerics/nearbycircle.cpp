@@ -17,7 +17,7 @@ namespace {
 struct FirstStep {
     static constexpr std::size_t number = 2;
     static constexpr std::size_t columns = 3;
-    const double *column[columns]{}; ///< change, step by it
+    const double *column[columns]{}; ///< change, step per unit change
 
     template <class Value>
     [[gnu::always_inline]] inline void of(const Value (&c)[columns], Value (&values)[number]) const {
@@ -30,7 +30,7 @@ struct FirstStep {
 struct Distances {
     static constexpr std::size_t number = 5;
     static constexpr std::size_t columns = 7;
-    const double *column[columns]{}; ///< change, then those of a set
+    const double *column[columns]{}; ///< change, then the columns of a set
     Point delta;
 
     template <class Value>
@@ -39,7 +39,7 @@ struct Distances {
         const Value &wy = c[2];
         const Value a = c[0] * c[3] - (delta.x * wx + delta.y * wy);
         const Value b = c[0] * c[4] + (delta.x * wy - delta.y * wx);
-        const Value turn = b * c[6]; // of the direction
+        const Value turn = b * c[6]; // rotation of the direction
         values[0] = (c[5] + a) + 0.5 * b * turn;
         const Value sideways = turn - turn * (a * c[6]);
         const Value shorter = 1.0 - 0.5 * turn * turn;
@@ -81,7 +81,7 @@ NearbyCircle::NearbyCircle(std::span<const Rays *const> sets, Point centre)
         }
         m_sets.push_back(std::move(set));
     }
-    // Half the second derivatives of the variance of r: those of leastSquaresCircle.
+    // Half the second derivatives of the variance of r, as in leastSquaresCircle.
     double ux = 0;
     double uy = 0;
     double xx = 0;
@@ -112,7 +112,7 @@ NearbyCircle::NearbyCircle(std::span<const Rays *const> sets, Point centre)
     for (Set &set : m_sets) {
         const double each = weight / static_cast<double>(set.wx.size());
         for (std::size_t i = 0; i < set.wx.size(); ++i) {
-            // The derivative of the gradient by the change of a point.
+            // Derivative of the gradient with respect to the change of a point.
             const double sideways = set.residual[i] * set.across[i] * set.inverse[i];
             const double gx = (set.along[i] * (set.wx[i] - ux) - sideways * set.wy[i]) * each;
             const double gy = (set.along[i] * (set.wy[i] - uy) + sideways * set.wx[i]) * each;
@@ -162,7 +162,7 @@ std::optional<NearbyCircle::Fit> NearbyCircle::fit(std::span<const Rays::Look *c
     const Point first = firstStep(looks);
     const Means at = means(looks, first);
     const Point second = step(at);
-    // What is left out, of the gradient and of the radius, and what a third step would be.
+    // Terms neglected in the gradient and the radius, and the size of a third step.
     const double moved = std::hypot(first.x, first.y);
     const double a = largest + moved;
     const double b = largest * m_across + moved;

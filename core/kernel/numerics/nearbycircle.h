@@ -10,15 +10,15 @@
 
 namespace palmer {
 
-/// The least squares circle of points on rays that stay near a reference, each set of rays with equal weight.
+/// The least squares circle of points on rays that stay near a reference, with equal weight per set of rays.
 ///
-/// About the least squares centre c₀ of the reference a point at c = c₀ + δ has the distance
+/// Relative to the least squares centre c₀ of the reference, a point has at c = c₀ + δ the distance
 ///     r = (r₀ + a) + b²/(2·r₀) + …,   a = t·(u·w) − δ·w,   b = t·(u × w) + δ × w,
-/// t the change of its ρ, w its direction from c₀: no root, no quotient, and w, u·w, u × w, 1/r₀ are those of
-/// the reference. Two Newton steps with the second derivatives of the reference make the derivative of the
-/// sum of squares vanish, as leastSquaresCircle does with some seven looks and a root and a quotient a point.
-/// The first step is linear in the changes: two sums. It leaves an error of second order in change/r₀, the
-/// second step one of third. What is left out is of third order too: agreement with the plain way is its
+/// t being the change of its ρ, w its direction from c₀: no root, no division, and w, u·w, u × w, 1/r₀ are
+/// constants of the reference. Two Newton steps with the second derivatives of the reference solve for the
+/// zero of the gradient, which leastSquaresCircle does in some seven passes with a root and a division per
+/// point. The first step is linear in the changes: two sums. Its error is of second order in change/r₀, that
+/// of the second step of third order, like the terms neglected. The result agrees with leastSquaresCircle to
 /// rounding, some 1e-14·R.
 class NearbyCircle {
 public:
@@ -29,7 +29,7 @@ public:
         Point centre;
         double radius = 0;
     };
-    /// Looks at the same sets. Null where what is left out could exceed 1e-14·R: the plain way tells then.
+    /// Fits looks at the same sets. Null if the neglected terms could exceed 1e-14·R.
     [[nodiscard]] std::optional<Fit> fit(std::span<const Rays::Look *const> looks) const;
 
 private:
@@ -37,13 +37,13 @@ private:
         std::vector<double> wx;
         std::vector<double> wy;
         std::vector<double> along;    ///< u·w
-        std::vector<double> across;   ///< the part of u across w
+        std::vector<double> across;   ///< component of u across w
         std::vector<double> residual; ///< r₀ − mean r₀
         std::vector<double> inverse;  ///< 1/r₀
-        std::vector<double> stepX;    ///< the first step by a change of 1
+        std::vector<double> stepX;    ///< first step per unit change
         std::vector<double> stepY;
     };
-    /// Weighted means: f = r − mean r₀, and its derivatives by the centre are −u.
+    /// Weighted means: f = r − mean r₀, whose derivatives with respect to the centre are −u.
     struct Means {
         double f = 0, ux = 0, uy = 0, fx = 0, fy = 0;
 
@@ -59,7 +59,7 @@ private:
     double m_xx = 0;     ///< inverse of half the second derivatives
     double m_xy = 0;
     double m_yy = 0;
-    double m_least = 0;    ///< of r₀
+    double m_least = 0;    ///< smallest r₀
     double m_residual = 0; ///< largest |residual|
     double m_across = 0;   ///< largest |across|
 };

@@ -20,7 +20,7 @@ Value central(const Value &q) {
     return q * polynomial(centreAbove, r) / polynomial(centreBelow, r);
 }
 
-/// For the rest; `p` the smaller of p and 1 − p, result without sign.
+/// For all other p; `p` is the smaller of p and 1 − p, the result has no sign.
 double outer(double p) {
     constexpr double border = 5;
     const double r = std::sqrt(-std::log(p));

@@ -29,6 +29,6 @@ template <class Value>
 
 inline constexpr double centreHalfWidth = 0.425; ///< of p about ½
 
-inline constexpr double middleOffset = 1.6; ///< taken off √−ln p where that is at most 5
+inline constexpr double middleOffset = 1.6; ///< subtracted from √−ln p if that is at most 5
 
 } // namespace palmer::normalquantile

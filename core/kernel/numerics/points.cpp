@@ -14,12 +14,12 @@ void Points::append(PointsView more) {
 }
 
 Point direction(double degrees) {
-    // Reduced to ±45° before the conversion: the rounding of π never meets a large angle.
+    // Reduced to ±45° before the conversion, so that the rounding of π is never multiplied by a large angle.
     int quarter = 0;
     const double rest = std::remquo(degrees, 90, &quarter) * (std::numbers::pi / 180);
     const double c = std::cos(rest);
     const double s = std::sin(rest);
-    switch (static_cast<unsigned>(quarter) % 4U) { // remquo keeps the last bits in two's complement
+    switch (static_cast<unsigned>(quarter) % 4U) { // remquo returns the last bits in two's complement
     case 0:
         return {c, s};
     case 1:

@@ -16,8 +16,8 @@ struct Point {
     bool operator==(const Point &) const = default;
 };
 
-/// Points of the plane, abscissae and ordinates apart so that loops over them vectorise; mm.
-/// A view: it owns nothing. Both spans have the same size.
+/// Points of the plane, abscissae and ordinates in separate arrays so that loops over them vectorise; mm. A
+/// view: it owns nothing. Both spans have the same size.
 struct PointsView {
     std::span<const double> x;
     std::span<const double> y;
@@ -34,16 +34,16 @@ struct Points {
     [[nodiscard]] std::size_t size() const { return x.size(); }
     [[nodiscard]] PointsView view() const { return {x, y}; }
 
-    /// Puts `more` behind the points, in order.
+    /// Appends `more` in order.
     void append(PointsView more);
 
     bool operator==(const Points &) const = default;
 };
 
-/// Unit vector of an angle in degrees; exact at the multiples of 90°, any number of turns.
+/// Returns the unit vector of an angle in degrees; exact at the multiples of 90°, any number of turns.
 [[nodiscard]] Point direction(double degrees);
 
-/// x = r·cos θ, y = r·sin θ with θ in degrees; as many radii (mm) as angles.
+/// Returns x = r·cos θ, y = r·sin θ with θ in degrees; as many radii (mm) as angles.
 [[nodiscard]] Points polarPoints(std::span<const double> degrees, std::span<const double> radii);
 
 } // namespace palmer

@@ -12,8 +12,8 @@
 namespace palmer {
 
 SquaredRange squaredRange(const double *x, const double *y, std::size_t size, Point origin, Point centre) {
-    // Four at a time in two registers each: the compiler keeps the extremes out of memory, and both chains
-    // of comparisons run side by side.
+    // Four at a time in two registers each: the compiler keeps the extremes out of memory, and both chains of
+    // comparisons run in parallel.
     using Lanes = Eigen::Array<double, 4, 1>;
     constexpr double infinity = std::numeric_limits<double>::infinity();
     Lanes least = Lanes::Constant(infinity);
@@ -40,7 +40,7 @@ SquaredRange squaredRange(const double *x, const double *y, std::size_t size, Po
 
 std::size_t findSquaredDistance(const double *x, const double *y, std::size_t size, Point origin,
                                 Point centre, double value) {
-    // An extreme sought is an extreme of the few points around it: those are found four at a time.
+    // The extreme is also an extreme of the few points around it, which are found four at a time.
     constexpr std::size_t few = 16;
     std::size_t i = 0;
     for (; i + few <= size; i += few) {
@@ -58,7 +58,7 @@ RadiusExtremes radiusExtremes(PointsView points, Point centre, Point origin) {
     RadiusExtremes extremes;
     if (points.size() == 0)
         return extremes;
-    // The index is looked for once, in the block that held the extreme.
+    // The index is searched once, in the block that contains the extreme.
     constexpr std::size_t block = 1024;
     double least = std::numeric_limits<double>::infinity();
     double greatest = -least;

@@ -12,12 +12,12 @@ namespace palmer {
 struct SquaredRange {
     double least;
     double greatest;
-    double sum; ///< Not finite where a coordinate is not.
+    double sum; ///< Not finite if a coordinate is not.
 };
 
-/// The squared distances d = ((x − x_o) − x_c)² + ((y − y_o) − y_c)² of `size` points: extremes and sum.
-/// Taking a nearby origin off first keeps the centre finer than the step of large coordinates. Every place
-/// that computes d as `squaredDistance` gets the same bits. No point: least is +∞, greatest −∞, sum 0.
+/// Returns extremes and sum of d = ((x − x_o) − x_c)² + ((y − y_o) − y_c)² of `size` points. Subtracting a
+/// nearby origin first keeps the centre finer than the step of large coordinates. All code that computes d as
+/// `squaredDistance` gets the same bits. Without points: least is +∞, greatest −∞, sum 0.
 [[nodiscard]] SquaredRange squaredRange(const double *x, const double *y, std::size_t size, Point origin,
                                         Point centre);
 
@@ -27,21 +27,21 @@ struct SquaredRange {
     return dx * dx + dy * dy;
 }
 
-/// The first of `size` points at which the squared distance is exactly `value`; `size` if there is none.
+/// Returns the index of the first point whose squared distance is exactly `value`; `size` if there is none.
 [[nodiscard]] std::size_t findSquaredDistance(const double *x, const double *y, std::size_t size,
                                               Point origin, Point centre, double value);
 
-/// Least and greatest distance of points from a centre, mm, with the first point that has it.
+/// Smallest and greatest distance of points from a centre, mm, with the first point at each.
 struct RadiusExtremes {
     double inner = 0;
     double outer = 0;
     std::size_t nearest = 0;
     std::size_t farthest = 0;
-    bool finite = true; ///< False: a coordinate is not finite, the numbers say nothing.
+    bool finite = true; ///< False: a coordinate is not finite, the numbers are meaningless.
 };
 
-/// min and max of r = |P − (origin + centre)|; `origin` serves the precision only (see squaredRange).
-/// No point: all zero.
+/// Returns min and max of r = |P − (origin + centre)|; `origin` only improves precision (see squaredRange).
+/// All zero without points.
 [[nodiscard]] RadiusExtremes radiusExtremes(PointsView points, Point centre, Point origin = {});
 
 } // namespace palmer

@@ -79,7 +79,7 @@ Rays::Look Rays::look() const {
 
 void Rays::prepare(Look &look) const {
     look.largest = 0;
-    double sum = 0; // not finite where a change is not: comparisons pass over it
+    double sum = 0; // not finite if a change is not: comparisons miss it
     Lanes largest = 0;
     const std::size_t whole = size() / sectorSize;
     for (std::size_t s = 0; s < whole; ++s) {
@@ -141,8 +141,8 @@ Rays::Bound Rays::boundOf(const Look &look, Point centre) const {
 
 // NOLINTBEGIN(modernize-avoid-c-arrays): registers are no arguments of templates, GCC drops their width
 
-/// The outermost of the first sectors, eight at a time; returns how many it looked at. One after the other,
-/// each with two comparisons that wait for those before, they took most of the time of an exchange.
+/// Finds the outermost of the first sectors, eight at a time; returns how many it compared. One at a time,
+/// with each comparison waiting for the previous one, this took most of the time of an exchange.
 template <class Register>
 [[gnu::always_inline]] inline std::size_t Rays::outermostOf(const Compared &c, std::size_t count,
                                                             Outermost &result) {
@@ -153,7 +153,7 @@ template <class Register>
     constexpr std::size_t parts = together / lanes;
     Value greatest[parts]{};
     Value least[parts]{};
-    Index farthest[parts]{}; // the block of eight that held it
+    Index farthest[parts]{}; // the block of eight that contained it
     Index nearest[parts]{};
     for (std::size_t k = 0; k < parts; ++k) {
         greatest[k] = Value{} - infinity;
@@ -236,7 +236,7 @@ Rays::Outermost Rays::outermost(const Look &look, Point centre) const {
 
 Rays::Extremes Rays::extremes(const Look &look, Point centre) const {
     const Bound bound = boundOf(look, centre);
-    // What one sector surely reaches, no other has to be looked into that surely does not.
+    // Sectors that certainly cannot reach what one sector certainly reaches need not be searched.
     double reached = -infinity;
     double near = infinity;
     for (std::size_t s = 0; s < m_sectorCount; ++s) {

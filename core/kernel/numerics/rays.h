@@ -11,13 +11,13 @@
 
 namespace palmer {
 
-/// Points on fixed rays from the origin, P_i = ρ_i·u_i, whose distances ρ_i change a little from one look to
-/// the next, as in the trials of a simulation. Which of them may lie beyond a circle is told from sectors of
-/// 16 neighbours: what is in a sector is known to a bound, and only few sectors have to be looked into.
+/// Points on fixed rays from the origin, P_i = ρ_i·u_i, whose distances ρ_i change little from one look to
+/// the next, as in the trials of a simulation. Bounds for sectors of 16 neighbours show which points may lie
+/// outside a circle, so that only few sectors need be searched.
 class Rays {
 public:
     Rays() = default;
-    /// `radii`: the distances of the reference, mm; `centre`: a point that circles about them are near to.
+    /// `radii`: distances of the reference, mm; `centre`: a point close to the circles about them.
     Rays(std::vector<double> ux, std::vector<double> uy, std::vector<double> radii, Point centre);
 
     [[nodiscard]] std::size_t size() const { return m_radii.size(); }
@@ -26,13 +26,12 @@ public:
     [[nodiscard]] const std::vector<double> &y() const { return m_uy; }
     [[nodiscard]] Points reference() const;
 
-    /// The distances of one look, and what follows from them.
+    /// The distances of one look (e.g. one trial), and values derived from them.
     struct Look {
-        std::vector<double> radii;   ///< ρ, mm; to be set, then `prepare`
+        std::vector<double> radii;   ///< ρ, mm; set these, then call `prepare`
         std::vector<double> changes; ///< ρ − ρ of the reference
         double largest = 0;          ///< of |changes|
-        std::vector<double>
-            nearest; ///< of every sector: distances from the centre of the reference, to a bound
+        std::vector<double> nearest; ///< per sector: bounds of the distances from the centre of the reference
         std::vector<double> farthest;
     };
     [[nodiscard]] Look look() const;
@@ -43,8 +42,8 @@ public:
     }
     void fill(const Look &look, Points &points) const;
 
-    /// Least and greatest distance of the points from a centre, mm: computed as √((x − x_c)² + (y − y_c)²) of
-    /// those that can be it.
+    /// Smallest and greatest distance of the points from a centre, mm: computed as √((x − x_c)² + (y − y_c)²)
+    /// for the points that can be the extreme.
     struct Extremes {
         double least = 0;
         double greatest = 0;
@@ -52,7 +51,7 @@ public:
     [[nodiscard]] Extremes extremes(const Look &look, Point centre) const;
 
     /// Calls visit(i) for every point that may be farther than `outer` from a centre or nearer than `inner`,
-    /// and for some more.
+    /// and possibly for others.
     template <class Visit>
     void visitBeyond(const Look &look, Point centre, double outer, double inner, Visit visit) const {
         const Bound bound = boundOf(look, centre);
@@ -63,7 +62,7 @@ public:
         }
     }
 
-    /// The sectors that may hold the farthest and the nearest point from a centre, and how far these may be.
+    /// The sectors that may contain the farthest and nearest point from a centre, with distance bounds.
     struct Outermost {
         std::size_t farthest = 0;
         std::size_t nearest = 0;
@@ -81,10 +80,10 @@ public:
 private:
     static constexpr std::size_t sectorSize = 16;
 
-    /// With P − c_reference = r₀·w + t·u, t the change: |P − c| = √((r₀ + a)² + b²), a = t·(u·w) − δ·w,
-    /// |b| ≤ |t|·|u × w| + |δ|, δ = c − c_reference. So it lies between r₀ + a and r₀ + a + b²/r₀ as long as
-    /// |a| ≤ r₀/2; and δ·w differs from that of the mean direction of the sector by |δ|·spread at most.
-    /// Of each sector; columns, so that `outermost` looks at eight sectors at once.
+    /// With P − c_reference = r₀·w + t·u, t the change: |P − c| = √((r₀ + a)² + b²), a = t·(u·w) − δ·w, |b| ≤
+    /// |t|·|u × w| + |δ|, δ = c − c_reference. So |P − c| lies between r₀ + a and r₀ + a + b²/r₀ as long as
+    /// |a| ≤ r₀/2; and δ·w differs from its value for the mean direction of the sector by at most |δ|·spread.
+    /// One entry per sector; columns, so that `outermost` compares eight sectors at once.
     struct Sectors {
         std::vector<double> wx; ///< mean direction
         std::vector<double> wy;
@@ -127,9 +126,9 @@ private:
     std::vector<double> m_along;     ///< u·w
     std::size_t m_sectorCount = 0;
     Sectors m_sectors;
-    double m_least = 0; ///< of the distances
+    double m_least = 0; ///< smallest distance
     double m_greatest = 0;
-    double m_across = 0; ///< the largest |u × w|
+    double m_across = 0; ///< largest |u × w|
 };
 
 } // namespace palmer

@@ -10,7 +10,7 @@ namespace palmer {
 
 namespace {
 
-/// A(t|ν) = probability of |T| < t.
+/// Returns A(t|ν), the probability of |T| < t.
 double centralProbability(double t, int degrees) {
     const double theta = std::atan(t / std::sqrt(static_cast<double>(degrees)));
     const double sine = std::sin(theta);

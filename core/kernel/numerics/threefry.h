@@ -7,10 +7,10 @@
 
 namespace palmer {
 
-/// A random number generator without state: Threefry 4 × 32 bits. A counter and a key give four words of 32
-/// bits, every pair its own; any part of the sequence can be computed at any time, on any thread, alike.
-/// `Word` is std::uint32_t, or a vector of them for several counters at once.
-/// 13 rounds: one more than the fewest that pass all of TestU01's BigCrush.
+/// A stateless random number generator: Threefry 4 × 32 bits. Each pair of counter and key gives its own four
+/// 32-bit words; any part of the sequence can be computed at any time, on any thread, with the same result.
+/// `Word` is std::uint32_t, or a vector of them for several counters at once. 13 rounds: one more than the
+/// fewest that pass all of TestU01's BigCrush.
 /// Source: J. K. Salmon, M. A. Moraes, R. O. Dror, D. E. Shaw, Parallel random numbers: as easy as 1, 2, 3,
 /// SC'11 (2011).
 template <class Word>

@@ -4,9 +4,9 @@
 
 namespace palmer {
 
-/// Functions marked so are compiled for 32 or 64 bytes a register; call them where the processor has them.
-/// Nothing of the project is compiled with fused multiply-add: the numbers are those of the narrow function,
-/// to the last bit.
+/// Functions marked so are compiled for 32- or 64-byte registers; call them only if the processor has these.
+/// The project is compiled without fused multiply-add: results equal those of the narrow function to the last
+/// bit.
 #if defined(__x86_64__) && defined(__GNUC__)
 #define PALMER_WIDE __attribute__((target("avx2")))
 inline bool hasWideRegisters() {

@@ -17,7 +17,7 @@ CycleProgram programOf(const PlannedMeasurement &planned, CycleProgram program) 
 }
 
 double turningPoint(const CycleProgram &program, double target, Direction approach) {
-    constexpr double noise = 1e-6; // of a step: 0.1 is no whole number of hundredths as a double
+    constexpr double noise = 1e-6; // in steps: 0.1 as a double is not a whole number of hundredths
     const double steps = std::pow(10.0, program.decimals);
     const double beyond = std::max(std::ceil(program.approach * steps - noise), 1.0);
     const double from = std::round(target * steps);

@@ -16,20 +16,20 @@ namespace {
 
 constexpr int mostDraws = 100; ///< of random parts; few plans need a second one
 
-/// Uniform numbers that are the same everywhere: the standard library's distributions are not.
+/// Uniform random numbers, identical on every platform, unlike the standard library's distributions.
 class Uniform {
 public:
     explicit Uniform(std::uint64_t seed)
         : m_generator(seed) {}
 
-    /// In [0, 1).
+    /// Returns a number in [0, 1).
     double next() { return static_cast<double>(m_generator() >> 11U) * 0x1p-53; }
 
 private:
     std::mt19937_64 m_generator;
 };
 
-/// The travel that the number of targets follows from: a short axis and a zone reach beyond what is measured.
+/// Returns the travel that determines the number of targets, which may exceed the measured one.
 double countedTravel(const TargetRequest &request) {
     if (request.zone)
         return std::max(request.travel, request.zone->to - request.zone->from);
@@ -37,12 +37,12 @@ double countedTravel(const TargetRequest &request) {
     return axis <= longestShort(request.motion) ? std::max(request.travel, axis) : request.travel;
 }
 
-/// A full turn ends where it begins.
+/// True if the travel is a full turn, which ends where it begins.
 bool isFullTurn(const TargetRequest &request) {
     return request.motion == Motion::rotary && std::abs(request.travel - fullTurn) < 1e-9;
 }
 
-/// No more than `mostTargets` and one.
+/// Returns at most `mostTargets` + 1.
 std::size_t numberOfTargets(const TargetRequest &request) {
     const double travel = countedTravel(request);
     double wanted = 0;
@@ -50,12 +50,12 @@ std::size_t numberOfTargets(const TargetRequest &request) {
         wanted = std::max(iso230_2::fewestTargets, std::ceil(request.perMetre * travel / 1000 - 1e-9));
     else if (request.travel < fullTurn || isFullTurn(request))
         wanted = iso230_2::targetsWithinATurn(travel);
-    else // 8 a turn and the end
+    else // 8 per turn, and the end
         wanted = std::ceil(iso230_2::targetsOfATurn * request.travel / fullTurn - 1e-9) + 1;
     return static_cast<std::size_t>(std::min(wanted, static_cast<double>(mostTargets + 1)));
 }
 
-/// Rounded to the resolution, and inside [low, high].
+/// Rounds to the resolution and keeps the result inside [low, high].
 double rounded(double position, double low, double high, int decimals) {
     const double scale = std::pow(10.0, decimals);
     double steps = std::round(std::clamp(position, low, high) * scale);
@@ -66,7 +66,7 @@ double rounded(double position, double low, double high, int decimals) {
     return steps / scale;
 }
 
-/// Whole pitches of 1988, none of a pitch beyond the bound of 2006.
+/// True for whole pitches of 1988; false if the pitch exceeds the bound of 2006.
 bool byPitches(const TargetRequest &request, const TargetPlan &plan) {
     return request.rule == TargetRule::pitches1988 && request.period && plan.randomPart == *request.period;
 }
@@ -81,7 +81,7 @@ std::vector<double> drawnTargets(const TargetRequest &request, const TargetPlan 
         const double nominal = request.from + static_cast<double>(i) * *plan.interval;
         double position = nominal + 2 * uniform.next() * plan.randomPart;
         if (pitches) {
-            // N whole pitches, the last of them that ends inside the travel
+            // N whole pitches, at most as many as leave a whole pitch inside the travel
             const double pitch = *request.period;
             const double most = std::floor(request.travel / pitch + 1e-9) - 1;
             const double whole =
@@ -93,7 +93,7 @@ std::vector<double> drawnTargets(const TargetRequest &request, const TargetPlan 
     return targets;
 }
 
-/// The multiples of 90° inside the travel, and one target in each part of it.
+/// Returns the multiples of 90° inside the travel, and one random target in each part of it.
 std::vector<double> drawnQuarterTurns(const TargetRequest &request, const TargetPlan &plan,
                                       Uniform &uniform) {
     const double last = request.from + request.travel;
@@ -110,7 +110,7 @@ std::vector<double> drawnQuarterTurns(const TargetRequest &request, const Target
     return targets;
 }
 
-/// What the edition asks of the places of its targets, and that they can be told apart.
+/// True if the targets are distinct and their positions meet the requirements of the edition.
 bool isAsAskedFor(const TargetRequest &request, const TargetPlan &plan, std::span<const double> targets) {
     if (std::ranges::adjacent_find(targets, std::greater_equal<>()) != targets.end())
         return false;
@@ -125,20 +125,20 @@ bool isAsAskedFor(const TargetRequest &request, const TargetPlan &plan, std::spa
                             : iso230_2::evenlySpaced(targets));
 }
 
-/// Once each way where the axis is a long one; of unknown travel, where its targets span that of one wherever
-/// their random parts lead.
+/// Returns 1 per direction for a long axis, otherwise 5. If the axis travel is unknown, the axis counts as
+/// long only if its targets span a long one whatever their random parts.
 int approaches(const TargetRequest &request, const TargetPlan &plan) {
     if (!plan.interval || request.zone)
         return 5;
-    // of pitches: up to one before the first target, two behind the last
+    // pitches: up to one before the first target, two after the last
     const double lost = (byPitches(request, plan) ? 3 : 4) * plan.randomPart;
     const double rounding = 2 * std::pow(10.0, -request.decimals);
     const double judged = std::max(request.axisTravel.value_or(0), request.travel - lost - rounding);
     return judged > longestShort(request.motion) ? 1 : 5;
 }
 
-/// Sets the nominal interval and the largest random part. The first target lies up to two random parts behind
-/// the beginning of the travel, the last one up to two before its end.
+/// Sets the nominal interval and the largest random part. The first target is at most two random parts after
+/// the start of the travel, the last one at most two before its end.
 void space(const TargetRequest &request, std::size_t count, TargetPlan &plan) {
     const auto steps = static_cast<double>(count - 1);
     if (request.rule == TargetRule::pitches1988 && request.period &&
@@ -147,7 +147,7 @@ void space(const TargetRequest &request, std::size_t count, TargetPlan &plan) {
         plan.randomPart = *request.period;
         return;
     }
-    const bool turn = isFullTurn(request); // the way from the last target to the first is a step, too
+    const bool turn = isFullTurn(request); // the step from the last target to the first counts, too
     const auto intervalFor = [&](double randomPart) {
         return turn ? request.travel / static_cast<double>(count) : (request.travel - 2 * randomPart) / steps;
     };

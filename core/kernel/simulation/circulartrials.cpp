@@ -17,9 +17,9 @@ namespace palmer {
 namespace {
 
 constexpr double coverage = 2;                      ///< k of the contributions
-constexpr double rootOfTwelve = 3.4641016151377546; ///< width of a uniform distribution over its deviation
+constexpr double rootOfTwelve = 3.4641016151377546; ///< width / standard deviation, uniform distribution
 
-/// Places of the random numbers of a trial.
+/// Counters of the random numbers of a trial.
 enum Place : std::uint32_t { commonPlace = 0, repeatabilityPlace = 4, firstPointPlace = 64 };
 
 double deviation(const std::vector<Contribution> &contributions, std::string_view id) {
@@ -27,16 +27,16 @@ double deviation(const std::vector<Contribution> &contributions, std::string_vie
     return found == contributions.end() ? 0 : found->expanded.value_or(0) / coverage;
 }
 
-/// What is added to all deviations of a path.
+/// Errors added to all deviations of a path.
 struct Shift {
     double common = 0; ///< mm
-    double scale = 0;  ///< per deviation from the middle
+    double scale = 0;  ///< per unit of deviation from the middle
     double middle = 0; ///< mm
     Point centring;    ///< mm
 };
 
-/// Adds them to the errors of the points: deviations, and distances from the programmed centre. A plain loop,
-/// which the compiler turns into vectors of the function it is inlined into.
+/// Adds the shift to the errors of the points, and gives deviations and distances from the programmed centre.
+/// A plain loop, so that the compiler can vectorise it for the function it is inlined into.
 [[gnu::always_inline]] inline void shift(const Shift &by, double nominalRadius, const double *deviation,
                                          const double *ux, const double *uy, std::span<double> errors,
                                          double *distance) {
@@ -59,7 +59,7 @@ PALMER_WIDEST void shiftWidest(const Shift &by, double nominalRadius, const doub
     shift(by, nominalRadius, deviation, ux, uy, errors, distance);
 }
 
-/// rebuiltRadius() of all points of a path.
+/// rebuiltRadius() for all points of a path.
 [[gnu::always_inline]] inline void rebuild(std::span<const double> distances, const double *ux,
                                            const double *uy, Point e, double *radius) {
     for (std::size_t i = 0; i < distances.size(); ++i)
@@ -160,7 +160,7 @@ void CircularTrials::addParts() {
     addRepeated();
     m_middle = (low + high) / 2;
     m_scale = high > low ? m_zero / (high - low) : 0;
-    constexpr std::size_t pointsPerChunk = 50000; // some milliseconds
+    constexpr std::size_t pointsPerChunk = 50000; // takes some milliseconds
     constexpr std::size_t mostOfChunk = 50;
     m_chunk = static_cast<int>(
         std::clamp<std::size_t>(pointsPerChunk / std::max<std::size_t>(points, 1), 1, mostOfChunk));
@@ -240,7 +240,7 @@ void CircularTrials::addReferences() {
             circle.nearby.emplace(sets, result->centre);
         } else {
             const MinimumZone zone = minimumZone(points.view());
-            // Where nothing but noise is to come any four points are as good.
+            // If only noise varies, any four points will do.
             const std::size_t quarter = points.size() / 4;
             circle.contacts = {0, 2 * quarter, quarter, 3 * quarter};
             if (zone.valid() && zone.certified)
@@ -345,7 +345,7 @@ void CircularTrials::setPoints(Workplace &place) const {
                                                     : rebuild;
             apply(place.distances[k], part.rays.x().data(), part.rays.y().data(), *e, look.radii.data());
         } else {
-            look.radii.swap(place.distances[k]); // drawn anew by the next trial
+            look.radii.swap(place.distances[k]); // redrawn by the next trial
         }
         part.rays.prepare(look);
     }
@@ -451,7 +451,7 @@ void CircularTrials::run(long long first, Workplace &place, std::span<double> va
                 found = iso230_4::value(listed[m_listed[p]], whole);
             const RandomDraws::Words words =
                 m_draws.words(trial, repeatabilityPlace + static_cast<std::uint32_t>(p));
-            // A circle that noise makes impossible says nothing of Y.
+            // A circle made impossible by noise says nothing about Y.
             values[p * trials + k] =
                 found.value_or(m_parameters[p].value) + m_repeatability[p] * RandomDraws::normal(words[0]);
         }

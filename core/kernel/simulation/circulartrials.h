@@ -18,47 +18,47 @@
 
 namespace palmer {
 
-/// The trials of a circular test: errors of measurement added to the radial deviations, then points, circles
-/// and results as they are evaluated themselves.
+/// The trials of a circular test: measurement errors added to the radial deviations, then points, circles and
+/// results as in the evaluation.
 ///
-/// Nearly all that a trial costs is saved by knowing the evaluation without errors: each trial is a little
-/// apart from it. The points stay on their rays (`Rays`: which of them can touch a circle is known without
-/// looking at all); minimum zones begin with its contacts, and are to the last bit those of the plain way;
-/// least squares circles are two steps away (`NearbyCircle`); of a hysteresis only the points that can have
-/// it are computed (`NearbyHysteresis`). Where a trial is too far off, or too close to a tie, the plain way
-/// is taken: what it costs is time.
+/// Trials differ little from the evaluation without errors, and most of their cost is saved by starting from
+/// it. The points stay on their rays (`Rays` finds those that can touch a circle without visiting all);
+/// minimum zones start from its contacts and equal the ordinary ones to the last bit; least squares circles
+/// take two steps (`NearbyCircle`); for a hysteresis only points that can attain it are computed
+/// (`NearbyHysteresis`). A trial too far off, or too close to a tie, is computed in the ordinary way, which
+/// only costs time.
 class CircularTrials {
 public:
-    /// `evaluation`: of the test; its parameters with a value and a U by the budget are simulated.
+    /// `evaluation`: of the test; its parameters with a value and a budget U are simulated.
     CircularTrials(const Test &test, const CircularMeasurement &measurement, const Surroundings &surroundings,
                    const TestEvaluation &evaluation, long long seed);
 
-    /// Id and evaluated value of each parameter.
+    /// Returns id and evaluated value of each parameter.
     [[nodiscard]] const std::vector<SimulatedParameter> &parameters() const { return m_parameters; }
-    /// Trials that are worked off in one go.
+    /// Returns the number of trials processed in one run().
     [[nodiscard]] int chunk() const { return m_chunk; }
 
-    /// What one thread works with.
+    /// Working memory of one thread.
     struct Workplace {
         std::shared_ptr<CircularMeasurement> measurement; ///< perturbed
         std::shared_ptr<CircularResults> results;
         std::vector<double> errors;                 ///< of the points of a path, mm
-        std::vector<std::vector<double>> distances; ///< from the programmed centre, as read: of each path
-        std::vector<Rays::Look> looks;              ///< the points of each path
-        long long plain = 0;                        ///< circles and hystereses that took the plain way
+        std::vector<std::vector<double>> distances; ///< per path, from the programmed centre, as read
+        std::vector<Rays::Look> looks;              ///< per path, its points
+        long long plain = 0;                        ///< circles and hystereses computed in the ordinary way
     };
     [[nodiscard]] Workplace workplace() const;
 
-    /// The parameters of the trials first … first + chunk() − 1: all of the first parameter, then all of the
-    /// second, and so on. Stopped it leaves them as they are.
+    /// Computes the parameters of the trials first … first + chunk() − 1: all values of the first parameter,
+    /// then of the second, and so on. Leaves the rest unchanged if stopped.
     void run(long long first, Workplace &place, std::span<double> values, const std::stop_token &stop) const;
 
-    /// The measurement as trial number `trial` sees it: evaluating it gives the figures of that trial but for
-    /// what is not in the readings (correction, repeatability).
+    /// Returns the measurement of one trial: evaluating it gives the results of that trial, except for errors
+    /// that are not in the readings (correction, repeatability).
     [[nodiscard]] CircularMeasurement perturbed(long long trial) const;
 
 private:
-    /// What is evaluated of an arc.
+    /// The evaluated part of an arc.
     struct Part {
         std::size_t arc = 0;
         std::vector<double> angles;
@@ -66,22 +66,22 @@ private:
         std::vector<double> deviations; ///< as measured, mm
         std::uint32_t place = 0;        ///< of the random numbers of its first points
         bool commanded = false;
-        Rays rays; ///< of the points as evaluated without errors
+        Rays rays; ///< of the points evaluated without errors
     };
-    /// A circle that the parameters look at.
+    /// A circle needed by the parameters.
     struct Circle {
         CircleOf of = CircleOf::both;
         ReferenceCircle kind = ReferenceCircle::leastSquares;
-        bool radiusAlone = false;                           ///< no distance of a point is asked for
-        std::vector<std::size_t> parts;                     ///< about whose points it is
-        std::optional<std::array<std::size_t, 4>> contacts; ///< minimum zone: without errors
-        std::optional<NearbyCircle> nearby;                 ///< least squares: about that without errors
+        bool radiusAlone = false;                           ///< no point distance is needed
+        std::vector<std::size_t> parts;                     ///< whose points it is fitted to
+        std::optional<std::array<std::size_t, 4>> contacts; ///< minimum zone: contacts without errors
+        std::optional<NearbyCircle> nearby;                 ///< least squares: near that without errors
     };
-    /// What is drawn once a trial.
+    /// Errors drawn once per trial.
     struct Common {
-        std::array<double, 2> drift{}; ///< of each path, mm
+        std::array<double, 2> drift{}; ///< per path, mm
         double zero = 0;               ///< displacement and reference length, mm
-        double scale = 0;              ///< displacement: error per deviation
+        double scale = 0;              ///< displacement: error per unit of deviation
         Point centring;                ///< mm
         double correction = 0;         ///< mm
     };
@@ -95,7 +95,7 @@ private:
     [[nodiscard]] Part partOf(const EvaluatedPath &path, std::uint32_t place) const;
     void addRepeated();
     void addReferences();
-    /// The arcs of commanded angles in the order of time, as `paths` takes them.
+    /// Returns the arcs with commanded angles in chronological order, as `paths` does.
     [[nodiscard]] std::vector<CommandedArc>
     inOrderOfTime(std::span<const std::vector<double>> distances) const;
     [[nodiscard]] std::optional<Point> centringErrorOf(const Workplace &place) const;
@@ -115,15 +115,15 @@ private:
     const CircularResults &m_results;
     RandomDraws m_draws;
     std::vector<SimulatedParameter> m_parameters;
-    std::vector<std::size_t> m_listed;   ///< their places among the listed parameters
-    std::vector<double> m_repeatability; ///< of each, standard deviation, mm
-    std::vector<Part> m_parts;           ///< as the paths of the results
-    std::vector<Part> m_repeated;        ///< of commanded angles: they too tell the centring error
+    std::vector<std::size_t> m_listed;   ///< indices in the listed parameters
+    std::vector<double> m_repeatability; ///< per parameter, standard deviation, mm
+    std::vector<Part> m_parts;           ///< like the paths of the results
+    std::vector<Part> m_repeated;        ///< with commanded angles: also used for the centring error
     std::optional<NearbyCentring> m_nearbyCentring;
-    std::vector<Circle> m_circles;           ///< that the parameters look at
-    std::optional<std::size_t> m_hysteresis; ///< the parameter that looks at the points
+    std::vector<Circle> m_circles;           ///< needed by the parameters
+    std::optional<std::size_t> m_hysteresis; ///< the parameter that needs all points
     std::optional<NearbyHysteresis> m_nearbyHysteresis;
-    bool m_readings = false; ///< a parameter looks at the readings
+    bool m_readings = false; ///< a parameter needs the readings
     int m_chunk = 1;
     double m_zero = 0; ///< standard deviations, mm
     double m_scale = 0;

@@ -18,14 +18,14 @@ namespace {
 using iso230_4::PolarPoint;
 
 constexpr double turn = 2 * std::numbers::pi;
-constexpr std::size_t fewestPoints = 16; ///< of a path: below, the plain way costs nothing
-constexpr double closePart = 0.05;       ///< of the mean step: neighbours nearer than that are close
+constexpr std::size_t fewestPoints = 16; ///< per path: below, the ordinary way costs little
+constexpr double closePart = 0.05;       ///< of the mean step: closer neighbours are close
 constexpr std::size_t mostOpen = 64;     ///< points that are always computed
-constexpr std::size_t mostAround = 64;   ///< points around one that is computed
-constexpr std::size_t block = 64;        ///< points that are looked at together
+constexpr std::size_t mostAround = 64;   ///< points around a computed one
+constexpr std::size_t block = 64;        ///< points compared together
 using Block = std::array<double, block>;
 
-/// The columns of some comparisons.
+/// The columns of a range of comparisons.
 struct Columns {
     const std::uint32_t *point;
     const std::uint32_t *before;
@@ -37,8 +37,8 @@ struct Columns {
     std::size_t count; ///< up to a block
 };
 
-/// |differences| of up to a block of points, behind them zeros. A plain loop, which the compiler turns into
-/// vectors of the function it is inlined into.
+/// |differences| of up to a block of points, padded with zeros. A plain loop, so that the compiler can
+/// vectorise it for the function it is inlined into.
 [[gnu::always_inline]] inline void differences(const Columns &c, Block &into) {
     for (std::size_t k = 0; k < c.count; ++k) {
         const double before = c.to[c.before[k]];
@@ -66,7 +66,7 @@ void differencesOf(const Columns &c, Block &into) {
         differences(c, into);
 }
 
-/// Of the comparisons of a path from `begin` on.
+/// Returns the columns of the comparisons of a path from `begin`.
 template <class Comparisons>
 Columns columns(const Comparisons &of, std::size_t begin, const std::array<RaysLook, 2> &paths,
                 std::size_t path) {
@@ -81,7 +81,7 @@ Columns columns(const Comparisons &of, std::size_t begin, const std::array<RaysL
 }
 
 double greatestOf(const Block &values) {
-    constexpr std::size_t lanes = 8; // side by side: none waits for another
+    constexpr std::size_t lanes = 8; // parallel: none waits for another
     std::array<double, lanes> greatest{};
     for (std::size_t k = 0; k < block; k += lanes)
         for (std::size_t lane = 0; lane < lanes; ++lane)
@@ -189,29 +189,29 @@ NearbyHysteresis::Comparisons NearbyHysteresis::compare(const Path &from, const 
     return result;
 }
 
-/// How far the difference of any point that is not open may be from what is computed of it. With c = c₀ + δ a
-/// point is moved by t·u − δ: along w by a = t·(u·w) − δ·w, across it by b ≤ |t|·|u × w| + |δ|.
+/// Returns a bound for the error of the computed difference of any point that is not open. With c = c₀ + δ a
+/// point moves by t·u − δ: along w by a = t·(u·w) − δ·w, across it by b ≤ |t|·|u × w| + |δ|.
 std::optional<double> NearbyHysteresis::leftOut(double largest, Point delta) const {
     const double length = std::hypot(delta.x, delta.y);
-    const double moved = largest + length; // any point, at most
+    const double moved = largest + length; // upper bound for all points
     const double inner = m_least - moved;
     const double across = largest * m_across + length;
     if (!(inner > m_least / 2))
         return std::nullopt;
-    const double turned = across / inner; // any angle, at most
+    const double turned = across / inner; // upper bound for all angles
     constexpr double part = 8;
     if (!(turned <= m_close / part))
-        return std::nullopt; // neighbours that are not close might change places
-    // The distances are r + a to b²/2r; a differs from t by its δ·w, of which the neighbours have nearly the
-    // same, and by 1 − u·w.
+        return std::nullopt; // neighbours that are not close might swap
+    // The distances are r + a within b²/2r; a differs from t by its δ·w, which is nearly the same for the
+    // neighbours, and by 1 − u·w.
     const double distances = across * across / inner + 2 * largest * m_bend + length * m_turn;
-    // The polygon of the other path at an angle is what it was at one that is at most twice as far away as
-    // any angle was turned; its sides are as steep as they were, but for the ends that moved.
+    // The polygon of the other path at an angle equals the original one at an angle at most twice the largest
+    // rotation away; its sides are as steep as before, except for the movement of their ends.
     const double angles = 3 * turned * (m_steepest + 2 * moved / m_gap);
     return distances + angles + 1e-13 * (m_greatest + moved);
 }
 
-/// From the points of the other path on either side up to the second gap that is not close: those beyond
+/// Uses the points of the other path on either side up to the second gap that is not close: those beyond
 /// cannot come between.
 std::optional<double> NearbyHysteresis::plainDifference(std::size_t path, std::uint32_t point,
                                                         const std::array<RaysLook, 2> &paths,
@@ -236,7 +236,7 @@ std::optional<double> NearbyHysteresis::plainDifference(std::size_t path, std::u
         gaps += other.close[first] != 0 ? 0 : 1;
     }
     std::ranges::sort(around, {}, &PolarPoint::angle);
-    // Of equal angles, or of a point that was taken twice, it is not told which is which.
+    // With equal angles, or a point taken twice, the order is undefined.
     if (around.size() >= mostAround ||
         std::ranges::adjacent_find(around, {}, &PolarPoint::angle) != around.end())
         return std::nullopt;
@@ -245,7 +245,7 @@ std::optional<double> NearbyHysteresis::plainDifference(std::size_t path, std::u
     return std::abs(seen.distance - iso230_4::distanceAt(around, seen.angle));
 }
 
-/// Of the points of a path whose differences may be `least` or more; `greatest`: of each block.
+/// Returns the largest difference of the points of a path that may reach `least`; `greatest`: per block.
 std::optional<double> NearbyHysteresis::largestOf(std::size_t path, const std::vector<double> &greatest,
                                                   double least, const std::array<RaysLook, 2> &paths,
                                                   Point centre) const {
@@ -278,7 +278,7 @@ std::optional<double> NearbyHysteresis::largestDifference(const std::array<RaysL
                                {centre.x - m_centre.x, centre.y - m_centre.y});
     if (!bound)
         return std::nullopt;
-    std::array<std::vector<double>, 2> greatest; // of each block
+    std::array<std::vector<double>, 2> greatest; // per block
     double all = 0;
     Block values{};
     for (std::size_t path = 0; path < paths.size(); ++path) {
@@ -288,7 +288,7 @@ std::optional<double> NearbyHysteresis::largestDifference(const std::array<RaysL
             all = std::max(all, greatest[path].back());
         }
     }
-    const double least = all - 2 * *bound; // what is below it is not the largest
+    const double least = all - 2 * *bound; // smaller ones cannot be the largest
     const auto first = largestOf(0, greatest[0], least, paths, centre);
     const auto second = largestOf(1, greatest[1], least, paths, centre);
     return first && second ? std::optional(std::max(*first, *second)) : std::nullopt;

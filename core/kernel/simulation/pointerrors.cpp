@@ -15,15 +15,14 @@ namespace {
 
 constexpr std::size_t pointsPerStep = 8;
 constexpr std::size_t placesPerStep = 4;
-constexpr std::size_t tile =
-    256; ///< points worked off in one go: what is kept of them stays in the nearest cache
+constexpr std::size_t tile = 256; ///< points processed together: small enough for the L1 cache
 constexpr std::size_t places = tile / 2;
 using Tile = std::array<double, tile>;
 
-/// −ln p of a normal number p > 0: the library's is no vector, and not the same on all systems. Reduction and
-/// coefficients of fdlibm (Sun Microsystems 1993): below one unit of the last place.
+/// Returns −ln p of a normal number p > 0: the library's cannot be vectorised and differs between systems.
+/// Reduction and coefficients of fdlibm (Sun Microsystems 1993): error below one unit in the last place.
 [[gnu::always_inline]] inline double minusLogarithm(double p) {
-    // p = m·2^k with m about 1, by whole numbers alone: a choice would keep the loop from becoming vectors.
+    // p = m·2^k with m about 1, in integer arithmetic: a branch would prevent vectorisation.
     constexpr std::uint64_t rootOfHalf = 0x3fe6a09e667f3bcd;
     constexpr std::uint64_t exponents = 0xfff0000000000000;
     constexpr std::uint64_t bias = 1023ULL << 52;
@@ -46,8 +45,8 @@ using Tile = std::array<double, tile>;
     return ((half - (s * (half + (even + odd)) + k * ln2Low)) - f) - k * ln2High;
 }
 
-/// The normal deviates of (1 + q)/2: the centre's formula for all, then the outer 15 % once more, gathered so
-/// that they too are worked off side by side. Words of 32 bits never reach the last branch of the algorithm.
+/// The normal deviates of (1 + q)/2: the central formula for all, then the outer 15 % again, gathered so that
+/// they are vectorised, too. 32-bit words never reach the last branch of the algorithm.
 [[gnu::always_inline]] inline void normals(const Tile &q, Tile &z) {
     using namespace normalquantile;
     for (std::size_t i = 0; i < tile; ++i) {
@@ -79,7 +78,7 @@ using Tile = std::array<double, tile>;
         z[outer[k]] = std::copysign(p[k], q[outer[k]]);
 }
 
-/// Two words of each place as numbers: of the first four points of every step, and of its last four.
+/// Converts two words per counter to numbers: the first four points of every step, then its last four.
 [[gnu::always_inline]] inline void symmetric(const std::uint32_t *first, const std::uint32_t *second,
                                              Tile &q) {
     for (std::size_t step = 0; step < tile / pointsPerStep; ++step) {
@@ -91,7 +90,7 @@ using Tile = std::array<double, tile>;
     }
 }
 
-/// Plain loops, which the compiler turns into vectors of the function they are inlined into.
+/// Plain loops, so that the compiler can vectorise them for the function they are inlined into.
 [[gnu::always_inline]] inline void draw(const RandomDraws &draws, long long trial, std::uint32_t place,
                                         const PointErrors &errors, std::span<double> into) {
     std::uint32_t words[4][places]; // NOLINT(modernize-avoid-c-arrays): as fillPlaces takes it

@@ -8,20 +8,20 @@
 
 namespace palmer {
 
-/// What every reading of a path gets of its own.
+/// Independent errors of each reading of a path.
 struct PointErrors {
     double noise = 0;      ///< standard deviation, normal, mm
     double resolution = 0; ///< step, uniform over ± half of it, mm
 };
 
-/// Places of random numbers that so many points take: two words a point, eight points on four places.
+/// Returns the number of counters for `points` points: two words per point, eight points on four counters.
 [[nodiscard]] std::uint32_t placesOfPoints(std::size_t points);
 
-/// Draws the errors of the points of a path, mm, from the places from `place` on. Wide registers are used
-/// where the processor has them; the numbers are the same on all.
+/// Draws the errors of the points of a path, mm, with counters from `place` on. Uses wide registers if the
+/// processor has them; results are identical on all.
 void drawPointErrors(const RandomDraws &draws, long long trial, std::uint32_t place,
                      const PointErrors &errors, std::span<double> into);
-/// With the registers every processor has.
+/// Uses only the registers every processor has.
 void drawPointErrorsNarrow(const RandomDraws &draws, long long trial, std::uint32_t place,
                            const PointErrors &errors, std::span<double> into);
 

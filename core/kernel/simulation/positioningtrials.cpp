@@ -21,12 +21,12 @@ double expanded(const PositioningBudget &budget, std::string_view id) {
     return contribution ? contribution->expanded.value_or(0) : 0;
 }
 
-/// The full width of a quantity whose U was taken as 0.6 times of it.
+/// Returns the full width of a quantity whose U was taken as 0.6 times its width.
 double width(double expanded) {
     return expanded / rectangularFactor;
 }
 
-/// Places of the random numbers of a trial: two for what is drawn once, the readings follow.
+/// Counters of the random numbers of a trial: two for errors drawn once, then the readings.
 enum Place : std::uint32_t { thermalPlace = 0, otherPlace = 1, firstReadingPlace = 2 };
 
 } // namespace
@@ -73,7 +73,7 @@ void PositioningTrials::addReadings(const PositioningMeasurement &measurement) {
         const bool up = pass.approach == Direction::positive;
         const std::size_t row = runs[up ? 0 : 1]++;
         for (std::size_t k = 0; k < m_targets; ++k) {
-            const std::size_t target = up ? k : m_targets - 1 - k; // ↓ begins at the last target
+            const std::size_t target = up ? k : m_targets - 1 - k; // ↓ starts at the last target
             const auto value =
                 target < pass.deviations.size() ? pass.deviations[target] : std::optional<double>();
             m_readings.push_back({run, target, row * m_targets + target,
@@ -87,7 +87,7 @@ void PositioningTrials::addReadings(const PositioningMeasurement &measurement) {
             reading.place += m_positive;
     }
     if (measurement.cycle == Cycle::step) {
-        // All runs at one target before the next.
+        // All runs at one target precede the next target.
         std::ranges::stable_sort(m_readings, {}, &Reading::target);
     }
     const double last = static_cast<double>(std::max<std::size_t>(m_readings.size(), 2) - 1);

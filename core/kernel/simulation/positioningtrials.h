@@ -15,54 +15,53 @@ namespace palmer {
 
 struct TestEvaluation;
 
-/// The trials of a positioning test: errors of measurement added to the readings, then the evaluation, four
+/// The trials of a positioning test: measurement errors added to the readings, then the evaluation, four
 /// trials at once.
 class PositioningTrials {
 public:
-    /// `evaluation`: of the measurement; its parameters with a value are simulated. The budget is complete.
+    /// `evaluation`: its parameters with a value are simulated. Precondition: the budget is complete.
     PositioningTrials(const PositioningMeasurement &measurement, const TestEvaluation &evaluation,
                       const PositioningBudget &budget, long long seed);
 
-    /// Id and evaluated value of each parameter.
+    /// Returns id and evaluated value of each parameter.
     [[nodiscard]] const std::vector<SimulatedParameter> &parameters() const { return m_parameters; }
-    /// Trials that are worked off in one go: a multiple of four.
+    /// Returns the number of trials processed in one run(): a multiple of four.
     [[nodiscard]] static int chunk() { return 500; }
 
-    /// What one thread works with.
+    /// Working memory of one thread.
     struct Workplace {
         std::vector<Lanes> readings;
         std::vector<TargetStatisticsOf<Lanes>> targets;
-        std::vector<double> numbers; ///< random ones, four a reading
+        std::vector<double> numbers; ///< random numbers, four per reading
     };
     [[nodiscard]] Workplace workplace() const;
 
-    /// The parameters of the trials first … first + chunk() − 1: all of the first parameter, then all of the
-    /// second, and so on.
+    /// Computes the parameters of the trials first … first + chunk() − 1: all values of the first parameter,
+    /// then of the second, and so on.
     void run(long long first, Workplace &place, std::span<double> values, const std::stop_token &stop) const;
 
-    /// The measurement as trial number `trial` sees it: evaluating it gives the figures of that trial.
+    /// Returns the measurement of one trial: evaluating it gives the results of that trial.
     [[nodiscard]] PositioningMeasurement perturbed(long long trial) const;
 
 private:
-    /// A reading in the order of time.
+    /// A reading, in chronological order.
     struct Reading {
         std::size_t run = 0;
         std::size_t target = 0;
-        std::size_t place = 0; ///< in the table: ↑ first, then ↓
+        std::size_t place = 0; ///< index in the table: ↑ first, then ↓
         double value = 0;      ///< NaN: none
         double distance = 0;   ///< ℓ_i, mm
         double time = 0;       ///< −½ at the first reading … ½ at the last
     };
-    /// What all readings of four trials have in common.
+    /// Errors common to all readings of four trials.
     struct Common {
-        Lanes perLength; ///< error per length
+        Lanes perLength; ///< error per unit length
         Lanes drift;     ///< change from the first to the last reading
     };
 
     void addReadings(const PositioningMeasurement &measurement);
     [[nodiscard]] Common common(long long first) const;
-    /// Calls put(reading, error) for all readings of the four trials from `first` on; `numbers` of a
-    /// workplace.
+    /// Calls put(reading, error) for all readings of the four trials from `first`; `numbers` of a workplace.
     template <class Put>
     void eachError(long long first, std::vector<double> &numbers, Put put) const;
 
@@ -71,7 +70,7 @@ private:
     std::vector<SimulatedParameter> m_parameters;
     std::vector<iso230_2::LanesFormula> m_formulas;
     std::vector<Reading> m_readings;
-    std::vector<double> m_corrections; ///< by place in the table; empty: none
+    std::vector<double> m_corrections; ///< by index in the table; empty: none
     std::size_t m_positive = 0;        ///< readings ↑ in the table
     std::size_t m_targets = 0;
     DeviationMethod m_method = DeviationMethod::calculation;

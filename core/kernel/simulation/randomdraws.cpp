@@ -6,10 +6,10 @@
 
 namespace palmer {
 
-/// Plain loops over eight counters, which the compiler turns into vectors of the function it is inlined into.
+/// Plain loops over eight counters, which the compiler vectorises for the calling function.
 __attribute__((always_inline)) inline void RandomDraws::fill(long long first, std::uint32_t place,
                                                              std::span<double> numbers) const {
-    constexpr std::size_t counters = 8; // two places of four trials
+    constexpr std::size_t counters = 8; // two counters of four trials
     constexpr std::size_t trials = Lanes::count;
     constexpr std::size_t words = 4;
     const std::uint32_t low = word(first, 0);

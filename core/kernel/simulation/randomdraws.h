@@ -13,8 +13,7 @@
 
 namespace palmer {
 
-/// The random numbers of the trials of a simulation: those of a trial follow from seed, trial and place
-/// alone.
+/// The random numbers of the trials of a simulation: those of a trial depend only on seed, trial and place.
 class RandomDraws {
 public:
     explicit RandomDraws(long long seed)
@@ -22,12 +21,12 @@ public:
 
     using Words = std::array<std::uint32_t, 4>;
 
-    /// Four words of the trial, the place-th.
+    /// Returns four words of the trial for the counter `place`.
     [[nodiscard]] Words words(long long trial, std::uint32_t place) const {
         return Threefry<std::uint32_t>::words({word(trial, 0), word(trial, 1), place, 0}, m_key);
     }
 
-    /// The same of the four trials from `first` on (a multiple of 4): four words, the trials side by side.
+    /// The same for the four trials from `first` (a multiple of 4): four words, with one trial per lane.
     using WordLanes = std::uint32_t __attribute__((vector_size(16)));
     [[nodiscard]] std::array<WordLanes, 4> lanes(long long first, std::uint32_t place) const {
         const std::uint32_t low = word(first, 0);
@@ -38,15 +37,15 @@ public:
                                           m_key);
     }
 
-    /// symmetric(lanes(first, place)[0]), …[3], symmetric(lanes(first, place + 1)[0]) and so on, four doubles
-    /// each: as many as there are in `numbers`, a multiple of `blockSize`. Wide registers are used where the
-    /// processor has them; the numbers are the same on all.
+    /// Returns symmetric(lanes(first, place)[0]), …[3], symmetric(lanes(first, place + 1)[0]) and so on, four
+    /// doubles each, to fill `numbers`, whose size is a multiple of `blockSize`. Uses wide registers if the
+    /// processor has them; results are identical on all.
     static constexpr std::size_t blockSize = 32;
     void symmetric(long long first, std::uint32_t place, std::span<double> numbers) const;
-    /// With the registers every processor has.
+    /// Uses only the registers every processor has.
     void symmetricNarrow(long long first, std::uint32_t place, std::span<double> numbers) const;
 
-    /// Of one trial the `count` places from `place` on: the first words of all, then the second ones and so
+    /// For one trial the `count` counters from `place`: the first words of all, then the second ones and so
     /// on.
     // NOLINTBEGIN(modernize-avoid-c-arrays): the compiler makes vectors of loops over plain arrays
     template <std::size_t count>

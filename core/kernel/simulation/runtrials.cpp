@@ -23,13 +23,13 @@ CoverageInterval shortestInterval(const FineCounts &fine, std::span<const long l
     const double needed = coverageProbability * static_cast<double>(all);
     CoverageInterval best;
     double shortest = std::numeric_limits<double>::infinity();
-    double held = 0;       // by the intervals from `left` to before `right`
-    std::size_t right = 0; // the first interval that is not held
+    double held = 0;       // sum over the intervals from `left` to before `right`
+    std::size_t right = 0; // first interval not included
     for (std::size_t left = 0; left < counts.size(); ++left) {
         while (right < counts.size() && held + static_cast<double>(counts[right]) < needed)
             held += static_cast<double>(counts[right++]);
         if (right == counts.size())
-            break; // too little is left
+            break; // too few values remain
         const auto next = static_cast<double>(counts[right]);
         const double part = next > 0 ? (needed - held) / next : 0;
         const double length = static_cast<double>(right - left) + part;
@@ -72,7 +72,7 @@ std::optional<double> errorOfAverage(std::span<const double> blocks) {
 }
 
 bool BlockAverages::stable(double tolerance) const {
-    constexpr double rounding = 1e-12; // mm or degrees: of values that come out alike but for the last digits
+    constexpr double rounding = 1e-12; // mm or degrees: for values that differ only in the last digits
     return std::ranges::all_of(std::array{&means, &u, &low, &high, &expanded},
                                [&](const std::vector<double> *averages) {
                                    const auto error = errorOfAverage(*averages);

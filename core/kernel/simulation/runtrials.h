@@ -16,13 +16,13 @@
 
 namespace palmer {
 
-/// Counts values into many narrow intervals over mean ± 8 u of the first block: narrow enough for an interval
-/// of 95.45 % to be read from the counts, and with counts the order of the trials does not matter.
+/// Counts values in many narrow intervals over mean ± 8 u of the first block: narrow enough to read an
+/// interval of 95.45 % from the counts, which do not depend on the order of the trials.
 struct FineCounts {
     static constexpr int count = 8192;
-    static constexpr double reach = 8; ///< u on either side; beyond lie less than 1/64 of the values
+    static constexpr double reach = 8; ///< u on either side; fewer than 1/64 of the values lie beyond
     double from = 0;
-    double width = 0; ///< 0: all values are alike
+    double width = 0; ///< 0: all values are equal
 
     /// `perWidth`: 1/width.
     [[nodiscard]] std::size_t index(double value, double perWidth) const {
@@ -36,14 +36,14 @@ struct CoverageInterval {
     double high = 0;
 };
 
-/// The shortest interval that holds 95.45 % of the counted values; inside an interval of the counts they are
-/// taken as evenly spread.
+/// Returns the shortest interval that contains 95.45 % of the counted values, assumed to be evenly spread
+/// within each interval of the counts.
 [[nodiscard]] CoverageInterval shortestInterval(const FineCounts &fine, std::span<const long long> counts);
 
-/// The counts in 64 intervals over mean ± 4 u, for a picture.
+/// Returns the counts in 64 intervals over mean ± 4 u, for a figure.
 [[nodiscard]] Histogram histogram(const FineCounts &fine, std::span<const long long> counts);
 
-/// Averages of the blocks of a run: what is stable and how sure the whole is (JCGM 101, 7.9.4).
+/// Averages of the blocks of a run: what is stable, and the uncertainty of the whole (JCGM 101, 7.9.4).
 struct BlockAverages {
     std::vector<double> means; ///< of d = Y − evaluated value
     std::vector<double> u;
@@ -51,17 +51,17 @@ struct BlockAverages {
     std::vector<double> high;
     std::vector<double> expanded;
 
-    /// Twice the standard deviation of the average of each is at most `tolerance`, or so small that it is
+    /// True if twice the standard deviation of each average is at most `tolerance`, or so small that it is
     /// rounding; false for one block.
     [[nodiscard]] bool stable(double tolerance) const;
 };
 
-/// Standard deviation of the average of values, one a block; null for fewer than two.
+/// Returns the standard deviation of the average of values, one per block; null for fewer than two.
 [[nodiscard]] std::optional<double> errorOfAverage(std::span<const double> blocks);
 
 inline constexpr long long mostBlocks = 1000;
 
-/// Trials of a block where their number is fixed: 10⁴, more where there would be more than `mostBlocks`.
+/// Returns the block size for a fixed number of trials: 10⁴, or more to keep to `mostBlocks` blocks.
 [[nodiscard]] constexpr long long fixedBlock(long long trials) {
     constexpr long long most = mostBlocks * trialsPerBlock;
     return trialsPerBlock * std::max(1LL, (trials + most - 1) / most);
@@ -87,16 +87,16 @@ struct Moments {
     }
 };
 
-/// How many chunks that follow one another are summed up together, of `chunks` in all: one until there are
-/// 4096 of them, then so many that there are never more than 4096 groups. Sums that are kept take a megabyte
-/// or so for any number of trials.
+/// Returns how many consecutive chunks are summed together, of `chunks` in all: one up to 4096 chunks, then
+/// as many as keep the number of groups at 4096. The stored sums take a megabyte or so for any number of
+/// trials.
 [[nodiscard]] constexpr long long chunksInGroup(long long chunks) {
     constexpr long long mostGroups = 4096;
     return chunks <= mostGroups ? 1 : (chunks + mostGroups - 1) / mostGroups;
 }
 
 /// Runs the trials of a model on several threads and sums them up. `Model`: parameters(), chunk(),
-/// workplace(), run(first, workplace, values, stop) as PositioningTrials has them. Null when stopped.
+/// workplace(), run(first, workplace, values, stop) as in PositioningTrials. Null if stopped.
 template <class Model>
 class TrialRun {
 public:
@@ -137,7 +137,7 @@ public:
             if (!(first ? firstBlock(next) : stage(done, next)))
                 return std::nullopt;
             done += next;
-            if (next == block) // blocks of one size are averaged, the rest counts in the whole
+            if (next == block) // only blocks of this size are averaged; all count in the total
                 noteBlock();
             finishBlock();
             result.stable = done >= fewestDecidingTrials && stable();
@@ -162,8 +162,8 @@ public:
 private:
     struct Worker {
         typename Model::Workplace place;
-        std::vector<double> values;    ///< of a chunk
-        std::vector<long long> counts; ///< of a stage
+        std::vector<double> values;    ///< of one chunk
+        std::vector<long long> counts; ///< of one stage
     };
 
     template <class Counts>
@@ -173,10 +173,9 @@ private:
 
     [[nodiscard]] static std::size_t size_t(int number) { return static_cast<std::size_t>(number); }
 
-    /// Works the chunks off on all threads, a group of them in succession on one; `work(worker, group,
-    /// offset, trials)`. False when stopped. Which chunks make a group depends on the number of trials alone,
-    /// so that sums over a group are the same on any number of threads, and there are few of them for any
-    /// number of trials.
+    /// Processes the chunks on all threads, each group sequentially on one; `work(worker, group, offset,
+    /// trials)`. Returns false if stopped. The groups depend only on the number of trials, so that sums over
+    /// a group do not depend on the number of threads, and their number is limited.
     template <class Work>
     bool onAllThreads(long long first, long long trials, Work work) {
         const long long chunks = (trials + m_chunk - 1) / m_chunk;
@@ -204,7 +203,7 @@ private:
             }
         };
         const auto threads = std::min<long long>(static_cast<long long>(m_workers.size()), groups);
-        std::vector<std::future<void>> others; // one that gets no thread finds nothing left to do
+        std::vector<std::future<void>> others; // if a thread is unavailable, nothing is left for it to do
         for (long long k = 1; k < threads; ++k)
             others.push_back(beside(true, [&, k] { loop(m_workers[static_cast<std::size_t>(k)], false); }));
         loop(m_workers.front(), true);
@@ -213,7 +212,7 @@ private:
         return !m_stop.stop_requested();
     }
 
-    /// d = Y − evaluated value of the first trials of a worker's chunk.
+    /// Returns d = Y − evaluated value for the first trials of a worker's chunk.
     [[nodiscard]] std::span<double> deviations(Worker &worker, std::size_t p, long long count) const {
         const std::span<double> values =
             std::span(worker.values).subspan(p * size_t(m_chunk), static_cast<std::size_t>(count));
@@ -232,7 +231,7 @@ private:
         return result;
     }
 
-    /// The first block is kept as values, for they tell where to count.
+    /// Runs the first block and keeps its values, which determine the range of the counts.
     bool firstBlock(long long trials) {
         const auto n = static_cast<std::size_t>(trials);
         std::vector<double> values(m_parameters * n);
@@ -261,7 +260,7 @@ private:
         return true;
     }
 
-    /// Further trials, counted at once.
+    /// Runs further trials and counts them at once.
     bool stage(long long first, long long trials) {
         m_groupMoments.assign(m_parameters * groupsOf(trials), {});
         const bool ready =
@@ -293,14 +292,14 @@ private:
             ++into[fine.index(value, perWidth)];
     }
 
-    /// In the order of the trials, whichever thread they ran on.
+    /// Sums in the order of the trials, whichever thread they ran on.
     void sumGroups() {
         m_block.assign(m_parameters, {});
         for (std::size_t k = 0; k < m_groupMoments.size(); ++k)
             m_block[k % m_parameters].add(m_groupMoments[k]);
     }
 
-    /// Adds the last block to the whole.
+    /// Adds the last block to the total.
     void finishBlock() {
         for (std::size_t p = 0; p < m_parameters; ++p)
             m_moments[p].add(m_block[p]);
@@ -312,7 +311,7 @@ private:
         }
     }
 
-    /// Averages of the last block, for the stability of all.
+    /// Records the averages of the last block to assess stability.
     void noteBlock() {
         std::vector<long long> block(FineCounts::count);
         m_averages.resize(m_parameters);
@@ -332,7 +331,7 @@ private:
         }
     }
 
-    /// For every parameter that varies, by the tolerance of u of all trials.
+    /// True if stable for every parameter that varies, with the tolerance of u of all trials.
     [[nodiscard]] bool stable() const {
         for (std::size_t p = 0; p < m_averages.size(); ++p) {
             const double u = m_moments[p].deviation();

@@ -12,7 +12,7 @@ namespace palmer {
 
 namespace {
 
-/// A kind of which nobody has said whether it is simulated does not compile.
+/// Does not compile for a kind for which simulation is not decided.
 struct SimulationOfKind {
     const Test &test;
     const Surroundings &surroundings;

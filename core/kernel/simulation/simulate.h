@@ -14,43 +14,43 @@ namespace palmer {
 struct SimulationOptions {
     std::optional<long long> trials = {}; ///< null: until the second digit of u is stable
     long long seed = 1;
-    int threads = 0; ///< 0: as many as there are processors
+    int threads = 0; ///< 0: the number of processors
 };
 
-/// Trials done, and of how many where that is known.
+/// Trials done, and their total if known.
 struct SimulationProgress {
     long long trials = 0;
     std::optional<long long> of;
 };
 
-/// The options that the inputs of a test ask for.
+/// Returns the options requested by the inputs of a test.
 [[nodiscard]] SimulationOptions simulationOptions(const Test &test);
 
-/// Propagation of distributions by Monte Carlo (JCGM 101) through the evaluation of a test under an edition
-/// of its kind: each trial adds errors of measurement to the readings and evaluates them as they are
-/// evaluated themselves, maxima, minima and circles included. For every parameter with a value: mean, u, the
-/// shortest 95.45 % interval, shift, histogram.
+/// Propagates distributions by Monte Carlo (JCGM 101) through the evaluation of a test under an edition of
+/// its kind: each trial adds measurement errors to the readings and evaluates them like the originals,
+/// maxima, minima and circles included. For every parameter with a value: mean, u, the shortest 95.45 %
+/// interval, shift, histogram.
 ///
 /// Positioning: x_ij + ℓ_i·(ε_device + ε_θM·α_M + ε_αM·(θ_M − 20) − ε_θD·α_D − ε_αD·(θ_D − 20)) − c·ℓ_i/L +
 /// d_ij, ℓ_i the distance from the first target; sizes and ranges as in the budget. ε_device normal from a
-/// certificate (its fixed part grows with ℓ_i/L too), uniform from a range; all others uniform, one draw a
-/// trial; c in [0, R_MIS²/2L]; d_ij uniform over ±E_VE/2, one draw a reading, or a slope over the time order
-/// of the readings whose change from first to last is uniform over ±E_VE, so that no reading leaves ±E_VE/2.
+/// certificate (its fixed part also grows with ℓ_i/L), uniform from a range; all others uniform, one draw per
+/// trial; c in [0, R_MIS²/2L]; d_ij uniform over ±E_VE/2, one draw per reading, or a slope over the
+/// chronological order of the readings whose change from first to last is uniform over ±E_VE, so that no
+/// reading leaves ±E_VE/2.
 ///
 /// Circular: each point gets noise (normal) and resolution (uniform); each path a drift, uniform over
-/// ±E_VE/2; displacement one draw for its zero, which all points share, and one for its scale, full over the
-/// range of the deviations; reference length, correction to 20 °C and repeatability (normal) one draw a
-/// trial, added to the results that have them; centring a random direction of the set-up error.
+/// ±E_VE/2; displacement one draw for its zero, common to all points, and one for its scale, full over the
+/// range of the deviations; reference length, correction to 20 °C and repeatability (normal) one draw per
+/// trial, added to the results that include them; centring a random direction of the set-up error.
 ///
 /// Adaptive: blocks of 10⁴ trials, at least 22 and at most 1 000, until twice the standard deviation of the
-/// averages over the blocks of mean, u, both ends of the interval and U is each below half a unit of the
-/// second significant digit of u, for every parameter that varies (7.9.4). The figures come from all trials
-/// together, never from means of blocks; only s_U does. The random numbers of a trial depend on seed and its
-/// number alone, the sums on the order of the trials: any number of threads gives the same figures, to the
-/// last bit.
+/// block averages of mean, u, both ends of the interval and U is each below half a unit of the second
+/// significant digit of u, for every parameter that varies (7.9.4). Results come from all trials together,
+/// never from block averages, except s_U. The random numbers of a trial depend only on seed and trial number,
+/// the sums only on the order of the trials: any number of threads gives the same results, to the last bit.
 ///
-/// Null when an input is missing or impossible (the evaluation has a finding), or when stopped: that takes
-/// at most the time of one circle fit. `progress` is called on the calling thread.
+/// Null if an input is missing or impossible (the evaluation has a finding), or if stopped, which takes at
+/// most the time of one circle fit. `progress` is called on the calling thread.
 [[nodiscard]] std::optional<Simulation>
 simulate(const Test &test, const Surroundings &surroundings, const Edition &edition,
          const SimulationOptions &options, const std::stop_token &stop = {},

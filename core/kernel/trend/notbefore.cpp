@@ -14,7 +14,7 @@ double trendHorizon(const TrendLine &line) {
 NotBefore notBefore(const TrendLine &line, const TrendLimits &limits, double reserve) {
     if (!limits.upper && !limits.lower)
         return {};
-    /// How far the bounds are inside the limits.
+    /// Returns how far the bounds are inside the limits.
     const auto room = [&](double time) {
         const double away = line.oneSided * line.uncertaintyAt(time);
         double least = std::numeric_limits<double>::infinity();
@@ -30,7 +30,7 @@ NotBefore notBefore(const TrendLine &line, const TrendLimits &limits, double res
     double outside = trendHorizon(line);
     if (room(outside) > 0)
         return {NotBefore::State::beyond, 0};
-    constexpr double second = 1e-8; // of a year: a third of one
+    constexpr double second = 1e-8; // in years, about a third of a second
     while (outside - inside > second) {
         const double middle = (inside + outside) / 2;
         (room(middle) > 0 ? inside : outside) = middle;

@@ -19,7 +19,7 @@ constexpr double twoSidedProbability = 0.975;
 constexpr double oneSidedProbability = 0.95;
 constexpr Eigen::Index lineColumns = 2;
 
-/// What a scatter s makes of the line.
+/// The line fitted for a given scatter s.
 struct Fit {
     double chi2 = 0;
     double level = 0;
@@ -64,7 +64,7 @@ public:
         }
         for (Eigen::Index k = lineColumns; k < m_columns; ++k)
             a(m_count + k - lineColumns, k) = 1;
-        // The line last: its covariance is that of the end of the triangle.
+        // The columns of the line come last: their covariance then follows from the last 2 × 2 block of R.
         const Eigen::MatrixXd ordered = reversed(a);
         const Eigen::HouseholderQR<Eigen::MatrixXd> qr(ordered);
         const Eigen::VectorXd turned = qr.householderQ().adjoint() * b;
@@ -77,14 +77,14 @@ public:
     }
 
 private:
-    /// The columns of the line behind those of the shared errors.
+    /// Moves the two columns of the line to the end, after those of the shared errors.
     [[nodiscard]] Eigen::MatrixXd reversed(const Eigen::MatrixXd &a) const {
         Eigen::MatrixXd result(a.rows(), a.cols());
         result << a.rightCols(m_columns - lineColumns), a.leftCols(lineColumns);
         return result;
     }
 
-    /// An own uncertainty of 0 is taken for this one, a ten-millionth of what the values show: weights stay
+    /// Returns the smallest own uncertainty used, a ten-millionth of the size of the data: weights stay
     /// finite.
     [[nodiscard]] double leastUncertainty() const {
         constexpr double part = 1e-7;
@@ -106,8 +106,7 @@ private:
     double m_least = 0;
 };
 
-/// s² with χ²(s²) = n − 2, where χ²(0) is above it: by the rule of Illinois on 1/χ², which is nearly
-/// straight.
+/// Solves χ²(s²) = n − 2 for s², given χ²(0) > n − 2: Illinois method on 1/χ², which is nearly straight.
 double scatterSquared(const Fitter &fitter, double chi2AtZero, double degrees) {
     const auto excess = [&](double chi2) { return 1 / chi2 - 1 / degrees; };
     double high = 1;
@@ -178,7 +177,7 @@ std::optional<TrendLine> trendLine(std::span<const TrendPoint> points) {
     const int degrees = static_cast<int>(points.size()) - 2;
     Fit fit = fitter.fit(0);
     TrendLine result;
-    // What all have in common moves the line, and expects no scatter about it.
+    // Values without an own part predict no scatter about the line, as shared errors only move it.
     if (std::ranges::all_of(points, [](const TrendPoint &point) { return point.own > 0; }))
         result.chi2PerDof = fit.chi2 / degrees;
     if (fit.chi2 > degrees) {

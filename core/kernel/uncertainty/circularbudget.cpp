@@ -11,9 +11,9 @@ namespace palmer {
 
 namespace {
 
-constexpr double rootOfTwelve = 3.4641016151377546; ///< a uniform width w has the deviation w/√12
+constexpr double rootOfTwelve = 3.4641016151377546; ///< standard deviation of a uniform width w: w/√12
 
-/// The budget while it is made; standard uncertainties in µm until they are stored.
+/// Builds the budget; standard uncertainties are in µm until stored.
 class CircularBudgetMaker {
 public:
     CircularBudgetMaker(const CircularMeasurement &measurement, std::optional<double> environmentalVariation,
@@ -52,7 +52,7 @@ private:
         m_budget.contributions.push_back(std::move(contribution));
     }
 
-    /// A contribution that is one number times a factor.
+    /// Adds a contribution that is one number times a factor.
     void addSize(const char *id, const Text &name, std::optional<double> value, const Text &input,
                  double factor, const Text &formula) {
         Contribution result{id, name, {}, {}, true, {}};
@@ -62,7 +62,7 @@ private:
         store(std::move(result), factor * size);
     }
 
-    /// An expanded uncertainty of a certificate.
+    /// Adds an expanded uncertainty from a certificate.
     void addCertified(const char *id, const Text &name, std::optional<double> expanded, double k,
                       const Text &input) {
         Contribution result{id, name, {}, {}, true, {}};
@@ -111,7 +111,7 @@ private:
         store(std::move(result), s);
     }
 
-    /// α·u(T) in parts of one, times 1e6; a stated 0 needs no other factor.
+    /// Returns α·u(T) as a relative length times 1e6; if u is stated as 0, α is not needed.
     static double temperatureTerm(InputReader &read, std::optional<double> alpha, std::optional<double> u,
                                   const Text &alphaName, const Text &uName) {
         if (u)
@@ -127,7 +127,7 @@ private:
         return alpha.value_or(0) * u.value_or(0);
     }
 
-    /// (T − 20)·u(α), likewise.
+    /// Returns (T − 20)·u(α), likewise.
     static double expansionTerm(InputReader &read, std::optional<double> temperature, std::optional<double> u,
                                 const Text &temperatureName, const Text &uName) {
         if (u)
@@ -144,7 +144,7 @@ private:
         Contribution result{correctionId, REPORT_TEXT("report", "correction to 20 °C"), {}, {}, true, {}};
         InputReader read(result);
         const Conditions &conditions = m_measurement.conditions.common;
-        // A start or an end alone does not say how far from 20 °C the other was.
+        // A start or end value alone does not say how far the other was from 20 °C.
         const auto theta = [&](SensorMeasures what) {
             return temperatureSpan(conditions, what).complete ? meanTemperature(conditions, what)
                                                               : std::nullopt;

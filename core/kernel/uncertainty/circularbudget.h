@@ -21,31 +21,31 @@ struct CircularBudget {
     bool operator==(const CircularBudget &) const = default;
 };
 
-/// What a result of a circular test takes up, besides displacement, resolution, repeatability and drift.
+/// Contributions to a circular result, besides displacement, resolution, repeatability and drift.
 struct CircularContributions {
     bool length = false;   ///< reference length and correction to 20 °C
     bool centring = false; ///< position of the set-up
     bool noise = false;    ///< point noise of the mean of all points
 };
 
-/// Of a quantity; F about the set-up centre has its centring too.
+/// Returns the contributions for a result; F about the set-up centre includes the centring.
 [[nodiscard]] CircularContributions contributionsOf(OfCircle what, Centring centring);
 
-/// Whether a contribution (its id) is one of those.
+/// True if the contribution with this id is one of `uses`.
 [[nodiscard]] bool takesUp(const CircularContributions &uses, std::string_view contribution);
 
-/// The budget of a measurement. `environmentalVariation`: E_VE from a drift test, mm, where none is typed in;
-/// `repeatability`: the largest standard deviation of a result over repeated circles, mm, likewise;
-/// `points`: N that are evaluated of all paths. The standard uncertainty of the correction is
+/// Returns the budget of a measurement. `environmentalVariation`: E_VE from a drift test, mm, used if none is
+/// entered; `repeatability`: largest standard deviation of a result over repeated circles, mm, likewise;
+/// `points`: N, evaluated points of all paths. The standard uncertainty of the correction is
 ///     u²(C) = R²·[α_i²u²(T_i) + (T_i − 20)²u²(α_i) + α_m²u²(T_m) + (T_m − 20)²u²(α_m)];
-/// with one sensor for both temperatures their errors are one: (α_i − α_m)²u²(T) in place of two terms. A
-/// null is unknown, a 0 a statement; negative and infinite inputs: no number, a defect.
+/// with one sensor for both temperatures the errors are identical: (α_i − α_m)²u²(T) replaces two terms. Null
+/// means unknown, 0 is a statement; a negative or infinite input is not used and reported as a defect.
 [[nodiscard]] CircularBudget circularBudget(const CircularMeasurement &measurement,
                                             std::optional<double> environmentalVariation,
                                             std::optional<double> repeatability, std::size_t points);
 
-/// U (k = 2) of a result in mm: √(Σ U²) of what it takes up. `repeatability`: of this result, standard
-/// deviation over repeated circles, mm; null: as the budget says. Null where a contribution is unknown.
+/// Returns U (k = 2) of a result in mm: √(Σ U²) of its contributions. `repeatability`: standard deviation of
+/// this result over repeated circles, mm; null: as in the budget. Null if a contribution is unknown.
 [[nodiscard]] std::optional<double> combined(const CircularBudget &budget, const CircularContributions &uses,
                                              std::optional<double> repeatability);
 

@@ -21,7 +21,7 @@ double ofScatter(int n) {
     return n >= 2 ? 1.0 / (n - 1) : infinite;
 }
 
-/// Over the direction that rules, or the sum over both.
+/// Returns `of` for the ruling direction, or the sum over both.
 template <double (*of)(int)>
 double over(const RulingReadings &end) {
     if (end.approach)
@@ -33,7 +33,7 @@ double bothScatters(const RulingReadings &end) {
     return ofScatter(end.positive) + ofScatter(end.negative);
 }
 
-/// (x̄ + c·s) − (x̄ + c·s)'; where both ends are one target and direction, 2c·s is left.
+/// (x̄ + c·s) − (x̄ + c·s)'; if both ends have the same target and direction, 2c·s remains.
 double limits(const Rulers &r, double c) {
     if (r.sameTarget && r.upper.approach && r.upper.approach == r.lower.approach)
         return 4 * c * c * over<ofScatter>(r.upper);
@@ -51,14 +51,14 @@ double meansOfBoth(const Rulers &r, double) {
     return (over<ofMean>(r.upper) + over<ofMean>(r.lower)) / 4;
 }
 
-/// c·s↑ + c·s↓ + |B|, or 2c·s where one direction rules.
+/// c·s↑ + c·s↓ + |B|, or 2c·s if one direction rules.
 double repeatability(const Rulers &r, double c) {
     if (r.upper.approach)
         return 4 * c * c * over<ofScatter>(r.upper);
     return over<ofMean>(r.upper) + c * c * over<ofScatter>(r.upper);
 }
 
-/// The mean of R_i↑ or R_i↓ over the targets, safe side: as if one target and direction ruled.
+/// Mean of R_i↑ or R_i↓ over the targets, on the safe side: as if one target and direction ruled.
 double meanRepeatability(const Rulers &r, double c) {
     return 4 * c * c * std::max(ofScatter(r.upper.positive), ofScatter(r.upper.negative));
 }
@@ -73,8 +73,8 @@ double scatterOfBoth(const Rulers &r, double c) {
     return c * c * bothScatters(r.upper);
 }
 
-/// (x̄ + c·(s↑ + s↓)/2) − (x̄ + c·(s↑ + s↓)/2)' (VDI), x̄ the larger and the smaller mean of their targets;
-/// where both ends are one target, c·(s↑ + s↓) is left of the scatter.
+/// (x̄ + c·(s↑ + s↓)/2) − (x̄ + c·(s↑ + s↓)/2)' (VDI), with the largest and smallest mean x̄ of a target; if
+/// both ends have the same target, c·(s↑ + s↓) of the scatter remains.
 double vdiLimits(const Rulers &r, double c) {
     const double scatters =
         r.sameTarget ? bothScatters(r.upper) : (bothScatters(r.upper) + bothScatters(r.lower)) / 4;

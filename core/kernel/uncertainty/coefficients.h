@@ -10,8 +10,8 @@
 
 namespace palmer {
 
-/// The readings that make one end of a result as large as it is: how many there are at its target in each
-/// direction, and the direction that rules where one does.
+/// The readings that determine one end of a result: their number at its target in each direction, and the
+/// ruling direction, if only one rules.
 struct RulingReadings {
     int positive = 0;
     int negative = 0;
@@ -20,7 +20,7 @@ struct RulingReadings {
     bool operator==(const RulingReadings &) const = default;
 };
 
-/// Both ends of a result; those that have one end alone say the same twice.
+/// Both ends of a result; a result with a single end has two equal ones.
 struct Rulers {
     RulingReadings upper;
     RulingReadings lower;
@@ -30,20 +30,20 @@ struct Rulers {
 /// How the contributions combine to the U of a parameter of ISO 230-2 (GUM, after the model of ISO 230-2:2006
 /// Annex A):
 ///     U² = (systematic ? S² : 0) + ofEnvironment·U_EVE²,
-/// S² the squares of all contributions but that of the environmental variation. Derived: a mean of n readings
-/// has 1/√n of the uncertainty of one, s has 1/√(n − 1), both are uncorrelated, and each takes the n of its
-/// own target and direction.
+/// S² is the sum of the squares of all contributions except environmental variation. Derived: a mean of n
+/// readings has 1/√n of the uncertainty of one, s has 1/√(n − 1), both are uncorrelated, and each uses the n
+/// of its own target and direction.
 struct Coefficients {
     const char *id = nullptr;
     bool systematic = false;
-    /// c: factor of s. Infinite where a mean has no reading or an s fewer than two.
+    /// c: factor of s. Infinite if a mean has no reading or an s fewer than two.
     double (*ofEnvironment)(const Rulers &rulers, double c) = nullptr;
 };
 
-/// The row of a parameter; null for an id that is none.
+/// Returns the row of a parameter; null for an unknown id.
 [[nodiscard]] const Coefficients *coefficients(std::string_view id);
 
-/// U from S and U_EVE (both k = 2, one unit). Null where s is needed and n < 2, or there is no reading.
+/// Returns U from S and U_EVE (both k = 2, same unit). Null if s is needed and n < 2, or without a reading.
 [[nodiscard]] std::optional<double> combined(const Coefficients &row, double systematic, double environmental,
                                              const Rulers &rulers, double c);
 

@@ -9,9 +9,9 @@ namespace palmer {
 
 namespace {
 
-constexpr double smallShare = 0.05; ///< of the largest: nothing stands out
+constexpr double smallShare = 0.05; ///< of the sum of squares: below it the largest does not stand out
 
-/// Where a contribution stands in the order of sizes.
+/// Returns the sort key of a contribution in the order of sizes.
 double rank(const Contribution *contribution) {
     if (!contribution->expanded)
         return std::numeric_limits<double>::infinity();

@@ -10,12 +10,12 @@
 
 namespace palmer {
 
-// How the budgets read their inputs: every one is a number, or a defect of the contribution it is for.
+// How budgets read their inputs: each one is a number, or a defect of its contribution.
 
 inline constexpr double coverage = 2;            ///< k of every U here
-inline constexpr double micrometresPerMm = 1000; ///< certificates speak of µm
+inline constexpr double micrometresPerMm = 1000; ///< certificates state µm
 
-/// What the inputs are called, by budgets and by lists of what a test states.
+/// Names of the inputs, for budgets and lists of stated values.
 namespace inputs {
 inline constexpr Text fixedPart = REPORT_TEXT("report", "fixed part of the instrument");
 inline constexpr Text perMetre = REPORT_TEXT("report", "part per metre of the instrument");
@@ -44,21 +44,21 @@ inline constexpr Text alphaOfInstrument =
     REPORT_TEXT("report", "standard uncertainty of the coefficient of expansion of the instrument");
 } // namespace inputs
 
-/// The sizes (ranges, uncertainties) that a contribution is made of.
+/// Reads the sizes (ranges, uncertainties) of a contribution.
 class InputReader {
 public:
     explicit InputReader(Contribution &contribution)
         : m_contribution(contribution) {}
 
-    /// A size: not negative.
+    /// Reads a size ≥ 0.
     double size(std::optional<double> value, const char *key, const Text &name) {
         return checked(value, key, name, value && *value >= 0);
     }
-    /// Above 0.
+    /// Reads a number > 0.
     double positive(std::optional<double> value, const char *key, const Text &name) {
         return checked(value, key, name, value && *value > 0);
     }
-    /// Of either sign.
+    /// Reads a number that may be negative.
     double number(std::optional<double> value, const char *key, const Text &name) {
         return checked(value, key, name, true);
     }
@@ -76,7 +76,7 @@ private:
     Contribution &m_contribution;
 };
 
-/// A product with a stated 0 is 0 whatever its other factors are.
+/// True for a stated 0: a product with it is 0 whatever the other factors are.
 inline bool isZero(std::optional<double> value) {
     return value && *value == 0;
 }

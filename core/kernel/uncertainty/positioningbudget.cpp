@@ -12,10 +12,10 @@ namespace palmer {
 
 namespace {
 
-constexpr double mmPerMetre = 1000; ///< L is in mm, certificates and α speak of metres
+constexpr double mmPerMetre = 1000; ///< L is in mm, certificates and α refer to metres
 constexpr double arcSecondsPerDegree = 3600;
 
-/// The temperature at start or end that is farther from 20 °C; null unless both are known.
+/// Returns the start or end temperature, whichever is farther from 20 °C; null unless both are known.
 std::optional<double> fartherTemperature(const Conditions &conditions, SensorMeasures what) {
     const auto start = meanTemperature(conditions, what, startTemperature);
     const auto end = meanTemperature(conditions, what, endTemperature);
@@ -25,7 +25,7 @@ std::optional<double> fartherTemperature(const Conditions &conditions, SensorMea
     return distance(*end) > distance(*start) ? end : start;
 }
 
-/// Machine or instrument: what its two thermal contributions are made of.
+/// Machine or instrument: the inputs of its two thermal contributions.
 struct Body {
     const char *temperatureId = nullptr;
     Text temperatureName;
@@ -55,7 +55,7 @@ constexpr std::array bodies{
          inputs::alphaRangeInstrument},
 };
 
-/// A difference of temperatures without the rounding errors of its computation.
+/// Removes the rounding errors from a difference of temperatures.
 double readable(double value) {
     constexpr double places = 1e6;
     return std::isfinite(value) ? std::round(value * places) / places : 0;
@@ -63,7 +63,7 @@ double readable(double value) {
 
 constexpr Text lengthName = REPORT_TEXT("report", "length L above 0");
 
-/// The budget while it is made. Sizes in µm (rotary: arc seconds) until they are stored.
+/// Builds the budget. Sizes are in µm (rotary: arc seconds) until stored.
 class PositioningBudgetMaker {
 public:
     PositioningBudgetMaker(const PositioningMeasurement &measurement,
@@ -108,7 +108,7 @@ private:
         m_budget.contributions.push_back(std::move(contribution));
     }
 
-    /// L, where a contribution grows with it.
+    /// Returns L, needed if a contribution grows with it.
     double lengthFor(InputReader &read) { return read.positive(m_length, "length", lengthName); }
 
     void addDevice() {
@@ -181,7 +181,7 @@ private:
         return m_measurement.conditions.common.expansion.*body.alpha;
     }
 
-    /// An instrument that compensates the air only has no material whose expansion counts.
+    /// True for an instrument that compensates for air only: it has no material that expands.
     [[nodiscard]] bool withoutExpansion(const Body &body, std::optional<double> range) const {
         return body.sensor == SensorMeasures::instrument && isZero(alphaOf(body)) &&
                (!range || isZero(range));

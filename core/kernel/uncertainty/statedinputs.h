@@ -9,14 +9,14 @@
 
 namespace palmer {
 
-/// An input of the uncertainty that a test states.
+/// A stated input of the uncertainty.
 struct StatedInput {
     Text name;
     Number value;
 };
 
-/// Every input of a budget that the test states, whatever its method uses; coverage factors of 2 are no
-/// statement. The uncertainties entered directly are not among them.
+/// Returns every stated budget input of a test, whether its method uses it or not, except coverage factors of
+/// 2 and directly entered uncertainties.
 [[nodiscard]] std::vector<StatedInput> statedInputs(const Test &test);
 
 } // namespace palmer

@@ -6,7 +6,7 @@
 
 namespace palmer {
 
-/// Nothing but spaces, tabs and ends of lines: a field that states nothing.
+/// True if `text` has only spaces, tabs and line ends: the field states nothing.
 [[nodiscard]] constexpr bool isBlank(std::string_view text) {
     return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }

@@ -12,8 +12,8 @@
 
 namespace palmer {
 
-/// A number inside a sentence, in the base unit of its quantity. `decimals` of the unit it is shown in;
-/// negative: the shortest form that says the same number.
+/// A number inside a sentence, in the base unit of its quantity. `decimals` refers to the unit shown;
+/// negative: the shortest form that reads back as the same number.
 struct Number {
     double value = 0;
     Quantity quantity = Quantity::number;
@@ -22,18 +22,18 @@ struct Number {
     bool operator==(const Number &) const = default;
 };
 
-/// A day inside a sentence: YYYY-MM-DD.
+/// A date inside a sentence: YYYY-MM-DD.
 struct Date {
     std::string iso;
 
     bool operator==(const Date &) const = default;
 };
 
-/// A number, a word of the catalogue, a name that is the same in every language (UTF-8), or a day.
+/// A number, a catalogue word, a name that is the same in every language (UTF-8), or a date.
 using Argument = std::variant<Number, Text, std::string, Date>;
 
-/// The one carrier of sentences: findings, remarks and errors hold one, Language::sentence makes the text.
-/// `%1` … `%9` in the text stand for the arguments; `%n` for `count`, which also chooses the plural.
+/// The one carrier of sentences: findings, remarks and errors hold one; Language::sentence makes the text.
+/// `%1` … `%9` in the text are replaced by the arguments, `%n` by `count`, which also selects the plural.
 struct Message {
     Text text;
     std::vector<Argument> arguments = {};

@@ -4,9 +4,8 @@
 
 namespace palmer {
 
-/// What a number is, hence its base unit and the unit it is shown in. In the kernel all lengths and linear
-/// deviations are mm, all angles and angular deviations degrees; units exist only where numbers come in or
-/// out.
+/// Kind of a number, which determines its base unit and the unit shown. In the kernel all lengths and linear
+/// deviations are in mm, all angles and angular deviations in degrees; units matter only on input and output.
 enum class Quantity {
     number,           ///< without unit
     count,            ///< a whole number
@@ -15,7 +14,7 @@ enum class Quantity {
     deviation,        ///< mm, shown in µm
     angularDeviation, ///< °, shown in arc seconds
     micrometres,      ///< µm, as certificates write uncertainties
-    arcSeconds,       ///< arc seconds, likewise
+    arcSeconds,       ///< arc seconds, as certificates write uncertainties
     temperature,      ///< °C
     gradient,         ///< °C/h
     expansion,        ///< µm/(m·°C)

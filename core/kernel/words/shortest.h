@@ -8,7 +8,7 @@
 
 namespace palmer {
 
-/// The fewest digits that read back as the same number: "0.1", "1e+22".
+/// Returns the shortest decimal that reads back as the same number: "0.1", "1e+22".
 [[nodiscard]] inline std::string shortest(double value) {
     std::array<char, 32> digits{};
     return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};

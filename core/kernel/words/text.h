@@ -6,10 +6,9 @@
 
 namespace palmer {
 
-/// A text that a user may read, as it stands in the source code (English). What is shown is the translation
-/// of it that a Language makes; nothing else reaches a user. Made only by the macros below, which the
-/// translation tools know: a bare string is no Text.
-/// `comment` tells two equal sources apart whose translations differ (the edition, mostly).
+/// A text for the user in source form (English). Only its translation by a Language is shown. Created only by
+/// the macros below, which the translation tools know: a bare string is not a Text. `comment` distinguishes
+/// two equal sources whose translations differ (mostly by edition).
 struct Text {
     const char *source = "";
     const char *comment = "";
@@ -22,14 +21,14 @@ struct Text {
 
 } // namespace palmer
 
-/// A text whose words change with the count of its Message, "%n reading(s)": the catalogues, the English one
-/// too, have a form for one and one for more.
+/// A text that varies with the count of its Message, "%n reading(s)": every catalogue, English included, has
+/// a singular and a plural form.
 #define REPORT_TEXT_COUNTED(context, source)                                                                 \
     ::palmer::Text {                                                                                         \
         source, ""                                                                                           \
     }
 
-/// The first argument is always "report", the catalogue all these texts stand in.
+/// The first argument is always "report", the catalogue of all these texts.
 #define REPORT_TEXT(context, source)                                                                         \
     ::palmer::Text {                                                                                         \
         source, ""                                                                                           \

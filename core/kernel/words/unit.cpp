@@ -35,8 +35,8 @@ constexpr std::array units{
     Unit{"C", "°C", UnitKind::temperature, 1, 1},
 };
 
-/// The number with its decimal mark moved to the left, rounded once: the shortest decimal that is read as
-/// `value` has at most nine decimals in tables; what has more is divided.
+/// Divides by a power of ten with a single rounding, by shifting the decimal point: the shortest decimal that
+/// reads back as `value` has at most nine decimals in tables; longer ones are simply divided.
 double shifted(double value, double powerOfTen) {
     constexpr double largestWhole = 9007199254740992.0; // 2^53: exact below
     double scale = 1;
@@ -44,7 +44,7 @@ double shifted(double value, double powerOfTen) {
         const double size = std::abs(value * scale);
         if (size >= largestWhole)
             break;
-        // A tie is no such decimal, whichever way it goes; round() is a call that took a third of the time.
+        // A tie never reads back as `value`, however it is rounded; calling round() took a third of the time.
         // NOLINTNEXTLINE(bugprone-incorrect-roundings)
         const auto rounded = static_cast<std::int64_t>(std::min(size, largestWhole / 4) + 0.5);
         const double whole = size < largestWhole / 4 ? static_cast<double>(rounded) : std::round(size);

@@ -8,24 +8,22 @@ namespace palmer {
 
 enum class UnitKind { length, angle, time, temperature };
 
-/// A unit that files use: a number in it times `multiplier` by `divisor` is in the base unit (mm, degrees, s,
-/// °C).
+/// A unit used in files: number · multiplier / divisor is in the base unit (mm, degrees, s, °C).
 struct Unit {
-    const char *word = nullptr; ///< as among the choices: "um"
-    const char *sign = nullptr; ///< as people read it: "µm"
+    const char *word = nullptr; ///< keyword in options: "um"
+    const char *sign = nullptr; ///< as shown to people: "µm"
     UnitKind kind = UnitKind::length;
     double multiplier = 1;
     double divisor = 1;
 
-    /// Powers of ten move the decimal mark of the number as it is written: 2.1 µm is 0.0021 mm, to the last
-    /// bit.
+    /// Powers of ten shift the decimal point of the number as written: 2.1 µm is 0.0021 mm, to the last bit.
     [[nodiscard]] double toBase(double value) const;
 };
 
-/// The unit of that word, or null.
+/// Returns the unit with this word, or null.
 [[nodiscard]] const Unit *unitOf(std::string_view word);
 
-/// The unit that people read so: "µm"; null if there is none.
+/// Returns the unit with this sign ("µm"), or null.
 [[nodiscard]] const Unit *unitOfSign(std::string_view sign);
 
 } // namespace palmer
