@@ -33,7 +33,7 @@ struct Bounds {
     unsigned demand = nothing;
     double least = 0;
     double most = 0;
-    Text expected; ///< %1: the most, %2: the least
+    Text expected; ///< %1: the maximum, %2: the minimum
 };
 constexpr std::array<Bounds, 3> allBounds{{
     {reading, -mostOfReading, mostOfReading,
@@ -44,7 +44,7 @@ constexpr std::array<Bounds, 3> allBounds{{
      REPORT_TEXT("report", "expected a coefficient of expansion between −%1 and %1 µm/(m·°C)")},
 }};
 
-/// Null: the value keeps to the bounds.
+/// Returns the violated bounds, or null if the value is within all of them.
 const Bounds *brokenBounds(double value, unsigned demands) {
     const auto broken = std::ranges::find_if(allBounds, [&](const Bounds &bounds) {
         return (demands & bounds.demand) != 0 && !(bounds.least <= value && value <= bounds.most);
@@ -56,7 +56,7 @@ bool isWithin(const std::optional<double> &value, unsigned demands) {
     return !value || !brokenBounds(*value, demands);
 }
 
-/// Visits the fields of a struct; the functions for values are members, for they call each other.
+/// Visits the fields of a struct; the functions for values are members because they call each other.
 class BoundsVisitor {
 public:
     explicit BoundsVisitor(const Place &place)
@@ -99,7 +99,7 @@ private:
     }
     template <class T>
     static void check(const std::vector<T> &values, const Place &place, unsigned demands) {
-        // Of millions of readings that keep to the bounds none needs its place.
+        // Readings within bounds need no Place: there may be millions of them.
         if constexpr (std::is_same_v<T, double> || std::is_same_v<T, std::optional<double>>) {
             if (std::ranges::all_of(values, [&](const T &value) { return isWithin(value, demands); }))
                 return;

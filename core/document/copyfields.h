@@ -10,7 +10,7 @@
 
 namespace palmer {
 
-/// The keys of the fields of a struct that have one of the demands; of nothing: of all.
+/// Keys of the fields of a struct that have one of the demands; of all fields for `nothing`.
 class FieldKeys {
 public:
     explicit FieldKeys(unsigned demands = nothing)
@@ -36,7 +36,7 @@ enum class Copied { all, whatIsStated };
 template <class Struct>
 void copyFields(Struct &to, const Struct &from, unsigned demands, Copied copied = Copied::all);
 
-/// Two walks over the fields of one struct: the first remembers where its members are, the second, over
+/// Two passes over the fields of one struct: the first records the addresses of its members, the second, over
 /// another such struct, meets them in the same order.
 class FieldCopier {
 public:
@@ -68,7 +68,7 @@ private:
     std::size_t m_next = 0;
 };
 
-/// Copies what has one of the demands, in the parts of a struct, too, and leaves the rest as it is.
+/// Copies the fields with one of the demands, also in nested structs, and leaves the rest unchanged.
 template <class Struct>
 void copyFields(Struct &to, const Struct &from, unsigned demands, Copied copied) {
     FieldCopier copier(demands, copied);

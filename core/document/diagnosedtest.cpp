@@ -12,7 +12,7 @@ namespace {
 
 constexpr double sameRadius = 1e-6; ///< mm
 
-/// What the circles of several feeds have in common.
+/// True if two circles differ only in feed.
 bool areAlike(const DiagnosedCircle &a, const DiagnosedCircle &b) {
     return a.first == b.first && a.second == b.second && a.feedback == b.feedback && b.feed &&
            std::abs(a.nominalRadius - b.nominalRadius) <= sameRadius;

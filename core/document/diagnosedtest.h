@@ -10,7 +10,7 @@
 
 namespace palmer {
 
-/// A circular test with what its circle says about the machine. Shares the points with the evaluation.
+/// A circular test with its diagnosis of the machine. Shares the points with the evaluation.
 struct DiagnosedTest {
     TestPointer test; ///< holds a CircularMeasurement
     TestEvaluationPointer evaluation;
@@ -21,19 +21,19 @@ struct DiagnosedTest {
     [[nodiscard]] const CircularResults &results() const;
 };
 
-/// The evaluated arcs of a circular test; null for another test, and where no arc was evaluated.
+/// Returns the evaluated arcs of a circular test; null for other tests, and if no arc was evaluated.
 [[nodiscard]] std::optional<DiagnosedCircle> circleOf(const Test &test, const TestEvaluation &evaluation);
 
-/// Null for a test that is no circle, or too few points of one. Takes up to half a second for 2 · 10⁶ points;
+/// Null for tests that are not circular or have too few points. Takes up to half a second for 2 · 10⁶ points;
 /// may run on any thread.
 [[nodiscard]] std::optional<DiagnosedTest> diagnosedTest(const EvaluatedDocument &evaluated,
                                                          std::size_t test);
 
-/// Circular tests of one plane and radius at different feeds, in the order of the document: they can be
-/// diagnosed together. Places of the tests.
+/// Returns groups of circular tests in one plane with one radius at different feeds, which can be diagnosed
+/// together, as indices in the order of the document.
 [[nodiscard]] std::vector<std::vector<std::size_t>> testsAtSeveralFeeds(const EvaluatedDocument &evaluated);
 
-/// The tests at several feeds that this test belongs to; empty if it belongs to none.
+/// Returns the group of tests at several feeds that includes this test; empty if there is none.
 [[nodiscard]] std::vector<std::size_t> testsAtFeedsWith(const EvaluatedDocument &evaluated, std::size_t test);
 
 } // namespace palmer

@@ -4,7 +4,7 @@
 
 namespace palmer {
 
-/// 0 to 9 of ASCII, in every locale.
+/// True for ASCII 0 to 9, in every locale.
 [[nodiscard]] constexpr bool isDigit(char c) {
     return c >= '0' && c <= '9';
 }

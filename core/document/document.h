@@ -30,8 +30,8 @@ enum class ReportExtra {
     readingMarks,
     meanRepeatability,
     repetitions,
-    allReadings, ///< tables of readings and targets however many rows they have
-    diagnosis    ///< of circles: a page of interpretation
+    allReadings, ///< tables of readings and targets whatever their number of rows
+    diagnosis    ///< a page with the interpretation of circles
 };
 enum class CircleFigures { combined, separate };
 
@@ -39,7 +39,7 @@ struct Laboratory {
     std::string name;
     std::string address;
     std::string accreditation;
-    std::optional<std::string> logo; ///< base64 of a PNG or SVG picture
+    std::optional<std::string> logo; ///< base64, PNG or SVG picture
     std::optional<std::string> mark; ///< base64, mark of the accreditation body
 
     bool operator==(const Laboratory &) const = default;
@@ -59,7 +59,7 @@ struct Authorisation {
     bool operator==(const Authorisation &) const = default;
 };
 
-/// What stands on the report besides the tests. Dates YYYY-MM-DD; empty or null = not stated.
+/// Contents of the report besides the tests. Dates YYYY-MM-DD; empty or null = not stated.
 struct ReportHead {
     std::string title;
     std::string number;
@@ -81,7 +81,7 @@ struct ReportHead {
     Paper paper = Paper::a4;
     std::vector<ReportPart> leaveOut;
     std::vector<ReportExtra> include{ReportExtra::readingMarks};
-    std::vector<std::string> editions; ///< printed side by side, without verdict
+    std::vector<std::string> editions; ///< printed next to each other, without verdict
     CircleFigures figures = CircleFigures::combined;
     std::string adjustments;
     std::string remarks;
@@ -91,8 +91,8 @@ struct ReportHead {
 
 using TestPointer = std::shared_ptr<const Test>;
 
-/// One file: one report with machine, instruments and any number of tests. Tests are shared and never changed
-/// in place, so copies are cheap; an edit replaces one pointer. Results are never part of it.
+/// One file: one report with machine, instruments and any number of tests. Tests are shared and immutable, so
+/// copies are cheap; an edit replaces one pointer. Results are never part of it.
 struct Document {
     std::string writtenBy;
     ReportHead report;
@@ -105,8 +105,7 @@ struct Document {
     friend bool operator==(const Document &a, const Document &b);
 };
 
-/// What that test measured, for whoever computes, shows or edits the numbers of one kind; null for a test of
-/// another kind and for an index beyond the end.
+/// Returns the measurement of a test; null for a test of another kind and for an index beyond the end.
 template <class Measurement>
 [[nodiscard]] const Measurement *measured(const Document &document, std::size_t test) {
     return test < document.tests.size() ? std::get_if<Measurement>(&document.tests[test]->measurement)

@@ -9,9 +9,9 @@
 
 namespace palmer {
 
-/// The one exception: something outside the program cannot be used as it is. Thrown where a file is read or
-/// written, caught where it was opened, which adds the file's name.
-/// `place`: `tests[0].runs[1].deviations[3]` (counted from 0), `line:column` for syntax, or empty.
+/// The only exception: an external resource cannot be used as it is. Thrown where a file is read or written,
+/// caught where it was opened, which adds the file's name. `place`: `tests[0].runs[1].deviations[3]` (counted
+/// from 0), `line:column` for syntax, or empty.
 /// `message`: what is wrong and what was expected.
 class Error : public std::exception {
 public:

@@ -7,7 +7,7 @@
 namespace palmer {
 namespace {
 
-/// The index of that sensor in the list; the size of the list where there is none.
+/// Returns the index of that sensor in the list; the size of the list if there is none.
 std::size_t indexOf(const Conditions &conditions, SensorMeasures what, std::size_t ordinal) {
     std::size_t seen = 0;
     for (std::size_t i = 0; i < conditions.sensors.size(); ++i) {

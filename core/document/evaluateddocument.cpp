@@ -19,12 +19,12 @@ namespace palmer {
 
 namespace {
 
-/// Axes without a name may be two.
+/// Unnamed axes may be different ones.
 bool isOfAxis(const PositioningMeasurement &a, const PositioningMeasurement &b) {
     return !isBlank(a.axis.name) && a.axis.name == b.axis.name && a.axis.motion == b.axis.motion;
 }
 
-/// Of a long axis a file holds two tests: the whole travel and the zone.
+/// For a long axis a file has two tests: the whole travel and the zone.
 bool isOtherTest(const PositioningMeasurement &a, const PositioningMeasurement &b) {
     return isOfAxis(a, b) && isInsideZone(a) != isInsideZone(b);
 }
@@ -52,7 +52,7 @@ bool hasOtherTest(const Document &document, const Test &test) {
     });
 }
 
-/// Another test of the axis or plane under the edition; whole travel and zone of a long axis are no pair.
+/// True if another test has the same axis or plane and edition; whole travel and zone are no repetition.
 bool isRepeated(const Document &document, const Test &test) {
     return std::ranges::any_of(document.tests, [&](const TestPointer &other) {
         return other.get() != &test && other->edition == test.edition &&
@@ -60,8 +60,8 @@ bool isRepeated(const Document &document, const Test &test) {
     });
 }
 
-/// Whether there is no picture or one that can be printed. What was looked at last is remembered: it is asked
-/// for every test at every change.
+/// True if there is no picture or a printable one. Caches the latest results, as this is called for every
+/// test on every change.
 bool isReadable(const std::optional<std::string> &picture) {
     if (!picture || picture->empty())
         return true;
@@ -112,8 +112,8 @@ bool sameContent(const Surroundings &a, const Surroundings &b) {
                               [](const Instrument *x, const Instrument *y) { return *x == *y; });
 }
 
-/// What a simulation depends on is the same; which method decides, and what was stated directly, is not part
-/// of it.
+/// True if all inputs of a simulation are equal; the method and directly entered uncertainties are not
+/// inputs.
 bool sameForSimulation(const Test &a, const Test &b) {
     return areOfOneKind(a, b, [](auto x, const auto &y) {
         if constexpr (requires { x.uncertainty; }) {
@@ -124,7 +124,7 @@ bool sameForSimulation(const Test &a, const Test &b) {
     });
 }
 
-/// Surroundings with a simulation of the test.
+/// Returns the surroundings with a simulation of the test.
 Surroundings surroundings(const Document &document, const TestPointer &test,
                           const TestSimulation &simulation) {
     Surroundings result = surroundings(document, *test);
@@ -136,7 +136,7 @@ Surroundings surroundings(const Document &document, const TestPointer &test,
     return result;
 }
 
-/// The place in `previous` of the test that this one is, perhaps edited; null for a new one.
+/// Returns the index in `previous` of this test, possibly edited since; null for a new one.
 std::optional<std::size_t> placeIn(const EvaluatedDocument &previous, const Document &document,
                                    std::size_t index) {
     const auto &tests = previous.document->tests;
@@ -149,7 +149,7 @@ std::optional<std::size_t> placeIn(const EvaluatedDocument &previous, const Docu
     return found == tests.end() ? std::nullopt : std::optional<std::size_t>(found - tests.begin());
 }
 
-/// Results of which none is known yet; their lists are as long as those of the test.
+/// Returns results without values; their lists are as long as those of the test.
 PositioningResults unknownResults(const PositioningMeasurement &measurement) {
     constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
     const DirectionStatistics none{0, unknown, unknown, unknown};
@@ -183,12 +183,12 @@ TestSimulation simulationOf(const EvaluatedDocument &evaluated, std::size_t test
     return test < evaluated.simulations.size() ? evaluated.simulations[test] : TestSimulation{};
 }
 
-/// The edition asked for a test in place of its own; null for none.
+/// Returns the edition requested for a test instead of its own, or null.
 const Edition *askedOf(std::span<const std::string> editions, std::size_t test) {
     return test < editions.size() && !editions[test].empty() ? findEdition(editions[test]) : nullptr;
 }
 
-/// The evaluation `previous` has of this very test, if nothing it depends on has changed.
+/// Returns the evaluation of this test in `previous` if nothing it depends on has changed, otherwise null.
 TestEvaluationPointer unchanged(const EvaluatedDocument &previous, const TestPointer &test,
                                 const Surroundings &now, const Edition *edition) {
     const auto &tests = previous.document->tests;

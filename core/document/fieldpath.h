@@ -15,7 +15,7 @@
 
 namespace palmer {
 
-// Paths of a test file, as errors name places: "tests[0].limits.A.value".
+// Paths in a test file, as errors report places: "tests[0].limits.A.value".
 
 /// A key, or the index of an element from 0.
 struct FieldStep {
@@ -23,19 +23,19 @@ struct FieldStep {
     std::optional<std::size_t> index = {};
 };
 
-/// "tests[0].limits" → tests, 0, limits. Throws Error for what is no path.
+/// Parses a path: "tests[0].limits" → tests, 0, limits. Throws Error if it is not one.
 [[nodiscard]] std::vector<FieldStep> stepsOf(std::string_view path);
 
-/// Puts a value there; what is missing on the way is made, an element behind the last is added. Throws Error
-/// that names the path where the file has something else on the way.
+/// Sets a value at a path; missing parents are created, an element after the last is appended. Throws Error
+/// with the path if the file has something else on the way.
 void setAt(nlohmann::json &place, std::span<const FieldStep> steps, const nlohmann::json &value,
            std::string_view path);
 
-/// The test file of a document as JSON.
+/// Returns the test file of a document as JSON.
 [[nodiscard]] nlohmann::json fileOf(const Document &document);
 
-/// The possible meanings of a value, the likeliest first: a literal of JSON, a number with a comma, the text
-/// itself.
+/// Returns the possible meanings of a value, the most likely first: a JSON literal, a number with a comma,
+/// the text itself.
 [[nodiscard]] std::vector<nlohmann::json> meaningsOf(std::string_view value);
 
 } // namespace palmer

@@ -10,30 +10,30 @@
 
 namespace palmer {
 
-/// What the file format demands of a value beyond its type; bits, joined with |.
+/// Requirements of the file format for a value beyond its type; bits, combined with |.
 enum Demand : unsigned {
     nothing = 0,
-    obligatory = 1U << 0U,  ///< the key may not be missing
+    obligatory = 1U << 0U,  ///< the key must be present
     positive = 1U << 1U,    ///< > 0
     notNegative = 1U << 2U, ///< ≥ 0
-    date = 1U << 3U,        ///< YYYY-MM-DD, a day that exists
+    date = 1U << 3U,        ///< YYYY-MM-DD, an existing day
     timeOfDay = 1U << 4U,   ///< HH:MM
     base64 = 1U << 5U,
-    longText = 1U << 6U,     ///< remarks, what is agreed, addresses: `mostOfText` instead of `mostOfLine`
+    longText = 1U << 6U,     ///< remarks, agreements, addresses: `mostOfText` instead of `mostOfLine`
     reading = 1U << 7U,      ///< within ± `mostOfReading`
     trialCount = 1U << 8U,   ///< 1 … mostTrialsStated
-    added = 1U << 9U,        ///< of version 2: written only where it says something
-    celsius = 1U << 10U,     ///< a temperature, no less than `leastTemperature`
+    added = 1U << 9U,        ///< new in version 2: written only if not empty
+    celsius = 1U << 10U,     ///< a temperature, at least `leastTemperature`
     coefficient = 1U << 11U, ///< of expansion, within ± `mostOfExpansion`
-    leftOut = 1U << 12U,     ///< written only where it says something, for older programs know no null
-    declared = 1U << 13U,    ///< alike of every test in a place: a template of conditions holds it
-    shared = 1U << 14U,      ///< alike of all tests of a machine: taken over from another one
-    alike = 1U << 15U,       ///< likewise, of tests of one kind of axes of one motion
+    leftOut = 1U << 12U,     ///< written only if not empty, as older programs accept no null
+    declared = 1U << 13U,    ///< the same for every test at a site: part of a conditions template
+    shared = 1U << 14U,      ///< the same for all tests of a machine: copied from another test
+    alike = 1U << 15U,       ///< likewise, for tests of one kind on axes of one motion
 };
 
-// The fields of the test file: one function for each struct, used by reader and writer alike, so a key exists
-// once. `visit(key, member, demands)` takes a member, `visit.object(key, function)` an object that is no
-// struct, `visit.extensions(key, member)` what is kept as it is.
+// Fields of the test file: one function per struct, shared by reader and writer, so that each key exists
+// once. `visit(key, member, demands)` takes a member, `visit.object(key, function)` an object that is not a
+// struct, `visit.extensions(key, member)` content kept as it is.
 
 template <class T, class Struct>
 concept Like = std::same_as<std::remove_const_t<T>, Struct>;
@@ -228,7 +228,7 @@ void fields(Visit &visit, T &conditions) {
     visit("recentredBetweenRuns", conditions.recentredBetweenRuns, alike);
 }
 
-// Inputs of uncertainties may be anything: what makes no sense, such as a negative range, is a finding of the
+// Inputs of uncertainties are not restricted: nonsense, such as a negative range, is a finding of the
 // evaluation.
 
 template <class Visit, Like<DeviceUncertainty> T>
@@ -400,8 +400,8 @@ void fields(Visit &visit, T &measurement) {
     visit("deviations", measurement.deviations, obligatory | reading);
 }
 
-/// The keys of a test with the keys of its measurement beside them; `kind` is the reader's and the writer's.
-/// Drift tests are not judged: they have no edition and nothing that is agreed.
+/// The keys of a test and of its measurement, in one object; `kind` is handled by reader and writer. Drift
+/// tests are not judged: they have no edition and no agreements.
 template <class Visit, Like<Test> T>
 void fields(Visit &visit, T &test) {
     visit("id", test.id);
@@ -424,7 +424,7 @@ void fields(Visit &visit, T &test) {
     std::visit([&](auto &measurement) { fields(visit, measurement); }, test.measurement);
 }
 
-/// Without `format` and `version`, which are the reader's and the writer's.
+/// Without `format` and `version`, which reader and writer handle.
 template <class Visit, Like<Document> T>
 void fields(Visit &visit, T &document) {
     visit("writtenBy", document.writtenBy);

@@ -20,7 +20,7 @@ constexpr bool isOptionalWord<std::optional<T>> = std::is_enum_v<T>;
 template <class T>
 concept HasConditions = Like<T, PositioningConditions> || Like<T, CircularConditions>;
 
-/// Finds a field by its key and reads it, or writes it where it can be written.
+/// Finds a field by its key and reads it, or writes it if it is writable.
 class FieldFinder {
 public:
     FieldFinder(std::string_view key, FieldValue value)

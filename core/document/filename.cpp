@@ -11,11 +11,11 @@ namespace palmer {
 
 namespace {
 
-constexpr char16_t firstHalf = 0xDC80; ///< of the byte 0x80
+constexpr char16_t firstHalf = 0xDC80; ///< stands for the byte 0x80
 constexpr char16_t lastHalf = 0xDCFF;
 constexpr char16_t shift = 0xDC00;
 
-/// Whether a byte stands at this place, and no second half of a pair.
+/// True if the position holds a byte, not the second half of a surrogate pair.
 bool isByte(const QString &name, qsizetype at) {
     const char16_t unit = name[at].unicode();
     return unit >= firstHalf && unit <= lastHalf && (at == 0 || !name[at - 1].isHighSurrogate());
@@ -27,7 +27,7 @@ bool isUtf8(QByteArrayView bytes) {
     return !decoder.hasError();
 }
 
-/// Bytes of the character of UTF-8 that stands first; 0: none does.
+/// Returns the length in bytes of the UTF-8 character at the start; 0 if there is none.
 qsizetype firstCharacter(QByteArrayView bytes) {
     constexpr qsizetype longest = 4;
     for (qsizetype length = 1; length <= std::min(longest, bytes.size()); ++length) {

@@ -8,22 +8,22 @@
 
 namespace palmer {
 
-// The system's names of files are bytes, which are UTF-8 but on old disks (Latin-1). In a QString a byte that
-// is none stands as half a pair, U+DC80 … U+DCFF: such a file can be found again, and no other has this name.
+// File names of the system are bytes, usually UTF-8, but Latin-1 on old disks. In a QString an invalid byte
+// is an unpaired surrogate, U+DC80 … U+DCFF: the file can be found again, and no other file has this name.
 
-/// The name of these bytes.
+/// Returns the name for these bytes.
 [[nodiscard]] QString fileNameOf(QByteArrayView bytes);
 
-/// The bytes of the name.
+/// Returns the bytes of a name.
 [[nodiscard]] QByteArray nativeFileName(const QString &name);
 
-/// Whether all of the name is UTF-8.
+/// True if the whole name is UTF-8.
 [[nodiscard]] bool isUtf8FileName(const QString &name);
 
-/// The name as people read it, its other bytes as Latin-1: what is printed, and kept in files.
+/// Returns the name for display and for storing in files, with invalid bytes as Latin-1.
 [[nodiscard]] QString shownFileName(QString name);
 
-/// A name that Qt finds the file under, for as long as this lives: the name itself where it is UTF-8.
+/// A name by which Qt finds the file during the object's lifetime: the name itself if it is UTF-8.
 class ReachableFile {
 public:
     explicit ReachableFile(const QString &name);

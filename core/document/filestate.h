@@ -8,18 +8,18 @@
 
 namespace palmer {
 
-/// What tells one state of a file from another. The content counts: a file that was touched is the same.
+/// Identifies a state of a file. The content decides: a touched file is the same.
 struct FileState {
     bool exists = false;
     qint64 size = 0;
     QDateTime modified;
-    QByteArray hash; ///< of the content; empty: not taken, then size and time have to do
+    QByteArray hash; ///< of the content; empty: not computed, size and time are used
 
-    /// Whether a file is as `before` says.
+    /// True if a file has the content described by `before`.
     [[nodiscard]] bool isSameContent(const FileState &before) const;
 };
 
-/// The state of the file of that name. The hash is taken of regular files up to 4 MiB.
+/// Returns the state of a file. The hash is computed for regular files up to 4 MiB.
 [[nodiscard]] FileState stateOfFile(const QString &path, bool withHash);
 
 } // namespace palmer

@@ -12,12 +12,12 @@ inline constexpr const char *fileFormat = "palmer test report";
 
 // History of the format:
 // 1  first version.
-// 2  what the texts of the editions ask of a test: purpose, role, declared accordance, further conditions,
-//    numbers agreed; the state of a point agreed is obligatory; a diagnosis is not left out but asked for.
+// 2  requirements of the texts of the editions: purpose, role, declared accordance, further conditions,
+//    agreed numbers; the state of an agreed point is obligatory; a diagnosis is requested, not omitted.
 
-/// The step at index v − 1 makes the JSON of version v + 1 of that of version v.
+/// The step at index v − 1 converts the JSON of version v to version v + 1.
 using Migration = void (*)(nlohmann::json &file);
-/// 1 → 2: a point without a state was not agreed; that a diagnosis was left out means nothing.
+/// 1 → 2: a point without a state was not agreed; an omitted diagnosis has no meaning.
 void stateAgreements(nlohmann::json &file);
 
 inline constexpr std::array<Migration, 1> migrations{stateAgreements};

@@ -11,14 +11,14 @@
 
 namespace palmer {
 
-/// A word of the file format and what it stands for.
+/// A word of the file format and its value.
 template <class Enumeration>
 struct FileWord {
     Enumeration value;
     const char *word = nullptr;
 };
 
-/// The words of the file format, one table for each enumeration: a word exists once.
+/// The words of the file format, one table per enumeration: each word exists once.
 template <class Enumeration>
 inline constexpr auto fileWords = nullptr;
 
@@ -160,7 +160,7 @@ inline constexpr auto fileWords<AgreementState> =
                                              {AgreementState::agreed, "agreed"},
                                              {AgreementState::notApplicable, "notApplicable"}});
 
-/// The word of a value.
+/// Returns the word of a value.
 template <class Enumeration>
 [[nodiscard]] constexpr const char *fileWord(Enumeration value) {
     for (const auto &row : fileWords<Enumeration>)
@@ -169,7 +169,7 @@ template <class Enumeration>
     return "";
 }
 
-/// Its value; null where it is none.
+/// Returns the value of a word, or null.
 template <class Enumeration>
 [[nodiscard]] constexpr std::optional<Enumeration> ofFileWord(std::string_view word) {
     for (const auto &row : fileWords<Enumeration>)

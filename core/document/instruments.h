@@ -7,8 +7,8 @@
 
 namespace palmer {
 
-/// What the resolution of an instrument is a deviation of: mm, or degrees where the first test of an axis
-/// that names the instrument is of a rotary one.
+/// Returns the quantity of an instrument's resolution: mm, or degrees if the first axis test that names the
+/// instrument is of a rotary axis.
 [[nodiscard]] Quantity resolutionQuantity(const Document &document, const Instrument &instrument);
 
 } // namespace palmer

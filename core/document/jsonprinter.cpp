@@ -33,7 +33,7 @@ void JsonPrinter::number(double value, const Place &place) {
 
 void JsonPrinter::expect(std::size_t characters) {
     const qsizetype size = std::max(m_text.size(), static_cast<qsizetype>(m_size + characters));
-    m_text.reserve(size); // resize() takes a power of two
+    m_text.reserve(size); // resize() rounds up to a power of two
     m_text.resize(size);
     inLargePages(m_text.constData(), static_cast<std::size_t>(m_text.size()));
 }
@@ -86,7 +86,7 @@ bool JsonPrinter::printOnThisLine(std::span<const JsonMember> members, const Pla
     return false;
 }
 
-/// In the place of a character; what follows it moves behind the blanks of the next line.
+/// Replaces a character; the text after it moves behind the indentation of the next line.
 void JsonPrinter::breakLine(std::size_t at) {
     char *const end = room(m_indent);
     char *const next = m_text.data() + at;

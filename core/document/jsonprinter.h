@@ -21,16 +21,16 @@ namespace palmer {
 
 class JsonPrinter;
 
-/// A member of an object, printed when its turn comes. What `print` refers to has to live as long.
+/// A member of an object, printed later. Data that `print` refers to must live as long.
 struct JsonMember {
     std::string_view key;
-    bool isSmall = false; ///< a scalar, nothing, or a short list of scalars: may share a line with others
+    bool isSmall = false; ///< a scalar, empty, or a short list of scalars: may share a line
     std::function<void(JsonPrinter &, const Place &)> print;
 };
 
-/// Puts values into the text of JSON as they come, without a tree of them: two spaces a level, lists of
-/// scalars broken at about 100 columns, small objects on one line; or all on one line. Places are those of
-/// the values in the file, for errors.
+/// Writes JSON text directly from values, without a tree: two spaces per level, lists of scalars wrapped at
+/// about 100 columns, small objects on one line; or everything on one line. Places are those of the values in
+/// the file, for errors.
 class JsonPrinter {
 public:
     enum class Form { lines, oneLine };
@@ -38,24 +38,24 @@ public:
     explicit JsonPrinter(Form form)
         : m_oneLine(form == Form::oneLine) {}
 
-    /// In the shortest form that says the same. Throws Error(unwritable) for one that is not finite.
+    /// In the shortest round-trip form. Throws Error(unwritable) for a non-finite number.
     void number(double value, const Place &place);
     void whole(std::integral auto value) {
         std::array<char, 24> digits{};
         append({digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr});
     }
-    void text(std::string_view utf8);                    ///< what is no UTF-8 in it as U+FFFD
+    void text(std::string_view utf8);                    ///< replaces invalid UTF-8 by U+FFFD
     void word(std::string_view value) { append(value); } ///< true, false, null
     void object(std::span<const JsonMember> members, const Place &place);
-    /// `print(i)` prints the element of an index.
+    /// `print(i)` prints the element with index i.
     template <class Print>
     void list(std::size_t count, const Print &print);
-    /// `print(printer, i)` does; of a long list two threads print a half each, on the same lines always.
+    /// `print(printer, i)` prints an element; two threads share a long list, with fixed line breaks.
     template <class Print>
     void listOfScalars(std::size_t count, const Print &print);
 
     [[nodiscard]] static bool isSmallList(std::size_t size) { return size < lineLength / 2; }
-    /// So many more characters will come: their room is taken at once, not twice as much step by step.
+    /// Reserves memory for that many more characters at once, instead of doubling step by step.
     void expect(std::size_t characters);
     [[nodiscard]] std::size_t size() const { return m_size; }
     [[nodiscard]] QByteArray take() {
@@ -69,7 +69,7 @@ private:
     static constexpr std::size_t sampleSize = 1000;
     static constexpr std::size_t longList = 100 * sampleSize;
 
-    /// The end of the text, with room for so many characters behind it.
+    /// Returns the end of the text, with space for that many characters after it.
     char *room(std::size_t characters) {
         if (static_cast<std::size_t>(m_text.size()) < m_size + characters) {
             const std::size_t wanted = 2 * m_size + characters;
@@ -90,17 +90,17 @@ private:
     void open(char bracket);
     void close(char bracket);
     [[nodiscard]] std::size_t column() const { return size() - m_lineBegin; }
-    /// False, and nothing printed, if it is too long for the rest of the line.
+    /// Returns false and prints nothing if it is too long for the rest of the line.
     bool printOnThisLine(std::span<const JsonMember> members, const Place &place);
     template <class Print>
     bool printOnThisLine(std::size_t count, const Print &print);
-    /// The elements from `first` to before `last`, with room for as many as `expected`.
+    /// Prints the elements from `first` to before `last`, reserving memory for `expected`.
     template <class Print>
     void scalars(std::size_t first, std::size_t last, std::size_t expected, const Print &print);
 
-    QByteArray m_text; ///< grows in place, and is what is written: texts of many MB are never copied
-    /// Of what is printed; the text is longer. To append to a QByteArray is a call or two, which took a third
-    /// of the time of printing a long list.
+    QByteArray m_text; ///< grows in place and is written directly: texts of many MB are never copied
+    /// Number of characters printed; the buffer is longer. Appending to a QByteArray takes a call or two, a
+    /// third of the time of printing a long list.
     std::size_t m_size = 0;
     std::size_t m_lineBegin = 0;
     std::size_t m_indent = 0;
@@ -157,7 +157,7 @@ void JsonPrinter::scalars(std::size_t first, std::size_t last, std::size_t expec
         append(i > first ? ", " : "");
         print(*this, i);
         if (i > first && column() >= lineLength)
-            breakLine(end + 1); // where the blank is
+            breakLine(end + 1); // at the blank
     }
 }
 

@@ -8,8 +8,8 @@
 
 namespace palmer {
 
-/// A hint for memory that was reserved and will be filled: long texts and tables in large pages, whose first
-/// use costs less than that of many small ones. Short ones hold no whole large page and stay as they are.
+/// Hint to use large pages for reserved memory that will be filled (long texts and tables): their first use
+/// costs less than that of many small ones. Blocks shorter than a large page are unchanged.
 inline void inLargePages([[maybe_unused]] const void *reserved, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
     constexpr std::uintptr_t page = std::uintptr_t(2) << 20U;

@@ -23,21 +23,21 @@ using nlohmann::json;
 
 constexpr std::size_t depthLimit = 64;
 constexpr std::size_t readingLimit = 10'000'000;
-// Bound the memory beside the readings: values of any kind (angles or targets accompany readings), and keys,
-// which weigh ten times as much.
+// Limits for memory besides the readings: values of any kind (angles or targets accompany readings), and
+// keys, which cost ten times as much.
 constexpr std::size_t valueLimit = 30'000'000;
 constexpr std::size_t keyLimit = 5'000'000;
 
-// Digits and power of ten that are doubles: their quotient is the double next to the number, without the long
-// way of std::from_chars.
+// If digits and power of ten are exact doubles, their quotient is the double nearest to the number, without
+// the slower std::from_chars.
 constexpr std::uint64_t largestExact = std::uint64_t{1} << 53U;
-constexpr std::ptrdiff_t mostDigits = 19; // more might wrap
+constexpr std::ptrdiff_t mostDigits = 19; // more might overflow
 constexpr std::array powersOfTen{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8, 1e9,
                                  1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18};
 
 constexpr std::string_view byteOrderMark = "\xEF\xBB\xBF";
 
-// Whole blocks and their narrow sums: the compiler takes vectors.
+// Whole blocks with narrow sums, so that the compiler vectorises.
 std::size_t commasIn(std::string_view list) {
     constexpr std::size_t block = 64;
     std::size_t commas = 0;
@@ -50,7 +50,7 @@ std::size_t commasIn(std::string_view list) {
     return commas + static_cast<std::size_t>(std::count(list.begin(), list.end(), ','));
 }
 
-// Length of the UTF-8 character a text begins with (Unicode 15, table 3-7); 0: it is none.
+// Returns the length of the UTF-8 character at the start (Unicode 15, table 3-7); 0: invalid.
 std::size_t utf8Length(std::string_view text) {
     const auto byte = [&](std::size_t i) {
         return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
@@ -91,7 +91,7 @@ void appendUtf8(std::string &text, unsigned code) {
     }
 }
 
-// Whether a number beyond the range of double is too large rather than too near to zero.
+// True if a number outside the range of double is too large, false if too close to zero.
 bool isLarge(std::string_view number) {
     const std::size_t mark = number.find_first_of("eE");
     const std::string_view mantissa = number.substr(0, mark);
@@ -105,7 +105,7 @@ bool isLarge(std::string_view number) {
         const bool negative = digits.front() == '-';
         if (negative || digits.front() == '+')
             digits.remove_prefix(1);
-        constexpr long long beyond = 1'000'000'000'000; // more than a file has digits
+        constexpr long long beyond = 1'000'000'000'000; // more digits than a file can have
         if (std::from_chars(digits.data(), digits.data() + digits.size(), exponent).ec != std::errc() ||
             exponent > beyond)
             exponent = beyond;
@@ -115,8 +115,8 @@ bool isLarge(std::string_view number) {
     return static_cast<long long>(point) - static_cast<long long>(first) + exponent > 0;
 }
 
-// The grammar of RFC 8259, with the limits of a test file. Own, for the place of an error, for duplicate keys
-// and for the speed: ten million readings are a legal file.
+// The grammar of RFC 8259 with the limits of a test file. Own implementation for error places, duplicate keys
+// and speed: ten million readings are a legal file.
 class Parser {
 public:
     explicit Parser(std::string_view text)
@@ -138,7 +138,7 @@ public:
     }
 
 private:
-    // NUL at the end, which no token begins with.
+    // Returns NUL at the end, as no token begins with it.
     [[nodiscard]] char current() const { return m_at < m_text.size() ? m_text[m_at] : '\0'; }
 
     void skipSpace() {
@@ -166,7 +166,7 @@ private:
             value = false;
             return parseWord("false");
         case 'n':
-            return parseWord("null"); // what a value is before it is anything else
+            return parseWord("null"); // initial value
         default:
             parseNumber(value, place);
         }
@@ -235,8 +235,8 @@ private:
         }
     }
 
-    // For a list of numbers, which its commas count: exact memory, and a list beyond the limit takes none at
-    // all.
+    // Lists of numbers are counted by their commas: memory is exact, and a list beyond the limit allocates
+    // none.
     void reserve(json::array_t &array, const Place &place, bool readings) const {
         if (!isDigit(current()) && current() != '-' && current() != 'n')
             return;
@@ -289,7 +289,7 @@ private:
             skipDigits();
         }
         const bool hasExponent = stands('e') || stands('E');
-        // The point and no sign: one more than digits.
+        // The point but no sign: one more than digits.
         if (!hasExponent && at != point && at - first - (negative ? 1 : 0) <= mostDigits + 1 &&
             digits <= largestExact) {
             const double size = static_cast<double>(digits) / powersOfTen[at - point - 1];
@@ -363,7 +363,7 @@ private:
         }
     }
 
-    // The character an escape stands for; steps behind it.
+    // Parses the character of an escape and moves past it.
     unsigned parseEscape() {
         constexpr std::string_view letters = "\"\\/bfnrt";
         constexpr std::string_view characters = "\"\\/\b\f\n\r\t";
@@ -422,7 +422,7 @@ private:
                     lineAndColumn());
     }
 
-    // Of what stands here: a mark, or all up to the next mark or space. Whole UTF-8 characters only.
+    // Returns the length of the current token: a mark, or whole characters up to the next mark or space.
     [[nodiscard]] std::size_t tokenLength() const {
         constexpr std::string_view ends = " \t\r\n{}[]:,\"";
         const std::size_t end = std::min(m_text.find_first_of(ends, m_at), m_text.size());
@@ -436,7 +436,7 @@ private:
         return std::max<std::size_t>(length, 1);
     }
 
-    // line:column, both counted from 1, columns in characters.
+    // Returns line:column, both counted from 1, columns in characters.
     [[nodiscard]] std::string lineAndColumn() const {
         std::string_view upTo = m_text.substr(0, m_at);
         const auto line = 1 + std::count(upTo.begin(), upTo.end(), '\n');

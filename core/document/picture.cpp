@@ -9,7 +9,7 @@ namespace palmer {
 
 namespace {
 
-/// CRC-32 of ISO 3309, as PNG has it.
+/// CRC-32 of ISO 3309, as in PNG.
 quint32 checkSum(QByteArrayView bytes) {
     constexpr quint32 polynomial = 0xEDB88320;
     quint32 sum = ~quint32(0);
@@ -25,7 +25,7 @@ quint32 numberAt(QByteArrayView bytes, qsizetype at) {
     return qFromBigEndian<quint32>(bytes.data() + at);
 }
 
-/// The first two bytes of what zlib compresses.
+/// True if data begin with a zlib header (two bytes).
 bool isZlib(QByteArrayView data) {
     if (data.size() < 2)
         return false;
@@ -74,7 +74,7 @@ bool isSvg(const QByteArray &bytes) {
 } // namespace
 
 bool isPicture(const QByteArray &bytes) {
-    if (bytes.startsWith("\x1f\x8b")) // an SVG that is packed
+    if (bytes.startsWith("\x1f\x8b")) // a compressed SVG
         return true;
     return bytes.startsWith("\x89PNG\r\n\x1a\n") ? isWholePng(bytes) : isSvg(bytes);
 }

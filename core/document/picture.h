@@ -6,8 +6,8 @@
 
 namespace palmer {
 
-/// Whether the bytes are a picture as a report can carry: a PNG whose parts are whole (length, check sum, the
-/// beginning of its compressed data), or XML whose root is svg. The pixels are not unpacked.
+/// True if the bytes are a picture a report can contain: a PNG with intact parts (length, check sum, start of
+/// its compressed data), or XML with root svg. The pixels are not decompressed.
 [[nodiscard]] bool isPicture(const QByteArray &bytes);
 
 } // namespace palmer

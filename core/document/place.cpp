@@ -17,7 +17,7 @@ bool continuesCharacter(char c) {
     return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
 }
 
-// Never in the middle of a UTF-8 character.
+// Never splits a UTF-8 character.
 void cut(std::string &text, std::size_t length) {
     if (text.size() <= length)
         return;

@@ -9,8 +9,8 @@
 
 namespace palmer {
 
-/// Where in a file something stands, as a chain up to the root; made text only when an error needs it.
-/// Keys are borrowed: they have to live as long as the place.
+/// Position of a value in a file, as a chain up to the root; converted to text only for an error. Keys are
+/// borrowed: they must live as long as the place.
 class Place {
 public:
     Place() = default;
@@ -21,8 +21,8 @@ public:
         : m_parent(&parent)
         , m_index(index) {}
 
-    /// `tests[0].runs[1].deviations[3]`, counted from 0; a key that is no identifier as `limits["G(b)"]`.
-    /// Empty for the root; the end is cut off beyond sense.
+    /// Returns `tests[0].runs[1].deviations[3]`, counted from 0; a key that is not an identifier as
+    /// `limits["G(b)"]`. Empty for the root; very long texts are truncated.
     [[nodiscard]] std::string text() const;
 
 private:
@@ -35,7 +35,7 @@ private:
     std::size_t m_index = noIndex;
 };
 
-/// What a file says, fit for one line of an error: control characters escaped, the end cut off beyond sense.
+/// Returns text from a file for use in an error: control characters escaped, very long texts truncated.
 [[nodiscard]] std::string excerpt(std::string_view text);
 
 } // namespace palmer

@@ -14,7 +14,7 @@ namespace palmer {
 
 namespace {
 
-/// The travel to measure (see plannedFor); null: none is known.
+/// Returns the travel to measure (see plannedFor), or null if unknown.
 std::optional<Interval> travelOf(const PositioningMeasurement &measurement, double approach) {
     constexpr double turn = 360;
     std::optional<Interval> travel;
@@ -28,7 +28,7 @@ std::optional<Interval> travelOf(const PositioningMeasurement &measurement, doub
     if (!travel || !(travel->to > travel->from))
         return std::nullopt;
     if (measurement.axis.motion == Motion::rotary && travel->to - travel->from > turn) {
-        // A little more than a turn is there to approach its ends, not to be measured.
+        // A little more than a turn is for approaching the ends, not for measuring.
         const double from = travel->from <= 0 && travel->to >= turn ? 0 : travel->from;
         return Interval{from, from + turn};
     }

@@ -11,15 +11,15 @@
 
 namespace palmer {
 
-/// The test that a plan prepares: axis, targets and how they were chosen, cycle, feed, dwell, and for each
-/// run a row of readings still to come. Judged by that edition.
+/// Returns the test prepared by a plan: axis, targets and how they were chosen, cycle, feed, dwell, and for
+/// each run a row of readings still to be taken. Judged by `edition`.
 [[nodiscard]] Test plannedTest(const TargetRequest &request, const TargetPlan &plan,
                                const CycleProgram &program, const std::string &edition);
 
-/// The plan that a positioning test asks for by what it states; where it says nothing, the values of a new
-/// plan. The travel, mm or degrees, leaves room at both ends of the axis to approach the targets. Without
-/// stated ends it is the travel of the test, or else that of the axis. A rotary axis gets one turn, a long
-/// axis its agreed zone.
+/// Returns the plan that follows from the statements of a positioning test; default values where it has none.
+/// The travel, mm or degrees, leaves space at both ends of the axis to approach the targets. Without stated
+/// ends it is the travel of the test, otherwise that of the axis. A rotary axis gets one turn, a long axis
+/// its agreed zone.
 [[nodiscard]] std::pair<TargetRequest, CycleProgram> plannedFor(const Test &test);
 
 } // namespace palmer

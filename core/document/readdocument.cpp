@@ -32,7 +32,7 @@ namespace {
 
 using nlohmann::json;
 
-// The value of exactly these digits, or −1.
+// Returns the value if the text is all digits, otherwise −1.
 int digits(std::string_view text) {
     int value = -1;
     if (std::all_of(text.begin(), text.end(), isDigit))
@@ -71,7 +71,7 @@ bool isBase64(std::string_view text) {
     });
 }
 
-/// Refuses keys that are neither fields of the struct nor the others.
+/// Refuses keys that are neither fields of the struct nor in `others`.
 void demandKnown(FieldKeys &fieldKeys, const json &object, const Place &place,
                  std::initializer_list<std::string_view> others) {
     auto keys = fieldKeys.take();
@@ -83,8 +83,7 @@ void demandKnown(FieldKeys &fieldKeys, const json &object, const Place &place,
                                            "into “extensions”"));
 }
 
-// ---- Checks of what a type cannot say
-// -------------------------------------------------------------------------
+// ---- Checks beyond types -------------------------------------------------------------------------
 
 void demandEqual(std::size_t found, std::size_t expected, const Place &place) {
     if (found != expected)
@@ -93,7 +92,7 @@ void demandEqual(std::size_t found, std::size_t expected, const Place &place) {
 }
 
 template <class T>
-void check(const T &, const Place &) {} // most structs are right when their fields are
+void check(const T &, const Place &) {} // most structs are valid if their fields are
 
 void check(const Interval &interval, const Place &place) {
     if (!(interval.from < interval.to))
@@ -233,7 +232,7 @@ void check(const Test &test, const Place &place) {
     }
 }
 
-// Ids are unique, and what is named exists.
+// Ids are unique, and referenced ones exist.
 void check(const Document &document, const Place &place) {
     const auto demandNew = [](std::set<std::string_view> &ids, const std::string &id, const Place &at) {
         if (!id.empty() && !ids.insert(id).second)
@@ -276,7 +275,7 @@ void check(const Document &document, const Place &place) {
 // ---- Reading
 // ---------------------------------------------------------------------------------------------------
 
-// Fills the fields of a struct from an object. The functions for values are members, for they call each
+// Fills the fields of a struct from an object. The functions for values are members because they call each
 // other.
 class ObjectReader {
 public:
@@ -357,11 +356,11 @@ private:
         return result;
     }
 
-    /// Whether a sentence that lists the words names this one: not what is refused of the others.
+    /// True if error messages list this word: not if it is refused.
     template <class Enumeration>
     static bool isOffered(Enumeration value) {
         if constexpr (std::is_same_v<Enumeration, ReportPart>)
-            return value != ReportPart::diagnosis; // see check() of the head of the report
+            return value != ReportPart::diagnosis; // see check() of ReportHead
         else
             return true;
     }
@@ -392,7 +391,7 @@ private:
             refuseAt(place, REPORT_TEXT("report", "expected a whole number from 1 to 1 000 000 000"));
     }
 
-    // 5.0 is a whole number too, as JSON Schema has it.
+    // 5.0 is also an integer, as in JSON Schema.
     template <class Integer>
     static void readWhole(const json &value, Integer &member, const Place &place, unsigned demands) {
         constexpr auto least = std::numeric_limits<Integer>::min();
@@ -452,7 +451,7 @@ private:
         read(value, member.emplace(), place, demands);
     }
 
-    // The sentence says that null would do as well.
+    // The message says that null is allowed, too.
     static void demandTypeOrNull(const json &value, const std::optional<double> &, const Place &place) {
         if (!value.is_number())
             refuseAt(place, REPORT_TEXT("report", "expected a number or null"));
@@ -567,7 +566,7 @@ void migrate(json &file) {
         step(file);
 }
 
-/// Frees lists at once; the library would carry each value to a stack first.
+/// Frees lists at once; the library would first move each value to a stack.
 void release(json &value) {
     if (auto *const object = value.get_ptr<json::object_t *>()) {
         for (auto &[key, entry] : *object)
@@ -580,8 +579,7 @@ void release(json &value) {
     }
 }
 
-/// Programs that save text may make UTF-16 or UTF-32 of it, with or without a byte order mark; the text is
-/// the same.
+/// Editors may save the text as UTF-16 or UTF-32, with or without a byte order mark; the content is the same.
 QByteArray inUtf8(const QByteArray &bytes) {
     const auto encoding = QStringConverter::encodingForData(bytes, u'{');
     if (!encoding || *encoding == QStringConverter::Utf8)
@@ -603,12 +601,12 @@ void stateAgreements(json &file) {
         (*report)["leaveOut"].is_array()) {
         auto &words = (*report)["leaveOut"].get_ref<json::array_t &>();
         const auto diagnosis = std::ranges::find(words, json(fileWord(ReportPart::diagnosis)));
-        if (diagnosis != words.end()) // once: a word that stands here twice is refused
+        if (diagnosis != words.end()) // only once: a duplicate word is refused
             words.erase(diagnosis);
     }
     const auto tests = file.find("tests");
     if (tests == file.end() || !tests->is_array())
-        return; // the reader says what is wrong
+        return; // the reader reports the error
     for (json &test : *tests) {
         const auto points = test.is_object() ? test.find("agreedPoints") : test.end();
         if (!test.is_object() || points == test.end() || !points->is_array())

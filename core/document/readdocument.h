@@ -9,11 +9,10 @@
 
 namespace palmer {
 
-/// The document that the bytes of a test file say (JSON in UTF-8, UTF-16 or
-/// UTF-32, with or without byte order mark).
-/// Throws Error with place and expectation for everything the format does not allow: unknown keys and words,
-/// wrong types, arrays of different lengths, names of what is absent, a newer version, more than 10⁷
-/// readings. What a standard requires and the file lacks is no error here. Older versions are migrated.
+/// Returns the document in the bytes of a test file (JSON in UTF-8, UTF-16 or UTF-32, with or without byte
+/// order mark). Throws Error with place and expectation for everything the format does not allow: unknown
+/// keys and words, wrong types, arrays of different lengths, references to missing ids, a newer version, more
+/// than 10⁷ readings. Missing data required by a standard are not an error here. Older versions are migrated.
 [[nodiscard]] Document readDocument(const QByteArray &bytes);
 
 } // namespace palmer

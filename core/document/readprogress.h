@@ -12,19 +12,19 @@
 
 namespace palmer {
 
-/// How far the reading of a file has come: written by the thread that reads, looked at by the one that waits.
+/// Progress of reading a file: written by the reading thread, read by the waiting one.
 struct ReadProgress {
     enum class Unit : std::uint8_t {
         bytes, ///< of the file
-        trials ///< of the simulations that a report states, which are done anew
+        trials ///< of the simulations stated in a report, which are repeated
     };
 
     std::atomic<Unit> unit = Unit::bytes;
     std::atomic<long long> done = 0;
-    std::atomic<long long> of = 0; ///< 0: not known
+    std::atomic<long long> of = 0; ///< 0: unknown
 };
 
-/// As readBytes of savedocument, counting the bytes. When stopped it ends with those read so far.
+/// Like readBytes of savedocument, counting the bytes. If stopped, returns those read so far.
 [[nodiscard]] QByteArray readBytes(const QString &path, ReadProgress &progress,
                                    const std::stop_token &stop = {});
 

@@ -49,14 +49,14 @@ std::optional<FileState> stateIn(const json &head) {
     return state;
 }
 
-/// By a program that lives.
+/// True if a running program holds the lock of the copy.
 bool isHeld(const QString &copy) {
     QLockFile lock(recoveryLock(copy));
-    lock.setStaleLockTime(0); // it keeps it however long
+    lock.setStaleLockTime(0); // locks never expire by age
     return !lock.tryLock(0);
 }
 
-/// The line of JSON that a copy begins with.
+/// Parses the line of JSON at the start of a copy.
 RecoveryOrigin originIn(const QByteArray &bytes) {
     const auto end = bytes.indexOf('\n');
     const json head = parseJson(bytes.left(std::max<qsizetype>(end, 0)).toStdString());
@@ -73,7 +73,7 @@ RecoveryOrigin originIn(const QByteArray &bytes) {
     return {text("path"), QDateTime::fromString(text("saved"), Qt::ISODateWithMs), stateIn(head)};
 }
 
-/// A copy that cannot be read, with what its first line still says of its origin.
+/// Returns an unreadable copy, with the origin from its first line if possible.
 Recovery refused(const QString &path, const Error &error) {
     Recovery recovery;
     try {
@@ -92,7 +92,7 @@ FileState knownFile(const RecoveryOrigin &origin) {
         return *origin.file;
     FileState state = stateOfFile(origin.path, true);
     if (state.exists && state.modified > origin.saved)
-        return {true, -1, origin.saved, {}}; // no file is like this
+        return {true, -1, origin.saved, {}}; // matches no file
     return state;
 }
 
@@ -133,7 +133,7 @@ std::vector<Recovery> abandonedRecoveries(const QString &folder) {
         found.push_back(std::move(recovery));
     }
     for (const QString &name : directory.entryList({copies + QStringLiteral(".??????")}, QDir::Files)) {
-        const QString part = directory.filePath(name); // as QSaveFile names what it is writing
+        const QString part = directory.filePath(name); // temporary name used by QSaveFile
         const QString path = part.first(part.lastIndexOf(u'.'));
         if (!isHeld(path))
             QFile::remove(part);

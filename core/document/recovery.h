@@ -14,44 +14,44 @@
 
 namespace palmer {
 
-// What survives a crash. While a document has changes that are not saved, a copy of it stands in a folder of
-// the user's: one file a window, beside a lock that tells whether the program that wrote it still lives.
+// Crash recovery. While a document has unsaved changes, a copy is kept in a folder of the user: one file per
+// window, with a lock that tells whether the program that wrote it is still running.
 
-/// Where the copy of a document came from.
+/// Origin of the copy of a document.
 struct RecoveryOrigin {
-    QString path;                       ///< of the user's file; empty: never saved
-    QDateTime saved;                    ///< when the copy was written, UTC
-    std::optional<FileState> file = {}; ///< of the user's file as the document knew it
+    QString path;                       ///< path of the user's file; empty: never saved
+    QDateTime saved;                    ///< time the copy was written, UTC
+    std::optional<FileState> file = {}; ///< state of the user's file as known to the document
 };
 
-/// A copy found, and what it holds.
+/// A copy found, and its content.
 struct Recovery {
     QString file; ///< the copy itself
     RecoveryOrigin origin;
-    std::shared_ptr<const Document> document; ///< null: it cannot be read
-    QString title;                            ///< of report or machine, to know it by
+    std::shared_ptr<const Document> document; ///< null: unreadable
+    QString title;                            ///< of report or machine, to identify it
     std::optional<Error> refusal =
-        {}; ///< why it cannot be read; its origin is what its first line says, or the time of the file
+        {}; ///< why it cannot be read; the origin then comes from its first line, or from the file time
 };
 
-/// What the user's file was when the document was read from it or saved to it last. Copies of former versions
-/// do not say: then a file that is not newer than the copy is taken for it.
+/// Returns the state of the user's file when the document was last read from it or saved to it. Copies of
+/// older versions do not record it: a file not newer than the copy is then assumed to match.
 [[nodiscard]] FileState knownFile(const RecoveryOrigin &origin);
 
-/// The copy as bytes: a line of JSON about the origin, then the test file.
+/// Returns the copy as bytes: a line of JSON about the origin, then the test file.
 [[nodiscard]] QByteArray writeRecovery(const Document &document, const RecoveryOrigin &origin);
 
-/// Throws Error for what is no such copy.
+/// Throws Error if it is not such a copy.
 [[nodiscard]] Recovery readRecovery(const QByteArray &bytes);
 
-/// The copies in that folder whose programs are gone, the latest first; those that cannot be read, too. What
-/// such a program left of a copy it was writing is removed.
+/// Returns the copies in that folder whose programs have ended, latest first, including unreadable ones.
+/// Removes temporary files left by such programs.
 [[nodiscard]] std::vector<Recovery> abandonedRecoveries(const QString &folder);
 
 /// Removes a copy and its lock.
 void discardRecovery(const QString &file);
 
-/// The lock that belongs to a copy.
+/// Returns the lock file of a copy.
 [[nodiscard]] QString recoveryLock(const QString &file);
 
 } // namespace palmer

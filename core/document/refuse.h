@@ -11,12 +11,12 @@
 
 namespace palmer {
 
-/// Throws the Error that says what is wrong with the content at a place of the file.
+/// Throws the Error for wrong content at a place in the file.
 [[noreturn]] inline void refuseAt(const Place &place, Text text, std::vector<Argument> arguments = {}) {
     throw Error(Error::Kind::content, {text, std::move(arguments), {}}, place.text());
 }
 
-/// A number of things, as an argument.
+/// Returns a count as an argument.
 [[nodiscard]] inline Number countOf(std::size_t things) {
     return {static_cast<double>(things), Quantity::count, 0};
 }

@@ -8,14 +8,14 @@
 
 namespace palmer {
 
-// Texts that were typed in the place of readings. Version 1 of the file has no key for them, so they stand in
-// the extensions of a positioning test: "refusedReadings": [{"run": 1, "target": 3, "text": "4,,8"}].
+// Texts typed instead of readings. Version 1 of the file has no key for them, so they are kept in the
+// extensions of a positioning test: "refusedReadings": [{"run": 1, "target": 3, "text": "4,,8"}].
 
-/// Moves them from the extensions into the measurement. An entry of that name in another form, or of a place
-/// that the test does not have or where there is a reading, stays an extension like any other.
+/// Moves them from the extensions into the measurement. An entry of that name with another form, or for a
+/// place that does not exist or has a reading, remains an ordinary extension.
 void takeRefusedReadings(Test &test);
 
-/// Adds them to the extensions as they are written.
+/// Adds them to the extensions for writing.
 void addRefusedReadings(const Test &test, nlohmann::json &extensions);
 
 } // namespace palmer

@@ -10,7 +10,7 @@
 
 namespace palmer {
 
-// Words of what is evaluated, in files for scripts, the register and the settings.
+// Words for results, in files for scripts, the register and the settings.
 
 template <>
 inline constexpr auto
@@ -58,7 +58,7 @@ inline constexpr auto
                                                                  {Accordance::partly, "partly"},
                                                                  {Accordance::yes, "yes"}});
 
-/// How a test or parameter stands to its limits, apart from its accordance.
+/// Returns the state of a test or parameter relative to its limits, independent of its accordance.
 [[nodiscard]] constexpr const char *limitsWord(std::optional<Verdict> verdict) {
     return !verdict ? "noneAgreed"
                     : fileWord(*verdict == Verdict::conforms    ? LimitState::respected
@@ -66,7 +66,7 @@ inline constexpr auto
                                                                 : LimitState::exceeded);
 }
 
-/// The unit of results: mm or deg.
+/// Returns the unit of results: mm or deg.
 [[nodiscard]] constexpr const char *resultUnit(Quantity quantity) {
     return quantity == Quantity::angle || quantity == Quantity::angularDeviation ? "deg" : "mm";
 }

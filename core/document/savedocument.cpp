@@ -29,7 +29,7 @@ constexpr qint64 mebibyte = qint64(1) << 20;
            REPORT_TEXT("report", "the file cannot be read; check its permissions and the medium it is on"));
 }
 
-/// Whole ones, as a limit is said.
+/// Returns whole mebibytes, as limits are stated.
 Number mebibytes(qint64 bytes) {
     const qint64 whole = bytes / mebibyte;
     return {static_cast<double>(whole), Quantity::count, 0};
@@ -65,7 +65,7 @@ void demandReadable(qint64 size, qint64 limit) {
 
 namespace {
 
-/// In blocks, so that whoever waits sees how far it is.
+/// Reads in blocks to report progress.
 QByteArray readBlocks(const QString &path, qint64 limit, ReadProgress *progress,
                       const std::stop_token &stop) {
     const ReachableFile there(path);
@@ -74,14 +74,14 @@ QByteArray readBlocks(const QString &path, qint64 limit, ReadProgress *progress,
         refuse(Error::Kind::unreadable, REPORT_TEXT("report", "this is a folder; expected a test file"));
     if (!info.exists())
         refuse(Error::Kind::unreadable, REPORT_TEXT("report", "there is no such file"));
-    if (!info.isFile()) // to open a pipe waits for who writes it, a device may have no end
+    if (!info.isFile()) // opening a pipe blocks until there is a writer; a device may have no end
         refuse(Error::Kind::unreadable,
                REPORT_TEXT("report", "this is a device or a pipe; expected a file on a disk"));
     demandReadable(info.size(), limit);
     QFile file(there.name());
     if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
         refuseReading();
-    // As long as it says it is: what the system makes up while it is read (/proc) says 0 and may never end.
+    // Read only as much as the size says: generated files (/proc) report 0 and may never end.
     const qint64 size = file.size();
     const qint64 block = progress ? mebibyte : size;
     if (progress) {
@@ -94,7 +94,7 @@ QByteArray readBlocks(const QString &path, qint64 limit, ReadProgress *progress,
     while (done < size && !stop.stop_requested()) {
         const qint64 read = file.read(bytes.data() + done, std::min(block, size - done));
         if (read <= 0)
-            break; // it is shorter now, or an error
+            break; // the file has become shorter, or an error
         done += read;
         if (progress)
             progress->done = done;

@@ -23,7 +23,7 @@ namespace {
     throw Error(Error::Kind::unwritable, {text, {}, {}});
 }
 
-// The system's own words would be in another language than the rest, so the cause is looked for anew.
+// The system's message may be in another language, so determine the cause here.
 [[noreturn]] void refuseSaving(const QString &path, qint64 size) {
     const QFileInfo info(path);
     const QStorageInfo disk(info.absolutePath());
@@ -38,7 +38,7 @@ namespace {
                   "is unchanged: save it under another name or in another folder"));
 }
 
-/// A descriptor that closes itself.
+/// A file descriptor closed automatically.
 class Descriptor {
 public:
     explicit Descriptor(int number)
@@ -94,12 +94,12 @@ void writeDevice(const QByteArray &bytes, const QString &path, UnreadPipe unread
     }
 }
 
-/// Whether all is on the disk. Some file systems cannot tell.
+/// True if all data are on the disk. Some file systems cannot tell.
 bool isOnDisk(int descriptor) {
     return ::fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP;
 }
 
-/// The folder knows of the new name; a power cut would bring back the old file, which is no loss of both.
+/// Makes the new name durable. Without it a power cut would restore the old file, but never lose both.
 void syncFolder(const QString &path) {
     const QByteArray folder = QFile::encodeName(QFileInfo(path).absolutePath());
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): POSIX
@@ -108,7 +108,7 @@ void syncFolder(const QString &path) {
         ::fsync(directory.number());
 }
 
-/// Where it can be seen without writing.
+/// Checks what can be seen without writing.
 void demandPlace(const QString &path) {
     if (!isUtf8FileName(path))
         refuseFiles(
@@ -120,26 +120,26 @@ void demandPlace(const QString &path) {
         refuseFiles(REPORT_TEXT("report", "the folder does not exist; create it or save in another folder"));
 }
 
-/// Renaming would replace the device itself.
+/// True for a device, which renaming would replace.
 bool isDevice(const QString &path) {
     const QFileInfo info(path);
     return info.exists() && !info.isFile();
 }
 
-/// A file beside its place, on the disk; goes unless it is renamed.
+/// A temporary file next to its destination, flushed to disk; removed unless renamed.
 class Staged {
 public:
     explicit Staged(const FileToSave &file)
         : m_source(file)
         , m_file(file.path) {
-        // Unbuffered: commit() does not see that the last of a buffer could not be written.
+        // Unbuffered: commit() does not detect that the last buffer could not be written.
         if (!m_file.open(QIODevice::WriteOnly | QIODevice::Unbuffered) ||
             m_file.write(file.bytes) != file.bytes.size() || m_file.size() != file.bytes.size() ||
             !isOnDisk(m_file.handle()))
             refuseSaving(file.path, file.bytes.size());
     }
 
-    /// With another name for what is there now, where others are still to be renamed: so it can come back.
+    /// If further files are to be renamed, keeps a link to the existing file to restore it.
     void rename(bool keepOld) {
         const QByteArray path = encoded(m_source.path);
         m_wasThere = ::access(path.constData(), F_OK) == 0;
@@ -171,7 +171,7 @@ public:
     [[nodiscard]] const QString &path() const { return m_source.path; }
 
 private:
-    /// Of the file itself, where the path is a link.
+    /// Encodes the path, with links resolved.
     static QByteArray encoded(const QString &path) {
         const QString target = QFileInfo(path).canonicalFilePath();
         return QFile::encodeName(target.isEmpty() ? path : target);
@@ -183,7 +183,7 @@ private:
     QByteArray m_old;
 };
 
-/// Does it for one file, whose name an error gets.
+/// Runs `work` for one file and adds its name to errors.
 void forFile(const QString &path, auto &&work) {
     try {
         work();

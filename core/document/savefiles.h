@@ -16,7 +16,7 @@ struct FileToSave {
     QString path;
 };
 
-/// Error(unwritable) of one of several files.
+/// Error(unwritable) for one of several files.
 class UnsavedFile : public Error {
 public:
     UnsavedFile(const Error &error, QString file)
@@ -26,16 +26,15 @@ public:
     QString path;
 };
 
-/// What happens to a pipe that has no reader yet: an error, or the call blocks until it has one, as a shell's
-/// redirection does.
+/// Handling of a pipe without a reader: an error, or block until there is one, like shell redirection.
 enum class UnreadPipe { refused, awaited };
 
-/// Writes files in one step: all of them beside, checked and on the disk before the first is renamed. Where
-/// one cannot be saved, a full disk and the last byte among it, those that were there before stay as they
-/// were, and no new one is left; then throws UnsavedFile, which says why and what to do. Should a later
-/// renaming fail, which takes a folder that forbids it for that file alone, hard links bring the earlier
-/// files back, where the disk knows them (FAT does not). Devices and pipes are written directly, before the
-/// renaming. No path twice.
+/// Writes files atomically: temporary files for all of them, checked and flushed to disk before the first is
+/// renamed. If one cannot be saved, even because of a full disk at the last byte, existing files are
+/// unchanged and no new one is left; then throws UnsavedFile with the cause and a remedy. If a later renaming
+/// fails, which takes a folder that forbids it for that file only, the earlier files are restored from hard
+/// links, if the file system has them (FAT does not). Devices and pipes are written directly, before the
+/// renaming. Precondition: distinct paths.
 void saveFiles(const std::vector<FileToSave> &files, UnreadPipe unread = UnreadPipe::refused);
 
 } // namespace palmer

@@ -27,8 +27,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Fields that a file has in mm or degrees and the window shows in µm or arc seconds: without tests[0], * is
-/// any key or index.
+/// Fields stored in mm or degrees but shown in µm or arc seconds: without tests[0], * is any key or index.
 constexpr std::array<std::string_view, 6> shownFinely{
     "limits.*.value",   "instruments.*.resolution",  "runs.*.deviations.*",
     "excluded.*.value", "arcs.*.radialDeviations.*", "deviations.*"};
@@ -41,7 +40,7 @@ bool isShownFinely(std::span<const FieldStep> steps) {
     });
 }
 
-/// What the numbers at a path are, one of each that is set; none where a unit is not asked for.
+/// Returns the quantities of the numbers at a path, one per number set; empty if no unit is required.
 std::vector<Quantity> finelyShownAt(const Document &document, std::span<const FieldStep> steps) {
     const std::vector<TestPointer> &tests = document.tests;
     std::vector<Quantity> result;
@@ -60,7 +59,7 @@ std::vector<Quantity> finelyShownAt(const Document &document, std::span<const Fi
     return result;
 }
 
-/// The units that a message offers: that of the window, that of the file.
+/// Units suggested in a message: the one shown in the window and the one of the file.
 struct Offered {
     Quantity quantity = Quantity::deviation;
     UnitKind kind = UnitKind::length;
@@ -72,7 +71,7 @@ constexpr std::array offeredUnits{
     Offered{Quantity::angularDeviation, UnitKind::angle, "arcsec", "deg"},
 };
 
-/// The unit as a choice of the import or as people read it; both signs of micro are one.
+/// Returns the unit by its import keyword or its sign; both micro signs are accepted.
 const Unit *unitTyped(std::string word) {
     constexpr std::string_view greek = "μ";
     if (word.starts_with(greek))
@@ -81,8 +80,8 @@ const Unit *unitTyped(std::string word) {
     return unit ? unit : unitOfSign(word);
 }
 
-/// "20 um" in mm, "5 arcsec" in degrees, where such units are asked for. Nothing: the value is to be read as
-/// it is. Throws Error for a number that does not say its unit, or one of another kind.
+/// Returns "20 um" in mm or "5 arcsec" in degrees where such units are required; null if the value is to be
+/// read as it is. Throws Error for a number without a unit or with one of another kind.
 std::optional<double> inBaseUnit(const Document &document, std::span<const FieldStep> steps,
                                  std::string_view value) {
     const std::vector<Quantity> quantities = finelyShownAt(document, steps);
@@ -115,7 +114,7 @@ std::optional<double> inBaseUnit(const Document &document, std::span<const Field
     return std::isfinite(base) ? std::optional(base) : std::nullopt;
 }
 
-/// A file with every key of the format: a test of each kind, and what the latest version added.
+/// Returns a file with every key of the format: a test of each kind, and additions of the latest version.
 json fileOfAllKinds() {
     Document document;
     const auto add = [&document](auto measurement) {
@@ -144,7 +143,7 @@ Document withField(const Document &document, std::string_view path, std::string_
     json file = fileOf(document);
     for (auto version = file["version"].get<std::size_t>(); version <= migrations.size(); ++version)
         migrations.at(version - 1)(file);
-    file["version"] = fileVersion; // knows all keys
+    file["version"] = fileVersion; // has all keys
     const std::vector<FieldStep> steps = stepsOf(path);
     const bool ofFile = file.contains(steps.front().key);
     const std::optional<double> converted = inBaseUnit(document, steps, value);

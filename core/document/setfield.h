@@ -9,15 +9,15 @@
 
 namespace palmer {
 
-/// The document with a value at a path of its file: "machine.name", "tests[0].limits.A.value"; a path that
-/// begins with no key of the file is that of every test ("limits.A.value"). Elements count from 0; one behind
-/// the last is added. The value is what the file would hold there, a number (also with a comma), true, false,
-/// null or a text; what the field takes decides, "0815" of a serial number is a text. A length or angle that
-/// the window shows in µm or arc seconds says its unit: "20 um", "0.02 mm", "5 arcsec"; only 0 needs none.
-/// Throws Error for a path or value that the file does not know, with the place and what is expected there.
+/// Returns the document with a value set at a path of its file: "machine.name", "tests[0].limits.A.value"; a
+/// path that does not begin with a key of the file applies to every test ("limits.A.value"). Indices count
+/// from 0; one after the last appends. The value is that of the file: a number (also with a comma), true,
+/// false, null or a text; the type of the field decides, so "0815" as a serial number is a text. A length or
+/// angle shown in µm or arc seconds in the window needs its unit: "20 um", "0.02 mm", "5 arcsec"; except 0.
+/// Throws Error with place and expectation for a path or value unknown to the file.
 [[nodiscard]] Document withField(const Document &document, std::string_view path, std::string_view value);
 
-/// Whether a path begins with a key that a file or a test of some kind has.
+/// True if a path begins with a key of a file or of a test of some kind.
 [[nodiscard]] bool beginsAsField(std::string_view path);
 
 } // namespace palmer

@@ -7,8 +7,8 @@
 
 namespace palmer {
 
-// By the library that libqpdf hashes with (GnuTLS in Debian), which uses the processor's instructions for it:
-// 30 MB in 16 ms, QCryptographicHash of Qt 6.4 takes 130 ms.
+// Uses the library that libqpdf hashes with (GnuTLS in Debian), which uses the processor's SHA instructions:
+// 30 MB in 16 ms, against 130 ms with QCryptographicHash of Qt 6.4.
 std::string sha256(QByteArrayView bytes) {
     constexpr int bits = 256;
     const auto hash = QPDFCryptoProvider::getImpl();

@@ -7,7 +7,7 @@
 
 namespace palmer {
 
-/// SHA-256 of a file: 64 hex digits in small letters, what `sha256sum` prints of it.
+/// Returns the SHA-256 of a file: 64 lower-case hex digits, as `sha256sum` prints it.
 [[nodiscard]] std::string sha256(QByteArrayView bytes);
 
 } // namespace palmer

@@ -14,37 +14,35 @@
 
 namespace palmer {
 
-/// How something is entered, where that is all there is to say of it.
+/// How a value is entered, if that needs no further explanation.
 struct FieldForm {
-    /// A section of the form of conditions.
+    /// A section of the conditions form.
     enum class Section { none, room, air, load, positions, circle, points };
 
-    std::optional<Quantity> quantity = {}; ///< of a linear axis; see quantityOf
-    std::span<const Text> words = {};      ///< to choose from, as its enumeration counts; empty: says nothing
-    Section section = Section::none;       ///< where the form shows it; none: it has a place of its own there
+    std::optional<Quantity> quantity = {}; ///< for a linear axis; see quantityOf
+    std::span<const Text> words = {};      ///< options in the order of the enumeration; empty: states nothing
+    Section section = Section::none;       ///< section of the form; none: it has its own place
     int columns = 0;                       ///< of twelve
 };
 
-/// Something that a test file can state: what window, report and help call it, and a sentence that says what
-/// to enter.
+/// Something a test file can state: its name in window, report and help, and a sentence about what to enter.
 struct StatedThing {
-    std::string_view key; ///< in the file, and of the findings that miss it
+    std::string_view key; ///< in the file, and in findings about its absence
     Text name;
-    Text meaning = {}; ///< none where the name says it all
+    Text meaning = {}; ///< empty if the name is sufficient
     FieldForm form = {};
 };
 
-/// In the order of the help.
+/// Returns the things in the order of the help.
 [[nodiscard]] std::span<const StatedThing> statedThings();
 
-/// Null: none has that key.
+/// Returns the thing with this key, or null.
 [[nodiscard]] const StatedThing *statedThing(std::string_view key);
 
-/// The quantity of the thing, which is a number, in a test of that motion: an angle where a linear axis has
-/// a position.
+/// Returns the quantity of a numeric thing in a test with that motion: an angle instead of a position.
 [[nodiscard]] Quantity quantityOf(const StatedThing &thing, Motion motion);
 
-/// What the words to choose from call a value of its enumeration; empty where that states nothing.
+/// Returns the name of an enumeration value among the options; empty if it states nothing.
 [[nodiscard]] Text statedWord(std::string_view key, std::size_t value);
 template <class Enumeration>
 requires std::is_enum_v<Enumeration>

@@ -43,7 +43,7 @@ void removeReadings(DriftMeasurement &measurement) {
     measurement.deviations.clear();
 }
 
-/// The drift test is not there where its reader is: what follows from it is.
+/// Replaces the reference to a drift test, which the reader will not have, by its range.
 void takeDriftRange(const Document &document, Test &test) {
     const std::string *id = driftTestOf(test);
     const auto range = id ? driftRange(document, *id, motionOf(test)) : std::nullopt;
@@ -78,7 +78,7 @@ Document withoutReadings(const Document &document, std::size_t index) {
     return result;
 }
 
-/// A document that states nothing, with a test of the kind.
+/// Returns a document that states nothing, with a test of the same kind.
 Document silent(const Test &test) {
     Document result;
     Test blank;
@@ -93,7 +93,7 @@ json meaningOf(const std::string &value) {
     return literal.is_string() ? literal : meaningsOf(value).front();
 }
 
-/// As it is where that says the same, else as a literal of JSON.
+/// Returns the text itself if it is unambiguous, otherwise as a JSON literal.
 std::string valueOf(const std::string &text) {
     const QString shown = QString::fromStdString(text);
     const bool isPlain =
@@ -101,7 +101,7 @@ std::string valueOf(const std::string &text) {
     return isPlain ? text : withJsonEscapes(json(text).dump());
 }
 
-/// Keys that a path can have.
+/// True if all keys can be part of a path.
 bool hasKeys(const json &object) {
     const auto isKey = [](const std::string &key) {
         return !key.empty() && key.find_first_of(".[") == std::string::npos;
@@ -141,7 +141,7 @@ private:
             collect(member, unsaid.is_object() ? unsaid.value(key, json()) : json(), before + key);
     }
 
-    /// An element of which nothing is said is one all the same.
+    /// An element that states nothing still counts.
     void elements(const json &list, const std::string &path) {
         for (std::size_t i = 0; i < list.size(); ++i) {
             const std::string place = path + '[' + std::to_string(i) + ']';
@@ -167,9 +167,9 @@ std::vector<Statement> statementsOf(const Document &document, std::size_t index)
     json unsaid = fileOf(silent(*document.tests[index]));
     json test = file["tests"][0];
     json &nothing = unsaid["tests"][0];
-    test.erase("id"); // names it in its file
+    test.erase("id"); // identifies it in its file
     Collector collector;
-    // what is read first
+    // read first
     for (const char *key : {"title", "kind", "edition", "date", "time"}) {
         collector.collect(test.value(key, json()), json(), key);
         test.erase(key);

@@ -30,7 +30,7 @@ constexpr const char *templateFormat = "palmer template";
     throw Error(Error::Kind::content, {text, std::move(arguments), {}}, std::move(place));
 }
 
-/// What a template may hold: its key, and where that stands in a test file.
+/// A possible part of a template: its key, and its place in a test file.
 struct TemplatePart {
     const char *key = nullptr;
     const char *place = nullptr;
@@ -41,7 +41,7 @@ constexpr auto templateParts = std::to_array<TemplatePart>({{"machine", "machine
                                                             {"limits", "tests[0]"},
                                                             {"conditions", "tests[0].conditions"}});
 
-/// The keys of Declarations.
+/// Returns the keys of Declarations.
 std::vector<std::string_view> declaredKeys() {
     FieldKeys keys(declared);
     const Conditions unstated;
@@ -49,7 +49,7 @@ std::vector<std::string_view> declaredKeys() {
     return keys.take();
 }
 
-/// What of the written conditions of a test is a part of the template and says something.
+/// Returns the non-empty conditions of a written test that belong to a template.
 json declaredIn(const json &conditions) {
     json result = json::object();
     const auto keys = declaredKeys();
@@ -77,7 +77,7 @@ Kind kindIn(const json &file) {
     refuse(REPORT_TEXT("report", "expected one of the words: %1"), {known}, "kind");
 }
 
-/// A test of that kind without readings, to stand around limits or conditions.
+/// Returns a test of that kind without readings, to contain limits or conditions.
 Test bearer(Kind kind) {
     Test test = testOf(kind);
     test.edition = defaultEdition(kind).word;
@@ -99,7 +99,7 @@ json writtenBearer(Kind kind) {
     return written(document)["tests"][0];
 }
 
-/// The test file that says of its one part what the template says.
+/// Returns the test file with the part given by the template.
 json testFile(const json &file, const TemplatePart &part) {
     json around{{"format", fileFormat}};
     if (file.contains("version"))
@@ -125,7 +125,7 @@ json testFile(const json &file, const TemplatePart &part) {
     return around;
 }
 
-/// The place of an error in the template, from that in the test file.
+/// Converts the place of an error in the test file to the place in the template.
 std::string placeInTemplate(const std::string &place, const TemplatePart &part) {
     if (!place.starts_with(part.place))
         return place;
@@ -170,7 +170,7 @@ void demandKnownKeys(const json &file, const TemplatePart &part) {
     }
 }
 
-/// The part of a document.
+/// Extracts the part from a document.
 decltype(Template::content) contentOf(Document document, const TemplatePart &part) {
     const std::string_view key = part.key;
     if (key == "machine")

@@ -12,8 +12,8 @@
 
 namespace palmer {
 
-/// A set of limits with the rule they are judged by, for tests of one kind. Every limit names the edition it
-/// was agreed for.
+/// A set of limits with its decision rule, for tests of one kind. Each limit names the edition it was agreed
+/// for.
 struct LimitSet {
     Kind kind = Kind::positioning;
     Limits limits;
@@ -22,16 +22,16 @@ struct LimitSet {
     bool operator==(const LimitSet &) const = default;
 };
 
-/// What is declared alike of every test in a place: the state of the machine, its warm-up, the environment;
-/// nothing that was measured. What states nothing is no part of it.
+/// Conditions that are the same for every test at a site: state of the machine, warm-up, environment; nothing
+/// measured. Empty values are not part of it.
 struct Declarations {
     Conditions conditions;
 
     bool operator==(const Declarations &) const = default;
 };
 
-/// What is always the same and entered once: the own machine, the own laser, the company head, agreed limits,
-/// how tests are made.
+/// Data that never change and are entered once: own machine, own laser, company head, agreed limits, how
+/// tests are made.
 struct Template {
     std::string name;
     std::variant<Machine, Instrument, Laboratory, LimitSet, Declarations> content;
@@ -56,17 +56,17 @@ struct Template {
 
 [[nodiscard]] QByteArray writeTemplate(const Template &content);
 
-/// The limits of a test as a set: what names no edition was agreed for that of the test. Empty for drift
-/// tests.
+/// Returns the limits of a test as a set: a limit without edition was agreed for that of the test. Empty for
+/// drift tests.
 [[nodiscard]] LimitSet limitSetOf(const Test &test);
 
-/// What a test declares; empty for drift tests.
+/// Returns the declarations of a test; empty for drift tests.
 [[nodiscard]] Declarations declarationsOf(const Test &test);
 
-/// Takes over what is stated there and leaves the rest; false, and no change, for a drift test.
+/// Copies what is stated there and leaves the rest unchanged; returns false without change for a drift test.
 bool applyDeclarations(Test &test, const Declarations &declarations);
 
-/// Puts a set of limits in the place of those of the test; false, and no change, for a test of another kind.
+/// Replaces the limits of the test; returns false without change for a test of another kind.
 bool applyLimitSet(Test &test, const LimitSet &set);
 
 } // namespace palmer

@@ -14,7 +14,7 @@ namespace palmer {
 
 namespace {
 
-/// Of the keys of a test file, those that stand in every one, in many places, to its very end.
+/// Keys that occur throughout every test file, up to its end.
 constexpr auto keys = std::to_array<std::string_view>({"format",
                                                        "version",
                                                        "writtenBy",
@@ -50,7 +50,7 @@ bool isBlank(char c) {
     return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
-/// Whether some key stands there as JSON writes it: "key" and a colon.
+/// True if the text has one of these keys as in JSON: "key" and a colon.
 bool holdsKey(std::string_view text) {
     for (std::size_t colon = text.find(':'); colon != std::string_view::npos;
          colon = text.find(':', colon + 1)) {
@@ -67,7 +67,7 @@ bool holdsKey(std::string_view text) {
     return false;
 }
 
-/// What is left of UTF-16 and UTF-32 of either order without their zeros: ASCII as it is in UTF-8.
+/// Removes the zeros of UTF-16 and UTF-32 in either byte order: ASCII then is as in UTF-8.
 QByteArray withoutZeros(QByteArrayView bytes) {
     QByteArray result = bytes.toByteArray();
     result.erase(std::remove(result.begin(), result.end(), '\0'), result.end());

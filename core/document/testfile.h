@@ -7,16 +7,16 @@
 
 namespace palmer {
 
-/// Whether the name is that of a test file: it ends in .palmer, in capitals or not.
+/// True if the name is that of a test file: it ends in .palmer, in any case.
 [[nodiscard]] bool isTestFileName(const QString &name);
 
-/// Whether a file is a test file or a report, which are opened and never imported: by its name, or by what is
-/// in it: JSON, PDF, keys of a test file anywhere (the beginning is missing, or something else stands before
-/// it), in any encoding in which ASCII can be told. What is damaged is one all the same: its readings without
-/// their limits would be another measurement.
+/// True if a file is a test file or a report, which are opened and never imported: by its name, or by its
+/// content: JSON, PDF, or keys of a test file anywhere (the beginning may be missing or preceded by something
+/// else), in any encoding that shows ASCII. Damaged files count, too: their readings without their limits
+/// would be another measurement.
 [[nodiscard]] bool isTestFile(QByteArrayView bytes, const QString &name = {});
 
-/// For whoever writes something else: throws Error(unwritable) when the name is that of a test file.
+/// For writers of other formats: throws Error(unwritable) if the name is that of a test file.
 void demandNoTestFileName(const QString &name);
 
 } // namespace palmer

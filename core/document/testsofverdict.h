@@ -9,13 +9,13 @@
 
 namespace palmer {
 
-/// Whether the verdict of the report rests on a test: on all but those as found, and on these where there are
-/// no others. Drift tests have no verdict and do not count as others.
+/// True if a test counts for the verdict of the report: all but those as found, or these if there are no
+/// others. Drift tests have no verdict and are not others.
 [[nodiscard]] bool countsForVerdict(const Document &document, std::size_t test);
 
-/// The test as found that one as left is to be compared with: of the same axis (or plane, with the same
-/// radius), zone and edition; of several the last before it, else the first behind it. Null for a test that
-/// is not as left, and where there is none.
+/// Returns the test as found to compare with one as left: of the same axis (or plane, with the same radius),
+/// zone and edition; of several the last before it, otherwise the first after it. Null if there is none, or
+/// if the test is not as left.
 [[nodiscard]] std::optional<std::size_t> testAsFound(const Document &document, std::size_t asLeft);
 
 } // namespace palmer

@@ -25,7 +25,7 @@ void showTexts(nlohmann::json &value) {
 
 std::shared_ptr<const Document> withVisibleTexts(std::shared_ptr<const Document> document,
                                                  const QByteArray &file) {
-    // What is to be shown is an escape there.
+    // Characters to be shown are escapes in the file.
     if (std::ranges::none_of(std::initializer_list<const char *>{"\\u", "\\t", "\\r", "\\b", "\\f"},
                              [&](const char *escape) { return file.contains(escape); }))
         return document;

@@ -9,8 +9,8 @@
 
 namespace palmer {
 
-/// The document as a page shows it: each text as visibleText makes it. `file` is what writeDocument makes of
-/// it. The same document where there is nothing to show.
+/// Returns the document as a page shows it: each text converted by visibleText. `file` is the output of
+/// writeDocument. Returns the same document if there is nothing to convert.
 [[nodiscard]] std::shared_ptr<const Document> withVisibleTexts(std::shared_ptr<const Document> document,
                                                                const QByteArray &file);
 

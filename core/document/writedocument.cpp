@@ -29,14 +29,14 @@ constexpr bool isScalar = Scalar<T>;
 template <class T>
 constexpr bool isScalar<std::optional<T>> = Scalar<T>;
 
-/// Collects the members of an object, which refer to the struct; the functions for values are members, for
+/// Collects the members of an object, which refer to the struct; the functions for values are members because
 /// they call each other.
 class ObjectWriter {
 public:
     template <class T>
     void operator()(std::string_view key, const T &member, unsigned demands = nothing) {
         if ((demands & (added | leftOut)) != 0 && member == T{})
-            return; // older programs read what they can
+            return; // older programs then read as much as they can
         m_members.push_back({key, isSmall(member), [&member](JsonPrinter &printer, const Place &place) {
                                  print(printer, member, place);
                              }});
@@ -149,10 +149,10 @@ private:
     }
 
     std::vector<JsonMember> m_members;
-    const Test *m_test = nullptr; ///< whose members these are, if they are those of a test
+    const Test *m_test = nullptr; ///< the test whose members these are, or null
 };
 
-/// Whether a field of version 2 has a value anywhere.
+/// True if a field of version 2 has a value anywhere.
 class NewFields {
 public:
     template <class T>
@@ -214,7 +214,7 @@ QByteArray writeDocument(const Document &document) {
     for (const TestPointer &test : document.tests)
         readings += readingsOf(*test);
     constexpr std::size_t isLong = 100'000;
-    constexpr std::size_t charactersOfReading = 24; // most are shorter: room that is not used costs nothing
+    constexpr std::size_t charactersOfReading = 24; // most are shorter; unused memory costs nothing
     if (readings > isLong)
         printer.expect(readings * charactersOfReading);
     printer.object(file.sorted(), {});

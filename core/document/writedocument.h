@@ -9,9 +9,9 @@
 
 namespace palmer {
 
-/// The bytes of the test file of a document: every key, sorted, numbers in their shortest form that says the
-/// same. Reading them gives an equal document; a document read from them is written as the same bytes.
-/// Throws Error(unwritable) for a number that is not finite, Error for extensions that are no JSON.
+/// Returns the bytes of the test file of a document: every key, sorted, numbers in their shortest round-trip
+/// form. Reading them gives an equal document; a document read from them is written as the same bytes. Throws
+/// Error(unwritable) for a non-finite number, Error for extensions that are not JSON.
 [[nodiscard]] QByteArray writeDocument(const Document &document);
 
 } // namespace palmer

@@ -15,15 +15,15 @@
 
 namespace palmer {
 
-/// Rows of a CSV file in UTF-8: cells parted by `;` where the decimal mark is a comma, else by `,`; texts in
-/// quotation marks where they have to be, numbers with all their digits, missing ones empty.
+/// Writes rows of a CSV file in UTF-8: cells separated by `;` if the decimal mark is a comma, otherwise by
+/// `,`; texts quoted if necessary, numbers with all their digits, missing ones empty.
 class CsvWriter {
 public:
     explicit CsvWriter(char mark)
         : m_mark(mark)
         , m_delimiter(mark == ',' ? ';' : ',') {}
 
-    /// What follows a separator in it is a cell of its own to a spreadsheet.
+    /// Text after a separator would be a cell of its own in a spreadsheet.
     void comment(const std::string &text) {
         QStringList cells =
             visibleText(QString::fromStdString(text)).replace(u'\n', u' ').split(QLatin1Char(m_delimiter));
@@ -32,7 +32,7 @@ public:
         if (!text.empty())
             m_text += "# " + cells.join(QLatin1Char(m_delimiter)).toStdString() + '\n';
     }
-    /// A line of a key and its value: a number, else a text or a literal of JSON.
+    /// A line with a key and its value: a number, otherwise a text or a JSON literal.
     void statement(const std::string &key, const std::string &value, std::optional<double> numeric = {}) {
         text("# " + key);
         if (numeric)
@@ -52,7 +52,7 @@ public:
         begin();
         if (!value || !std::isfinite(*value))
             return;
-        // 0.0002 rather than 2e-04, which spreadsheets take for text under a comma.
+        // 0.0002 rather than 2e-04, which spreadsheets take for text if the decimal mark is a comma.
         const double size = std::abs(*value);
         const bool plain = size == 0 || (size > 1e-12 && size < 1e15);
         std::array<char, 64> digits{};

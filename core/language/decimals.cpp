@@ -15,9 +15,9 @@ namespace {
 
 constexpr int mostOfPositions = 6;
 constexpr int mostOfReadings = 4;
-constexpr int mostOfAngularReadings = 2; ///< degrees have no short form in arc seconds: 0.01″ has to do
-constexpr int finest = 9;                ///< beyond stand the rounding errors of conversions
-constexpr std::size_t looked = 2000;     ///< enough to see how many decimals numbers have
+constexpr int mostOfAngularReadings = 2; ///< degrees have no short form in arc seconds: 0.01″ must do
+constexpr int finest = 9;                ///< beyond it there are only rounding errors of conversions
+constexpr std::size_t looked = 2000;     ///< readings inspected, enough to find their decimals
 
 int mostDecimals(const Axis &axis) {
     return axis.motion == Motion::rotary ? mostOfAngularReadings : mostOfReadings;
@@ -38,7 +38,7 @@ int statedDecimals(double value, Quantity quantity, int least) {
 }
 
 double certain(double value) {
-    constexpr int certainDigits = 15; // every decimal of 15 digits survives the way through a double
+    constexpr int certainDigits = 15; // every 15-digit decimal survives conversion to double and back
     std::array<char, 32> buffer{};
     const auto written = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
                                        std::chars_format::scientific, certainDigits - 1);

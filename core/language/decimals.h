@@ -7,29 +7,28 @@
 
 namespace palmer {
 
-// How many digits after the point numbers of a test are shown with, in the unit they are shown in.
+// Number of decimals for the values of a test, in the unit shown.
 
-/// Digits after the point that a number has, at most 9: 5.4/1000 mm is 5.4 µm, whatever the last bits say.
+/// Returns the decimals of a number, at most 9: 5.4/1000 mm is 5.4 µm, whatever the last bits say.
 [[nodiscard]] int decimalsOf(double value, Quantity quantity);
 
-/// At least so many; more where a statement has more. A mean that has no end of its own keeps one digit
-/// beyond.
+/// At least `least`; more if a stated value has more. A non-terminating mean keeps one digit beyond.
 [[nodiscard]] int statedDecimals(double value, Quantity quantity, int least);
 
-/// The number without what no decimal of 15 digits has: 0.30000000000000004 is 0.3. What a report says of a
-/// stated number; readings and files keep theirs.
+/// Removes digits beyond the 15 that a double holds: 0.30000000000000004 becomes 0.3. Used for stated numbers
+/// in a report; readings and files keep theirs.
 [[nodiscard]] double certain(double value);
 
-/// The common decimals of target positions: as stated, at most 6.
+/// Returns the common decimals of target positions: as stated, at most 6.
 [[nodiscard]] int positionDecimals(const PositioningMeasurement &measurement);
 
-/// The common decimals of the readings as deviations: as they were entered, at most 4, of angles 2.
+/// Returns the common decimals of the readings as deviations: as entered, at most 4, for angles 2.
 [[nodiscard]] int readingDecimals(const PositioningMeasurement &measurement);
 
-/// Statistics per target: one more than the readings, within the same bounds.
+/// For statistics per target: one more than the readings, within the same bounds.
 [[nodiscard]] int statisticDecimals(const PositioningMeasurement &measurement);
 
-/// Of a feed in mm/min: whole numbers, and below 100 three digits in all.
+/// For a feed in mm/min: whole numbers, below 100 three significant digits.
 [[nodiscard]] int feedDecimals(double feed);
 
 /// Quantities of the positions and deviations of an axis.

@@ -29,7 +29,7 @@ NumberEntry refused(const Text &reason) {
     return {{}, reason};
 }
 
-/// Whether the spaces of a number part its whole digits into groups of three.
+/// True if spaces separate the integer digits of a number into groups of three.
 bool isGroupedWell(QStringView number) {
     const auto end =
         std::find_if(number.begin(), number.end(), [](QChar c) { return c == u'.' || c == u','; });
@@ -55,8 +55,8 @@ MomentEntry day(int year, int month, int dayOfMonth) {
     return {date.toString(Qt::ISODate).toStdString(), {}};
 }
 
-/// 1 … 12 for the name of a month in one of the languages, or its beginning of three letters and more; else
-/// 0.
+/// Returns 1 … 12 for the name of a month in one of the languages, or its first three letters or more;
+/// otherwise 0.
 int monthOf(const QString &name) {
     if (name.size() < 3)
         return 0;

@@ -13,8 +13,8 @@
 
 namespace palmer {
 
-// What somebody typed into a field, in whatever form people write it. Each value is read from the whole text
-// or refused with a short reason; nothing is guessed from the locale.
+// Text typed into a field, in any usual form. Each value is parsed from the whole text or refused with a
+// short reason; nothing is guessed from the locale.
 
 /// `value` in the base unit of its quantity; null for an empty text, or with a refusal.
 struct NumberEntry {
@@ -22,12 +22,12 @@ struct NumberEntry {
     std::optional<Text> refusal; ///< "not a number", as part of a sentence
 };
 
-/// A number typed in the unit its quantity is shown in (of `units`). The decimal mark is a point or a comma;
-/// groups are parted by spaces only, so "1,234" is 1.234 in every language. "−" is a minus. µm become mm
+/// Parses a number typed in the unit its quantity is shown in (of `units`). The decimal mark is a point or a
+/// comma; only spaces separate groups, so "1,234" is 1.234 in every language. "−" is a minus. µm become mm
 /// exactly: 5.4 is the double of 0.0054.
 [[nodiscard]] NumberEntry enteredNumber(QStringView typed, Quantity quantity, const DisplayUnits &units = {});
 
-/// From … to, typed as two numbers with "…", "..", ";", "to" or "à" between them; from < to.
+/// Two numbers typed with "…", "..", ";", "to" or "à" between them; from < to.
 struct IntervalEntry {
     std::optional<Interval> value;
     std::optional<Text> refusal;
@@ -35,16 +35,16 @@ struct IntervalEntry {
 [[nodiscard]] IntervalEntry enteredInterval(QStringView typed, Quantity quantity,
                                             const DisplayUnits &units = {});
 
-/// As in the file, YYYY-MM-DD or HH:MM; empty text: no value and no refusal.
+/// As in the file, YYYY-MM-DD or HH:MM; an empty text gives neither value nor refusal.
 struct MomentEntry {
     std::optional<std::string> value;
     std::optional<Text> refusal;
 };
 
-/// A day: 2026-03-12, 12.03.2026, 12/3/2026 (the day first), "12 mars 2026", "12 March 2026".
+/// Parses a date: 2026-03-12, 12.03.2026, 12/3/2026 (day first), "12 mars 2026", "12 March 2026".
 [[nodiscard]] MomentEntry enteredDate(QStringView typed);
 
-/// A time of day: 14:02, 14 h 02, 9:05.
+/// Parses a time of day: 14:02, 14 h 02, 9:05.
 [[nodiscard]] MomentEntry enteredTime(QStringView typed);
 
 } // namespace palmer

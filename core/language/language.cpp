@@ -28,7 +28,7 @@ QLatin1StringView nameOf(Language::Id id) {
     return id == Language::Id::french ? QLatin1StringView("fr") : QLatin1StringView("en");
 }
 
-/// One catalogue per language, read once and never changed: every Language and every thread reads the same.
+/// Returns the catalogue of a language, loaded once and never changed: all languages and threads share it.
 std::shared_ptr<const QTranslator> catalogue(Language::Id id) {
     const auto load = [](Language::Id language) {
         const QString path =
@@ -36,7 +36,7 @@ std::shared_ptr<const QTranslator> catalogue(Language::Id id) {
         if (!QFile::exists(path))
             qFatal("The catalogue %s is missing from the program.", qPrintable(path));
         auto translator = std::make_shared<QTranslator>();
-        // A catalogue without texts (English, as long as nothing is counted) is no success to Qt.
+        // Qt reports failure for a catalogue without texts (English, as long as nothing is counted).
         std::ignore = translator->load(path);
         return std::shared_ptr<const QTranslator>(std::move(translator));
     };
@@ -142,7 +142,7 @@ QString Language::number(double value, Quantity quantity, int decimals) const {
     const Decimal decimal(value, unit);
     if (decimals >= 0)
         return shown(decimal.rounded(std::max(0, decimals + unit.decimals)));
-    // A converted number has no end of its own.
+    // A converted number has no natural number of decimals.
     return shown(unit.finest < 0 ? decimal.rounded(-1) : withoutZeros(decimal.rounded(unit.finest)));
 }
 
@@ -180,8 +180,8 @@ QString Language::quantity(double value, Quantity quantity, int decimals) const 
     const QString sign = unit(quantity);
     if (sign.isEmpty() || digits == dash)
         return digits;
-    // Degrees and seconds of arc are superscripts and stand at the number in both languages (SI
-    // brochure 5.4.3).
+    // Degree and arc second signs are superscripts without a space before them in both languages (SI brochure
+    // 5.4.3).
     const bool superscript = sign == u"°" || sign == u"″";
     return superscript ? digits + sign : digits + noBreakSpace + sign;
 }

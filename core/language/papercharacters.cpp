@@ -14,7 +14,7 @@ struct Range {
     char32_t last;
 };
 
-/// What all four faces of the font have, ascending.
+/// Characters in all four faces of the font, ascending.
 // clang-format off
 constexpr std::array ranges{
     Range{0x20, 0x7e}, Range{0xa0, 0x36f}, Range{0x374, 0x375}, Range{0x37a, 0x37e}, Range{0x384, 0x38a}, Range{0x38c, 0x38c},

@@ -7,15 +7,15 @@
 
 namespace palmer {
 
-/// Whether the font of paper (Liberation Sans) has the character; signs that are not seen count as had. What
-/// it lacks is drawn from another font where one is installed: what a page says and where it breaks its lines
-/// does not depend on that.
+/// True if the font of the report (Liberation Sans) has the character; invisible characters count as present.
+/// Missing ones are drawn from another font if one is installed; text and line breaks of a page do not depend
+/// on that.
 [[nodiscard]] bool isOnPaper(char32_t character);
 
-/// The characters of a text that the font of paper lacks, each once, ascending.
+/// Returns the characters of a text missing in the font of the report, each once, ascending.
 [[nodiscard]] std::vector<char32_t> notOnPaper(const QString &text);
 
-/// How wide such a character is set, in sizes of the text.
+/// Returns the width of such a character, relative to the text size.
 [[nodiscard]] double foreignWidth(char32_t character);
 
 } // namespace palmer

@@ -11,9 +11,9 @@
 namespace palmer {
 namespace {
 
-constexpr int finestDecimals = 4;   // 0.1 nm: beyond every instrument of these tests
+constexpr int finestDecimals = 4;   // 0.1 nm: finer than any instrument of these tests
 constexpr int coarsestDecimals = 1; // 0.1 µm, 0.1″
-constexpr int certainDigits = 15;   // every decimal of 15 digits survives the way through a double
+constexpr int certainDigits = 15;   // every 15-digit decimal survives conversion to double and back
 
 using Buffer = std::array<char, 32>;
 
@@ -48,7 +48,7 @@ void Decimal::read(const char *begin, const char *end, int shift) {
     m_digits.assign(begin, exponentMark);
     m_point = 0;
     if (!m_finite) {
-        m_negative = m_negative && m_digits == "inf"; // a NaN has no sign worth printing
+        m_negative = m_negative && m_digits == "inf"; // the sign of a NaN is not printed
         return;
     }
     std::erase(m_digits, '.');
@@ -71,7 +71,7 @@ Decimal Decimal::roundedTo(int decimals) const {
         return result;
     const std::string_view digits = m_digits;
     const auto head = digits.substr(0, static_cast<std::size_t>(std::max(kept, 0)));
-    // Trailing zeros are gone, so a single "5" is the exact tie and a longer tail is beyond it.
+    // There are no trailing zeros, so a single "5" is an exact tie and a longer tail is above it.
     const auto tail = digits.substr(head.size());
     const bool odd = !head.empty() && (head.back() - '0') % 2 == 1;
     const bool up = kept >= 0 && (tail.front() > '5' || (tail.front() == '5' && (tail.size() > 1 || odd)));
@@ -103,8 +103,8 @@ Decimal Decimal::uncertaintyTo(int decimals) const {
     Decimal result = roundedTo(decimals);
     if (!m_finite || decimals < 0)
         return result;
-    // 20 r < 19 U is never an equality for decimal numbers that differ by less than half a unit, so doubles
-    // decide it safely. The common power of ten is left out: nothing overflows.
+    // 20 r < 19 U is never an equality for decimals that differ by less than half a unit, so doubles decide
+    // it safely. The common power of ten is omitted to avoid overflow.
     const auto fraction = [](const Decimal &number, int point) {
         double sum = 0;
         for (auto digit = number.m_digits.rbegin(); digit != number.m_digits.rend(); ++digit)

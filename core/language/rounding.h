@@ -10,29 +10,29 @@
 
 namespace palmer {
 
-/// The one way from a stored number to the digits that are shown.
+/// The only way from a stored number to the digits shown.
 ///
-/// Meaning: the shortest decimal number that reads back as the stored double, with its point shifted into the
-/// unit the quantity is shown in. All rounding is done on these digits, half to even, so 0.00125 mm is 1.2 µm
-/// although no double is exactly 0.00125. Degrees become arc seconds by a product, not by a shift: of that
-/// product the 15 digits are kept that a double holds for certain.
-/// Validity: every double. NaN and infinities print as "nan", "inf", "-inf" and order as the doubles they are
-/// would order against zero; no result hides them.
+/// Meaning: the shortest decimal that reads back as the stored double, with its point shifted into the unit
+/// shown for the quantity. All rounding is done on these digits, half to even, so 0.00125 mm is 1.2 µm
+/// although no double is exactly 0.00125. Degrees are multiplied to arc seconds, not shifted: of the product
+/// only the 15 digits that a double holds reliably are kept.
+/// Validity: every double. NaN and infinities print as "nan", "inf", "-inf" and are ordered like the doubles
+/// compared with zero; no result hides them.
 class Decimal {
 public:
-    /// value · 10^shift.
+    /// Represents value · 10^shift.
     explicit Decimal(double value, int shift = 0);
-    /// A number in the base unit of its quantity, in the unit it is shown in.
+    /// Converts a number in the base unit of its quantity to the unit shown.
     Decimal(double value, Quantity quantity);
-    /// The same in a unit of the user's choice.
+    /// The same for a unit chosen by the user.
     Decimal(double value, const ShownUnit &unit);
 
-    /// Rounded half to even, with exactly `decimals` digits after the point (< 0: the shortest form).
+    /// Returns the number rounded half to even with exactly `decimals` decimals (< 0: the shortest form).
     /// Point ".", sign "-", no grouping; "-0" never appears.
     [[nodiscard]] std::string rounded(int decimals) const;
-    /// As an expanded uncertainty: like rounded(), but up where rounding down would lose more than 5 %.
+    /// For an expanded uncertainty: like rounded(), but up if rounding down would lose more than 5 %.
     [[nodiscard]] std::string roundedUncertainty(int decimals) const;
-    /// All digits; with an exponent ("1.5e300") from 1e21 on and below 1e-6.
+    /// Returns all digits; with an exponent ("1.5e300") from 1e21 and below 1e-6.
     [[nodiscard]] std::string shortest() const;
 
     /// Order of the exact decimals.
@@ -46,7 +46,7 @@ private:
     [[nodiscard]] Decimal roundedTo(int decimals) const;
     [[nodiscard]] Decimal uncertaintyTo(int decimals) const;
     [[nodiscard]] std::string fixed(int decimals) const;
-    void addUnit(int decimals); // away from zero, of the last place shown
+    void addUnit(int decimals); // away from zero, in the last place shown
 
     bool m_negative = false;
     bool m_finite = true;
@@ -54,19 +54,19 @@ private:
     std::string m_digits; // neither leading nor trailing zeros; empty for zero; "inf", "nan"
 };
 
-/// Digits after the point for a result and its expanded uncertainty, both in the base unit of `quantity`:
-/// two significant digits of U, not finer than the resolution of the instrument (the last place shown is not
-/// smaller than it), and, which goes before both, not coarser than 0.1 µm (0.1″). At most 4.
-/// A U that is zero, negative or not finite says nothing: 1, as without U.
+/// Returns the decimals for a result and its expanded uncertainty, both in the base unit of `quantity`: two
+/// significant digits of U, not finer than the resolution of the instrument (the last place shown is not
+/// smaller than it), and, with priority over both, not coarser than 0.1 µm (0.1″). At most 4. A U that is
+/// zero, negative or not finite is ignored: 1, as without U.
 [[nodiscard]] int decimalsWithUncertainty(double expanded, Quantity quantity,
                                           std::optional<double> resolution = std::nullopt);
 
-/// Digits after the point for a limit, counted in the default unit of the quantity: as entered. Only the
-/// digits count that a double holds for certain, so that a limit which came through another unit is no
+/// Returns the decimals for a limit, in the default unit of the quantity: as entered. Only digits that a
+/// double holds reliably count, so that a limit converted from another unit is not shown as
 /// 1.0000000000000002.
 [[nodiscard]] int limitDecimals(double limit, Quantity quantity, const DisplayUnits &units = {});
 
-/// Digits after the point for a result without U: 0.1 µm (0.1″).
+/// Decimals for a result without U: 0.1 µm (0.1″).
 inline constexpr int decimalsWithoutUncertainty = 1;
 
 } // namespace palmer

@@ -41,7 +41,7 @@ ShownUnit shownUnit(Quantity quantity, const DisplayUnits &units) {
         if (units.angles == AngleDisplay::degrees)
             return {"°", 0, 1, 4};
         return {"″", 0, secondsPerDegree};
-    case Quantity::micrometres: // beside deviations: in their unit
+    case Quantity::micrometres: // shown with deviations, hence in their unit
         if (inches)
             return {"µin", 0, microinchesPerInch / millimetresPerInch / micrometresPerMillimetre, -1, 2};
         if (units.lengths == LengthDisplay::millimetres)
@@ -81,7 +81,7 @@ double unitScale(Quantity quantity, const DisplayUnits &units) {
 double fromShown(std::string_view decimal, Quantity quantity, const DisplayUnits &units) {
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     const ShownUnit unit = shownUnit(quantity, units);
-    // The point moves among the digits, so that no bit is lost.
+    // The decimal point is shifted in the digits, so that no bit is lost.
     const std::string shifted = std::string(decimal) + 'e' + std::to_string(-unit.shift);
     double value = 0;
     const auto [end, error] = std::from_chars(shifted.data(), shifted.data() + shifted.size(), value);

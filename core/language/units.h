@@ -18,7 +18,7 @@ enum class AngleDisplay {
     degrees,    ///< both in degrees
 };
 
-/// The units a user reads and types numbers in. A choice of the window: data stay in mm and degrees, and
+/// Units in which a user reads and types numbers. A setting of the window: data stay in mm and degrees, and
 /// reports are printed with the default.
 struct DisplayUnits {
     LengthDisplay lengths = LengthDisplay::micrometres;
@@ -27,23 +27,23 @@ struct DisplayUnits {
     bool operator==(const DisplayUnits &) const = default;
 };
 
-/// How a quantity is shown: value in its base unit · 10^shift · factor, with `decimals` more digits after the
-/// point than in the default unit.
+/// How a quantity is shown: value in its base unit · 10^shift · factor, with `decimals` more decimals than in
+/// the default unit.
 struct ShownUnit {
     const char *sign = ""; ///< UTF-8; empty: no unit
     int shift = 0;
     double factor = 1;
     int decimals = 0;
-    int finest = -1; ///< digits after the point beyond which there is only the rounding of the conversion
+    int finest = -1; ///< decimals beyond which there is only rounding error of the conversion
 };
 
 [[nodiscard]] ShownUnit shownUnit(Quantity quantity, const DisplayUnits &units = {});
 
-/// Shown units in one base unit.
+/// Returns the number of shown units in one base unit.
 [[nodiscard]] double unitScale(Quantity quantity, const DisplayUnits &units = {});
 
-/// The value in the base unit of a decimal number ("-4.8": point, hyphen, no grouping) in the unit shown:
-/// "5.4" µm is the double of 0.0054. NaN for anything else, and beyond all doubles.
+/// Returns the value in the base unit of a decimal number ("-4.8": point, hyphen, no grouping) in the unit
+/// shown: "5.4" µm is the double of 0.0054. NaN for anything else, and outside the range of double.
 [[nodiscard]] double fromShown(std::string_view decimal, Quantity quantity, const DisplayUnits &units = {});
 
 } // namespace palmer

@@ -17,7 +17,7 @@ bool isAscii(char c) {
     return static_cast<unsigned char>(c) < 0x7F;
 }
 
-/// Puts `shown` of each in their place, but of line breaks.
+/// Replaces characters other than line breaks by `shown`.
 template <class Shown>
 QString replaced(const QString &text, Shown shown) {
     QString result;

@@ -7,20 +7,20 @@
 
 namespace palmer {
 
-// A text of a file may hold what steers a terminal or turns the order of the characters around it: control
-// characters, and the marks of direction of Unicode (UAX #9). No output has them raw.
+// A text in a file may contain characters that control a terminal or reverse the order of the text around
+// them: control characters and the directional marks of Unicode (UAX #9). No output contains them raw.
 
-/// The text with what is not seen in it made seen: "‹U+001B›". Line breaks stay, tabulators are blanks.
+/// Returns the text with invisible characters shown: "‹U+001B›". Keeps line breaks, tabs become blanks.
 [[nodiscard]] QString visibleText(const QString &text);
 
-/// The same of UTF-8.
+/// The same for UTF-8.
 [[nodiscard]] QByteArray visibleText(const QByteArray &utf8);
 
-/// The text of a cell, seen and on one line, that no spreadsheet takes for a formula: one that begins as such
-/// gets an apostrophe in front, a number stays one.
+/// Returns the text for a cell, visible and on one line, that no spreadsheet takes for a formula: a text that
+/// looks like one gets an apostrophe in front, numbers are unchanged.
 [[nodiscard]] QString cellText(const QString &text);
 
-/// JSON in UTF-8 with them as its escapes: "\u202e".
+/// Returns JSON in UTF-8 with these characters as escapes: "\u202e".
 [[nodiscard]] std::string withJsonEscapes(std::string json);
 
 } // namespace palmer
