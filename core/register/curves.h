@@ -9,10 +9,10 @@
 
 namespace palmer {
 
-/// Which means of a curve are compared.
+/// Which means of two curves are compared.
 enum class CurveOf { both, up, down };
 
-/// A value over the position, mm or degrees.
+/// A value at a position, mm or degrees.
 struct PlacedValue {
     double position = 0;
     std::optional<double> value; ///< null: no mean at this target
@@ -20,19 +20,19 @@ struct PlacedValue {
     bool operator==(const PlacedValue &) const = default;
 };
 
-/// The mean deviations of a test; of both directions where both have a mean.
+/// Returns the mean deviations of a test; for both directions where both have a mean.
 [[nodiscard]] std::vector<PlacedValue> meansOf(const std::vector<CurvePoint> &curve, CurveOf of);
 
-/// How one curve differs from another.
+/// Difference between two curves.
 struct CurveDifference {
     double from = 0; ///< common travel
     double to = 0;
     std::vector<PlacedValue> values;    ///< at the targets of both
-    std::optional<PlacedValue> largest; ///< by its size
+    std::optional<PlacedValue> largest; ///< by magnitude
 };
 
-/// a − b on the common travel, at the targets of both, each interpolated linearly between neighbouring
-/// targets and nowhere else: not beyond its ends, not over a target without mean. Null without common travel.
+/// Returns a − b on the common travel, at the targets of both, each interpolated linearly between
+/// neighbouring targets: not beyond its ends, not across a target without mean. Null without common travel.
 [[nodiscard]] std::optional<CurveDifference> differenceOf(const std::vector<PlacedValue> &a,
                                                           const std::vector<PlacedValue> &b);
 

@@ -16,7 +16,7 @@ namespace palmer {
 
 namespace {
 
-constexpr int waitForLock = 4'000; ///< ms, for another process that writes
+constexpr int waitForLock = 4'000; ///< ms, for another process that is writing
 constexpr int waitForServer = 10;  ///< s
 
 [[noreturn]] void refuse(Text text, std::vector<Argument> arguments = {},
@@ -35,7 +35,7 @@ constexpr int waitForServer = 10;  ///< s
            Error::Kind::unwritable);
 }
 
-/// The primary one of the codes of SQLite; 0 where the error has none.
+/// Returns the primary SQLite error code; 0 if the error has none.
 int codeOf(const QSqlError &error) {
     constexpr int primary = 0xff;
     return error.nativeErrorCode().toInt() & primary;
@@ -46,14 +46,14 @@ QString freshName() {
     return QStringLiteral("palmer register %1").arg(next++);
 }
 
-/// Looks at a file without writing into it, and throws where it is something else than a register.
+/// Checks a file without writing to it; throws if it is not a register.
 void demandRegister(const QString &path) {
     constexpr QByteArrayView sqlite("SQLite format 3\0", 16);
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         refuse(REPORT_TEXT("report", "the register cannot be read; check its permissions"));
     const QByteArray head = file.read(sqlite.size());
-    if (head.isEmpty()) // made a moment ago by a program that was ended
+    if (head.isEmpty()) // just created by a program that was terminated
         return;
     if (head != sqlite)
         refuseForeign();
@@ -66,7 +66,7 @@ void demandRegister(const QString &path) {
         database.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(waitForLock));
         if (database.open()) {
             QSqlQuery query(database);
-            // A database without tables: one whose making was broken off before its first transaction ended.
+            // A database without tables, whose creation was interrupted before the first transaction ended.
             if (query.exec(QStringLiteral("select count(*), sum(case when name in ('register', 'source', "
                                           "'test') then 1 else 0 end) from sqlite_master where type = "
                                           "'table'")) &&
@@ -85,7 +85,7 @@ void demandRegister(const QString &path) {
     if (trouble == busy)
         refuse(REPORT_TEXT("report", "the register is locked by another program; try again when it is done"));
     if (trouble != 0 && trouble != damaged && trouble != noDatabase)
-        refuseUnopened(); // nothing is known of what is in it
+        refuseUnopened(); // its content is unknown
     if (!isRegister)
         refuseForeign();
 }
@@ -140,7 +140,7 @@ void openServer(QSqlDatabase &database, const QString &address) {
                {database.lastError().databaseText().section(u'\n', 0, 0).trimmed().toStdString()});
 }
 
-/// An empty text is no NULL, and PostgreSQL takes no U+0000 in a text.
+/// An empty text is not NULL, and PostgreSQL accepts no U+0000 in a text.
 QVariant storable(const QVariant &value) {
     if (value.typeId() != QMetaType::QString)
         return value;
@@ -171,7 +171,7 @@ QString withoutPassword(const QString &address) {
         }
         return url.toString(QUrl::RemovePassword);
     }
-    // A "#" or "/" in the password makes something else of it: nothing of what may be one.
+    // A "#" or "/" in the password changes the parsing: remove everything that may be part of it.
     QString rest = address;
     const auto begin = rest.indexOf(QLatin1StringView("//")) + 2;
     const auto colon = rest.indexOf(u':', begin);
@@ -202,7 +202,7 @@ Database::Database(const QString &address)
             execute(QStringLiteral("pragma foreign_keys = on"));
             execute(QStringLiteral("pragma journal_mode = wal"));
             execute(QStringLiteral(
-                "pragma synchronous = normal")); // an index: what a power cut takes is scanned again
+                "pragma synchronous = normal")); // an index: data lost in a power cut are scanned again
         }
     } catch (...) {
         QSqlDatabase::removeDatabase(m_name);
@@ -293,9 +293,9 @@ void Database::commit() {
 
 void Database::rollBack() {
     for (auto &[statement, query] : m_prepared)
-        query.finish(); // those that are still read would keep it open
+        query.finish(); // active queries would keep it open
     QSqlQuery query(QSqlDatabase::database(m_name, false));
-    query.exec(QStringLiteral("rollback")); // where it fails nothing was begun, or the server is gone
+    query.exec(QStringLiteral("rollback")); // fails if nothing was begun, or if the server is gone
 }
 
 QStringList Database::tables() const {

@@ -14,25 +14,25 @@
 
 namespace palmer {
 
-/// A connection to the database of a register: SQLite in a file, or PostgreSQL. Of the thread that made it.
+/// A connection to the database of a register: SQLite or PostgreSQL. Belongs to the creating thread.
 class Database {
 public:
-    /// `address`: path of a file, or postgresql://[user[:password]@][host][:port]/name[?sslmode=…]. A file is
-    /// made where there is none. Throws Error where it cannot be opened, or is no register: then it is left
-    /// as it is.
+    /// `address`: path of a file, or postgresql://[user[:password]@][host][:port]/name[?sslmode=…]. Creates
+    /// the file if there is none. Throws Error if it cannot be opened or is not a register, and leaves it
+    /// unchanged.
     explicit Database(const QString &address);
     ~Database();
     Database(const Database &) = delete;
     Database &operator=(const Database &) = delete;
 
-    /// Runs a statement; values are bound, never part of it. The query stays prepared for the next time: it
-    /// is to be read to its end, or finished, before the statement is run again. Throws Error.
+    /// Runs a statement; values are bound, never part of it. The query stays prepared: read it to its end, or
+    /// finish it, before running the statement again. Throws Error.
     QSqlQuery &run(const QString &statement, const QVariantList &values = {});
-    /// The first value that a statement gives; nothing where it gives no row.
+    /// Returns the first value of a statement's result; null without a row.
     std::optional<QVariant> first(const QString &statement, const QVariantList &values = {});
-    /// Runs a statement once that takes no values: of the schema, of transactions.
+    /// Runs a statement without values once: schema, transactions.
     void execute(const QString &statement);
-    /// For statements that are made of varying parts.
+    /// For statements with varying parts.
     [[nodiscard]] QSqlQuery prepare(const QString &statement);
     void run(QSqlQuery &prepared, const QVariantList &values);
 
@@ -51,13 +51,13 @@ private:
     std::map<QString, QSqlQuery> m_prepared;
 };
 
-/// Whether an address is that of a server.
+/// True if the address is that of a server.
 [[nodiscard]] bool isServerAddress(const QString &address);
 
-/// The address as a user may read it: without the password.
+/// Returns the address for display, without the password.
 [[nodiscard]] QString withoutPassword(const QString &address);
 
-/// A transaction: undone unless it is committed.
+/// A transaction, rolled back unless committed.
 class Transaction {
 public:
     explicit Transaction(Database &database)

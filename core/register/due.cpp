@@ -40,7 +40,7 @@ std::optional<std::string> iso(const std::optional<QDate> &date) {
     return date ? std::optional(date->toString(Qt::ISODate).toStdString()) : std::nullopt;
 }
 
-/// When the first certificate of the instruments of a test expires; null where none is known.
+/// Returns the first expiry of the certificates of a test's instruments; null if none is known.
 std::optional<QDate> firstExpiry(const RegisteredTest &test, const Certificates &known) {
     std::optional<QDate> first;
     for (const RegisteredInstrument &instrument : test.instruments) {

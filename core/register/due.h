@@ -9,19 +9,19 @@
 
 namespace palmer {
 
-/// When something of a machine is due.
+/// Due dates of a machine.
 struct MachineDue {
-    std::optional<QDate> test;        ///< by its interval, from its last periodic or acceptance test
-    std::optional<QDate> certificate; ///< of an instrument of its newest test the first to expire
+    std::optional<QDate> test;        ///< by its interval, from the last periodic or acceptance test
+    std::optional<QDate> certificate; ///< first expiry among the instruments of its newest test
 };
 
-/// Marks in `tests` (all of these machines, in their order) what is due: `due` on the last periodic or
-/// acceptance test of a machine, `certificateDue` on its newest. `months`: of machines that have no interval
-/// of their own. An instrument has the latest due date that any test of the register states for it.
+/// Sets the due dates in `tests` (all tests of these machines, in their order): `due` on the last periodic or
+/// acceptance test of a machine, `certificateDue` on its newest. `months`: for machines without an interval
+/// of their own. An instrument has the latest due date stated for it by any test in the register.
 std::map<int, MachineDue> markDue(Database &database, const std::vector<ListedMachine> &machines,
                                   std::vector<ListedTest> &tests, std::optional<int> months = {});
 
-/// The same of all machines, without reading their tests.
+/// The same for all machines, without reading their tests.
 [[nodiscard]] std::map<int, MachineDue> dueDates(Database &database,
                                                  const std::vector<ListedMachine> &machines);
 

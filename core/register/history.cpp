@@ -24,12 +24,12 @@ namespace palmer {
 namespace {
 
 constexpr double panelHeight = 26;      ///< mm
-constexpr double legendRowHeight = 4.2; ///< mm, of three texts
+constexpr double legendRowHeight = 4.2; ///< mm, for three texts
 constexpr double legendMargin = 1.6;
 constexpr std::size_t panelsOfRow = 4;
 constexpr std::size_t mostWithEdition = 4;
-constexpr int mostResults = 5;         ///< of a test
-constexpr std::size_t mostColumns = 5; ///< axes and planes beside each other in the table of campaigns
+constexpr int mostResults = 5;         ///< per test
+constexpr std::size_t mostColumns = 5; ///< axes and planes next to each other in the table of campaigns
 
 /// The trends of an axis or plane.
 struct AxisTrends {
@@ -106,7 +106,7 @@ private:
         return title.isEmpty() ? text(REPORT_TEXT("report", "a machine without name")) : title;
     }
 
-    /// Of the entries that the history was made from.
+    /// Returns the fingerprint of the entries used for the history.
     [[nodiscard]] QString fingerprint() const {
         constexpr qsizetype shown = 16;
         constexpr qsizetype group = 4;
@@ -238,7 +238,7 @@ private:
         m_blocks->emplace_back(std::move(line));
     }
 
-    /// Of the newest tests.
+    /// Returns the travel of the newest tests.
     [[nodiscard]] QString travelOf(const MachineTrend &trend) const {
         if (trend.series.empty() || !trend.series.front().travel)
             return {};
@@ -247,7 +247,7 @@ private:
         return traitsOf(trend.kind).isOfAxis ? length : QStringLiteral("R ") + length;
     }
 
-    /// In which the charts are: of an axis that turns in another one than the rest.
+    /// Returns the units of the charts: rotary axes differ from the rest.
     [[nodiscard]] QString units() const {
         QStringList result;
         for (const AxisTrends &axis : m_axes) {
@@ -299,7 +299,7 @@ private:
             TextSize::small});
     }
 
-    /// Tests of one day, purpose and role, by axis.
+    /// Tests with the same day, purpose and role, by axis.
     using Campaign = std::map<std::string, const ListedTest *>;
     using Campaigns = std::map<std::tuple<std::string, TestRole, Purpose>, Campaign>;
 
@@ -326,7 +326,7 @@ private:
                          {text(REPORT_TEXT("report", "Purpose")), {}, Alignment::left, true},
                          {text(REPORT_TEXT("report", "Role")), {}, Alignment::left, false, 21}};
         const std::size_t shown = std::min(m_axes.size(), mostColumns);
-        const bool hasEdition = shown < mostWithEdition; // all tests say it again below
+        const bool hasEdition = shown < mostWithEdition; // all tests repeat it below
         if (hasEdition)
             table.columns.push_back({text(REPORT_TEXT("report", "Edition")), QStringLiteral("230-2"),
                                      Alignment::left, false, 12});
@@ -358,7 +358,7 @@ private:
         m_blocks->emplace_back(std::move(table));
     }
 
-    /// What all tests of a campaign say of their limits together.
+    /// Returns the combined state of all tests of a campaign relative to their limits.
     [[nodiscard]] Cell limitsOf(const Campaign &campaign) const {
         std::optional<Verdict> verdict;
         bool anyLimit = false;
@@ -377,7 +377,7 @@ private:
         return limits;
     }
 
-    /// Years of ISO 230-2 that the axes were evaluated under.
+    /// Returns the years of the editions of ISO 230-2 used for the axes.
     [[nodiscard]] static QString editionsOf(const Campaign &campaign) {
         QStringList years;
         for (const auto &[axis, listed] : campaign) {
@@ -389,7 +389,7 @@ private:
         return years.join(QStringLiteral(", "));
     }
 
-    /// What the least of its tests says.
+    /// Returns the weakest accordance of its tests.
     [[nodiscard]] Cell accordanceOf(const Campaign &campaign) const {
         constexpr std::array fromWeakest{Accordance::no, Accordance::notShown, Accordance::notChecked,
                                          Accordance::partly, Accordance::yes};
@@ -499,7 +499,7 @@ History historyOf(Database &database, const ListedMachine &machine, const QDate 
                 history.laboratory = document->report.laboratory;
                 break;
             }
-        } catch (const Error &) { // not found any more: an older one will do
+        } catch (const Error &) { // file not found any more: an older one will do
             continue;
         }
     }

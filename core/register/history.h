@@ -12,27 +12,27 @@
 
 namespace palmer {
 
-/// What the history of a machine is made of.
+/// Input of the history of a machine.
 struct History {
     ListedMachine machine;
-    std::vector<ListedTest> tests; ///< all of it, as tests() has them
+    std::vector<ListedTest> tests; ///< all of them, from tests()
     MachineDue due;
     Laboratory laboratory; ///< of the newest test; may be empty
     QDate today;
     QString program; ///< "Palmer 0.1.0"
-    QString number;  ///< of the printed history; empty: none
+    QString number;  ///< number of the printed history; empty: none
 };
 
-/// The number a history gets where nobody gives another: "HI-2026-000-017", of year and serial number; empty
-/// for a machine without one.
+/// Returns the default number of a history: "HI-2026-000-017", from year and serial number; empty for a
+/// machine without one.
 [[nodiscard]] QString proposedHistoryNumber(const ListedMachine &machine, const QDate &today);
 
-/// Reads what the history of a machine needs. The laboratory is that of the newest test that can be read, the
+/// Reads the data for the history of a machine. The laboratory is that of the newest readable test, the
 /// number the proposed one.
 [[nodiscard]] History historyOf(Database &database, const ListedMachine &machine, const QDate &today,
                                 const QString &program);
 
-/// The printed history: what is to be watched first, the trends of each axis and plane, the campaigns, all
+/// Composes the printed history: items to watch, the trends of each axis and plane, the campaigns, all
 /// results with their files. A pure function.
 [[nodiscard]] Report composeHistory(const History &history, const Language &language);
 

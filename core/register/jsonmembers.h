@@ -14,7 +14,7 @@
 
 namespace palmer {
 
-/// Members of an object of JSON; they borrow what they print.
+/// Members of a JSON object; they borrow the data they print.
 class Members {
 public:
     Members &text(std::string_view key, const std::string &value) {

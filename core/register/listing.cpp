@@ -69,7 +69,7 @@ QString fileOf(const ListedTest &listed) {
 
 QByteArray listedTestJson(const ListedTest &listed) {
     const RegisteredTest &test = listed.test;
-    std::vector<std::string> paths; // what the members borrow
+    std::vector<std::string> paths; // borrowed by the members
     for (const TestPlace &place : listed.places)
         paths.push_back(place.path.toStdString());
     std::vector<std::string> states;

@@ -10,26 +10,26 @@
 
 namespace palmer {
 
-/// A test as one line of JSON: the keys of `evaluate --json` that the register has, and where it stands. What
-/// depends on this register alone is not in it: the same files give the same bytes.
+/// Returns a test as one line of JSON: the keys of `evaluate --json` that the register has, and its places.
+/// Nothing that depends on this register only: the same files give the same bytes.
 [[nodiscard]] QByteArray listedTestJson(const ListedTest &listed);
 
-/// Rows of CSV, one a parameter, for programs: as `evaluate --table csv`, with what tells machines apart.
+/// CSV rows for programs, one per parameter: like `evaluate --table csv`, plus machine columns.
 [[nodiscard]] QByteArray listedTestsCsvHead();
 [[nodiscard]] QByteArray listedTestCsv(const ListedTest &listed);
 
-/// Tests of a machine in a table to be read: a row each, with the main results.
+/// Returns a readable table of the tests of a machine: one row each, with the main results.
 [[nodiscard]] Report composeList(const QString &title, const std::vector<ListedTest> &tests,
                                  const Language &language);
 
-/// A result and its U with as many decimals as it prints; a dash where there is none.
+/// A result and its U with the decimals of the report; a dash if there is none.
 struct ShownResult {
     QString value;
     QString uncertainty; ///< empty: none
 };
 [[nodiscard]] ShownResult shownResult(const RegisteredResult &result, bool angular, const Language &language);
 
-/// The symbol of a result without typography: "G(b)XY", "A↑".
+/// Returns the symbol of a result without typography: "G(b)XY", "A↑".
 [[nodiscard]] QString plainSymbolOf(const std::string &resultId);
 
 } // namespace palmer

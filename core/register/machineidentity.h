@@ -7,18 +7,18 @@
 
 namespace palmer {
 
-/// What tells machines apart, never shown.
+/// Identifies a machine, never shown.
 struct MachineIdentity {
     QString key;
-    bool isIdentified = true; ///< false: no serial number; all such machines of a maker and type have one key
+    bool isIdentified = true; ///< false: no serial number; all such machines of one maker and type share it
 };
 
-/// Maker and serial number, compared without case, spaces and punctuation; without a maker the type stands in
-/// its place, for two makers may count alike. Without a serial number: "not identified", per maker and type.
+/// Compares maker and serial number without case, spaces and punctuation; without a maker the type replaces
+/// it, as two makers may use equal numbers. Without a serial number: "not identified", per maker and type.
 [[nodiscard]] MachineIdentity machineIdentity(const std::string &manufacturer, const std::string &model,
                                               const std::string &serialNumber);
 
-/// Letters and digits alone, in lower case.
+/// Returns letters and digits only, in lower case.
 [[nodiscard]] QString comparable(const QString &text);
 
 } // namespace palmer

@@ -44,7 +44,7 @@ std::optional<InterventionKind> kindBefore(const RegisteredTest &test, const Reg
     if (test.purpose == Purpose::afterCollision)
         return InterventionKind::collision;
     const bool foundToLeft = before && before->role == TestRole::asFound && test.role == TestRole::asLeft;
-    // A test as found for the sake of a compensation was made before it.
+    // A test as found with the purpose compensation precedes the compensation.
     const bool compensated =
         (test.purpose == Purpose::compensation && test.role != TestRole::asFound) ||
         (before && before->purpose == Purpose::compensation && before->role == TestRole::asFound);
@@ -53,13 +53,13 @@ std::optional<InterventionKind> kindBefore(const RegisteredTest &test, const Reg
     return foundToLeft ? std::optional(InterventionKind::adjustment) : std::nullopt;
 }
 
-/// What was repeated on the same day belongs to the same intervention.
+/// True for a repetition on the same day, which belongs to the same intervention.
 bool isRepeated(const RegisteredTest &test, const RegisteredTest *before) {
     return before && before->date == test.date && before->purpose == test.purpose &&
            before->role == test.role;
 }
 
-/// Of tests with the same readings the newest counts.
+/// Returns only the newest of several tests with the same readings.
 std::vector<const ListedTest *> newestOfReadings(const std::vector<ListedTest> &tests, int &left) {
     std::set<QString> seen;
     std::vector<const ListedTest *> result;
@@ -98,7 +98,7 @@ public:
             stretches.push_back(m_trend.interventions.size());
             before = &test->test;
         }
-        for (std::size_t i = list.size(); i-- > 0;) // the newest test gives its name to its series
+        for (std::size_t i = list.size(); i-- > 0;) // the newest test names its series
             addEntry(*list[i], stretches[i]);
         for (TrendSeries &series : m_trend.series)
             std::ranges::reverse(series.entries);

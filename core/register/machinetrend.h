@@ -24,11 +24,11 @@ struct TrendEntry {
     QString file;
     int test = 1;
     QString digest;
-    std::size_t stretch = 0; ///< counts the interventions before it: neighbours of one role and stretch are
-                             ///< joined by a line
+    std::size_t stretch = 0; ///< number of interventions before it: neighbours with the same role and stretch
+                             ///< are joined by a line
 };
 
-/// In what a series differs from the first.
+/// How a series differs from the first.
 struct SeriesDifference {
     bool edition = false;
     bool feed = false;
@@ -37,8 +37,8 @@ struct SeriesDifference {
     bool setUp = false;
 };
 
-/// Tests that can be compared: of one edition, feed, travel (within `travelTolerance`: targets are chosen
-/// anew for every test), correction and set-up.
+/// Comparable tests: same edition, feed, travel (within `travelTolerance`, as targets are chosen anew for
+/// every test), correction and set-up.
 struct TrendSeries {
     std::string edition;
     std::optional<double> feed;
@@ -46,52 +46,52 @@ struct TrendSeries {
     CorrectionTo20 correction = CorrectionTo20::notStated;
     std::string setUp;
     SeriesDifference difference;
-    std::vector<TrendEntry> entries; ///< by time
+    std::vector<TrendEntry> entries; ///< in chronological order
 };
 
-inline constexpr double travelTolerance = 0.02; ///< part of the travel of the newest test of a series
+inline constexpr double travelTolerance = 0.02; ///< relative to the travel of the newest test of a series
 
 enum class InterventionKind { adjustment, compensation, repair, collision };
 
-/// Something was done to the axis before the test of that day.
+/// An intervention on the axis before the test of that day.
 struct Intervention {
     InterventionKind kind = InterventionKind::adjustment;
     std::string date;
     double time = 0;
-    bool fromFoundToLeft = false; ///< the test before it was as found, this one as left
+    bool fromFoundToLeft = false; ///< the previous test was as found, this one as left
 };
 
-/// How a parameter of an axis moved. The line is that of the first series since the last intervention.
+/// Trend of a parameter of an axis. The line is fitted to the first series since the last intervention.
 struct MachineTrend {
     std::string parameter; ///< id, "A"
     Kind kind = Kind::positioning;
     bool angular = false;
-    std::vector<TrendSeries> series; ///< that of the newest test first
+    std::vector<TrendSeries> series; ///< starting with the newest test's
     std::vector<Intervention> interventions;
-    std::string since;     ///< the first test of the line's stretch
-    std::size_t count = 0; ///< tests of that stretch
+    std::string since;     ///< first test of the line's stretch
+    std::size_t count = 0; ///< number of tests of that stretch
     std::optional<TrendLine> line;
     std::optional<double> limit; ///< of the newest test
     Bound bound = Bound::magnitude;
-    double reserve = 0; ///< g of the newest test where conformity has to be proven
+    double reserve = 0; ///< g of the newest test if conformity has to be proven
     NotBefore notBefore;
-    bool withoutParts = false; ///< a U of the line came without its parts
-    int withoutDate = 0;       ///< tests that are in no series for want of a date
-    int sameReadings = 0;      ///< older entries of readings that stand in a newer one
+    bool withoutParts = false; ///< a U on the line has no separate parts
+    int withoutDate = 0;       ///< tests omitted from the series because they have no date
+    int sameReadings = 0;      ///< older entries with the same readings as a newer one
 };
 
-/// The trend of a parameter over tests of one machine and axis in the order of tests(); ids as in results.
+/// Returns the trend of a parameter over tests of one machine and axis, in their order; ids as in results.
 [[nodiscard]] MachineTrend machineTrend(const std::vector<ListedTest> &tests, const std::string &parameter);
 
-/// The ids of the parameters that tests have, the main ones first: of axes A, E, R, M, B and then the rest;
-/// of circles as they come.
+/// Returns the ids of the parameters of the tests, main ones first: for axes A, E, R, M, B and then the rest;
+/// for circles in their order.
 [[nodiscard]] std::vector<std::string> parametersOf(const std::vector<ListedTest> &tests);
 
-/// Those a history shows: of axes A, E, R, B, or what they have of one direction; of circles G(b), G, D, F.
+/// Returns those shown in a history: axes A, E, R, B, or those of one direction; circles G(b), G, D, F.
 [[nodiscard]] std::vector<std::string> mainParametersOf(const std::vector<ListedTest> &tests);
 
 [[nodiscard]] double yearsOf(const QDate &date);
-[[nodiscard]] QDate dateOfYears(double years); ///< the day on which it lies
+[[nodiscard]] QDate dateOfYears(double years); ///< the day of a time in years
 [[nodiscard]] QDate dateOf(const std::string &iso);
 
 } // namespace palmer

@@ -90,7 +90,7 @@ std::vector<CurvePoint> curveFrom(const QString &text) {
     return curve;
 }
 
-/// What follows "from test" in a statement, with the values of its places.
+/// The part after "from test" of a statement, with the values of its placeholders.
 struct Condition {
     QString text;
     QVariantList values;
@@ -185,7 +185,7 @@ RegisteredResult resultFrom(const QSqlQuery &row) {
     return result;
 }
 
-/// Gives each row of `statement` … (tests of the condition) `order` to the test of its first column.
+/// Passes each row of `statement` … (tests of the condition) `order` to the test of its first column.
 template <class Take>
 void eachRow(Database &database, const Condition &condition, const QString &statement, const QString &order,
              const std::map<int, ListedTest *> &byId, Take take) {
@@ -301,7 +301,7 @@ std::vector<ListedMachine> machines(Database &database) {
 
 std::map<int, std::vector<AxisState>> axisStates(Database &database) {
     std::map<int, std::vector<AxisState>> result;
-    // Of several tests of one day the later one, as tests() sorts them.
+    // If there are several tests on one day, the latest, in the order of tests().
     std::map<std::pair<int, QString>, std::pair<QString, AxisState>> newest;
     QSqlQuery &query = database.run(QStringLiteral(
         "select test.machine, test.axis, test.kind, test.verdict, test.accordance, test.time, test.role, "
@@ -368,7 +368,7 @@ std::vector<ListedTest> tests(Database &database, const TestFilter &filter) {
     }
     query.finish();
     addParts(database, filter, condition, result);
-    std::erase_if(result, [](const ListedTest &test) { return test.places.empty(); }); // removed just now
+    std::erase_if(result, [](const ListedTest &test) { return test.places.empty(); }); // just removed
     if (!filter.words.isEmpty())
         std::erase_if(result, [&](const ListedTest &test) { return !hasWords(test, filter.words); });
     std::ranges::sort(result, {}, [](const ListedTest &listed) {

@@ -14,7 +14,7 @@ namespace palmer {
 
 class Database;
 
-/// A machine of the register, called as in its newest test.
+/// A machine of the register, named as in its newest test.
 struct ListedMachine {
     int id = 0;       ///< within this register; never shown
     QString identity; ///< see machineIdentity()
@@ -26,11 +26,11 @@ struct ListedMachine {
     QString location;
     std::optional<int> months; ///< interval of its tests; null: none
 
-    /// Its name, else type and serial number; empty where nothing is stated.
+    /// Returns its name, otherwise type and serial number; empty if nothing is stated.
     [[nodiscard]] QString title() const;
 };
 
-/// Where a test stands.
+/// Location of a test.
 struct TestPlace {
     QString path;
     int test = 1;  ///< from 1
@@ -41,27 +41,27 @@ struct ListedTest {
     int id = 0; ///< within this register
     int machine = 0;
     RegisteredTest test;
-    std::vector<TestPlace> places;  ///< by path, those that are there first; never empty
-    std::optional<std::string> due; ///< of the test that an interval counts from: the day of the next
-    std::optional<std::string> certificateDue; ///< of the newest test of a machine: the first to expire
+    std::vector<TestPlace> places;             ///< by path, existing ones first; never empty
+    std::optional<std::string> due;            ///< on the test an interval counts from: date of the next one
+    std::optional<std::string> certificateDue; ///< on the newest test of a machine: first expiry
 };
 
-/// What is asked for; empty: all.
+/// A filter; empty: all tests.
 struct TestFilter {
     std::vector<int> machines; ///< ids; empty: all
-    QString axis;              ///< or plane, without case
+    QString axis;              ///< or plane, case-insensitive
     std::optional<Kind> kind;
-    QString since; ///< YYYY-MM-DD, that day included
+    QString since; ///< YYYY-MM-DD, inclusive
     QString until;
     QString limits; ///< respected, notProven, exceeded, noneAgreed
-    QString words;  ///< each of them somewhere in names, title, axis, edition, date, instruments, paths
+    QString words;  ///< each of them must occur in names, title, axis, edition, date, instruments or paths
     bool withCurves = false;
 };
 
-/// All machines that have tests, or an interval; those without serial number last; by name and serial number.
+/// Returns machines with tests or an interval, by name and serial number; those without one last.
 [[nodiscard]] std::vector<ListedMachine> machines(Database &database);
 
-/// How the newest test of an axis or plane stands.
+/// State of the newest test of an axis or plane.
 struct AxisState {
     QString axis;
     Kind kind = Kind::positioning;
@@ -69,32 +69,32 @@ struct AxisState {
     Accordance accordance = Accordance::notChecked;
 };
 
-/// Of each machine (its id) its axes and planes, drift tests apart: axes first, by name.
+/// Returns axes and planes per machine id, drift tests separately: axes first, by name.
 [[nodiscard]] std::map<int, std::vector<AxisState>> axisStates(Database &database);
 
-/// Of each machine (its id) how many tests it has.
+/// Returns the number of tests per machine id.
 [[nodiscard]] std::map<int, int> testCounts(Database &database);
 
-/// Of these the machines a user means: with just this name or serial number, else those whose name, maker,
-/// type, serial number or place contain it; without case, spaces and punctuation.
+/// Returns the machines a user means: those with exactly this name or serial number, otherwise those whose
+/// name, maker, type, serial number or location contains it; ignores case, spaces and punctuation.
 [[nodiscard]] std::vector<ListedMachine> machinesCalled(const std::vector<ListedMachine> &machines,
                                                         const QString &words);
 
-/// The tests asked for, by date, time, role (as found first), axis and digest; without date first. `due` and
-/// `certificateDue` are not filled in: see due.h.
+/// Returns the selected tests by date, time, role (as found first), axis and digest; those without date
+/// first. Does not set `due` and `certificateDue`: see due.h.
 [[nodiscard]] std::vector<ListedTest> tests(Database &database, const TestFilter &filter);
 
-/// Whether a test is one of those asked for.
+/// True if a test passes the filter.
 [[nodiscard]] bool matches(const ListedTest &listed, const TestFilter &filter);
 
-/// A file of the register that has no tests to show.
+/// A file of the register without tests to show.
 struct ListedSource {
     QString path;
     QString state; ///< "unreadable", "notFound"
     QString error; ///< see storedsentence.h
 };
 
-/// Files that cannot be read or are not found any more, by path.
+/// Returns files that are unreadable or not found any more, by path.
 [[nodiscard]] std::vector<ListedSource> troubledSources(Database &database);
 
 /// Sets the interval of a machine in months; null: none. Throws Error.

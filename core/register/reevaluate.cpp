@@ -12,7 +12,7 @@ namespace palmer {
 
 std::vector<Unreadable> reevaluate(std::vector<ListedTest> &tests, const Edition &edition) {
     std::vector<Unreadable> lost;
-    std::map<QString, std::vector<RegisteredTest>> files; // of those read already
+    std::map<QString, std::vector<RegisteredTest>> files; // files already read
     std::erase_if(tests, [&](ListedTest &listed) {
         if (listed.test.kind != edition.kind)
             return false;

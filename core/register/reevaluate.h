@@ -9,8 +9,8 @@
 
 namespace palmer {
 
-/// Evaluates tests anew under one edition, from the readings in their files; those of other kinds stay as
-/// they are. Those whose file cannot be read any more, or no longer holds them, are taken out and returned.
+/// Re-evaluates tests under one edition, from the readings in their files; tests of other kinds are
+/// unchanged. Those whose file is unreadable or no longer contains them are removed and returned.
 [[nodiscard]] std::vector<Unreadable> reevaluate(std::vector<ListedTest> &tests, const Edition &edition);
 
 } // namespace palmer

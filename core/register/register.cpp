@@ -12,8 +12,8 @@ namespace palmer {
 
 namespace {
 
-/// Step i takes a register of schema i to schema i + 1. The same statements for SQLite and PostgreSQL; keys
-/// are counted by the writer. Numbers in mm and degrees; words are those of the test file.
+/// Step i migrates a register from schema i to schema i + 1. The same statements for SQLite and PostgreSQL;
+/// keys are numbered by the writer. Numbers in mm and degrees; words are those of the test file.
 constexpr std::array firstStep{
     "create table register (name text primary key, value text not null)",
     "create table machine (id integer primary key, identity text not null unique, identified integer not "
@@ -48,7 +48,7 @@ constexpr std::array firstStep{
     "insert into register (name, value) values ('writer', '')",
 };
 
-/// The digits a result is printed with: they follow from its instruments and its limit.
+/// The printed decimals of a result, which depend on its instruments and its limit.
 constexpr std::array secondStep{
     "alter table result add column decimals integer",
     "alter table result add column udecimals integer",
@@ -65,7 +65,7 @@ Register::Register(const QString &address, Open open)
     , m_newFile(address)
     , m_database(address) {
     if (m_database.isServer()) {
-        // A place of its own beside what else the database holds.
+        // Its own schema, separate from other contents of the database.
         m_database.execute(QStringLiteral("create schema if not exists palmer_register"));
         m_database.execute(QStringLiteral("set search_path to palmer_register"));
     }
@@ -171,7 +171,7 @@ std::vector<QVariantList> Register::keptIntervals() {
                 values << query.value(i);
             intervals.push_back(std::move(values));
         }
-    } catch (const Error &) { // a newer schema has them elsewhere
+    } catch (const Error &) { // a newer schema stores them elsewhere
         intervals.clear();
     }
     return intervals;

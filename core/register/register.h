@@ -10,22 +10,22 @@
 
 namespace palmer {
 
-/// An index over folders of test files: machines, tests, results, and from which files they came. Made from
-/// the files and made anew at any time with the same content; only the intervals of machines are its own.
-/// Never writes into a file it lists. Of the thread that opened it.
+/// An index of folders of test files: machines, tests, results, and their files. Built from the files and can
+/// be rebuilt at any time with the same content; only the intervals of machines are its own. Never writes to
+/// a listed file. Belongs to the thread that opened it.
 class Register {
 public:
     enum class Open { keep, rebuild };
 
-    /// Opens the register at that address (see Database), makes an empty one, or brings an older one to this
-    /// schema step by step. A newer schema is refused. `rebuild`: empties it first, whatever its schema; the
-    /// intervals of machines stay. Throws Error.
+    /// Opens the register at that address (see Database), creates an empty one, or migrates an older one to
+    /// the current schema step by step. A newer schema is refused. `rebuild`: empties it first, whatever its
+    /// schema; the intervals of machines are kept. Throws Error.
     explicit Register(const QString &address, Open open = Open::keep);
 
     [[nodiscard]] Database &database() { return m_database; }
     [[nodiscard]] const QString &address() const { return m_address; }
 
-    /// Where the register of this user stands when none is named: in the folder of his data.
+    /// Returns the default path of the user's register, in the user's data folder.
     [[nodiscard]] static QString standardPath();
 
 private:
@@ -34,7 +34,7 @@ private:
     [[nodiscard]] int schemaVersion();
     [[nodiscard]] std::vector<QVariantList> keptIntervals();
 
-    /// Removes the file of a register that could not be made.
+    /// Removes the file of a register that could not be created.
     class NewFile {
     public:
         explicit NewFile(const QString &address);
@@ -44,11 +44,11 @@ private:
         void keep() { m_path.clear(); }
 
     private:
-        QString m_path; ///< empty: it was there before, or is on a server
+        QString m_path; ///< empty: it existed before, or is on a server
     };
 
     QString m_address;
-    NewFile m_newFile; ///< lives longer than what has it open
+    NewFile m_newFile; ///< destroyed after its users
     Database m_database;
 };
 

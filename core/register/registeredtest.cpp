@@ -42,7 +42,7 @@ TestPointer withoutImportedBytes(const Test &test) {
     return copy;
 }
 
-/// What the evaluation of a test rests on, and nothing else of its file.
+/// Returns a digest of all inputs of the evaluation of a test, and nothing else in its file.
 QString digestOf(const Document &document, const Test &test, const QString &program) {
     Document part;
     part.machine = document.machine;
@@ -61,7 +61,7 @@ QString digestOf(const Document &document, const Test &test, const QString &prog
     return QString::fromLatin1(hash.result().toHex());
 }
 
-/// The bytes of the readings and where they were taken.
+/// Hash of the readings and their positions.
 class Fingerprint {
 public:
     void add(double value) {
@@ -79,7 +79,7 @@ public:
         }
     }
     [[nodiscard]] QString result() const {
-        constexpr qsizetype bytes = 16; // enough to tell readings apart
+        constexpr qsizetype bytes = 16; // enough to distinguish readings
         return QString::fromLatin1(m_hash.result().first(bytes).toHex());
     }
 
@@ -115,7 +115,7 @@ QString fingerprintOf(const Test &test) {
     return print.result();
 }
 
-/// Who is wrong alike: the device with its certificate. Empty where none is identified.
+/// Key of instruments that share a systematic error: device and certificate. Empty if unidentified.
 std::string instrumentKey(const std::vector<const Instrument *> &instruments) {
     std::string key;
     for (const Instrument *instrument : instruments) {
@@ -125,7 +125,7 @@ std::string instrumentKey(const std::vector<const Instrument *> &instruments) {
     return key;
 }
 
-/// The parts of U that tests share, and how much of each result is in them.
+/// The parts of U shared by tests, and their share in each result.
 class Sharing {
 public:
     Sharing(const Document &document, const Test &test, const TestEvaluation &evaluation,
@@ -134,7 +134,7 @@ public:
         , m_evaluation(evaluation) {
         m_instrument = instrumentKey(instrumentsOf(document, test));
         m_known = !m_instrument.empty();
-        if (!m_known) // of this test alone
+        if (!m_known) // only this test
             m_instrument = "? " + digest.left(16).toStdString();
         for (const Contribution &contribution : evaluation.uncertainty.contributions)
             addPart(contribution);
@@ -161,7 +161,7 @@ public:
             result.shared |= 1U << i;
             squares += m_parts[i].u * m_parts[i].u;
         }
-        // A simulation says another U than the budget: all parts grow alike.
+        // If the simulated U differs from the budget, all parts are scaled alike.
         const double growth = *parameter.expandedUncertainty / *whole;
         double sharedWhole = squares;
         if (parameter.decidedBy == UncertaintyMethod::budgetActual && parameter.effectiveSystematic &&
@@ -190,14 +190,14 @@ private:
         return theta && *theta < referenceTemperature ? -1 : 1;
     }
 
-    /// Own are environmental variation, misalignment, repeatability, noise, resolution and centring: they
-    /// have no row here.
+    /// Environmental variation, misalignment, repeatability, noise, resolution and centring are not shared:
+    /// they are ignored here.
     void addPart(const Contribution &contribution) {
         const std::string_view id = contribution.id;
         const double u = contribution.expanded.value_or(0) / coverage;
         if (id == deviceId || id == displacementId || id == referenceLengthId)
             add(contribution.id, "device " + m_instrument, u);
-        else if (id == "expansionMachine") // α of the machine: wrong the other way below 20 °C
+        else if (id == "expansionMachine") // α of the machine: opposite sign below 20 °C
             add(contribution.id, "expansion of the machine", signOf(SensorMeasures::machine) * u);
         else if (id == "expansionInstrument")
             add(contribution.id, "expansion " + m_instrument, signOf(SensorMeasures::instrument) * u);
@@ -212,10 +212,10 @@ private:
             nullptr, m_test.measurement, [](auto &m) -> decltype(&m.centring) { return &m.centring; });
         if (centring)
             return takesUp(contributionsOf(parameter.term.circle, *centring), id);
-        return parameter.effectiveSystematic.has_value(); // what takes up S has an effective one
+        return parameter.effectiveSystematic.has_value(); // results that include S have an effective S
     }
 
-    /// A U without its parts: of the instrument, whichever that is.
+    /// A U without separate parts: attributed to the instrument, known or not.
     void takeAsOne(RegisteredResult &result, double u) {
         result.withoutParts = true;
         const std::string source = m_known ? "device " + m_instrument : "an instrument";
@@ -238,7 +238,7 @@ private:
     bool m_known = false;
     std::vector<std::string> m_ids; ///< of the contributions; empty: a U without parts
     std::vector<SharedPart> m_parts;
-    std::optional<std::size_t> m_whole; ///< the part that stands for a U without parts
+    std::optional<std::size_t> m_whole; ///< the part representing a U without parts
 };
 
 std::string joined(std::initializer_list<std::string> words) {

@@ -13,29 +13,29 @@
 
 namespace palmer {
 
-/// A result as the register keeps it. Values in mm or degrees, unrounded.
+/// A result as stored in the register. Values in mm or degrees, unrounded.
 struct RegisteredResult {
     std::string id; ///< "A", "G(b)_XY"
     std::optional<double> value;
     std::optional<double> expandedUncertainty;
-    std::optional<double> k; ///< 2; null for a U that a simulation gave (95.45 %), and without U
+    std::optional<double> k; ///< 2; null for a simulated U (95.45 %), and without U
     std::optional<double> limit;
     std::optional<double> guardBand;
     Bound bound = Bound::magnitude;
     std::optional<Verdict> verdict;
-    std::optional<int> decimals;            ///< of the value as every report prints it; null: not kept
+    std::optional<int> decimals;            ///< of the value as printed in every report; null: not stored
     std::optional<int> uncertaintyDecimals; ///< of U
-    double own = 0;                         ///< r: what of U/k belongs to this test alone
-    unsigned shared = 0;                    ///< which of the parts of the test are in U: bit i is part i
-    double sharedFactor = 1;                ///< by which those parts count
-    bool withoutParts = false; ///< U came without its parts: all of it is taken as shared by the instrument
+    double own = 0;                         ///< r: the share of U/k that belongs to this test alone
+    unsigned shared = 0;                    ///< parts of the test included in U: bit i is part i
+    double sharedFactor = 1;                ///< factor of those parts
+    bool withoutParts = false; ///< U has no separate parts: all of it is treated as shared by the instrument
 
     bool operator==(const RegisteredResult &) const = default;
 };
 
-/// An instrument a test was made with.
+/// An instrument used for a test.
 struct RegisteredInstrument {
-    std::string description; ///< what it is, maker and type
+    std::string description; ///< description, maker and type
     std::string serialNumber;
     std::string certificate;
     std::optional<std::string> due; ///< YYYY-MM-DD
@@ -43,7 +43,7 @@ struct RegisteredInstrument {
     bool operator==(const RegisteredInstrument &) const = default;
 };
 
-/// Means at a target, mm or degrees; null where there is no reading.
+/// Means at a target, mm or degrees; null without readings.
 struct CurvePoint {
     double target = 0;
     std::optional<double> up;
@@ -52,10 +52,10 @@ struct CurvePoint {
     bool operator==(const CurvePoint &) const = default;
 };
 
-/// What the register keeps of a test: a pure function of the evaluated document.
+/// The data of a test stored in the register: a pure function of the evaluated document.
 struct RegisteredTest {
     QString digest; ///< SHA-256 of program, machine, instruments and test without bytes of imported files
-    QString fingerprint; ///< of the readings alone
+    QString fingerprint; ///< of the readings only
     std::string machineName;
     std::string manufacturer;
     std::string model;
@@ -70,8 +70,8 @@ struct RegisteredTest {
     std::optional<std::string> date;
     std::optional<std::string> time;
     std::optional<double> feed;   ///< mm/min or °/min; null: rapid or not stated
-    std::optional<double> travel; ///< measurement travel, mm or degrees; of a circle its radius
-    std::string setUp;            ///< what else tells series apart: cycle, zone, signal, as words of the file
+    std::optional<double> travel; ///< measurement travel, mm or degrees; for a circle its radius
+    std::string setUp;            ///< further series properties: cycle, zone, signal, as words of the file
     CorrectionTo20 correction = CorrectionTo20::notStated;
     Purpose purpose = Purpose::notStated;
     TestRole role = TestRole::notStated;
@@ -79,21 +79,21 @@ struct RegisteredTest {
     Rule rule = Rule::simpleAcceptance;
     Accordance accordance = Accordance::notChecked;
     RequirementCounts counts;
-    bool awaitsSimulation = false; ///< the method is Monte Carlo and none was run yet
+    bool awaitsSimulation = false; ///< the method is Monte Carlo and no simulation was run yet
     std::vector<RegisteredInstrument> instruments;
-    std::vector<SharedPart> parts; ///< of U, that other tests share; standard uncertainties, mm or degrees
+    std::vector<SharedPart> parts; ///< shared parts of U; standard uncertainties, mm or degrees
     std::vector<RegisteredResult> results;
-    std::vector<CurvePoint> curve; ///< of a positioning test
+    std::vector<CurvePoint> curve; ///< for a positioning test
 
     bool operator==(const RegisteredTest &) const = default;
 };
 
-/// All tests of a document, in its order. `program` enters the digest: another evaluation is another entry.
-/// Throws Error as writeDocument does.
+/// Returns all tests of a document, in its order. `program` is part of the digest: another evaluation is
+/// another entry. Throws the errors of writeDocument.
 [[nodiscard]] std::vector<RegisteredTest> registeredTests(const EvaluatedDocument &evaluated,
                                                           const QString &program);
 
-/// The quantity of an id without axes: "G(b)" of "G(b)_XY".
+/// Returns the quantity of an id without axes: "G(b)" for "G(b)_XY".
 [[nodiscard]] std::string quantityOf(const std::string &resultId);
 
 } // namespace palmer

@@ -25,18 +25,18 @@ namespace palmer {
 
 namespace {
 
-/// What reads the files: another version, or other contents of an entry, reads them again.
+/// Identifies the reader: with another version, or other contents of an entry, files are read again.
 const QString program = QStringLiteral("Palmer " PALMER_VERSION ", entries 2");
 
-constexpr std::size_t mostWaiting = 64; ///< summaries between those who read and who writes
+constexpr std::size_t mostWaiting = 64; ///< summaries between readers and writer
 constexpr int filesOfTransaction = 256;
-constexpr qint64 tooFresh = 2'000; ///< ms: a file system may give two states of a file one time
+constexpr qint64 tooFresh = 2'000; ///< ms: a file system may give two states of a file the same time
 
-/// What was found in a file.
+/// The content of a file.
 struct ReadFile {
     KnownSource source;
     std::vector<RegisteredTest> tests;
-    bool isSame = false; ///< its content is that of the register
+    bool isSame = false; ///< content unchanged since the register was written
 };
 
 KnownSource sourceOf(const ListedFile &file, SourceState state) {
@@ -50,7 +50,7 @@ KnownSource sourceOf(const ListedFile &file, SourceState state) {
     return source;
 }
 
-/// The document in the bytes of a test file or a report; null for a PDF of another program. Throws Error.
+/// Returns the document of a test file or a report; null for a PDF of another program. Throws Error.
 std::optional<Document> documentIn(const QByteArray &bytes) {
     if (!isPdf(bytes))
         return readDocument(bytes);
@@ -92,7 +92,7 @@ ReadFile readFile(const ListedFile &file, const KnownSource *known) {
     return result;
 }
 
-/// Files that are read on all processors, each at most `mostWaiting` ahead of who takes them.
+/// Reads files on all processors, at most `mostWaiting` ahead of the consumer.
 class Readers {
 public:
     Readers(const std::vector<ListedFile> &files, const std::map<QString, KnownSource> &known, int jobs,
@@ -105,9 +105,9 @@ public:
         m_working = std::min<std::size_t>(wanted, files.size());
         const std::size_t count = m_working;
         try {
-            for (std::size_t i = 0; i < count; ++i) // the count stands before the first begins
+            for (std::size_t i = 0; i < count; ++i) // fix the count before the first thread starts
                 m_threads.emplace_back([this] { work(); });
-        } catch (const std::system_error &) { // no more threads: those there are do it all
+        } catch (const std::system_error &) { // no more threads: the existing ones do it all
             const std::scoped_lock lock(m_mutex);
             m_working -= count - m_threads.size();
         }
@@ -124,7 +124,7 @@ public:
     Readers(const Readers &) = delete;
     Readers &operator=(const Readers &) = delete;
 
-    /// The next file, in the order they get ready; nothing when there is none any more.
+    /// Returns the next file in order of completion; null if there is none left.
     std::optional<ReadFile> take() {
         if (m_threads.empty())
             return readNext();
@@ -205,7 +205,7 @@ public:
 private:
     int count(const QString &statement) { return m_register.database().first(statement).value_or(0).toInt(); }
 
-    /// Which files have to be looked into.
+    /// Selects the files to be read.
     void sortOut(const Listing &listing) {
         for (const ListedFile &file : listing.files) {
             const auto known = m_known.find(file.path);
@@ -215,7 +215,7 @@ private:
             if (!isSame)
                 m_changed.push_back(file);
             else if (known->second.state == sourceWord(SourceState::unreadable))
-                // What kept it from being read may be gone, if it was no fault of its content.
+                // The cause may be gone, unless it was the content.
                 known->second.sha256.isEmpty()
                     ? m_changed.push_back(file)
                     : m_result.unreadable.push_back({file.path, known->second.error});
@@ -270,7 +270,7 @@ private:
         }
     }
 
-    /// Listed files of these folders that are not there any more.
+    /// Marks registered files of these folders that no longer exist.
     void markVanished(const Listing &listing) {
         QStringList unreadable;
         for (const UnreadableFolder &folder : listing.unreadable)
@@ -300,7 +300,7 @@ private:
         }
     }
 
-    /// One file after another: each takes all processors.
+    /// One file at a time, as each simulation uses all processors.
     void simulate() {
         std::vector<QString> paths;
         QSqlQuery &query = m_register.database().run(

@@ -15,16 +15,16 @@ namespace palmer {
 
 class Register;
 
-/// How far a scan is.
+/// Progress of a scan.
 struct ScanProgress {
     int done = 0;
-    int total = 0; ///< files that have to be looked into
+    int total = 0; ///< number of files to be read
     bool simulating = false;
 };
 
 struct ScanOptions {
-    int jobs = 0;       ///< files read at a time; 0: one a processor
-    bool prune = false; ///< take out files that are not found any more
+    int jobs = 0;       ///< files read in parallel; 0: one per processor
+    bool prune = false; ///< remove files that are not found any more
     std::stop_token stop = {};
     std::function<void(const ScanProgress &)> progress = {};
 };
@@ -35,11 +35,11 @@ struct Unreadable {
     QString error;
 };
 
-/// What a scan found in the folders.
+/// Result of a scan of the folders.
 struct ScanResult {
-    int files = 0;    ///< test files and reports that are there
-    int read = 0;     ///< of them new or changed
-    int notFound = 0; ///< listed, but there no more
+    int files = 0;    ///< existing test files and reports
+    int read = 0;     ///< new or changed ones among them
+    int notFound = 0; ///< registered, but no longer existing
     int pruned = 0;
     int tests = 0;    ///< in the whole register
     int machines = 0; ///< likewise
@@ -47,14 +47,14 @@ struct ScanResult {
     std::vector<Unreadable> unreadable;
 };
 
-/// The document of a test file or of a report; null for a PDF of another program. Throws Error.
+/// Returns the document of a test file or a report; null for a PDF of another program. Throws Error.
 [[nodiscard]] std::optional<Document> documentOfFile(const QString &path);
 
-/// Brings the register to what the folders hold: reads what is new or has changed (by size and time, then by
-/// SHA-256), evaluates it, and writes it in transactions, so that a scan that is ended goes on where it was.
-/// Files that vanished become "not found", unless a folder on their way cannot be read. A file among
-/// `folders` is looked at alone. Then it simulates what has Monte Carlo for its method. Throws Error for
-/// troubles of the register, never for those of files.
+/// Updates the register from the folders: reads new and changed files (by size and time, then by SHA-256),
+/// evaluates them, and writes in transactions, so that an interrupted scan continues where it was. Vanished
+/// files become "not found", unless a parent folder is unreadable. A file in `folders` is scanned by itself.
+/// Then runs missing simulations of tests with Monte Carlo as their method. Throws Error for problems of the
+/// register, never for those of files.
 [[nodiscard]] ScanResult scan(Register &reg, const QStringList &folders, const ScanOptions &options = {});
 
 } // namespace palmer

@@ -32,7 +32,7 @@ QString stored(const Argument &argument) {
     return QStringLiteral("s") + clean(std::get<std::string>(argument));
 }
 
-/// Texts that are only known at run time, for as long as their sentence is made.
+/// Owns texts known only at run time while their sentence is built.
 class Texts {
 public:
     Text text(const QString &source, const QString &comment) {

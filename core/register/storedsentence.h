@@ -9,11 +9,11 @@
 
 namespace palmer {
 
-/// Why a file could not be read, as the register keeps it: the source of the sentence with its arguments, so
-/// that it can be said in any language later.
+/// Returns why a file could not be read, as stored in the register: the source of the sentence with its
+/// arguments, so that it can be translated into any language later.
 [[nodiscard]] QString storedSentence(const Error &error);
 
-/// The sentence, with the place in the file before it. What was not stored so is returned as it stands.
+/// Returns the sentence, preceded by the place in the file. Text in another form is returned unchanged.
 [[nodiscard]] QString sentenceFrom(const QString &stored, const Language &language);
 
 } // namespace palmer

@@ -44,12 +44,12 @@ public:
         addLimits();
         addInterventions();
         addLine();
-        const double level = m_most != 0 ? 0.1 * std::abs(m_most) : 1; // of one value without U
+        const double level = m_most != 0 ? 0.1 * std::abs(m_most) : 1; // for one value without U
         const double room = m_most > m_least ? 0.06 * (m_most - m_least) : level;
         const double bottom = m_least >= 0 ? std::max(0.0, m_least - room) : m_least - room;
         setRange(m_panel.y, bottom, m_most + room, 4, TickSteps::values, m_language);
         setRange(m_panel.x, m_span.from, m_span.to, mostTicks, TickSteps::values, m_language);
-        m_panel.x.ticks.clear(); // years without a group of thousands
+        m_panel.x.ticks.clear(); // years without digit grouping
         const double step = std::max(1.0, m_panel.x.step);
         for (int tick = static_cast<int>(std::ceil(m_span.from / step)); tick * step <= m_span.to; ++tick)
             m_panel.x.ticks.push_back({tick * step, QString::number(static_cast<int>(tick * step))});
@@ -59,7 +59,7 @@ public:
     }
 
 private:
-    /// Of a span in which no year begins; an axis without a number says nothing.
+    /// Adds month ticks if no year begins in the span, as an axis needs a number.
     void addMonths(int mostTicks) {
         constexpr int monthsOfYear = 12;
         std::vector<Tick> months;

@@ -11,31 +11,31 @@
 
 namespace palmer {
 
-/// The years a panel shows: from the first test to today, or to where the line ends, with a margin.
+/// The years shown in a panel: from the first test to today, or to the end of the line, with a margin.
 struct TrendSpan {
     double from = 0; ///< calendar years
     double to = 1;
 };
 [[nodiscard]] TrendSpan trendSpan(const std::vector<MachineTrend> &trends, const QDate &today);
 
-/// A trend as it is drawn. The band is that of the one-sided bounds,
-/// level ± t(0.95)·u of the line: "not before" lies on its edge.
+/// Returns the panel of a trend. The band shows the one-sided bounds, level ± t(0.95)·u of the line: "not
+/// before" is on its edge.
 [[nodiscard]] TrendPanel trendPanel(const MachineTrend &trend, const TrendSpan &span, const QDate &today,
                                     const Language &language, int mostTicks);
 
-/// The same for a row of several.
+/// The same for a row of several panels.
 [[nodiscard]] TrendPanel smallTrendPanel(const MachineTrend &trend, const TrendSpan &span, const QDate &today,
                                          const Language &language);
 
-/// One trend alone, with names and legend.
+/// Returns the figure of a single trend, with names and legend.
 [[nodiscard]] TrendFigure trendFigure(const QString &title, const MachineTrend &trend, const QDate &today,
                                       const Language &language);
 
-/// What the marks of these trends mean.
+/// Returns the legend for the marks of these trends.
 [[nodiscard]] std::vector<QString> trendLegend(const Language &language,
                                                const std::vector<MachineTrend> &trends);
 
-/// A day as a calendar year: 2024.29.
+/// Converts a date to a calendar year: 2024.29.
 [[nodiscard]] double calendarYear(const QDate &date);
 
 } // namespace palmer

@@ -41,7 +41,7 @@ QString quantityText(double value, Quantity quantity, int decimals, const Langua
     return language.quantity(value, quantity, decimals);
 }
 
-/// "+1.29": with its sign.
+/// Returns a number with its sign: "+1.29".
 QString signedNumber(double value, Quantity quantity, int decimals, const Language &language) {
     return (value >= 0 ? QStringLiteral("+") : QString()) + language.number(value, quantity, decimals);
 }
@@ -113,7 +113,7 @@ QString seriesName(const TrendSeries &series, bool angular, const Language &lang
 
 namespace {
 
-/// When the bound of the line reaches the limit, of a trend that has both.
+/// Returns when the bound of the line reaches the limit. Precondition: the trend has both.
 QString boundStatement(const MachineTrend &trend, const Language &language) {
     const auto month = [&](double time) { return monthText(dateOfYears(time), language).toStdString(); };
     switch (trend.notBefore.state) {
@@ -205,7 +205,7 @@ std::vector<KeyValue> trendFacts(const MachineTrend &trend, const Language &lang
     return facts;
 }
 
-/// Of a trend that has a line; borrows the texts.
+/// Precondition: the trend has a line. Borrows the texts.
 Members lineMembers(const MachineTrend &trend, const std::string &date, const std::string &horizon) {
     const TrendLine &line = *trend.line;
     Members one;
@@ -262,7 +262,7 @@ std::vector<Members> seriesMembers(const MachineTrend &trend, const std::vector<
 } // namespace
 
 QByteArray trendJson(const ListedMachine &machine, const std::string &axis, const MachineTrend &trend) {
-    std::vector<std::string> files; // what the members borrow
+    std::vector<std::string> files; // borrowed by the members
     for (const TrendSeries &series : trend.series) {
         for (const TrendEntry &entry : series.entries)
             files.push_back(entry.file.toStdString());

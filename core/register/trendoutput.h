@@ -10,42 +10,42 @@
 
 namespace palmer {
 
-/// The trend as one line of JSON; values in mm or degrees, `notBefore` a day, null where nothing is said.
+/// Returns the trend as one line of JSON; values in mm or degrees, `notBefore` a date, null for no statement.
 [[nodiscard]] QByteArray trendJson(const ListedMachine &machine, const std::string &axis,
                                    const MachineTrend &trend);
 
-/// Its points as rows for programs, with the line and its standard uncertainty where there is one.
+/// Returns its points as rows for programs, with the line and its standard uncertainty if there is one.
 [[nodiscard]] QByteArray trendCsv(const ListedMachine &machine, const std::string &axis,
                                   const std::vector<MachineTrend> &trends);
 
-/// To be read: what is said of the line, then its points.
+/// Returns a readable report: statements about the line, then its points.
 [[nodiscard]] Report composeTrend(const ListedMachine &machine, const std::string &axis,
                                   const MachineTrend &trend, const Language &language);
 
-/// "not before March 2028", "no trend shown", "fewer than 4 tests since the last intervention", …
+/// Returns "not before March 2028", "no trend shown", "fewer than 4 tests since the last intervention", …
 [[nodiscard]] QString trendStatement(const MachineTrend &trend, const Language &language);
 
-/// The same for a small chart: "not before June 2029 *" where nothing is said beyond.
+/// The same for a small chart: "not before June 2029 *" if there is no statement beyond.
 [[nodiscard]] QString shortTrendStatement(const MachineTrend &trend, const Language &language);
 
-/// How the line was found, in a few sentences.
+/// Returns how the line was computed, in a few sentences.
 [[nodiscard]] QString trendMethod(const MachineTrend &trend, const Language &language);
 
-/// "ISO 230-2:1988, feed 500 mm/min": in what a series is another than the first; empty for the first.
+/// Returns how a series differs from the first: "ISO 230-2:1988, feed 500 mm/min"; empty for the first.
 [[nodiscard]] QString seriesName(const TrendSeries &series, bool angular, const Language &language);
 
-/// "repair", "collision".
+/// Returns "repair", "collision".
 [[nodiscard]] QString interventionName(InterventionKind kind, const Language &language);
 
-/// "March 2028", "mars 2028".
+/// Returns "March 2028", "mars 2028".
 [[nodiscard]] QString monthText(const QDate &date, const Language &language);
-/// Where there is little room: "Nov 2026".
+/// For narrow places: "Nov 2026".
 [[nodiscard]] QString shortMonthText(const QDate &date, const Language &language);
 
-/// The facts beside a chart: since, tests, slope, level, scatter. Only of a trend with a line.
+/// Returns since, tests, slope, level and scatter. Precondition: the trend has a line.
 [[nodiscard]] std::vector<KeyValue> trendFacts(const MachineTrend &trend, const Language &language);
 
-/// The unit values are shown in: µm or arc seconds.
+/// Returns the quantity of the values: shown in µm or arc seconds.
 [[nodiscard]] Quantity trendQuantity(const MachineTrend &trend);
 
 } // namespace palmer

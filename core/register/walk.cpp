@@ -62,7 +62,7 @@ private:
 
     void list(const QString &folder) {
         const QFileInfo info(folder);
-        if (!m_seen.insert(info.canonicalFilePath()).second) // through another link
+        if (!m_seen.insert(info.canonicalFilePath()).second) // reached through another link
             return;
         constexpr int toList = R_OK | X_OK;
         if (::faccessat(AT_FDCWD, QFile::encodeName(folder).constData(), toList, AT_EACCESS) != 0) {
@@ -79,7 +79,7 @@ private:
             else if (isListed(entry.fileName()))
                 addFile(entry);
         }
-        std::ranges::sort(below, std::ranges::greater()); // the last is walked first
+        std::ranges::sort(below, std::ranges::greater()); // the last is visited first
         m_open.insert(m_open.end(), below.begin(), below.end());
     }
 

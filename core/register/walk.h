@@ -11,7 +11,7 @@
 
 namespace palmer {
 
-/// A file as a folder lists it.
+/// A file as listed in a folder.
 struct ListedFile {
     QString path; ///< absolute, without "." and ".."
     qint64 size = 0;
@@ -29,14 +29,14 @@ struct Listing {
     std::vector<UnreadableFolder> unreadable;
 };
 
-/// The test files and PDFs in these folders and below, also through symbolic links, each folder once however
-/// many links lead to it; a file among `places` is listed itself. Hidden ones are left out.
+/// Returns the test files and PDFs in and below these folders, also through symbolic links, each folder once
+/// however many links lead to it; a file in `places` is listed itself. Hidden ones are omitted.
 [[nodiscard]] Listing listFiles(const QStringList &places, const std::stop_token &stop = {});
 
-/// Whether a path is one of these places or below one.
+/// True if a path is one of these places or below one.
 [[nodiscard]] bool isBelow(const QString &path, const QStringList &places);
 
-/// Absolute, without "." and "..", and without a slash at the end.
+/// Returns the path absolute, without "." and "..", and without a trailing slash.
 [[nodiscard]] QString cleanPath(const QString &path);
 
 } // namespace palmer

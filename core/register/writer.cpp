@@ -61,7 +61,7 @@ RegisterWriter::RegisterWriter(Database &database)
     : m_database(database) {}
 
 void RegisterWriter::begin() {
-    // A row that every writer changes: on a server they wait for each other here.
+    // Every writer updates this row, so that on a server they wait for each other here.
     m_database.run(QStringLiteral("update register set value = value where name = 'writer'"));
     m_next.clear();
     m_loosened.clear();
@@ -266,7 +266,7 @@ void RegisterWriter::finish() {
             removeTest(test);
     }
     for (const int machine : m_touched) {
-        // Called as in its newest test.
+        // Named as in its newest test.
         QSqlQuery &query = m_database.run(
             QStringLiteral("select name, manufacturer, model, serial, location, date, digest from test where "
                            "machine = ?"),

@@ -12,7 +12,7 @@
 
 namespace palmer {
 
-/// What is known of a file. `notFound`: it was there and is no more; `foreign`: a PDF of another program.
+/// State of a file. `notFound`: it existed and no longer does; `foreign`: a PDF of another program.
 enum class SourceState { read, unreadable, foreign, notFound };
 [[nodiscard]] QString sourceWord(SourceState state);
 
@@ -20,33 +20,33 @@ struct KnownSource {
     int id = 0;
     QString path;
     qint64 size = 0;
-    qint64 modified = 0; ///< −1: written so short before it was read that it may have changed since
+    qint64 modified = 0; ///< −1: written so shortly before reading that it may have changed since
     QString sha256;
-    QString program; ///< that read it
+    QString program; ///< program that read it
     QString state;
-    QString error; ///< see storedsentence.h; also of a file that was not found and could not be read before
+    QString error; ///< see storedsentence.h; kept for a file that is not found and was unreadable before
 };
 
-/// Writes into a register; every method within a transaction that began with begin(), so that several writers
-/// wait for each other and the counted keys are true.
+/// Writes to a register; every method requires a transaction started with begin(), so that several writers
+/// wait for each other and numbered keys are correct.
 class RegisterWriter {
 public:
     explicit RegisterWriter(Database &database);
 
-    /// To be called first in every transaction.
+    /// Must be called first in every transaction.
     void begin();
-    /// To be called last: removes tests that no file has any more, renews what the machines are called.
+    /// Must be called last: removes tests without files and updates the names of the machines.
     void finish();
 
     [[nodiscard]] static std::map<QString, KnownSource> sources(Database &database);
 
-    /// The file as it is now, with its tests in place of those it had.
+    /// Stores the file as it is now, replacing its tests.
     void put(const KnownSource &source, const std::vector<RegisteredTest> &tests);
-    /// The file with the same content at another time, or found again.
+    /// Updates a file with the same content but another time, or found again.
     void refresh(const KnownSource &source);
     void setState(const QString &path, SourceState state);
     void remove(const QString &path);
-    /// Results of a test that was simulated.
+    /// Replaces the results of a simulated test.
     void replaceResults(const QString &digest, const RegisteredTest &test);
 
 private:

@@ -17,9 +17,9 @@ namespace {
 
 constexpr double leastSquaresTolerance = 1e-9; ///< mm
 constexpr double widthTolerance = 1e-12;       ///< mm, up to radii of 10 mm
-constexpr double relativeToRadius = 1e-13;     ///< the steps of the distances of large circles
+constexpr double relativeToRadius = 1e-13;     ///< resolution of the distances of large circles
 
-/// The lines of an embedded file but comments, split at commas.
+/// Returns the lines of an embedded file except comments, split at commas.
 std::vector<QStringList> lines(const QString &name) {
     QFile file(QStringLiteral(":/reference/circles/") + name);
     if (!file.open(QIODevice::ReadOnly))
@@ -56,7 +56,7 @@ Comparison comparison(const QString &of, Symbol symbol, double expected, double 
     return result;
 }
 
-/// One line of expected.csv: its cells by the names of the columns.
+/// One line of expected.csv: its cells by column name.
 using ReferenceRow = std::map<QString, QString>;
 
 void compareSet(SetValidation &set, const ReferenceRow &row, bool constructed) {

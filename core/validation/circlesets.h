@@ -9,9 +9,9 @@
 
 namespace palmer {
 
-/// Fits circles to the embedded sets of points (`reference/circles`) and compares with their known circles:
-/// centre and radius by least squares, and width, with its certificate, of the minimum zone. The NIST sets
-/// come first, then those constructed. Throws Error if the data cannot be read.
+/// Fits circles to the embedded point sets (`reference/circles`) and compares them with their known circles:
+/// centre and radius by least squares, and width, with its certificate, of the minimum zone. NIST sets first,
+/// then constructed ones. Throws Error if the data cannot be read.
 [[nodiscard]] std::vector<SetValidation> validateCircles();
 
 } // namespace palmer

@@ -58,7 +58,7 @@ iso230_4::ContouringFeed contouringFeed(const QJsonObject &object) {
             number(QLatin1StringView("diameter"))};
 }
 
-/// What of a test, by the key that names it.
+/// Reads what is expected of a test, by its key.
 void readWhat(Expectation &result, const QJsonObject &object, const std::string &place) {
     const auto has = [&](QLatin1StringView key) { return object.contains(key); };
     const auto text = [&](QLatin1StringView key) { return object.value(key).toString().toStdString(); };

@@ -13,23 +13,23 @@
 
 namespace palmer {
 
-/// Where the expected value comes from: printed in the standard; recomputed elsewhere from the same data;
-/// exact by construction; certified by an institute.
+/// Source of the expected value: printed in the standard; recomputed elsewhere from the same data; exact by
+/// construction; certified by an institute.
 enum class ExpectationSource { published, recomputed, exact, certified };
 
-/// What is expected: a parameter of a test, a statistic of one of its targets, the correction C to 20 °C of
-/// a circular test, or a contouring feed for another diameter.
+/// Kind of expected value: a parameter of a test, a statistic of one of its targets, the correction C to 20
+/// °C of a circular test, or a contouring feed for another diameter.
 enum class Expected { parameter, statistic, correction, contouringFeed };
 
-/// A value that the evaluation of a reference set has to give.
+/// A value that the evaluation of a reference set must give.
 struct Expectation {
     Expected what = Expected::parameter;
-    std::string edition;             ///< the one to evaluate under
+    std::string edition;             ///< edition of the evaluation
     std::size_t test = 0;            ///< index in the set
     std::string parameter;           ///< id
     int target = 0;                  ///< counted from 1
     std::string statistic;           ///< id of targetValue(): "mean+", "R", …
-    iso230_4::ContouringFeed feed{}; ///< what the contouring feed follows from
+    iso230_4::ContouringFeed feed{}; ///< inputs of the contouring feed
     double value = 0;                ///< mm, or the unit of the set
     double tolerance = 0;            ///< the same, or relative to the value
     bool relative = false;
@@ -45,10 +45,10 @@ struct ReferenceSet {
     std::vector<Expectation> expected;
 };
 
-/// Reads a file of reference data (JSON; the tests in it as in a test file). Throws Error.
+/// Reads a file of reference data (JSON; its tests as in a test file). Throws Error.
 [[nodiscard]] ReferenceSet readReferenceSet(const QByteArray &bytes);
 
-/// Names of the embedded reference files, in the order they are shown in.
+/// Returns the names of the embedded reference files in display order.
 [[nodiscard]] std::vector<QString> embeddedReferenceFiles();
 
 } // namespace palmer

@@ -31,7 +31,7 @@ void computeStatistic(Comparison &comparison, const TestEvaluation &evaluation) 
 }
 
 void computeParameter(Comparison &comparison, const TestEvaluation &evaluation) {
-    comparison.index = comparison.expectation.parameter; // where there is none of that name
+    comparison.index = comparison.expectation.parameter; // if there is none of that name
     for (const Parameter &parameter : evaluation.parameters) {
         if (parameterId(parameter) != comparison.expectation.parameter)
             continue;
@@ -50,7 +50,7 @@ void computeCorrection(Comparison &comparison, const TestEvaluation &evaluation)
 
 void compute(Comparison &comparison, const EvaluatedDocument &evaluated) {
     const Expectation &expected = comparison.expectation;
-    // An unknown edition would fall back on that of the test: no comparison then.
+    // With an unknown edition the test's own would be used: make no comparison.
     if (expected.test >= evaluated.tests.size() ||
         evaluated.tests[expected.test]->edition->word != expected.edition)
         return;
@@ -63,7 +63,7 @@ void compute(Comparison &comparison, const EvaluatedDocument &evaluated) {
     case Expected::correction:
         return computeCorrection(comparison, evaluation);
     case Expected::contouringFeed:
-        return; // of no test
+        return; // not for a test
     }
 }
 

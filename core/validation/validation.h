@@ -11,14 +11,14 @@
 
 namespace palmer {
 
-/// A computed value beside the expected one, in the unit of the set (mm, or none).
+/// A computed value and the expected one, in the unit of the set (mm, or none).
 struct Comparison {
     Expectation expectation;
     QString of;        ///< the edition, or the file of the points
     Symbol symbol;     ///< "A↑"
-    std::string index; ///< of the plane "XY", of the target "10"
+    std::string index; ///< "XY" for the plane, "10" for the target
     std::optional<double> computed;
-    std::optional<double> difference; ///< computed − expected; relative where the tolerance is
+    std::optional<double> difference; ///< computed − expected; relative if the tolerance is
     bool agrees = false;
 };
 
@@ -27,19 +27,18 @@ struct SetValidation {
     QString origin;
     Quantity quantity = Quantity::deviation;
     std::vector<Comparison> comparisons;
-    bool points = false; ///< of sets of points, not of tests
+    bool points = false; ///< for point sets, not tests
 
     [[nodiscard]] bool agrees() const;
 };
 
-/// Evaluates a reference set, as any test is evaluated, under the editions it has expectations for.
+/// Evaluates a reference set like any test, under the editions it has expectations for.
 [[nodiscard]] SetValidation validate(const ReferenceSet &set);
 
-/// Compares a number with what is expected of it. `relative`: the difference too.
+/// Compares a number with its expectation. `relative`: so is the difference.
 void compareWith(Comparison &comparison, double computed);
 
-/// Evaluates all embedded reference data: what `selftest` and the help show. Throws Error if one cannot be
-/// read.
+/// Evaluates all embedded reference data, for `selftest` and the help. Throws Error if one cannot be read.
 [[nodiscard]] std::vector<SetValidation> validateAll();
 
 } // namespace palmer
