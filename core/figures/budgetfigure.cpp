@@ -13,10 +13,10 @@ namespace palmer {
 namespace {
 
 constexpr double percent = 100;
-constexpr double leastShare = 0.005; ///< below, "< 1" is printed
+constexpr double leastShare = 0.005; ///< smaller shares are printed as "< 1"
 constexpr double mostLengthTicks = 6;
 
-/// The index of a symbol at the end of a name: "…, E_VE" becomes "…, E" and "VE".
+/// Splits the index off a symbol at the end of a name: "…, E_VE" becomes "…, E" and "VE".
 void splitIndex(Bar &bar) {
     const qsizetype at = bar.name.lastIndexOf(u'_');
     if (at < 0)

@@ -9,19 +9,19 @@
 
 namespace palmer {
 
-/// The contributions to the uncertainty of a test as bars, the largest first: U_i (k = 2) in µm, rotary: arc
-/// seconds, and the share in the sum of the squares; unknown ones before all others, without a bar. No bars
-/// where the method of the test needs no budget, and for drift tests. `evaluation` is that of the test.
+/// Contributions to the uncertainty of a test as bars, the largest first: U_i (k = 2) in µm (rotary: arc
+/// seconds), and its share in the sum of squares. Unknown contributions come first and have no bar. No bars
+/// if the method of the test needs no budget, nor for drift tests. `evaluation` is the evaluation of `test`.
 [[nodiscard]] BarFigure budgetFigure(const Test &test, const TestEvaluation &evaluation,
                                      const Language &language);
 
-/// Decimals of the U of a contribution, in the unit it is shown in.
+/// Decimals of the U of a contribution, in the displayed unit.
 inline constexpr int contributionDecimals = 2;
 
-/// The name of a contribution as it begins a line: with a capital.
+/// Name of a contribution, capitalised to begin a line.
 [[nodiscard]] QString contributionName(const Contribution &contribution, const Language &language);
 
-/// "54"; a share below 0.5 % as "< 1". Without the sign.
+/// Percentage without the % sign: "54"; "< 1" if below 0.5 %.
 [[nodiscard]] QString shareText(double share, const Language &language);
 
 } // namespace palmer

@@ -28,31 +28,31 @@ namespace palmer {
 namespace {
 
 constexpr double micrometresPerMillimetre = 1000;
-/// Space beside the figure for axes and their letters, mm: beside and above it.
+/// Margins for the axes and their letters, mm: at the sides and at the top.
 constexpr double sideMargin = 7;
 constexpr double topMargin = 3.5;
-constexpr double smallestRadius = 8; ///< of a figure, mm: of what is too small for one
+constexpr double smallestRadius = 8; ///< lower bound of the figure radius, mm
 
-constexpr double innerLimit = 0.15;           ///< of the figure's radius: nothing is drawn nearer the centre
-constexpr double nominalCircle = 34.0 / 49.0; ///< of the figure's radius
-constexpr double worthMoving = 4.999; ///< gain of magnification for which the nominal circle gives way
+constexpr double innerLimit = 0.15;           ///< fraction of the figure radius; inner bound of the plot
+constexpr double nominalCircle = 34.0 / 49.0; ///< fraction of the figure radius
+constexpr double worthMoving = 4.999;         ///< least gain in magnification that moves the nominal circle
 constexpr int highestDecade = 5;
 constexpr int lowestDecade = -6;
 
-constexpr double leastDivision = 0.08; ///< of the figure's radius
+constexpr double leastDivision = 0.08; ///< fraction of the figure radius
 constexpr std::size_t fewestRings = 4;
-constexpr double mostRings = 60; ///< in a view: far beyond what is ever wanted
+constexpr double mostRings = 60; ///< in a view; far more than needed
 
-constexpr double largestLimit = 4;        ///< times the deviations: limits of F beyond are not drawn
+constexpr double largestLimit = 4;        ///< limits of F above this multiple of the deviations are not drawn
 constexpr double contactTolerance = 1e-6; ///< µm
-constexpr double contactDistance = 1;     ///< degrees between contacts that are told apart
+constexpr double contactDistance = 1;     ///< degrees; nearer points count as one contact
 constexpr std::size_t mostContacts = 8;
 
 constexpr double keyRow = 4.8; ///< mm
 constexpr double keyGap = 1;
-constexpr double threeColumns = 105; ///< width that holds them, mm
+constexpr double threeColumns = 105; ///< least width for three columns, mm
 
-/// The test and what of it a figure shows.
+/// A test and what the figure shows of it.
 struct CircleSource {
     const CircularMeasurement &measurement;
     const CircularResults &results;
@@ -69,7 +69,7 @@ struct CircleSource {
     [[nodiscard]] bool radial() const { return options.subject == CircleSubject::radialDeviation; }
     [[nodiscard]] bool aboutSetUp() const { return radial() && measurement.centring == Centring::instrument; }
 
-    /// Which path or pair the figure is about: of one sense alone it is not a pair.
+    /// Path or pair the figure shows; a single sense is not a pair.
     [[nodiscard]] CircleOf of() const {
         if (options.of != CircleOf::both || results.paths.empty())
             return options.of;
@@ -81,18 +81,17 @@ struct CircleSource {
         return of() == CircleOf::both || of() == iso230_4::circleOf(sense);
     }
 
-    /// The circle whose centre the figure is drawn about; null for the programmed centre.
+    /// Circle about whose centre the figure is drawn; null: the programmed centre.
     [[nodiscard]] const CircleResult *circle() const {
         if (aboutSetUp())
             return nullptr;
         return results.circle(of(), radial() ? ReferenceCircle::leastSquares : measurement.referenceCircle);
     }
 
-    /// The index of the figure's results.
     [[nodiscard]] std::string index() const {
         for (const EvaluatedPath &path : results.paths) {
             if (shows(path.sense))
-                return path.index; // a pair takes that of the path measured first
+                return path.index; // a pair uses the index of the path measured first
         }
         return {};
     }
@@ -103,7 +102,7 @@ struct CircleSource {
         return found == evaluation.parameters.end() ? nullptr : &*found;
     }
 
-    /// G or G(b), of the feedback signal where that was measured.
+    /// G or G(b); that of the feedback signal if only this was measured.
     [[nodiscard]] const Parameter *circularDeviation() const {
         const bool pair = of() == CircleOf::both;
         const Parameter *external = parameter(pair ? "G(b)" : "G");
@@ -123,7 +122,7 @@ PathProfile profile(const Arc &arc, const std::vector<std::size_t> &source, Poin
     reserve(result.angles);
     reserve(result.deviations);
     result.source = source;
-    // A few at a time, which stay in the nearest cache; of 10⁶ points every further look costs milliseconds.
+    // Blocks that fit into the L1 cache; for 10⁶ points every further pass costs milliseconds.
     constexpr std::size_t few = 512;
     std::array<double, few> angles{};
     std::array<double, few> deviations{};
@@ -191,7 +190,7 @@ void put(const Points &points, const std::vector<std::size_t> &source, Points &a
     }
 }
 
-/// All points of an arc: those that are evaluated are there already, and took a sine and a cosine each.
+/// All points of an arc. Evaluated points are copied, which saves a sine and a cosine each.
 Points allPoints(const Arc &arc, std::size_t index, const CircleSource &from) {
     Points result;
     result.x.resize(arc.angles.size());
@@ -263,7 +262,7 @@ void include(Interval &range, double value) {
     range.to = std::max(range.to, value);
 }
 
-/// The part of the circle that the paths take; null where it is more than three quarters of it.
+/// Sector of the circle that the paths cover; null if it exceeds three quarters of the circle.
 std::optional<Interval> sectorOf(std::span<const PathProfile> profiles) {
     std::optional<Interval> sector;
     for (const PathProfile &profile : profiles) {
@@ -277,7 +276,7 @@ std::optional<Interval> sectorOf(std::span<const PathProfile> profiles) {
     return sector && sector->to - sector->from <= mostOfCircle ? sector : std::nullopt;
 }
 
-/// What a sector of the unit circle takes with its centre, y upwards.
+/// Bounding box of a sector of the unit circle and its centre, y upwards.
 QRectF boxOf(const Interval &sector) {
     QRectF box(0, 0, 0, 0);
     const auto add = [&](double degrees) {
@@ -295,13 +294,13 @@ QRectF boxOf(const Interval &sector) {
     return box;
 }
 
-/// Radius and middle of a figure that shows a sector alone, where that makes it larger.
+/// Sets radius and middle of a figure that shows only a sector, if that makes it larger.
 void fillFrame(CircleFigure &figure, const std::optional<Interval> &sector) {
     if (!sector)
         return;
     constexpr double worthIt = 1.1;
-    constexpr double tails = 3;     // beside the axes, mm
-    constexpr double scaleRoom = 9; // below, for the scale, mm
+    constexpr double tails = 3;     // margin for the ends of the axes, mm
+    constexpr double scaleRoom = 9; // margin below for the scale, mm
     const QRectF box = boxOf(*sector);
     const double width = figure.size.width() - 2 * sideMargin;
     const double height = figure.size.height() - topMargin - scaleRoom - tails;
@@ -345,7 +344,7 @@ QString withSign(double value, int decimals, const Language &language) {
     return value > 0 ? QStringLiteral("+") + digits : digits;
 }
 
-/// What of the plane of the figure is in view: distances from the centre, directions.
+/// Visible part of the figure plane, as distances from the centre and directions.
 struct Visible {
     Interval radii;                 ///< mm
     std::optional<Interval> angles; ///< degrees; null: all
@@ -361,7 +360,7 @@ Visible visible(const CircleFigure &figure) {
         {std::hypot(dx, dy), std::hypot(std::abs(view.x) + halfWidth, std::abs(view.y) + halfHeight)},
         std::nullopt};
     if (dx == 0 && dy == 0)
-        return result; // the centre is in view
+        return result; // the view contains the centre
     const double middle = std::atan2(view.y, view.x);
     Interval angles{0, 0};
     for (const double x : {view.x - halfWidth, view.x + halfWidth}) {
@@ -373,11 +372,11 @@ Visible visible(const CircleFigure &figure) {
     return result;
 }
 
-/// Rings of the whole figure stay where the paths are; one zoomed into shows those in view.
+/// In the whole figure the rings cover the paths; in a zoomed view they cover the view.
 void addRings(CircleFigure &figure, const Interval &deviations, const Visible &inView,
               const Language &language) {
     const double perMicrometre = figure.magnification / micrometresPerMillimetre; // mm on paper
-    // Round in the unit that is shown.
+    // Round in the displayed unit.
     const double scale = unitScale(Quantity::micrometres, language.units());
     const double shownDivision =
         roundStep(scale * leastDivision * figure.figureRadius / (perMicrometre * figure.view.zoom), 1,
@@ -425,7 +424,7 @@ void addTraces(CircleFigure &figure, std::span<const PathProfile> profiles, cons
     }
 }
 
-/// Deviations that the paths, their envelope and the limits of F reach.
+/// Range of the deviations of the paths, their envelope and the limits of F.
 Interval reach(const CircleFigure &figure, std::span<const PathProfile> profiles) {
     Interval range = deviationsOf(profiles);
     if (figure.envelope) {
@@ -437,14 +436,14 @@ Interval reach(const CircleFigure &figure, std::span<const PathProfile> profiles
     return range;
 }
 
-/// Of a limit in mm, with the digits it was entered with.
+/// Label of a limit (mm), with the digits it was entered with.
 QString limitLabel(const std::string &of, double limit, const Language &language) {
     const int decimals = limitDecimals(limit, Quantity::deviation, language.units());
     return language.sentence(
         {REPORT_TEXT("report", "limit of %1: %2"), {of, Number{limit, Quantity::deviation, decimals}}, {}});
 }
 
-/// Limits beyond what the figure shows are not drawn but named.
+/// Limits outside the figure are not drawn but listed in the caption.
 void nameBeyond(CircleFigure &figure, const QStringList &labels, const Language &language) {
     if (!labels.isEmpty())
         figure.caption += u' ' + language.sentence({REPORT_TEXT("report", "(beyond the figure: %1)"),
@@ -473,7 +472,7 @@ void addEnvelope(CircleFigure &figure, const CircleSource &source, const Languag
     figure.envelope = envelope;
 }
 
-/// Fmin and Fmax as circles, and their limits.
+/// Adds Fmin and Fmax as circles, and their limits.
 void addRadialDeviations(CircleFigure &figure, const CircleSource &source, const Test &test,
                          std::span<const PathProfile> profiles, const Language &language,
                          QStringList &beyond) {
@@ -513,8 +512,7 @@ void addRadialDeviations(CircleFigure &figure, const CircleSource &source, const
     add("Fmax", 1);
 }
 
-/// The points first … next − 1 of a path at which `deviation` is reached, where none of their contact is
-/// known.
+/// Adds the points first … next − 1 at which a path reaches `deviation`, except those of known contacts.
 void addContacts(std::vector<ContactMark> &found, const PathProfile &profile, std::size_t first,
                  std::size_t next, double deviation, bool outer) {
     for (std::size_t i = first; i < next && found.size() < mostContacts; ++i) {
@@ -530,9 +528,10 @@ void addContacts(std::vector<ContactMark> &found, const PathProfile &profile, st
     }
 }
 
-/// The points at which `deviation` is reached, those of one contact once.
+/// Adds the points at which `deviation` is reached, one per contact.
 void addContacts(CircleFigure &figure, std::span<const PathProfile> profiles, double deviation, bool outer) {
-    constexpr std::size_t some = 4096; // most hold none, which their extremes say in a quarter of the time
+    constexpr std::size_t some = 4096; // most blocks have no contact, which extremes tell in a quarter of the
+                                       // time
     std::vector<ContactMark> found;
     for (const PathProfile &profile : profiles) {
         for (std::size_t first = 0; profile.isEvaluated() && first < profile.deviations.size();
@@ -817,8 +816,8 @@ QSizeF printedSize(const CircleFigure &figure) {
 
 CircleFigure withView(CircleFigure figure, std::span<const PathProfile> profiles, const CircleView &view,
                       const Language &language) {
-    // From as near, all directions in view both times, the points are the same: who pans over 10⁶ of them
-    // waits 7 ms less for each picture.
+    // With the same zoom and all directions visible before and after, the points do not change: panning over
+    // 10⁶ of them takes 7 ms less per frame.
     const bool samePoints = figure.view.zoom == view.zoom && !visible(figure).angles;
     figure.view = view;
     const Visible inView = visible(figure);

@@ -7,12 +7,12 @@
 
 namespace palmer {
 
-// What the fields of curve and line figures have in common.
+// Common parts of the axes of curve and line figures.
 
 inline constexpr double mostPositionTicks = 6.5;
-inline constexpr double valueMargin = 0.07; ///< above and below the values, part of their span
+inline constexpr double valueMargin = 0.07; ///< above and below the values, fraction of their span
 
-/// The least and the greatest of what is included; none before.
+/// Minimum and maximum of the included values; infinite and reversed while there are none.
 struct Bounds {
     double lowest = std::numeric_limits<double>::infinity();
     double highest = -std::numeric_limits<double>::infinity();
@@ -21,7 +21,7 @@ struct Bounds {
         lowest = std::min(lowest, value);
         highest = std::max(highest, value);
     }
-    /// With a margin; a range of its own where nothing or one value was included.
+    /// The range with a margin, its span at least `least`; 0 … 1 if nothing was included.
     [[nodiscard]] Bounds widened(double margin, double least) const {
         if (!(lowest <= highest))
             return {0, 1};

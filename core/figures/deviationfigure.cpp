@@ -19,7 +19,7 @@ namespace palmer {
 
 namespace {
 
-/// Space left of the first and right of the last target, as a part of the range.
+/// Space left of the first and right of the last target, as a fraction of the range.
 constexpr double positionMargin = 0.03;
 constexpr double mostValueTicks = 12;
 
@@ -28,10 +28,10 @@ struct AxisSource {
     const PositioningResults &results;
     const TestEvaluation &evaluation;
     bool rotary = false;
-    double positionScale = 0; ///< mm or degrees → the unit positions are shown in
-    double scale = 0;         ///< mm or degrees → the unit deviations are shown in
+    double positionScale = 0; ///< mm or degrees → displayed unit of positions
+    double scale = 0;         ///< mm or degrees → displayed unit of deviations
     double c = 0;
-    bool limits = false; ///< ± c·s is drawn
+    bool limits = false; ///< true: ± c·s is drawn
 
     [[nodiscard]] std::size_t targets() const {
         return std::min(measurement.targets.size(), results.targets.size());
@@ -121,7 +121,7 @@ void addReadings(CurveFigure &figure, const AxisSource &source) {
     }
 }
 
-/// The parameter, if the edition has it and it has a value.
+/// The parameter, or null if the edition does not have it or it has no value.
 const Parameter *parameter(const AxisSource &source, std::string_view id) {
     for (const Parameter &candidate : source.evaluation.parameters) {
         if (candidate.term.id == id && candidate.value && candidate.ruling[0])
@@ -130,7 +130,7 @@ const Parameter *parameter(const AxisSource &source, std::string_view id) {
     return nullptr;
 }
 
-/// A value of zero has no length to show. A limit that gave a verdict stands beside its dimension.
+/// Adds a dimension unless its value is zero. A limit that gave a verdict is drawn next to it.
 void addDimension(CurveFigure &figure, const AxisSource &source, const Parameter &shown,
                   Dimension dimension) {
     if (!(dimension.upper > dimension.lower))
@@ -145,7 +145,7 @@ void addDimension(CurveFigure &figure, const AxisSource &source, const Parameter
     figure.dimensions.push_back(std::move(dimension));
 }
 
-/// From the ruling place of the largest value to that of the smallest: A, E, M.
+/// Adds A, E or M: from the ruling place of the largest value to that of the smallest.
 void addSpan(CurveFigure &figure, const AxisSource &source, std::string_view id, auto &&largest,
              auto &&smallest) {
     const Parameter *shown = parameter(source, id);
@@ -161,7 +161,7 @@ void addSpan(CurveFigure &figure, const AxisSource &source, std::string_view id,
                   DimensionPlace::gutter});
 }
 
-/// R_i is the height of the limits of both directions taken together.
+/// Adds R: R_i is the height of the limits of both directions taken together.
 void addRepeatability(CurveFigure &figure, const AxisSource &source, std::string_view id) {
     const Parameter *shown = parameter(source, id);
     if (!shown)
@@ -173,7 +173,7 @@ void addRepeatability(CurveFigure &figure, const AxisSource &source, std::string
         lower = std::min(lower, source.lower(i, direction));
         upper = std::max(upper, source.upper(i, direction));
     }
-    // Left of the first target stands the axis.
+    // The axis is left of the first target.
     const DimensionPlace place = i + 1 == source.targets() ? DimensionPlace::gutter
                                  : i == 0                  ? DimensionPlace::rightOfTarget
                                                            : DimensionPlace::leftOfTarget;
@@ -193,7 +193,7 @@ void addReversal(CurveFigure &figure, const AxisSource &source) {
         {{}, {}, lower, upper, source.position(i), source.position(i), DimensionPlace::rightOfTarget});
 }
 
-/// R, M, E, A from the plot outwards, and B.
+/// Adds R, M, E, A from the plot outwards, and B.
 void addDimensions(CurveFigure &figure, const AxisSource &source) {
     if (source.targets() == 0 || (!source.results.upward && !source.results.downward))
         return;
@@ -255,7 +255,7 @@ void addLegend(CurveFigure &figure, const AxisSource &source, const Language &la
     }
 }
 
-/// Limits beyond what the axis shows are not drawn but named; the others get a word in the legend.
+/// Limits outside the axis are not drawn but named; the others get a legend entry.
 void addLimits(CurveFigure &figure, const Language &language) {
     bool band = false;
     bool any = false;
@@ -285,7 +285,7 @@ void addLimits(CurveFigure &figure, const Language &language) {
 }
 
 Interval rangeOfPositions(const CurveFigure &figure, bool rotary) {
-    const double alone = rotary ? 5 : 10; // a single target stands in the middle of this much
+    const double alone = rotary ? 5 : 10; // half the range around a single target
     const double first = figure.positions.empty() ? 0 : figure.positions.front();
     const double last = figure.positions.empty() ? 0 : figure.positions.back();
     const double length = last - first;
@@ -313,10 +313,10 @@ Interval rangeOfValues(const CurveFigure &figure) {
     for (const ReadingMark &reading : figure.readings)
         include(reading.y);
     if (!(lowest <= highest))
-        return {-1, 1}; // nothing measured yet
+        return {-1, 1}; // no values yet
     const double span = highest - lowest;
     if (span <= 1e-9 * std::max({1.0, std::abs(lowest), std::abs(highest)}))
-        return {lowest - 1, highest + 1}; // all equal: no scale but a unit
+        return {lowest - 1, highest + 1}; // all equal: one unit on either side
     const double margin = span * valueMargin / (1 - 2 * valueMargin);
     return {lowest - margin, highest + margin};
 }

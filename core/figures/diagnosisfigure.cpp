@@ -19,7 +19,7 @@ namespace palmer {
 
 namespace {
 
-constexpr double micrometres = 1000; ///< of a millimetre
+constexpr double micrometres = 1000; ///< per millimetre
 QString nameOf(Sense sense, const std::string &index, const Language &language) {
     return language.sentence({sense == Sense::counterclockwise ? REPORT_TEXT("report", "anticlockwise, %1")
                                                                : REPORT_TEXT("report", "clockwise, %1"),
@@ -37,7 +37,7 @@ LineRole roleOf(Sense sense) {
     return sense == Sense::counterclockwise ? LineRole::counterclockwise : LineRole::clockwise;
 }
 
-/// Of the evaluated paths as they were measured.
+/// The evaluated paths as measured.
 std::vector<Points> measuredPaths(const CircularResults &results) {
     std::vector<Points> paths;
     for (const EvaluatedPath &path : results.paths)
@@ -45,7 +45,7 @@ std::vector<Points> measuredPaths(const CircularResults &results) {
     return paths;
 }
 
-/// An axis of values to hold these, with room above and below; at least ± least about their middle.
+/// Sets the range of a value axis to `bounds` with a margin; at least ± least about their middle.
 void setValues(FigureAxis &axis, const Bounds &bounds, double least, double mostTicks,
                const Language &language) {
     constexpr double room = 0.06;
@@ -58,7 +58,7 @@ void setValues(FigureAxis &axis, const Bounds &bounds, double least, double most
     setRange(axis, range.from, range.to, mostTicks, TickSteps::values, language);
 }
 
-/// Keeps the extremes of each of so many parts of 0 … `to`.
+/// Keeps the extremes in each of `parts` equal parts of 0 … `to`.
 void thin(std::vector<QPointF> &points, double to, std::size_t parts) {
     if (points.size() <= 4 * parts)
         return;
@@ -70,7 +70,7 @@ void thin(std::vector<QPointF> &points, double to, std::size_t parts) {
     points = std::move(kept);
 }
 
-/// Puts the points of an arc into lines of at most a turn: each begins where the one before passed 0°.
+/// Splits the points of an arc into lines of at most one turn, at each passage through 0°.
 void addTurns(LineFigure &figure, LineRole role, const QString &name, const std::vector<double> &angles,
               const std::vector<double> &curve, double scale, std::size_t mostPoints) {
     FigureLine line{role, {}, name, {}};
@@ -92,7 +92,7 @@ void addTurns(LineFigure &figure, LineRole role, const QString &name, const std:
     close();
 }
 
-/// 0° … 360° with the ends of the axes.
+/// Sets the range 0° … 360° and marks the ends of the axes.
 void setAngles(FigureAxis &axis, const Plane &plane, const Language &language) {
     constexpr double quarter = 90;
     axis.angle = true;
@@ -203,7 +203,7 @@ LineFigure residualFigure(const DiagnosedTest &test, const Language &language, s
 LineFigure spectrumFigure(const DiagnosedTest &test, const Language &language, std::size_t mostPoints) {
     constexpr double mostTicks = 8;
     constexpr double fewestWaves = 20;
-    constexpr double standsOut = 0.1; // of the largest
+    constexpr double standsOut = 0.1; // fraction of the largest amplitude
     const double scale = unitScale(Quantity::deviation, language.units());
     LineFigure figure;
     figure.title = language.text(REPORT_TEXT("report", "Spectrum of the rest"));
@@ -244,7 +244,7 @@ LineFigure spectrumFigure(const DiagnosedTest &test, const Language &language, s
 
 namespace {
 
-/// Places of tests from slow to fast.
+/// Indices of the tests in order of increasing feed.
 std::vector<std::size_t> byFeed(std::span<const DiagnosedTest> tests) {
     std::vector<std::size_t> places(tests.size());
     std::iota(places.begin(), places.end(), std::size_t{0});

@@ -12,12 +12,12 @@
 
 namespace palmer {
 
-/// The sources of the parts that prevail (see prevailingParts): what is traced where nobody chooses.
+/// Sources of the prevailing parts (see prevailingParts): traced by default.
 [[nodiscard]] std::vector<std::size_t> prevailingSources(const DiagnosedTest &test);
 
-/// The measured paths about the fitted centre, as deviations from the fitted radius, and over them the path
-/// that the chosen sources make. `size` is that of the drawing without its key, mm; `synthetic` the lines of
-/// the legend that say what is traced, `columns` those of the legend (1, 2 or 3).
+/// Figure of the measured paths about the fitted centre, as deviations from the fitted radius, overlaid by
+/// the path that the chosen sources produce. `size`: drawing without its legend, mm; `synthetic`: legend
+/// lines for the traced sources; `columns`: columns of the legend (1, 2 or 3).
 struct DiagnosisFigureOptions {
     QSizeF size{112, 97};
     QStringList synthetic;
@@ -26,31 +26,31 @@ struct DiagnosisFigureOptions {
 [[nodiscard]] CircleFigure diagnosisFigure(const DiagnosedTest &test, std::span<const std::size_t> chosen,
                                            const Language &language, const DiagnosisFigureOptions &options);
 
-/// The same to stand alone: of the prevailing sources, each named in the legend.
+/// The same with the prevailing sources, each named in the legend.
 [[nodiscard]] CircleFigure diagnosisFigure(const DiagnosedTest &test, const Language &language);
 
-/// What no source explains over the angle (0 … 360°, marked at the axes), µm: a line each sense, in pieces
-/// where it passes 0°. `mostPoints`: each line keeps first, least, greatest and last of so many parts; 0: all
-/// points.
+/// Residual that no source explains over the angle (0 … 360°, axes marked), µm: one line per sense, split
+/// where it passes 0°. `mostPoints`: number of parts of each line whose first, least, greatest and last point
+/// are kept; 0: all points.
 [[nodiscard]] LineFigure residualFigure(const DiagnosedTest &test, const Language &language,
                                         std::size_t mostPoints);
 
-/// Amplitudes of what no source explains over the waves a turn, µm, a line each arc; the axis reaches as far
-/// as something stands out. No lines where the points of an arc are too few.
-/// `mostPoints`: of each line what the axis shows, thinned as above; 0: all.
+/// Amplitudes of the residual over the waves per turn, µm, one line per arc; the axis ends at the last wave
+/// that is prominent. No lines for arcs with too few points. `mostPoints`: the visible part of each line is
+/// thinned as above; 0: all points.
 [[nodiscard]] LineFigure spectrumFigure(const DiagnosedTest &test, const Language &language,
                                         std::size_t mostPoints);
 
-/// Circles of one plane at several feeds over one another (figures B.6 and B.7), each about its own fitted
-/// centre as deviation from the nominal radius: clockwise paths are the thinner ones. From slow to fast.
+/// Circles of one plane at several feeds in one figure (figures B.6 and B.7), by increasing feed, each about
+/// its own fitted centre as deviation from the nominal radius. Clockwise paths are thinner.
 [[nodiscard]] std::vector<PathProfile> profilesAtFeeds(std::span<const DiagnosedTest> tests);
 [[nodiscard]] CircleFigure feedsFigure(std::span<const DiagnosedTest> tests,
                                        std::span<const PathProfile> profiles, const Language &language,
                                        const CircleFigureOptions &options);
 
-/// A source over the feed (mm/min), as the circle of each feed tells it by itself, in the unit of the source:
-/// its values, and as lines of their own the ends of value ± 2 u. Feeds that do not tell it are left out.
-/// What only several feeds tell, a lag, shows in what each of them takes it for: the radius, the scales.
+/// A source over the feed (mm/min), as the circle at each feed shows it, in the unit of the source: its
+/// values, and value ± 2 u as separate lines. Feeds that do not determine it are left out. A lag, which only
+/// several feeds determine, is shown by what it looks like in each of them: radius or scale mismatch.
 [[nodiscard]] LineFigure overFeedFigure(std::span<const DiagnosedTest> tests, InfluenceId source,
                                         PlaneAxis axis, const Language &language);
 

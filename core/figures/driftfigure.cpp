@@ -12,13 +12,12 @@ namespace palmer {
 
 namespace {
 
-constexpr double rangeMargin = 0.06; ///< of the range of the values, above and below
+constexpr double rangeMargin = 0.06; ///< above and below the values, fraction of their range
 constexpr double longTest = 600;
 constexpr double veryLongTest = 36000;
 constexpr double minute = 60;
 constexpr double hour = 3600;
 
-/// A unit of time, and how many seconds it has.
 struct TimeUnit {
     double seconds = 0;
     const char *symbol = nullptr;
@@ -30,7 +29,7 @@ TimeUnit timeUnit(double duration) {
     return duration >= longTest ? TimeUnit{minute, "min"} : TimeUnit{1, "s"};
 }
 
-/// From the least to the greatest with a margin; of equal values one unit on either side.
+/// The range with a margin; for equal values one unit on either side.
 Interval widened(double low, double high) {
     const double space = high > low ? (high - low) * rangeMargin : 1;
     return {low - space, high + space};

@@ -9,10 +9,10 @@
 
 namespace palmer {
 
-/// The curve of a drift test: deviations at rest (µm; rotary: arc seconds) over time (s, from 10 minutes on
-/// min, from 10 hours on h), with E_VE = max − min as a dimension between the two readings that make it.
-/// `test` holds a DriftMeasurement and `evaluation` is its evaluation; else std::bad_variant_access. Without
-/// readings an empty figure.
+/// Curve of a drift test: deviations at rest (µm; rotary: arc seconds) over time (s; from 10 minutes min,
+/// from 10 hours h), with E_VE = max − min as a dimension between the two readings that define it. `test`
+/// holds a DriftMeasurement and `evaluation` is its evaluation; otherwise throws std::bad_variant_access.
+/// Without readings an empty figure.
 [[nodiscard]] CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation,
                                       const Language &language);
 

@@ -11,9 +11,9 @@
 
 namespace palmer {
 
-/// The least and the greatest of at least one number.
+/// Minimum and maximum. Precondition: not empty.
 [[nodiscard]] inline Interval extremesOf(std::span<const double> values) {
-    // Four at a time do not wait for one another, and no branch is guessed: 10⁶ take 0.5 ms instead of 2.
+    // Four independent lanes without branches: 10⁶ values take 0.5 ms instead of 2.
     constexpr std::size_t lanes = 4;
     std::array<double, lanes> least{};
     least.fill(values.front());

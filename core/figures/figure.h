@@ -13,20 +13,20 @@
 
 namespace palmer {
 
-/// Whose values a part of a figure shows: the approach in the positive (↑) or negative (↓) direction, the
-/// mean of both, or readings at rest. What it looks like on screen and paper is the business of who draws.
+/// Values that a part of a figure shows: the approach in the positive (↑) or negative (↓) direction, the mean
+/// of both, or readings at rest. The renderer decides how they look.
 enum class CurveRole { up, down, mean, drift };
 
-/// A place in a figure, in the units its axes show.
+/// A point of a figure, in the units of its axes.
 struct FigurePoint {
     double x = 0;
     double y = 0;
-    int target = 0; ///< counted from 1
+    int target = 0; ///< from 1
 
     bool operator==(const FigurePoint &) const = default;
 };
 
-/// Means of targets that follow one another without a gap; a gap begins another curve.
+/// Means of consecutive targets; a gap begins another curve.
 struct Curve {
     CurveRole role = CurveRole::mean;
     std::vector<FigurePoint> points;
@@ -34,7 +34,7 @@ struct Curve {
     bool operator==(const Curve &) const = default;
 };
 
-/// Lower and upper limit of a target, x̄ ± c·s.
+/// Lower and upper limit at a target, x̄ ± c·s.
 struct BandPoint {
     double x = 0;
     double lower = 0;
@@ -43,7 +43,7 @@ struct BandPoint {
     bool operator==(const BandPoint &) const = default;
 };
 
-/// Limits of targets that follow one another without a gap; a single one is drawn as a whisker.
+/// Limits of consecutive targets; a single one is drawn as a whisker.
 struct Band {
     CurveRole role = CurveRole::up;
     std::vector<BandPoint> points;
@@ -62,23 +62,23 @@ struct ReadingMark {
     bool operator==(const ReadingMark &) const = default;
 };
 
-/// Where a dimension stands: in a row beside the plot, or left or right of its own target, in the order
-/// given.
+/// Position of a dimension: in the gutter next to the plot, or left or right of its own target, in the given
+/// order.
 enum class DimensionPlace { gutter, leftOfTarget, rightOfTarget };
 
-/// A parameter shown as a dimension between two values (upper ≥ lower), with leaders from the places that
+/// A parameter shown as a dimension between two values (upper ≥ lower), with leaders from the positions that
 /// rule it.
 struct Dimension {
-    QString label; ///< the symbol: "A", "R↑"
+    QString label; ///< symbol: "A", "R↑"
     QString id;    ///< of the parameter
     double lower = 0;
     double upper = 0;
-    double lowerPosition = 0; ///< x where the leader of the lower value starts
+    double lowerPosition = 0; ///< x at which the leader of the lower value starts
     double upperPosition = 0;
     DimensionPlace place = DimensionPlace::gutter;
-    QString subscript = {}; ///< of the label: "VE"
-    /// What is agreed for it, from the lower value on, and the guard band on either side; without those that
-    /// lie beyond what the axis shows.
+    QString subscript = {}; ///< index of the label: "VE"
+    /// Agreed limit, from the lower value on, and the guard band on either side of it; null if outside the
+    /// axis.
     std::optional<double> limit = {};
     std::optional<double> guard = {};
     QString limitText = {}; ///< "32 µm"
@@ -86,26 +86,26 @@ struct Dimension {
     bool operator==(const Dimension &) const = default;
 };
 
-/// What stands before a text of the legend.
+/// Sample in front of a legend text.
 enum class LegendSample { up, down, mean, readings, drift, limit };
 
 struct LegendEntry {
     LegendSample sample = LegendSample::mean;
     QString text;
-    bool band = false; ///< the sample shows a band below its line
+    bool band = false; ///< the sample has a band below its line
 
     bool operator==(const LegendEntry &) const = default;
 };
 
 struct Tick {
     double value = 0;
-    QString label; ///< as the language writes the number, minus as −
+    QString label; ///< number as the language writes it, minus as −
 
     bool operator==(const Tick &) const = default;
 };
 
 /// An axis of a figure: its range and its round ticks (1-2-5; positions also 2.5, angles 15-30-45-60-90), all
-/// of which lie in the range.
+/// within the range.
 struct FigureAxis {
     QString quantity;  ///< "Target position"
     QString symbol;    ///< "P"
@@ -120,7 +120,7 @@ struct FigureAxis {
     bool operator==(const FigureAxis &) const = default;
 };
 
-/// Curves over positions or, of a drift test, over time.
+/// Curves over positions or, for a drift test, over time.
 struct CurveFigure {
     QString title;
     FigureAxis x;
@@ -128,15 +128,15 @@ struct CurveFigure {
     std::vector<Band> bands;
     std::vector<Curve> curves;
     std::vector<ReadingMark> readings;
-    std::vector<Dimension> dimensions; ///< those of the gutter from the plot outwards
+    std::vector<Dimension> dimensions; ///< gutter: from the plot outwards
     std::vector<LegendEntry> legend;
     std::vector<double> positions; ///< of all targets, ascending
-    QString note = {};             ///< which limits lie beyond what the axis shows; empty: none
+    QString note = {};             ///< names the limits outside the axis; empty: none
 
     bool operator==(const CurveFigure &) const = default;
 };
 
-/// What a line of a line figure shows; what that looks like is the business of who draws.
+/// Content of a line of a line figure; the renderer decides how it looks.
 enum class LineRole {
     measuredUp,
     measuredDown,
@@ -152,14 +152,14 @@ enum class LineRole {
 struct FigureLine {
     LineRole role = LineRole::machine;
     QString label; ///< short, at the right end of the line; may be empty
-    QString name;  ///< of the legend
+    QString name;  ///< in the legend
     std::vector<QPointF> points;
 
     bool operator==(const FigureLine &) const = default;
 };
 
-/// Lines over one axis: temperatures over time, means before and after a compensation, what a diagnosis
-/// leaves over the angle. An axis without quantity has no title, lines without names no legend.
+/// Lines over one axis: temperatures over time, means before and after a compensation, the residual of a
+/// diagnosis over the angle. An axis without quantity has no title; lines without names have no legend.
 struct LineFigure {
     QString title;
     FigureAxis x;
@@ -169,7 +169,7 @@ struct LineFigure {
     bool operator==(const LineFigure &) const = default;
 };
 
-/// A point of a path about the centre the figure names: angle in degrees from the first axis towards the
+/// A point of a path about the centre named in the figure: angle in degrees from the first axis towards the
 /// second, unwrapped; deviation in µm.
 struct TracePoint {
     double angle = 0;
@@ -178,19 +178,19 @@ struct TracePoint {
     bool operator==(const TracePoint &) const = default;
 };
 
-/// Points of a path that follow one another: all of them, or first, least, greatest, last of each step of
-/// the angle, in the order of measurement. A path that leaves the view and comes back is several traces.
+/// Consecutive points of a path: all of them, or first, least, greatest, last of each angle step, in the
+/// order of measurement. A path that leaves the view and returns gives several traces.
 struct CircleTrace {
     Sense sense = Sense::counterclockwise;
     bool repetition = false;
     std::vector<TracePoint> points;
-    bool synthetic = false;   ///< what sources of a diagnosis make, not measured
-    std::optional<int> layer; ///< of several tests over one another: which, from 0
+    bool synthetic = false;   ///< computed from sources of a diagnosis, not measured
+    std::optional<int> layer; ///< index of the test in a figure of several tests
 
     bool operator==(const CircleTrace &) const = default;
 };
 
-/// A place of a path that is marked.
+/// A marked point of a path.
 struct TraceMark {
     Sense sense = Sense::counterclockwise;
     TracePoint at;
@@ -198,7 +198,7 @@ struct TraceMark {
     bool operator==(const TraceMark &) const = default;
 };
 
-/// A point that rules a result: it touches the outer or the inner circle, or is Fmax or Fmin.
+/// A point that determines a result: it touches the outer or inner circle, or is Fmax or Fmin.
 struct ContactMark {
     TraceMark mark;
     bool outer = true;
@@ -206,7 +206,7 @@ struct ContactMark {
     bool operator==(const ContactMark &) const = default;
 };
 
-/// In which sense a path runs, and its index ("XY").
+/// Sense in which a path runs, and its index ("XY").
 struct SenseArrow {
     Sense sense = Sense::counterclockwise;
     QString index;
@@ -214,22 +214,22 @@ struct SenseArrow {
     bool operator==(const SenseArrow &) const = default;
 };
 
-/// The circles about the named centre that enclose the paths, and what is between them: G or G(b).
+/// Circles about the named centre that enclose the paths, and their distance: G or G(b).
 struct CircleEnvelope {
     QString label;               ///< "G(b)"
-    QString subscript;           ///< "f" of feedback signals
+    QString subscript;           ///< "f" for feedback signals
     QString id;                  ///< of the parameter: "G(b)_XY"
     double inner = 0;            ///< deviation, µm
     double outer = 0;            ///< outer ≥ inner
-    bool dimension = true;       ///< the distance of the two is the result; else they are Fmin and Fmax
-    std::optional<double> limit; ///< width, µm; drawn beside the dimension
+    bool dimension = true;       ///< their distance is the result; false: they are Fmin and Fmax
+    std::optional<double> limit; ///< width, µm; drawn next to the dimension
     std::optional<double> guard; ///< guard band about that width, µm
     QString limitLabel;          ///< "limit of G(b): 30 µm"
 
     bool operator==(const CircleEnvelope &) const = default;
 };
 
-/// A circle about the nominal one: a division of the scale, or a limit of F.
+/// A circle about the nominal one: a ring of the scale, or a limit of F.
 struct DeviationCircle {
     double deviation = 0; ///< µm
     QString label;        ///< "+5"
@@ -249,7 +249,7 @@ enum class CircleLegendSample {
     repetitions,
     synthetic,
     layer,
-    continued ///< the text goes on
+    continued ///< continuation line of the text above
 };
 
 struct CircleLegendEntry {
@@ -260,8 +260,8 @@ struct CircleLegendEntry {
     bool operator==(const CircleLegendEntry &) const = default;
 };
 
-/// The part of a circle figure in view: what stands in the middle (mm of the figure as a whole, y upwards,
-/// from the centre of the circles) and how many times it is enlarged.
+/// Visible part of a circle figure: the point in the middle (mm on the whole figure, y upwards, from the
+/// centre of the circles) and the enlargement.
 struct CircleView {
     double x = 0;
     double y = 0;
@@ -270,34 +270,34 @@ struct CircleView {
     bool operator==(const CircleView &) const = default;
 };
 
-/// Paths with their deviations magnified about the nominal circle: the picture of a circular test. A
-/// deviation d (µm) is drawn at plotRadius + magnification·d/1000 mm from the centre.
+/// Figure of a circular test: paths with their deviations magnified about the nominal circle. A deviation d
+/// (µm) is drawn at plotRadius + magnification·d/1000 mm from the centre.
 struct CircleFigure {
-    QString title;   ///< "Actual paths": what is drawn
+    QString title;   ///< content: "Actual paths"
     QString centre;  ///< "about the centre of the minimum zone of G(b)"
     QString caption; ///< "magnification 1 000:1, 5 µm per division"
     QString ratio;   ///< "1 000:1"
     QString firstAxis;
     QString secondAxis;
     QSizeF size;          ///< of the drawing, mm
-    double keyHeight = 0; ///< of the legend below it on paper, mm; what is printed is that much higher
+    double keyHeight = 0; ///< printed height of the legend below the drawing, mm
     int keyColumns = 3;
-    double figureRadius = 0; ///< nothing that deviates is drawn farther out, mm
-    QPointF home; ///< what stands in the middle of the whole figure, mm from the centre of the circles
-    std::optional<Interval> sector = {}; ///< degrees: the figure shows this part of the circles alone
-    double plotRadius = 0;               ///< of the nominal circle, mm
+    double figureRadius = 0;             ///< mm; no deviation is drawn farther out
+    QPointF home;                        ///< middle of the whole figure, mm from the centre of the circles
+    std::optional<Interval> sector = {}; ///< degrees; if set, the figure shows only this part of the circles
+    double plotRadius = 0;               ///< radius of the nominal circle, mm
     double magnification = 1;            ///< 1, 2 or 5 times a power of ten
-    double division = 0;                 ///< between rings, the length of the scale bar, µm
+    double division = 0;                 ///< between rings; length of the scale bar, µm
     QString divisionLabel;               ///< "5 µm"
-    double pointStep = 0;                ///< of the traces, mm of the drawing
+    double pointStep = 0;                ///< of the traces, mm on the drawing
     CircleView view;
-    std::vector<DeviationCircle> rings; ///< ascending; of the whole figure 0 among them
+    std::vector<DeviationCircle> rings; ///< ascending; 0 is among them in the whole figure
     std::vector<CircleTrace> traces;
     std::vector<TraceMark> starts;
     std::vector<ContactMark> contacts;
     std::vector<SenseArrow> arrows;
     std::optional<CircleEnvelope> envelope;
-    std::vector<DeviationCircle> limits; ///< of F
+    std::vector<DeviationCircle> limits; ///< limits of F
     std::vector<CircleLegendEntry> legend;
 
     /// Distance from the centre at which a deviation (µm) is drawn, mm.
@@ -308,41 +308,41 @@ struct CircleFigure {
     bool operator==(const CircleFigure &) const = default;
 };
 
-/// A line of a bar figure: its name at the left, its size as a bar from 0, its numbers at the right.
+/// A bar of a bar figure: its name on the left, a bar from 0, its numbers on the right.
 struct Bar {
     QString id;
     QString name;
-    QString subscript;  ///< at the end of the name
-    double size = 0;    ///< in the unit of the axis, not negative
-    QString value;      ///< "3.60"; a dash where there is none
-    QString share;      ///< "54 %", likewise
-    bool first = false; ///< what is to be improved first
+    QString subscript;  ///< index at the end of the name
+    double size = 0;    ///< ≥ 0, in the unit of the axis
+    QString value;      ///< "3.60"; a dash if unknown
+    QString share;      ///< "54 %"; a dash if unknown
+    bool first = false; ///< to be improved first
 
     bool operator==(const Bar &) const = default;
 };
 
-/// Bars below each other on one scale from 0: the contributions to an uncertainty, the largest first.
+/// Bars below each other on one scale from 0: contributions to an uncertainty, the largest first.
 struct BarFigure {
     QString title;
-    QString shareTitle; ///< head of the shares
-    QString note;       ///< what is to be improved first; empty: nothing stands out
+    QString shareTitle; ///< heading of the shares
+    QString note;       ///< what to improve first; may be empty
     FigureAxis x;
     std::vector<Bar> bars;
 
     bool operator==(const BarFigure &) const = default;
 };
 
-/// How often a simulation gave which values: `counts` in equal intervals of `width` from `from` on, in the
-/// unit of the axis; width 0: all values are alike.
+/// Distribution of the values of a simulation: `counts` in equal intervals of `width` from `from` on, in the
+/// unit of the axis; width 0: all values are equal.
 struct HistogramFigure {
     QString title; ///< "Distribution of A in 120 000 trials"
     FigureAxis x;
     double from = 0;
     double width = 0;
     std::vector<long long> counts;
-    Interval coverage;    ///< holds 95.45 % of the values
-    double evaluated = 0; ///< from the readings as they are
-    double mean = 0;      ///< of the values
+    Interval coverage;    ///< contains 95.45 % of the values
+    double evaluated = 0; ///< from the readings themselves
+    double mean = 0;      ///< of the simulated values
     QString evaluatedText;
     QString meanText;
     QString coverageText;
@@ -350,56 +350,56 @@ struct HistogramFigure {
     bool operator==(const HistogramFigure &) const = default;
 };
 
-/// How a test of a trend is marked: before or after an adjustment, or neither stated, or of a series that
-/// cannot be compared with the first.
+/// Mark of a test in a trend: before or after an adjustment, neither stated, or from a series that cannot be
+/// compared with the first.
 enum class TrendMark { asFound, asLeft, noRole, otherSeries };
 
-/// A value with its U at a day; x in calendar years.
+/// Value of one day with its U; x in calendar years.
 struct TrendValue {
     double x = 0;
     double y = 0;
-    std::optional<double> expanded = {}; ///< half the length of the bar
+    std::optional<double> expanded = {}; ///< half the length of the error bar
     TrendMark mark = TrendMark::asFound;
-    bool exceeds = false; ///< clearly over its limit
+    bool exceeds = false; ///< clearly exceeds its limit
 
     bool operator==(const TrendValue &) const = default;
 };
 
-/// Something was done to the machine.
+/// An intervention on the machine.
 struct TrendIntervention {
     double x = 0;
     QString name;
-    std::optional<QPointF> found = {}; ///< of an adjustment the values before and after
+    std::optional<QPointF> found = {}; ///< of an adjustment: values before and after
     std::optional<QPointF> left = {};
 
     bool operator==(const TrendIntervention &) const = default;
 };
 
-/// How a parameter moved over the years, in calendar years and the unit it is shown in.
+/// Trend of a parameter over the years, in calendar years and the displayed unit.
 struct TrendPanel {
     QString symbol;
     QString statement;    ///< "not before March 2028"
-    bool isFirst = false; ///< of a page: what is to be watched first
+    bool isFirst = false; ///< of a page: to be watched first
     FigureAxis x;
     FigureAxis y;
     std::vector<TrendValue> values;
-    std::vector<std::vector<QPointF>> joined; ///< neighbours of one role between two interventions
+    std::vector<std::vector<QPointF>> joined; ///< polylines of one role between two interventions
     std::vector<std::vector<QPointF>> limits; ///< steps
     std::vector<TrendIntervention> interventions;
-    std::vector<BandPoint> band; ///< of the line, 95 %
-    std::vector<QPointF> line;   ///< solid up to today
-    std::vector<QPointF> later;  ///< dashed
+    std::vector<BandPoint> band; ///< 95 % band of the line
+    std::vector<QPointF> line;   ///< solid, up to today
+    std::vector<QPointF> later;  ///< dashed, after today
     std::optional<QPointF> notBefore = {};
     double today = 0;
 
     bool operator==(const TrendPanel &) const = default;
 };
 
-/// Trends side by side, of one axis or plane; one alone is drawn with its names and legend.
+/// Trends side by side, of one axis or plane; a single one is drawn with its names and legend.
 struct TrendFigure {
     QString title;
-    QString label = {}; ///< of the row: "X"
-    QString note = {};  ///< below it: "1 000 mm"
+    QString label = {}; ///< row label: "X"
+    QString note = {};  ///< below the label: "1 000 mm"
     std::vector<TrendPanel> panels;
     std::vector<QString> legend =
         {}; ///< as found, as left, other series, limit, line, intervention, no role; empty: none
@@ -407,7 +407,7 @@ struct TrendFigure {
     bool operator==(const TrendFigure &) const = default;
 };
 
-/// What can be drawn: content in the units and the language it is shown in, roles instead of colours.
+/// Anything that can be drawn: content in the displayed units and language, roles instead of colours.
 using Figure = std::variant<CurveFigure, CircleFigure, LineFigure, BarFigure, HistogramFigure, TrendFigure>;
 
 } // namespace palmer

@@ -10,7 +10,7 @@ namespace palmer {
 
 namespace {
 
-/// The points of a figure, a row each: which curve, x, y.
+/// Points of a figure, one per row: curve, x, y.
 class PointTable {
 public:
     explicit PointTable(char decimalMark)
@@ -37,7 +37,7 @@ private:
         m_csv.endRow();
     }
 
-    /// Figures are in µm: what the factor leaves in the last digits of a double is no part of the value.
+    /// Rounds away digits that are only noise of the conversion to µm.
     static double shown(double value) {
         constexpr int digits = 12;
         return QByteArray::number(value, 'g', digits).toDouble();

@@ -9,10 +9,10 @@
 
 namespace palmer {
 
-/// The points a figure draws as CSV, UTF-8, one a line: the line it belongs to, its place on the axes of the
-/// figure (in their units, no more digits than the values have; circles: angle in degrees and radial
-/// deviation in µm about the centre the figure names; synthetic paths carry a *). A comment with # says the
-/// title. `;` between the cells under a decimal comma, else `,`.
+/// Points of a figure as CSV, UTF-8, one per row: its line, and its coordinates on the axes of the figure (in
+/// their units, with no more digits than the values have; circles: angle in degrees and radial deviation in
+/// µm about the centre named in the figure; synthetic paths carry a *). The title is a # comment. Cells are
+/// separated by `;` with a decimal comma, otherwise by `,`.
 [[nodiscard]] QByteArray figureCsv(const Figure &figure, const Language &language, char decimalMark);
 
 } // namespace palmer

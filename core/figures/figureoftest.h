@@ -9,8 +9,8 @@
 
 namespace palmer {
 
-/// The figure that a test of its kind is looked at by: deviations over the targets, both senses of a circle,
-/// drift over time. `evaluation` is that of the test.
+/// Main figure of a kind of test: deviations over the targets, both senses of a circle, drift over time.
+/// `evaluation` is the evaluation of `test`.
 [[nodiscard]] Figure figureOfTest(const Test &test, const TestEvaluation &evaluation,
                                   const Language &language);
 

@@ -17,7 +17,7 @@ public:
         m_from = std::min(m_from, value);
         m_to = std::max(m_to, value);
     }
-    /// "−9.9 to 6.4 µm"; empty where nothing was added.
+    /// "−9.9 to 6.4 µm"; empty if no value was added.
     [[nodiscard]] QString text(const QString &unit, int decimals, const Language &language) const {
         if (m_from > m_to)
             return {};
@@ -35,7 +35,7 @@ private:
     double m_to = -std::numeric_limits<double>::infinity();
 };
 
-/// The digits that tell a tenth of the step of an axis.
+/// Decimals needed for a tenth of the axis step.
 int decimalsOf(const FigureAxis &axis) {
     return std::clamp(1 - static_cast<int>(std::floor(std::log10(std::max(axis.step, 1e-9)))), 0, 9);
 }

@@ -7,8 +7,8 @@
 
 namespace palmer {
 
-/// What a figure shows, in words, for those who cannot see it: what is drawn, over what, from which value to
-/// which, with the texts and in the units of the figure.
+/// Text alternative of a figure for screen readers: what is drawn, over what, from which value to which, with
+/// the texts and in the units of the figure.
 [[nodiscard]] QString figureSentence(const Figure &figure, const Language &language);
 
 } // namespace palmer

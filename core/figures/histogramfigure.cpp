@@ -14,9 +14,9 @@ namespace palmer {
 namespace {
 
 constexpr double mostBarTicks = 7;
-constexpr double besideBars = 0.04; ///< of the range, beside what is shown
+constexpr double besideBars = 0.04; ///< on either side, fraction of the displayed range
 
-/// The first and the last interval that holds anything.
+/// From the start of the first non-empty interval to the end of the last.
 Interval counted(const HistogramFigure &figure) {
     const auto holds = [](long long count) { return count > 0; };
     const auto first = std::ranges::find_if(figure.counts, holds);

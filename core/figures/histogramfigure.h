@@ -11,10 +11,10 @@
 
 namespace palmer {
 
-/// What a simulation gave for a parameter: how often which value (µm; rotary: arc seconds), the shortest
-/// interval that holds 95.45 % of them, their mean, and the value evaluated from the readings. The axis
-/// reaches over the counted values and the evaluated one. Nothing for a parameter that was not simulated.
-/// `resolution`: the finest of the instruments (mm, rotary: degrees); numbers are printed as in the tables.
+/// Simulated distribution of a parameter (µm; rotary: arc seconds): histogram, shortest interval that
+/// contains 95.45 % of the values, their mean, and the value evaluated from the readings. The axis covers the
+/// counted values and the evaluated one. Null if the parameter was not simulated. `resolution`: the finest of
+/// the instruments (mm, rotary: degrees); numbers are printed as in the tables.
 [[nodiscard]] std::optional<HistogramFigure>
 histogramFigure(const Test &test, const TestEvaluation &evaluation, const Parameter &parameter,
                 const Language &language, std::optional<double> resolution = {});

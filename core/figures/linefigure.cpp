@@ -21,7 +21,7 @@ constexpr std::size_t partsOfLine = 500;
 constexpr double mostTimeTicks = 8;
 constexpr double mostTicksOfValues = 8;
 
-/// Points enough to draw a line.
+/// Thins the points to as many as are needed to draw the line.
 std::vector<QPointF> thinned(std::vector<QPointF> points) {
     if (points.size() <= 4 * partsOfLine)
         return points;
@@ -102,7 +102,7 @@ LineFigure temperatureFigure(const std::vector<Sensor> &sensors, const Language 
     figure.y.symbol = QStringLiteral("θ");
     figure.y.unit = language.unit(Quantity::temperature);
     const Bounds x = times.widened(0, 1e-3);
-    const Bounds y = temperatures.widened(valueMargin, 0.1); // a steady line is no noise
+    const Bounds y = temperatures.widened(valueMargin, 0.1); // keeps noise of a steady line small
     setRange(figure.x, x.lowest, x.highest, mostTimeTicks, TickSteps::lengths, language);
     setRange(figure.y, y.lowest, y.highest, mostTicksOfValues, TickSteps::values, language);
     return figure;

@@ -9,14 +9,14 @@
 
 namespace palmer {
 
-/// The temperatures of the sensors with a series over time (h, from the first of all values; °C). Several
-/// sensors are numbered in the order of the test. No lines where no sensor has a series of two values. Of
-/// long series the first, least, greatest and last value of each of 500 parts of the time are kept.
+/// Temperatures of the sensors that have a series, over time (h, from the first of all values; °C). Several
+/// sensors are numbered in the order of the test. No lines if no sensor has two values. Long series keep the
+/// first, least, greatest and last value of each of 500 parts of the time.
 [[nodiscard]] LineFigure temperatureFigure(const std::vector<Sensor> &sensors, const Language &language);
 
-/// The means of each direction as measured, and over them as a compensation is predicted to leave them.
-/// `before` and `after` are evaluations of `test` and of the same test with the compensation applied; both
-/// hold PositioningResults. Targets without a mean are left out.
+/// Means of each direction as measured, overlaid by the prediction after compensation. `before` and `after`
+/// evaluate `test` and the same test with the compensation applied; both hold PositioningResults. Targets
+/// without a mean are left out.
 [[nodiscard]] LineFigure compensationFigure(const Test &test, const TestEvaluation &before,
                                             const TestEvaluation &after, const Language &language);
 

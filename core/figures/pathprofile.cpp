@@ -13,13 +13,13 @@ namespace palmer {
 
 namespace {
 
-/// Whether from … to and `visible` overlap in any turn.
+/// True if from … to and `visible` overlap modulo full turns.
 bool overlaps(double from, double to, const Interval &visible) {
     const double turns = std::floor((visible.to - from) / fullTurn);
     return to + turns * fullTurn >= visible.from;
 }
 
-/// Steps of a profile one after the other, in the sense in which its angles advance.
+/// Visits the steps of a profile in the direction in which its angles advance.
 class Steps {
 public:
     Steps(const PathProfile &profile, double step, std::optional<Interval> visible)
@@ -55,15 +55,15 @@ private:
         return overlaps(from, to, *m_visible);
     }
 
-    /// Where the invisible part ends, as a whole number of steps.
+    /// End of the invisible part, rounded to a whole number of steps.
     [[nodiscard]] double nextVisible(double edge) const {
         const double entry = m_towards > 0 ? m_visible->from : -m_visible->to;
         const double next = entry + std::ceil((edge - entry) / fullTurn) * fullTurn;
         return std::max(edge, std::floor(next / m_step) * m_step);
     }
 
-    /// The first point behind `first` that reaches the edge. Of an ordered profile by steps that double and
-    /// then halve: of 10⁶ points a few thousand angles are looked at.
+    /// First point after `first` that reaches the edge. An ordered profile is searched by doubling and
+    /// bisection: a few thousand angles out of 10⁶ points are read.
     [[nodiscard]] std::size_t end(std::size_t first, double edge) const {
         const auto &angles = m_profile.angles;
         const auto before = [&](double angle) { return m_towards * angle < edge; };
@@ -81,7 +81,7 @@ private:
         return static_cast<std::size_t>(std::partition_point(at(from), at(to), before) - angles.begin());
     }
 
-    /// The first of the least and of the greatest deviations of some points, in their order.
+    /// Indices of the first least and first greatest deviation in first … next − 1, ascending.
     [[nodiscard]] std::array<std::size_t, 2> extremes(std::size_t first, std::size_t next) const {
         const double *const values = m_profile.deviations.data();
         const Interval range = extremesOf({values + first, values + next});
@@ -93,7 +93,7 @@ private:
         return {std::min(low, high), std::max(low, high)};
     }
 
-    /// Puts a step behind the trace; returns the first point of the next.
+    /// Appends a step to the trace; returns the first point of the next.
     std::size_t take(std::size_t first, double edge) {
         const std::size_t next = std::max(first + 1, end(first, edge));
         if (!m_open)

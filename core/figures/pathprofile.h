@@ -11,7 +11,7 @@
 
 namespace palmer {
 
-/// What a circle figure is about, and hence about which centre it is drawn.
+/// Subject of a circle figure, which decides the centre.
 enum class CircleSubject {
     circularDeviation, ///< about the centre of G or G(b)
     radialDeviation,   ///< F
@@ -28,21 +28,20 @@ struct PathProfile {
     std::vector<std::size_t> source;                 ///< of each point: its index in the arc; rising
     bool ordered = true;                  ///< the angles never turn back
     std::optional<double> sampleInterval; ///< s
-    bool synthetic = false;               ///< what sources of a diagnosis make, not measured
-    std::optional<int> layer = {};        ///< of several tests over one another: which, from 0
+    bool synthetic = false;               ///< computed from sources of a diagnosis, not measured
+    std::optional<int> layer = {};        ///< index of the test in a figure of several tests
 
-    /// Results are of it.
+    /// True if the results are computed from this path.
     [[nodiscard]] bool isEvaluated() const { return !repetition && !synthetic; }
     [[nodiscard]] TracePoint operator[](std::size_t i) const { return {angles[i], deviations[i]}; }
 
     bool operator==(const PathProfile &) const = default;
 };
 
-/// The profile as it can be drawn: of every `step` degrees the first, least, greatest and last point, in the
-/// order of measurement, extremes exact; all points where fewer than that lie in a step. Steps follow the
-/// largest angle reached so far, so that a point that falls back does not open one again. Only steps that
-/// overlap `visible` (degrees, at most 360, in any turn) are kept, and one more on either side; none given:
-/// all. step > 0.
+/// Reduces a profile for drawing: the first, least, greatest and last point of every `step` degrees, in the
+/// order of measurement, extremes exact; all points if a step has fewer. Steps follow the largest angle
+/// reached so far, so that a point that falls back does not reopen one. Only steps that overlap `visible`
+/// (degrees, at most 360, modulo full turns) are kept, plus one on either side; null: all. step > 0.
 [[nodiscard]] std::vector<CircleTrace> decimated(const PathProfile &profile, double step,
                                                  std::optional<Interval> visible = std::nullopt);
 

@@ -15,8 +15,8 @@ namespace palmer {
 namespace {
 
 constexpr double mostParts = 6;
-constexpr double spanMargin = 0.06; ///< of the span, on either side
-constexpr double mostStretch = 3;   ///< of the scale, to show the origin
+constexpr double spanMargin = 0.06; ///< fraction of the span, on either side
+constexpr double mostStretch = 3;   ///< factor by which the scale may grow to include the origin
 constexpr double leastSpan = 1e-6;  ///< mm or degrees
 
 StripLane laneOf(Direction direction, const PositioningMeasurement &measurement,
@@ -42,7 +42,7 @@ void addStatistics(StripLane &lane, const DirectionStatistics &s, double c, doub
     }
 }
 
-/// Of what the lanes show, in their unit.
+/// Range of the values and limits of the lanes, in their unit.
 Interval rangeOf(const std::vector<StripLane> &lanes) {
     double least = std::numeric_limits<double>::infinity();
     double most = -least;
@@ -60,7 +60,7 @@ Interval rangeOf(const std::vector<StripLane> &lanes) {
     }
     if (!(least <= most))
         return {-1, 1};
-    // The origin is there to compare with unless it would squeeze the readings.
+    // Include the origin for comparison unless it would squeeze the readings.
     const bool withOrigin = std::max(most, 0.0) - std::min(least, 0.0) < mostStretch * (most - least);
     return withOrigin ? Interval{std::min(least, 0.0), std::max(most, 0.0)} : Interval{least, most};
 }

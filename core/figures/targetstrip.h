@@ -12,7 +12,7 @@
 
 namespace palmer {
 
-/// A run's reading of the target, in the unit of the axis.
+/// Reading of one run at the target, in the unit of the axis.
 struct StripReading {
     double value = 0;
     std::size_t run = 0; ///< index in the measurement
@@ -20,7 +20,7 @@ struct StripReading {
     bool operator==(const StripReading &) const = default;
 };
 
-/// The readings of one direction in the order they were taken, with x̄ and x̄ ± c·s where they exist.
+/// Readings of one direction in the order of measurement, with x̄ and x̄ ± c·s if they exist.
 struct StripLane {
     CurveRole role = CurveRole::up;
     std::vector<StripReading> readings;
@@ -31,18 +31,18 @@ struct StripLane {
     bool operator==(const StripLane &) const = default;
 };
 
-/// All readings of one target on one scale: what scatters, and how far the directions lie apart.
+/// All readings of one target on one scale: shows the scatter and the distance of the directions.
 struct TargetStrip {
     FigureAxis axis; ///< deviations, horizontally
     std::vector<StripLane> lanes;
-    QString reversal; ///< "B −4,48"; empty without one
+    QString reversal; ///< "B −4,48"; may be empty
 
     bool operator==(const TargetStrip &) const = default;
 };
 
-/// The strip of a target (index from 0) of a positioning test, in µm or seconds of arc; readings with the
-/// correction to 20 °C where it is applied. `evaluation` is that of `test`, which holds a
-/// PositioningMeasurement; else std::bad_variant_access.
+/// Strip of a target (index from 0) of a positioning test, in µm or arc seconds; readings with the correction
+/// to 20 °C if it is applied. `evaluation` is that of `test`, which holds a PositioningMeasurement; otherwise
+/// throws std::bad_variant_access.
 [[nodiscard]] TargetStrip targetStrip(const Test &test, const TestEvaluation &evaluation, std::size_t target,
                                       const Language &language);
 

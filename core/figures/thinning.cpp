@@ -11,14 +11,14 @@ namespace palmer {
 
 namespace {
 
-constexpr std::size_t mostPoints = 4000; ///< of a kind, in an ordinary figure
+constexpr std::size_t mostPoints = 4000; ///< per kind, in an ordinary figure
 constexpr std::size_t stepsOfCurves = 400;
-constexpr std::size_t stepsOfLimits = 120; ///< four edges and three areas are drawn of them
-/// Many lines between many gaps are drawn one by one, most of them as a marker of a single target.
+constexpr std::size_t stepsOfLimits = 120; ///< four edges and three areas are drawn from them
+/// Lines between many gaps are drawn one by one, most of them as the marker of a single target.
 constexpr std::size_t fewLines = 500;
-constexpr std::size_t partOfMany = 6;    ///< of the steps
+constexpr std::size_t partOfMany = 6;    ///< divisor of the steps
 constexpr std::size_t mostPlaces = 2500; ///< of marks
-/// Rows of places that marks are told apart in, twice as many columns: the first that are not too many count.
+/// Grid rows for telling marks apart, with twice as many columns: the first without too many marks is used.
 constexpr std::array rowsOfMarks{160, 112, 80, 56, 40, 28, 20};
 
 template <class Line>
@@ -35,7 +35,7 @@ bool areOrdinary(const std::vector<Line> &lines) {
     return std::ranges::all_of(roles, [&](CurveRole role) { return pointsOf(lines, role) <= mostPoints; });
 }
 
-/// The points of the lines of one role in a row, whatever gaps lie between.
+/// Points of all lines of one role, joined across gaps.
 template <class Line>
 auto inARow(const std::vector<Line> &lines, CurveRole role) {
     std::vector<const typename decltype(Line::points)::value_type *> row;
@@ -54,7 +54,7 @@ std::size_t stepsFor(const std::vector<Line> &lines, std::size_t steps) {
     return lines.size() <= fewLines ? steps : steps / partOfMany;
 }
 
-/// Positions, ascending, none twice.
+/// Sorted positions without duplicates.
 std::vector<double> sorted(std::vector<double> positions) {
     std::ranges::sort(positions);
     positions.erase(std::unique(positions.begin(), positions.end()), positions.end());
@@ -68,8 +68,8 @@ std::vector<double> positionsOfDimensions(const CurveFigure &figure) {
     return positions;
 }
 
-/// The lines with their points that `keeps`; of a line with any its ends too, so that none shrinks to a
-/// point.
+/// Lines reduced to the points that `keeps` accepts; a line with any also keeps its ends, so that none
+/// shrinks to a point.
 template <class Line>
 std::vector<Line> keeping(const std::vector<Line> &lines, auto &&keeps) {
     std::vector<Line> result;
@@ -105,7 +105,7 @@ std::vector<Curve> thinnedCurves(const CurveFigure &figure) {
     });
 }
 
-/// At the same positions in both directions: where they overlap, their corners are the figure's.
+/// Uses the same positions in both directions: the corners of their overlap are those of the figure.
 std::vector<Band> thinnedBands(const CurveFigure &figure) {
     std::vector<double> positions = positionsOfDimensions(figure);
     const std::size_t steps = stepsFor(figure.bands, stepsOfLimits);
@@ -124,7 +124,7 @@ std::vector<Band> thinnedBands(const CurveFigure &figure) {
     });
 }
 
-/// Places of equal size that marks fall into.
+/// Grid of equal cells for marks.
 class Places {
 public:
     Places(const CurveFigure &figure, int rows)
@@ -135,7 +135,7 @@ public:
     [[nodiscard]] std::size_t count() const { return 2 * m_rows * m_columns; }
     [[nodiscard]] std::size_t columns() const { return 2 * m_columns; }
 
-    /// Its column, of its direction; none where the mark is not shown.
+    /// Column of a mark, separate per direction; null if the mark is outside the axes.
     [[nodiscard]] std::optional<std::size_t> column(const ReadingMark &mark) const {
         const FigureAxis &x = m_figure.x;
         const FigureAxis &y = m_figure.y;
@@ -158,7 +158,7 @@ private:
     std::size_t m_columns;
 };
 
-/// Indices of marks, the first in each place; nothing where there are too many for `most`.
+/// Index of the first mark in each cell; null if more than `most`.
 std::optional<std::vector<std::size_t>> firstInEachPlace(const CurveFigure &figure, const Places &places,
                                                          std::size_t most) {
     std::vector<bool> taken(places.count());
@@ -178,7 +178,7 @@ std::optional<std::vector<std::size_t>> firstInEachPlace(const CurveFigure &figu
     return kept;
 }
 
-/// Indices of the least and the greatest mark of each column.
+/// Adds the indices of the least and greatest mark of each column.
 void addExtremes(std::vector<std::size_t> &kept, const CurveFigure &figure, const Places &places) {
     constexpr auto none = std::numeric_limits<std::size_t>::max();
     std::vector<std::array<std::size_t, 2>> extremes(places.columns(), {none, none});

@@ -11,9 +11,9 @@
 
 namespace palmer {
 
-/// Places of a line that are enough to draw it: in each of `parts` equal steps of x from `from` to `to` the
-/// first, the least, the greatest and the last, in their order, so that extremes stay exact; what lies
-/// outside is a step on either side. `x` and `y` take an index.
+/// Indices of the points that are enough to draw a line: the first, least, greatest and last in each of
+/// `parts` equal steps of x from `from` to `to`, in order, so that extremes stay exact; the parts outside
+/// count as one step on either side. `x` and `y` take an index.
 [[nodiscard]] std::vector<std::size_t> thinnedPlaces(std::size_t count, double from, double to,
                                                      std::size_t parts, auto &&x, auto &&y) {
     std::vector<std::size_t> kept;
@@ -36,12 +36,12 @@ namespace palmer {
     return kept;
 }
 
-/// Whether a figure is drawn as it is: none of its curves, limits or marks are more than paper resolves.
+/// True if the figure needs no thinning: none of its curves, limits or marks exceed what paper resolves.
 [[nodiscard]] bool isOrdinary(const CurveFigure &figure);
 
-/// The figure as far as paper and screens resolve it, over the range its axis of x shows: of curves and
-/// limits that are too many the first, least, greatest and last of each step, of marks one a place with the
-/// least and the greatest of each step. What dimensions point to stays; so does the order.
+/// The figure reduced to what paper and screens resolve over the range of its x axis: too many points of
+/// curves and limits to the first, least, greatest and last of each step, too many marks to one per cell and
+/// the least and greatest of each step. Points that dimensions refer to are kept, and so is the order.
 [[nodiscard]] CurveFigure thinned(const CurveFigure &figure);
 
 } // namespace palmer

@@ -9,7 +9,7 @@ namespace palmer {
 
 namespace {
 
-/// A step that fits but for a rounding error fits.
+/// Accepts a step that only a rounding error makes too small.
 constexpr double tolerance = 1 + 1e-9;
 
 double decimalStep(double least, bool quarters) {

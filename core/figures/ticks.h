@@ -7,20 +7,19 @@
 
 namespace palmer {
 
-/// Which steps are round: 1-2-5 for values, 1-2-2.5-5 for lengths along an axis, for angles in degrees
+/// Round steps: 1-2-5 for values, 1-2-2.5-5 for lengths along an axis, for angles in degrees
 /// 1-2-5-10-15-30-45-60-90-180 and 360 · 1-2-5.
 enum class TickSteps { values, lengths, angles };
 
-/// The smallest round step that divides `span` into no more than `most` parts. span > 0, most ≥ 1.
+/// Returns the smallest round step that divides `span` into at most `most` parts. span > 0, most ≥ 1.
 [[nodiscard]] double roundStep(double span, double most, TickSteps steps);
 
-/// Sets range, step and ticks of an axis; from < to. Labels have the decimals the step needs; −0 never
-/// appears.
+/// Sets range, step and ticks of an axis; from < to. Labels have the decimals that the step needs, and no −0.
 void setRange(FigureAxis &axis, double from, double to, double mostParts, TickSteps steps,
               const Language &language);
 
-/// The end of a scale from 0 that holds `size`: 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 or 10 times a power of
-/// ten; 1 for what is not above 0.
+/// Returns the end of a scale from 0 that contains `size`: 1, 1.2, 1.5, 2, 2.5, 3, 4, 5, 6, 8 or 10 times a
+/// power of ten; 1 if size ≤ 0.
 [[nodiscard]] double scaleEnd(double size);
 
 } // namespace palmer
