@@ -17,12 +17,12 @@ namespace {
 constexpr std::size_t mostPoints = 100'000;
 constexpr double largest = 1e9; ///< mm, degrees
 
-// Parts of a mm or degree that positions and values are rounded to.
+// Positions and values are rounded to this fraction of a mm or degree.
 double fineness(Motion motion) {
     return motion == Motion::linear ? 1e4 : 1e5;
 }
 
-/// Positions as whole numbers of 1e-6 mm or degrees: sums of them are exact.
+/// Position as an integer multiple of 1e-6 mm or degrees, so that sums are exact.
 long long steps(double position) {
     return std::llround(position * positionFineness);
 }
@@ -63,7 +63,7 @@ void demandPossible(const PositioningMeasurement &measurement, CompensationForma
         refuseCompensation(REPORT_TEXT("report", "axeserr.dat knows mm only; this axis is rotary"));
 }
 
-/// A rotary axis of one full turn, by its targets or its stated travel: the table closes.
+/// True if the axis is rotary and its targets or its stated travel cover one full turn: the table closes.
 bool isFullTurn(const PositioningMeasurement &measurement, const CompensationOptions &options) {
     constexpr double same = 1e-6;
     const auto turns = [](double travel) { return std::abs(travel - fullTurn) < same; };
@@ -75,7 +75,7 @@ bool isFullTurn(const PositioningMeasurement &measurement, const CompensationOpt
             (axis.travel && turns(*axis.travel)) || (axis.range && turns(axis.range->to - axis.range->from)));
 }
 
-/// The positions of a table of equal steps: `low + i · step`, the last not beyond `high`.
+/// Equally spaced positions `low + i · step`, the last not beyond `high`.
 std::vector<double> evenPositions(long long low, long long high, long long step) {
     if (step <= 0 || high <= low || (high - low) / step > static_cast<long long>(mostPoints))
         refuseInterval();
@@ -121,8 +121,8 @@ std::vector<double> positionsOf(const PositioningMeasurement &measurement, Compe
         const auto intervals = static_cast<long long>(measurement.targets.size()) - 1;
         const long long step = options.interval ? steps(*options.interval)
                                                 : (steps(to) - steps(from) + intervals - 1) / intervals;
-        // A last step beyond where they do not end there, where the last correction holds: what was measured
-        // is whole.
+        // If the steps do not end at `to`, add one beyond it, with the last correction, to cover the measured
+        // range.
         std::vector<double> positions = evenPositions(steps(from), steps(to), step);
         if (steps(positions.back()) < steps(to))
             positions.push_back(positionOf(steps(positions.back()) + step));
@@ -145,7 +145,6 @@ std::vector<double> positionsOf(const PositioningMeasurement &measurement, Compe
     return positions;
 }
 
-/// The corrections at the targets.
 CompensationTable correctionsOfTargets(const PositioningMeasurement &measurement,
                                        const PositioningResults &results, bool perDirection) {
     CompensationTable curve;
@@ -164,7 +163,7 @@ CompensationTable correctionsOfTargets(const PositioningMeasurement &measurement
     return curve;
 }
 
-/// The same around the full turn: what was measured at 0° and at 360° is one place, the mean of both.
+/// The table over the full turn: 0° and 360° are the same position, with the mean of both.
 CompensationTable closed(const CompensationTable &curve, double low) {
     constexpr double same = 1e-6;
     struct Point {
@@ -207,7 +206,7 @@ CompensationTable closed(const CompensationTable &curve, double low) {
     return result;
 }
 
-/// 0 at the reference point: a table that is not makes the axis jump when the compensation sets in.
+/// Makes the table 0 at the reference point; otherwise the axis jumps when the compensation becomes active.
 void shiftToReference(CompensationTable &table, double reference) {
     const double there = table.correction(reference, Direction::positive);
     for (double &value : table.forward)
@@ -276,7 +275,7 @@ CompensationTable compensationTable(const Test &test, const TestEvaluation &eval
     demandLoadable(table, format, *measurement);
     if (closes) {
         table.period = fullTurn;
-        table.measured.reset(); // the whole turn
+        table.measured.reset(); // the whole turn is covered
         curve = closed(curve, table.positions.front());
     }
     for (const double position : table.positions) {

@@ -13,17 +13,17 @@
 
 namespace palmer {
 
-/// The diagnosis of a circular test as JSON: values in the unit of each source, lengths of the whole in mm,
-/// null where there is none; null for a test that gives no diagnosis. Sentences in `language`.
+/// The diagnosis of a circular test as JSON: values in the unit of each source, other lengths in mm, null if
+/// unknown; null if the test gives no diagnosis. Sentences in `language`.
 [[nodiscard]] nlohmann::ordered_json diagnosisJson(const Test &test, const TestEvaluation &evaluation,
                                                    const Language &language);
 
-/// What the tests of one plane at several feeds say together: a list of {tests (from 1), diagnosis}; empty
-/// where there are none.
+/// Joint diagnoses of the tests of one plane at several feeds: a list of {tests (from 1), diagnosis}; may be
+/// empty.
 [[nodiscard]] nlohmann::ordered_json feedDiagnosesJson(const EvaluatedDocument &evaluated,
                                                        const Language &language);
 
-/// What a measurement was made from, for whoever tests an evaluation against it: ids, units and signs of the
+/// The true parameters of a synthetic measurement, for checking an evaluation: ids, units and signs of the
 /// diagnosis. Ends with a line break.
 [[nodiscard]] QByteArray truthJson(const CircularSynthesis &asked, std::span<const double> feeds);
 [[nodiscard]] QByteArray truthJson(const PositioningSynthesis &asked);

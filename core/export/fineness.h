@@ -6,10 +6,10 @@
 
 namespace palmer {
 
-/// Parts of a mm or degree that positions of a compensation table are rounded to.
+/// Positions of a compensation table are rounded to this fraction of a mm or degree.
 inline constexpr double positionFineness = 1e6;
 
-/// To whole `parts` of one; never −0.
+/// Rounds to multiples of 1/parts; never −0.
 [[nodiscard]] inline double rounded(double value, double parts) {
     return std::round(value * parts) / parts + 0.0;
 }

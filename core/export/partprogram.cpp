@@ -18,18 +18,18 @@
 namespace palmer {
 namespace {
 
-/// What tells the dialects of G-code apart. Heidenhain Klartext has words of its own.
+/// Differences between the dialects of G-code. Heidenhain Klartext has its own words.
 struct Code {
     const char *open = nullptr;  ///< before the first block
-    const char *close = nullptr; ///< after the last
+    const char *close = nullptr; ///< after the last block
     const char *setUp =
         nullptr; ///< work offset; absolute, metric, feed per minute; exact stop at every target
-    const char *dwell = nullptr;   ///< the word before the seconds
-    const char *offset = nullptr;  ///< the work offset the positions are in
-    bool brackets = false;         ///< comments in brackets, else after a semicolon
-    bool assigns = false;          ///< an axis with a number is known: X1=10
-    bool pointOfPositions = false; ///< a position without a decimal point would be one of increments
-    bool pointOfFeed = false;      ///< likewise a feed
+    const char *dwell = nullptr;   ///< word before the seconds
+    const char *offset = nullptr;  ///< work offset of the positions
+    bool brackets = false;         ///< comments in brackets; false: after a semicolon
+    bool assigns = false;          ///< axis names may have a number: X1=10
+    bool pointOfPositions = false; ///< positions need a decimal point, or they are increments
+    bool pointOfFeed = false;      ///< feeds need a decimal point
 };
 
 constexpr Code codeOf(Dialect dialect) {
@@ -38,9 +38,9 @@ constexpr Code codeOf(Dialect dialect) {
         return {"%\nO2302\n", "%\n", "G54 G90 G21 G94 G61", "G4 X", "G54", true, false, true, false};
     case Dialect::siemens:
         return {"", "", "G54 G90 G710 G94 G60", "G4 F", "G54", false, true, false, false};
-    case Dialect::linuxcnc: // a program number would be taken for a subroutine
+    case Dialect::linuxcnc: // a program number would start a subroutine
         return {"", "", "G54 G90 G21 G94 G61.1", "G4 P", "G54", true, false, false, false};
-    case Dialect::haas: // P without a point would be milliseconds
+    case Dialect::haas: // P without a decimal point is in milliseconds
         return {"%\nO02302\n", "%\n", "G54 G90 G21 G94 G61", "G4 P", "G54", true, false, true, true};
     case Dialect::heidenhain:
         break;
@@ -52,7 +52,7 @@ constexpr Code codeOf(Dialect dialect) {
     throw Error(Error::Kind::content, {text, std::move(arguments)});
 }
 
-/// Text of a comment: controls know ASCII only, and brackets end a comment.
+/// Text of a comment: controls know only ASCII, and a bracket ends a comment.
 std::string commentText(const QString &text) {
     std::string plain;
     for (const QChar c : text.normalized(QString::NormalizationForm_KD)) {
@@ -62,7 +62,7 @@ std::string commentText(const QString &text) {
             plain += '-';
         else if (c == u'\u2019')
             plain += '\'';
-        else if (c == u';') // the end of a block
+        else if (c == u';') // ends a block
             plain += ',';
         else if (c.isSpace())
             plain += ' ';
@@ -76,7 +76,7 @@ std::string withPoint(const std::string &number) {
     return number.find('.') == std::string::npos ? number + ".0" : number;
 }
 
-/// A number above 0 with at most 3 decimals and without needless zeros: "4", "0.5".
+/// A positive number with at most 3 decimals and no trailing zeros: "4", "0.5".
 std::string shortNumber(double value) {
     std::string digits = Decimal(value).rounded(3);
     digits.erase(digits.find_last_not_of('0') + 1);
@@ -85,7 +85,7 @@ std::string shortNumber(double value) {
     return digits;
 }
 
-/// The name of the axis as the control writes it.
+/// The axis name as the control writes it.
 std::string axisName(const std::string &name, Dialect dialect) {
     std::string axis = name;
     std::ranges::transform(axis, axis.begin(), [](char c) {
@@ -109,7 +109,7 @@ std::string axisName(const std::string &name, Dialect dialect) {
     return axis;
 }
 
-/// Writes the lines of one dialect.
+/// Writes the program in one dialect.
 class ProgramWriter {
 public:
     ProgramWriter(const CycleProgram &program, Dialect dialect)
@@ -153,7 +153,7 @@ public:
             line("CYCL DEF 9.0 DWELL TIME");
             line("CYCL DEF 9.1 DWELL " + m_dwell);
         } else {
-            line(m_code.dwell + withPoint(m_dwell)); // without a point older controls take milliseconds
+            line(m_code.dwell + withPoint(m_dwell)); // without a point older controls read milliseconds
         }
     }
 
@@ -169,7 +169,7 @@ public:
 private:
     void line(const std::string &words) {
         if (m_klartext)
-            m_text += std::to_string(m_number++) + " "; // every block has its number, from 0
+            m_text += std::to_string(m_number++) + " "; // every block is numbered, from 0
         m_text += words + "\n";
     }
 
@@ -184,7 +184,7 @@ private:
 };
 
 void demandSense(const CycleProgram &program, Dialect dialect) {
-    constexpr double shortest = 0.001; // s, mm/min: the digits that are written
+    constexpr double shortest = 0.001; // s, mm/min: limited by the digits written
     constexpr double longestOfKlartext = 3600;
     if (program.targets.empty() || program.runs < 1)
         refuseProgram(REPORT_TEXT("report", "a part program needs targets and runs"));
@@ -257,7 +257,7 @@ QByteArray partProgram(const CycleProgram &program, Dialect dialect, const Langu
     std::size_t target = program.targets.size();
     const std::vector<Move> path = cyclePath(program);
     for (auto move = path.begin(); move != path.end(); ++move) {
-        // A move without rest belongs to the stop after it.
+        // A move without a stop belongs to the next stop.
         const Stop &stop = move->stop ? *move->stop : *std::next(move)->stop;
         if (program.cycle == Cycle::standard && stop.run != run)
             writer.comment(language.sentence({REPORT_TEXT("report", "run %1"),

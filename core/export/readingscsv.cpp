@@ -30,7 +30,7 @@ const char *unitOf(Motion motion) {
     return motion == Motion::linear ? "mm" : "°";
 }
 
-/// Writes all that the numbers follow from: the statements, the unit, the sign.
+/// Writes what the numbers depend on: the statements, the unit, the sign.
 void writeStatements(CsvWriter &csv, const Document &document, std::size_t index) {
     const Test &test = *document.tests[index];
     csv.statement(palmercsv::format, palmercsv::formatWord);

@@ -107,7 +107,7 @@ Json circles(const CircularResults &results) {
     return list;
 }
 
-/// The contributions are those of a budget that is to be used.
+/// Lists the contributions only if the method uses them.
 Json uncertainty(const UncertaintyEvaluation &evaluation) {
     Json contributions = Json::array();
     if (usesContributions(evaluation.method)) {
@@ -139,7 +139,7 @@ Json agreedLimits(const Test &source, const TestEvaluation &evaluation) {
     return list;
 }
 
-/// What tests of all kinds have alike, before their own.
+/// Members common to all kinds of tests; they precede the specific ones.
 Json headOf(const Test &source, const TestEvaluation &evaluation) {
     const bool isOfAxis = axisOf(source);
     const Conditions *conditions = conditionsOf(source);
@@ -170,7 +170,7 @@ Json headOf(const Test &source, const TestEvaluation &evaluation) {
         {"decisionRule", fileWord(source.decisionRule.rule)}};
 }
 
-/// What tests of a kind have alone, apart from the targets and the diagnosis.
+/// Members specific to a kind of test, without targets and diagnosis.
 Json ownResults(const PositioningMeasurement & /*measurement*/, const PositioningResults & /*results*/,
                 const UncertaintyEvaluation &evaluation) {
     return {{"uncertainty", uncertainty(evaluation)}};
@@ -189,7 +189,7 @@ Json ownResults(const DriftMeasurement &measurement, const DriftResults &results
             {"unit", measurement.axis.motion == Motion::rotary ? "deg" : "mm"}};
 }
 
-/// Target by target: of 10⁵ of them a tree takes more memory than all the rest.
+/// Prints target by target: a tree of 10⁵ targets would take more memory than everything else.
 void addTargets(std::vector<JsonMember> &members, const PositioningMeasurement &measurement,
                 const PositioningResults &results, const TestEvaluation &evaluation) {
     const auto &targets = results.targets;

@@ -12,7 +12,7 @@
 #include <charconv>
 #include <cmath>
 
-// The tables as files: each written by the rules of its control, the CSV of our own read, too.
+// Compensation tables as files: written by the rules of each control; our own CSV is also read.
 
 namespace palmer {
 
@@ -41,7 +41,7 @@ const char *unitOf(const CompensationTable &table) {
 }
 
 std::string writeLinuxcnc(const CompensationTable &table) {
-    std::string text; // no comments: the control stops at the first line that is no triplet
+    std::string text; // no comments: the control stops at the first line that is not a triplet
     for (std::size_t i = 0; i < table.positions.size(); ++i) {
         const double position = table.positions[i];
         text += withoutExponent(position) + ' ' +
@@ -51,7 +51,7 @@ std::string writeLinuxcnc(const CompensationTable &table) {
     return text;
 }
 
-/// A name the control can have given an axis: a letter, then letters and digits.
+/// Throws unless a control could use this axis name: a letter, then letters and digits.
 void demandIdentifier(const std::string &name) {
     constexpr std::size_t longest = 32;
     const auto isLetter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
@@ -110,7 +110,7 @@ std::string writeWeihong(const CompensationTable &table, const CompensationOptio
 
 // ---- our own CSV
 
-/// The name of an axis as one word of the head.
+/// The axis name as one word of the head.
 std::string oneWord(std::string name) {
     std::ranges::replace_if(
         name, [](char c) { return static_cast<unsigned char>(c) <= ' '; }, '_');
@@ -174,7 +174,7 @@ double numberOf(std::string_view text, DecimalMark mark, const Line &line) {
     return value.value;
 }
 
-/// "key=value" of a comment.
+/// Value of "key=value" in a comment.
 std::optional<std::string> noted(std::string_view comment, std::string_view key) {
     const std::string wanted = ' ' + std::string(key) + '=';
     const std::size_t at = comment.find(wanted);
@@ -195,7 +195,6 @@ std::vector<std::string_view> split(std::string_view text, char delimiter) {
     }
 }
 
-/// How the values of a file are written.
 struct CsvForm {
     bool incremental = false;
     bool deviations = false;

@@ -24,13 +24,13 @@ QString textOf(const json &value) {
     return text.size() > longest ? text.left(longest) + u'…' : text;
 }
 
-/// Sines, exponentials and sums of another processor differ in their last digits, and what is fitted to many
-/// points by some 10⁻¹² of itself: a report made there is no forgery.
+/// True if two numbers differ only by rounding, as sines, exponentials and sums (last digits) and fits to
+/// many points (some 10⁻¹² relative) do on another processor: such a report is no forgery.
 bool differInRounding(const json &printed, const json &follows) {
     if (!printed.is_number() || !follows.is_number())
         return false;
     constexpr double relative = 1e-9;
-    constexpr double least = 1e-12; // mm and degrees: of what is nothing but rounding
+    constexpr double least = 1e-12; // mm and degrees: differences of pure rounding noise
     const auto a = printed.get<double>();
     const auto b = follows.get<double>();
     return std::abs(a - b) <= std::max(least, relative * std::max(std::abs(a), std::abs(b))) &&
@@ -56,7 +56,7 @@ public:
     }
 
     [[nodiscard]] std::vector<Difference> take() { return std::move(m_found); }
-    /// Whether numbers differ in their rounding alone.
+    /// True if numbers differ, but only by rounding.
     [[nodiscard]] bool isRounded() const { return m_rounded; }
 
 private:
@@ -75,7 +75,7 @@ private:
                 continue;
             if (const auto found = printed.find(key); found != printed.end())
                 compare(*found, value, place);
-            else if (m_sameProgram) // a newer program has more to say
+            else if (m_sameProgram) // a newer program writes more keys
                 add({}, textOf(value), place);
         }
         for (const auto &[key, value] : printed.items()) {

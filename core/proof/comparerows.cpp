@@ -13,7 +13,7 @@ struct Line {
     PrintedWords words;
 };
 
-/// The words side by side, from left to right: a word belongs to the line that its middle lies in.
+/// Groups words into lines, each from left to right; a word belongs to the line that contains its middle.
 std::vector<Line> linesOf(const PrintedWords &words, int page) {
     PrintedWords sorted = words;
     std::ranges::stable_sort(sorted, {}, [](const PrintedWord &word) { return word.area.center().y(); });
@@ -37,7 +37,7 @@ QString squeezed(const QString &text) {
     return result;
 }
 
-/// The word behind `text`, which may be several words from `from` on; null: it does not stand there.
+/// Index after the words from `from` on that make up `text`; null if they do not match.
 std::optional<std::size_t> behind(const Line &line, std::size_t from, const QString &text) {
     QString read;
     for (std::size_t i = from; i < line.words.size() && read.size() < text.size(); ++i) {
@@ -48,7 +48,7 @@ std::optional<std::size_t> behind(const Line &line, std::size_t from, const QStr
     return std::nullopt;
 }
 
-/// How many of the values stand in the line in their order, behind the word `from`.
+/// Largest number of the values that follow in the line, in order, from word `from` on.
 qsizetype valuesIn(const Line &line, std::size_t from, const QStringList &values) {
     qsizetype most = 0;
     if (values.isEmpty())
@@ -60,7 +60,7 @@ qsizetype valuesIn(const Line &line, std::size_t from, const QStringList &values
     return std::max(most, valuesIn(line, from, values.mid(1)));
 }
 
-/// How many values of the row stand behind its label; null: the label is not in the line.
+/// Number of values of the row that follow its label; null if the line does not contain the label.
 std::optional<qsizetype> matched(const Line &line, const PrintedRow &row) {
     std::optional<qsizetype> most;
     for (std::size_t i = 0; i < line.words.size(); ++i) {
@@ -102,7 +102,7 @@ PrintedRow squeezed(const PrintedRow &row) {
 
 std::vector<Difference> compareRows(const std::vector<PrintedWords> &pages,
                                     const std::vector<PrintedRow> &rows) {
-    constexpr qsizetype fewest = 3; ///< values, to know a row with one of them changed
+    constexpr qsizetype fewest = 3; ///< least number of values for recognising a row with one changed
     std::vector<Line> lines;
     for (std::size_t i = 0; i < pages.size(); ++i)
         std::ranges::move(linesOf(pages[i], static_cast<int>(i) + 1), std::back_inserter(lines));
@@ -134,7 +134,7 @@ std::vector<Difference> compareRows(const std::vector<PrintedWords> &pages,
         if (!almost[i] || prints[i])
             continue;
         result.push_back(differenceAt(lines[i], *almost[i]));
-        // What that line should print is not missing besides.
+        // The row of this line is reported as changed, not also as missing.
         std::erase_if(missing, [&, done = false](const Difference &difference) mutable {
             const bool same = !done && difference.follows == result.back().follows;
             done = done || same;

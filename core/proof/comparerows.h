@@ -6,18 +6,18 @@
 
 namespace palmer {
 
-/// A result or verdict as a line of a report prints it, whatever else stands in that line.
+/// A result or verdict as printed in a line of a report, which may contain more.
 struct PrintedRow {
-    QString label;      ///< symbol ("R↑", "G(b)XY"), or what the verdict is about
-    QStringList values; ///< value, U, limit, word of the verdict; what there is, in this order
+    QString label;      ///< symbol ("R↑", "G(b)XY"), or subject of the verdict
+    QStringList values; ///< value, U, limit, word of the verdict, as far as present, in this order
 
     bool operator==(const PrintedRow &) const = default;
 };
 
-/// The results that the pages of a report of another version do not print, where lines, pages and words may
-/// stand otherwise: a line prints a row when its label and then its values stand there in their order.
-/// A difference is each line that prints a row with one of at least three values changed, and each row that
-/// fewer lines print than there are such rows.
+/// Finds the results that a report made by another version does not print. Lines, pages and words may be
+/// arranged differently: a line prints a row if it contains its label followed by its values in order. A
+/// difference is a line that prints a row of at least three values with one changed, or a row that is printed
+/// in fewer lines than it occurs.
 [[nodiscard]] std::vector<Difference> compareRows(const std::vector<PrintedWords> &pages,
                                                   const std::vector<PrintedRow> &rows);
 

@@ -10,10 +10,10 @@ namespace palmer {
 namespace {
 
 constexpr std::size_t around = 4;             ///< words of context on each side
-constexpr std::size_t mostCells = 16'000'000; ///< of the table of common words
-constexpr qsizetype longestText = 300;        ///< of a difference
+constexpr std::size_t mostCells = 16'000'000; ///< in the table of common words
+constexpr qsizetype longestText = 300;        ///< in a difference
 
-/// A range of words on each side.
+/// A range of words in each of the two sequences.
 struct Gap {
     std::size_t printedFrom = 0, printedTo = 0;
     std::size_t followsFrom = 0, followsTo = 0;
@@ -23,7 +23,7 @@ bool same(const PrintedWord &a, const PrintedWord &b) {
     return a.text == b.text;
 }
 
-/// The runs of words that are no part of the longest common sequence.
+/// The runs of words outside the longest common subsequence.
 class WordAlignment {
 public:
     WordAlignment(const PrintedWords &printed, const PrintedWords &follows)
@@ -57,7 +57,7 @@ private:
             add(middle);
             return;
         }
-        // common[i][j]: words in common from row i and column j on.
+        // common[i][j]: length of the common subsequence from row i and column j on.
         std::vector<std::uint32_t> common((rows + 1) * (columns + 1), 0);
         const auto cell = [&](std::size_t i, std::size_t j) -> std::uint32_t & {
             return common[i * (columns + 1) + j];

@@ -8,7 +8,7 @@
 
 namespace palmer {
 
-/// A word of a page and where it stands, points from the top left corner.
+/// A word of a page and its area, points from the top left corner.
 struct PrintedWord {
     QString text;
     QRectF area;
@@ -16,14 +16,14 @@ struct PrintedWord {
 
 using PrintedWords = std::vector<PrintedWord>;
 
-/// What differs between the words of a page as printed and as they follow, both in the order of reading:
-/// each run of other words is one difference, with the words around it. None: the words are the same.
+/// Differences between the words of a page as printed and as they follow from the data, both in reading
+/// order: one per run of differing words, with the words around it. Empty if they are equal.
 [[nodiscard]] std::vector<Difference> compareWords(const PrintedWords &printed, const PrintedWords &follows,
                                                    int page);
 
-/// What differs between two files of results (JSON), with the path of each value. `sameProgram`: the
-/// program's own name counts as a value, and so do the bytes. A file that is no JSON is one difference.
-/// Numbers that another processor rounds otherwise (by 10⁻⁹ of themselves, or 10⁻¹²) are the same.
+/// Differences between two result files (JSON), with the path of each value. `sameProgram`: also compare the
+/// program name and the bytes. A file that is not JSON is one difference. Numbers that another processor
+/// rounds differently (by 10⁻⁹ relative, or 10⁻¹²) are equal.
 [[nodiscard]] std::vector<Difference> compareResults(const QByteArray &printed, const QByteArray &follows,
                                                      bool sameProgram);
 

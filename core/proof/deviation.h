@@ -8,21 +8,21 @@
 
 namespace palmer {
 
-// What may be wrong with a report beside its words and results, each as one difference.
+// Faults of a report other than in its words and results, each as one difference.
 
 [[nodiscard]] Difference differenceOf(const PdfAddition &addition);
 [[nodiscard]] Difference otherPageCount(int printed, int follows);
 [[nodiscard]] Difference otherPageSize(int page);
-/// The words of the page are the same, and it looks otherwise: in `area`, where these words stand.
+/// The words of the page are equal but it looks different in `area`, which contains `words`.
 [[nodiscard]] Difference drawnOtherwise(int page, const QRectF &area, const QString &words);
-/// A signature that is seen hides words.
+/// A visible signature hides words.
 [[nodiscard]] Difference coveredBySignature(int page, const QRectF &area, const QString &words);
 [[nodiscard]] Difference brokenSignature(const QString &signer);
 [[nodiscard]] Difference otherFileName(const QString &name);
-/// A title, the author or a bookmark.
+/// A title, the author or a bookmark differs.
 [[nodiscard]] Difference otherBeside(const QString &shown);
 
-/// For pages that no reader can show.
+/// For pages that cannot be read.
 [[nodiscard]] inline Error unreadablePages() {
     return {
         Error::Kind::syntax,
@@ -31,7 +31,7 @@ namespace palmer {
          {}}};
 }
 
-/// For pages that draw more than `operators`, which is more than a report does.
+/// For pages with more than `operators` drawing operators, more than a report has.
 [[nodiscard]] inline Error tooMuchDrawn(qint64 operators) {
     return {
         Error::Kind::syntax,

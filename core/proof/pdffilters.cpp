@@ -44,7 +44,7 @@ struct Predictor {
     std::size_t pixelBytes = 1;
 };
 
-/// Undoes the predictors of PNG, row by row (ISO 32000-1, 7.4.4.4).
+/// Undoes PNG predictors, row by row (ISO 32000-1, 7.4.4.4).
 class PngRows : public Pipeline {
 public:
     PngRows(Pipeline *to, Predictor predictor)
@@ -161,7 +161,7 @@ private:
     std::unique_ptr<Pl_Flate> m_flate;
 };
 
-/// What is packed in another way is not unpacked.
+/// Filter that leaves its stream packed.
 class Refused : public QPDFStreamFilter {
 public:
     bool setDecodeParms(QPDFObjectHandle) override { return false; }

@@ -6,9 +6,9 @@
 
 namespace palmer {
 
-/// While it lives, what libqpdf unpacks on this thread is counted against `most` bytes; a stream that would
-/// take more ends there, with an error of the library. Streams are unpacked by FlateDecode alone, with its
-/// PNG predictors: what other filters pack stays packed. The library itself knows no bound.
+/// While it exists, libqpdf may unpack at most `most` bytes on this thread; a stream that exceeds this ends
+/// with an error of the library. Only FlateDecode with its PNG predictors is unpacked; other filters are left
+/// packed. libqpdf itself has no such limit.
 class UnpackingBound {
 public:
     explicit UnpackingBound(std::int64_t most);
@@ -16,7 +16,7 @@ public:
     UnpackingBound(const UnpackingBound &) = delete;
     UnpackingBound &operator=(const UnpackingBound &) = delete;
 
-    /// Whether something was larger.
+    /// True if a stream exceeded the limit.
     [[nodiscard]] static bool isExceeded();
 };
 

@@ -31,7 +31,7 @@ std::string bytesOf(Handle stream) {
     return {reinterpret_cast<const char *>(buffer->getBuffer()), buffer->getSize()};
 }
 
-/// A file inside the PDF, by whichever way a reader finds it.
+/// A file embedded in the PDF, however a reader finds it.
 struct FoundFile {
     std::string name;
     std::string relationship;
@@ -39,7 +39,7 @@ struct FoundFile {
     QPDFObjGen id;
 };
 
-/// Throws for a specification whose names lead to different files: readers would show one or the other.
+/// Throws if the names of a specification lead to different files: readers would show one or the other.
 std::optional<FoundFile> embeddedFile(Handle specification) {
     if (!specification.isDictionary())
         return {};
@@ -78,7 +78,7 @@ std::vector<FoundFile> embeddedFiles(QPDF &document) {
         if (isNew)
             files.push_back(*file);
     };
-    // Not by the library's helper: of an entry that is no dictionary it complains on stderr and reads on.
+    // Avoids the library's helper, which reports an entry that is no dictionary on stderr and reads on.
     Handle names = document.getRoot().getKey("/Names");
     names = names.isDictionary() ? names.getKey("/EmbeddedFiles") : Handle::newNull();
     if (names.isDictionary()) {
@@ -106,7 +106,7 @@ void addUnknownKeys(std::vector<PdfAddition> &additions, Handle dictionary,
     }
 }
 
-/// What the file may do beyond showing its pages.
+/// Adds everything the file may do besides showing its pages.
 void addActions(std::vector<PdfAddition> &additions, QPDF &document) {
     Handle root = document.getRoot();
     addUnknownKeys(additions, root,
@@ -140,7 +140,7 @@ bool isSignature(const Handle &widget) {
     return false;
 }
 
-/// A link of ours leads to another page of the report and nowhere else.
+/// True for a link of a report, which only leads to another of its pages.
 bool isOwnLink(Handle annotation) {
     return annotation.getKey("/Subtype").getName() == "/Link" && !annotation.hasKey("/A") &&
            !annotation.hasKey("/AA") && !annotation.hasKey("/AP");
@@ -151,7 +151,7 @@ std::string textOf(Handle dictionary, const char *key) {
     return value.isString() ? value.getUTF8Value() : std::string();
 }
 
-/// Title, author, then the bookmarks in the order of reading. Throws for bookmarks without end.
+/// Title, author, then the bookmarks in reading order. Throws if the bookmarks do not end.
 std::vector<std::string> besideThePages(QPDF &document) {
     std::vector<std::string> result;
     for (const char *key : {"/Title", "/Author", "/Subject", "/Keywords"})
@@ -177,7 +177,7 @@ std::vector<std::string> besideThePages(QPDF &document) {
 void addAnnotations(PdfParts &result, Handle page, int number) {
     if (page.hasKey("/AA"))
         result.additions.push_back({PdfAddition::Kind::action, number, "AA"});
-    if (page.hasKey("/UserUnit")) // another scale
+    if (page.hasKey("/UserUnit")) // changes the scale
         result.additions.push_back({PdfAddition::Kind::action, number, "UserUnit"});
     Handle annotations = page.getKey("/Annots");
     const double height = page.getKey("/MediaBox").getArrayAsRectangle().ury;
@@ -198,7 +198,7 @@ void addAnnotations(PdfParts &result, Handle page, int number) {
     }
 }
 
-/// Unpacks all there is once, so that what comes after may rely on its size.
+/// Unpacks all streams once, so that their total size is known to be within the limit.
 void demandTame(QPDF &document) {
     for (Handle object : document.getAllObjects()) {
         if (!object.isStream())
@@ -210,7 +210,7 @@ void demandTame(QPDF &document) {
     }
 }
 
-/// False: it is encrypted with a password that has to be known, or by a way that the library does not know.
+/// False if the file is encrypted with an unknown password or by an unsupported method.
 bool canOpen(QPDF &document, const char *bytes, std::size_t size) {
     try {
         document.processMemoryFile("report", bytes, size);
@@ -240,7 +240,7 @@ PdfParts takeApart(QPDF &document) {
         addAnnotations(result, pages[i], static_cast<int>(i) + 1);
     result.beside = besideThePages(document);
     demandTame(document);
-    if (document.anyWarnings()) // the library read on; another reader may have found no attachment
+    if (document.anyWarnings()) // the library read on; another reader may not find the attachment
         throw std::runtime_error("damaged");
     return result;
 }
@@ -263,7 +263,7 @@ PdfParts pdfParts(const char *bytes, std::size_t size, std::int64_t most, bool &
         if (UnpackingBound::isExceeded())
             throw std::runtime_error("unpacks to more than is read");
         return result;
-    } catch (const std::exception &) { // whatever the library throws
+    } catch (const std::exception &) { // anything the library throws
         exceeded = UnpackingBound::isExceeded();
         throw;
     }

@@ -8,8 +8,7 @@
 
 namespace palmer {
 
-// libqpdf behind a wall: its headers are C++17 to clang 14, so what stands here is of the standard library
-// alone.
+// Isolates libqpdf: its headers are C++17 to clang 14, so this interface uses only the standard library.
 
 /// A file inside a PDF.
 struct EmbeddedFile {
@@ -17,16 +16,16 @@ struct EmbeddedFile {
     std::string bytes;
 };
 
-/// Something that a report does not have when it is made, and that may show its reader other than what it
-/// says.
+/// Something that a report does not contain when it is made, and that may make it appear to say something
+/// else.
 struct PdfAddition {
     enum class Kind { action, form, attachment, annotation };
     Kind kind = Kind::action;
-    int page = 0;     ///< from 1; 0: of the whole file
-    std::string name; ///< of the attachment, the key of the PDF
+    int page = 0;     ///< from 1; 0: the whole file
+    std::string name; ///< of the attachment, or PDF key
 };
 
-/// The place of a signature on a page, points from its top left corner.
+/// Area of a signature on a page, points from its top left corner.
 struct PdfField {
     int page = 1; ///< from 1
     double left = 0, top = 0, right = 0, bottom = 0;
@@ -34,17 +33,17 @@ struct PdfField {
 
 /// The last revision of a PDF.
 struct PdfParts {
-    bool encrypted = false; ///< then nothing more is read
+    bool encrypted = false; ///< then nothing else is read
     std::string xmp;
-    std::vector<EmbeddedFile> files; ///< as readers find them, each once
+    std::vector<EmbeddedFile> files; ///< as readers find them, without duplicates
     std::vector<PdfAddition> additions;
-    std::vector<PdfField> signatureFields; ///< those that are seen
-    std::vector<std::string> beside; ///< what readers show beside the pages: title and author, bookmarks
+    std::vector<PdfField> signatureFields; ///< visible ones
+    std::vector<std::string> beside;       ///< shown besides the pages: title and author, bookmarks
 };
 
-/// Takes a PDF apart. `most`: bytes that its streams may unpack to; `exceeded` says when that was the reason.
-/// Throws std::exception for what is damaged: nothing is guessed from a ruin, for what other readers make of
-/// it is not known.
+/// Takes a PDF apart. `most`: bytes that its streams may unpack to; `exceeded`: true if they unpack to more.
+/// Throws std::exception if it is damaged: nothing is repaired, since other readers might repair it
+/// differently.
 [[nodiscard]] PdfParts pdfParts(const char *bytes, std::size_t size, std::int64_t most, bool &exceeded);
 
 } // namespace palmer

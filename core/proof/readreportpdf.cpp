@@ -27,12 +27,12 @@ namespace {
                        "to open or to verify"));
 }
 
-/// Null: damaged.
+/// Null if damaged.
 std::optional<PdfParts> partsOf(const QByteArray &pdf) {
     bool exceeded = false;
     try {
         return pdfParts(pdf.constData(), static_cast<std::size_t>(pdf.size()), mostUnpacked, exceeded);
-    } catch (const Error &) { // no fault of the PDF
+    } catch (const Error &) { // not the fault of the PDF
         throw;
     } catch (const std::exception &) {
         if (exceeded)
@@ -43,7 +43,7 @@ std::optional<PdfParts> partsOf(const QByteArray &pdf) {
     }
 }
 
-/// Puts each file where it belongs; returns how many test files there are.
+/// Sorts the embedded files into `result`; returns the number of test files.
 int sortFiles(ReportPdf &result, const std::vector<EmbeddedFile> &files) {
     int testFiles = 0;
     for (const EmbeddedFile &file : files) {

@@ -15,34 +15,34 @@
 
 namespace palmer {
 
-/// The place of a signature on a page, points from its top left corner.
+/// Area of a signature on a page, points from its top left corner.
 struct SignatureField {
     int page = 1; ///< from 1
     QRectF area;
 };
 
-/// A report of this program, taken apart: its last revision, if something was appended.
+/// The parts of a report of this program: its last revision, if something was appended.
 struct ReportPdf {
-    ReportMetadata metadata; ///< as readXmp has it
+    ReportMetadata metadata; ///< as read by readXmp()
     QByteArray testFile;
     QString testFileName;
-    QByteArray results; ///< results.json; empty: none
+    QByteArray results; ///< results.json; may be empty
     std::vector<PdfAddition> additions;
-    std::vector<SignatureField> signatureFields; ///< those that are seen
-    QStringList beside; ///< what readers show beside the pages: titles, author, bookmarks
+    std::vector<SignatureField> signatureFields; ///< visible ones
+    QStringList beside;                          ///< shown besides the pages: titles, author, bookmarks
 };
 
-/// Largest sum of what the streams of a PDF unpack to, bytes.
+/// Most bytes that the streams of a PDF may unpack to in total.
 inline constexpr qint64 mostUnpacked = qint64(1) << 29;
 
-/// Whether the bytes begin as a PDF does.
+/// True if the bytes begin like a PDF.
 [[nodiscard]] bool isPdf(QByteArrayView bytes);
 
-/// Whether this is a PDF of another program: it can be read, and nothing in it says that Palmer made it.
+/// True for a PDF of another program: readable, but not marked as made by Palmer.
 [[nodiscard]] bool isForeignPdf(const QByteArray &pdf);
 
-/// Takes a report apart; bounded in memory, whatever the bytes say. Throws Error with one sentence: damaged,
-/// encrypted, too large (mostUnpacked), not made by Palmer, without its test file, with more than one.
+/// Takes a report apart, with bounded memory for any input. Throws Error if the PDF is damaged, encrypted,
+/// too large (mostUnpacked), not made by Palmer, or does not have exactly one test file.
 [[nodiscard]] ReportPdf readReportPdf(const QByteArray &pdf);
 
 } // namespace palmer

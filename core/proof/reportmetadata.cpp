@@ -29,7 +29,7 @@ constexpr QLatin1StringView programName("Program");
 constexpr QLatin1StringView languageName("Language");
 constexpr QLatin1StringView selfTestName("SelfTest");
 constexpr QLatin1StringView simulatedName("Simulated");
-constexpr QLatin1StringView editionName("Edition"); // of a view alone
+constexpr QLatin1StringView editionName("Edition"); // only if another edition was chosen
 
 constexpr QLatin1StringView passed("passed");
 constexpr QLatin1StringView failed("failed");
@@ -40,7 +40,7 @@ struct OwnProperty {
     const char *description = nullptr;
 };
 
-// PDF/A wants every property that is not of a known schema described in the packet.
+// PDF/A requires a description of every property outside the known schemas.
 constexpr std::array ownProperties{
     OwnProperty{programName, "Program and version that made the report"},
     OwnProperty{languageName, "Language of the report"},
@@ -207,8 +207,8 @@ QByteArray xmpPacket(const ReportMetadata &metadata) {
 
 namespace {
 
-/// What Palmer's own properties say, by their names; title and author go into the result. Null: not well
-/// formed, or a property is stated twice.
+/// Palmer's own properties by name; title and author are stored in `result`. Null if the packet is not well
+/// formed or states a property twice.
 std::optional<std::map<QString, QString>> propertiesOf(const QByteArray &packet, ReportMetadata &result) {
     std::map<QString, QString> found;
     QXmlStreamReader xml(packet);
@@ -223,7 +223,7 @@ std::optional<std::map<QString, QString>> propertiesOf(const QByteArray &packet,
         } else if (begins && xml.namespaceUri() == own) {
             const QString name = xml.name().toString();
             if (!found.emplace(name, xml.readElementText()).second)
-                return std::nullopt; // stated twice
+                return std::nullopt;
         }
     }
     return xml.hasError() ? std::nullopt : std::optional(std::move(found));

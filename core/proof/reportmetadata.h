@@ -9,22 +9,22 @@
 
 namespace palmer {
 
-/// What the XMP packet of a report states: beside what every reader shows, how to make the report again.
+/// Content of the XMP packet of a report: what any reader shows, and how to make the report again.
 struct ReportMetadata {
     QString title;
     QString author;
     QString language; ///< "en", "fr"
-    QString date;     ///< YYYY-MM-DD; empty: none
+    QString date;     ///< YYYY-MM-DD; may be empty
     Making making;
 
     bool operator==(const ReportMetadata &) const = default;
 };
 
-/// The packet, with the declaration of PDF/A-3b and the schema of our own properties. Nothing of the clock.
+/// The packet, with the declaration of PDF/A-3b and the schema of our own properties, without any time.
 [[nodiscard]] QByteArray xmpPacket(const ReportMetadata &metadata);
 
-/// Reads a packet of ours: title, author, language and `making`. Null for what is no XML, or was written by
-/// another program, or has words that we do not write.
+/// Reads our own packet: title, author, language and `making`. Null if it is not XML, was written by another
+/// program or contains unknown words.
 [[nodiscard]] std::optional<ReportMetadata> readXmp(const QByteArray &packet);
 
 } // namespace palmer

@@ -13,7 +13,7 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr int verificationVersion = 1;
-constexpr std::size_t mostLines = 200; ///< of differences on a terminal
+constexpr std::size_t mostLines = 200; ///< differences printed on a terminal
 
 Argument counted(std::size_t value) {
     return Number{static_cast<double>(value), Quantity::count, 0};

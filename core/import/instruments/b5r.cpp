@@ -27,13 +27,13 @@ constexpr qsizetype longestText = qsizetype(1) << 28;
 constexpr int mostUnknown = 12;
 constexpr std::size_t mostReadings = 10'000'000;
 
-/// The units of the attribute DT.
+/// Units of the attribute DT.
 struct TypeUnit {
     const char *type = nullptr;
-    const char *unit = nullptr; ///< as shown
-    double multiplier = 1;      ///< lengths: to mm
+    const char *unit = nullptr; ///< for display
+    double multiplier = 1;      ///< for lengths: to mm
     double divisor = 1;
-    bool isLength = false; ///< else as shown only
+    bool isLength = false; ///< false: for display only
 };
 constexpr std::array typeUnits{
     TypeUnit{"UT_LENGTH_MM", "mm", 1, 1, true},
@@ -87,7 +87,7 @@ private:
         addRemark(m.remarks, grade, std::move(message), 0, choice);
     }
 
-    /// Elements are known by their names, wherever they stand.
+    /// Elements are recognised by name, at any depth.
     void parse() {
         QString text;
         while (!m_xml.atEnd()) {
@@ -199,7 +199,7 @@ private:
             takeFeature(text);
     }
 
-    /// In mm where it states no unit; in one that is not known it is none.
+    /// Stores a length in mm, the default unit; a value in an unknown unit is ignored.
     void takeLength(const QString &text) {
         const TypeUnit *unit = typeUnit(m_type);
         m_length = numberOf(text);
@@ -209,7 +209,7 @@ private:
             leaveOut(m_length);
     }
 
-    /// In mm/min.
+    /// Stores a feed in mm/min.
     void takeFeed(const QString &text) {
         const TypeUnit *unit = typeUnit(m_type);
         m_feed = numberOf(text);
@@ -338,7 +338,7 @@ private:
         return {};
     }
 
-    /// Readings have no unit in the file: their size says it, and the remark asks.
+    /// The file states no unit for readings: guesses it from their size and adds a remark.
     void settleReadings(const CircularMeasurement &measurement) {
         double largest = 0;
         std::vector<double> sizes;
@@ -371,11 +371,11 @@ private:
                    "unit");
     }
 
-    /// The way of a run, in degrees.
+    /// Angles of a run, in degrees.
     struct Way {
         double start = 0;
         double arc = 0;
-        double overshoot = 0; ///< at either end
+        double overshoot = 0; ///< at each end
     };
 
     Arc arcOf(const BallbarRun &run, const Way &way, double nominalRadius) {
@@ -386,7 +386,7 @@ private:
             remark(RemarkGrade::problem,
                    {REPORT_TEXT("report", "A run states no direction; taken as counterclockwise.")});
         const bool clockwise = path.sense == Sense::clockwise;
-        // The way back of a part of a circle begins where the way forth ended.
+        // On a partial circle the return run begins where the first ended.
         const double begin = clockwise && way.arc < 360 ? way.start + way.arc : way.start;
         const double sign = clockwise ? -1 : 1;
         const double span = way.arc + 2 * way.overshoot;
@@ -478,7 +478,7 @@ void remarkEncoding(QByteArrayView bytes, Imported &imported) {
 bool isBallbarXml(QByteArrayView bytes) {
     const QByteArrayView start = bytes.first(std::min<qsizetype>(bytes.size(), 1 << 16));
     const qsizetype at = start.startsWith("\xEF\xBB\xBF") ? 3 : 0;
-    // UTF-16 has a zero beside each letter.
+    // In UTF-16 every ASCII letter has a zero byte.
     const bool xml = start.sliced(std::min(at, start.size())).trimmed().startsWith('<') ||
                      start.startsWith("\xFF\xFE<") || start.startsWith(QByteArrayView("\xFE\xFF\0<", 4));
     return xml;
@@ -490,7 +490,7 @@ void readBallbarXml(const ImportSource &source, Choices &choices, Imported &impo
     try {
         imported.text = decodeText(source.bytes).text;
     } catch (const Error &) {
-        imported.text.clear(); // in a code page that XML knows and the tables do not
+        imported.text.clear(); // code page known to XML but not to the tables
     }
     choices.settle("kind", "circular", Origin::recognised);
 }

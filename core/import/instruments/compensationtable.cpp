@@ -28,7 +28,7 @@ double interpolated(const std::vector<double> &x, const std::vector<double> &y, 
 }
 
 std::vector<std::string_view> firstLines(std::string_view text) {
-    constexpr std::size_t enough = 200; // comments may stand before
+    constexpr std::size_t enough = 200; // skips comments at the beginning
     std::vector<std::string_view> lines;
     for (std::size_t at = 0; at < text.size() && lines.size() < enough;) {
         const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
@@ -67,7 +67,7 @@ bool isHeidenhain(std::string_view text) {
            });
 }
 
-/// `unit = mm`, then the name of an axis in square brackets, then triplets with commas.
+/// True for `unit = mm`, then an axis name in square brackets, then triplets with commas.
 bool isWeihong(std::string_view text) {
     bool unit = false;
     bool axis = false;
@@ -84,14 +84,14 @@ bool isWeihong(std::string_view text) {
     return false;
 }
 
-/// "COMP.N0.000   =  +0.0000  =  +0.0000": the display ND 287.
+/// True for the display ND 287: "COMP.N0.000 = +0.0000 = +0.0000".
 bool isNd287(std::string_view text) {
     return anyLine(text, [](std::string_view line) {
         return line.starts_with("COMP.N") && std::ranges::count(line, '=') == 2;
     });
 }
 
-/// Pitch error data as FANUC controls punch them, N10000 to N11023: "N10001 P12", "N10001 Q1 A1 P12".
+/// True for FANUC pitch error data, N10000 to N11023: "N10001 P12", "N10001 Q1 A1 P12".
 bool isFanuc(std::string_view text) {
     static const QRegularExpression data(
         QStringLiteral(R"(^N1(?:0\d{3}|10[01]\d|102[0-3])\s*(?:Q\d+\s*)?(?:A\d+\s*)?P\s*-?\d+$)"));
@@ -102,7 +102,7 @@ bool isFanuc(std::string_view text) {
     return punched >= 2 && 2 * punched >= static_cast<std::ptrdiff_t>(lines.size());
 }
 
-/// The numbers of a line between commas or blanks; none where something else stands there.
+/// Numbers of a line separated by commas or blanks; empty if the line contains anything else.
 std::vector<double> numbersOf(std::string_view line) {
     std::vector<double> numbers;
     while (!line.empty()) {
@@ -118,8 +118,8 @@ std::vector<double> numbersOf(std::string_view line) {
     return numbers;
 }
 
-/// The grid of KMotion: rows and columns, spacings, with or without offsets, then row, column and the point
-/// to command, from 0,0 on.
+/// True for a KMotion grid: rows and columns, spacings, with or without offsets, then row, column and the
+/// point to command, from 0,0 on.
 bool isKMotion(std::string_view text) {
     const auto lines = firstLines(text);
     std::size_t at = 0;
@@ -163,7 +163,7 @@ constexpr std::array controls{
     Control{fanuc, isFanuc},           Control{kmotion, isKMotion},
 };
 
-/// Three numbers a line, parted by blanks, from the first line on.
+/// True if every line has three numbers separated by blanks.
 bool isTriplets(std::string_view text) {
     const auto lines = firstLines(text);
     return !lines.empty() && std::ranges::all_of(lines, [](std::string_view line) {
@@ -171,7 +171,7 @@ bool isTriplets(std::string_view text) {
     });
 }
 
-/// Names that controls give their tables alone; empty: another name.
+/// The ending that only controls give their tables; empty for other names.
 QLatin1StringView endingOfTable(QStringView fileName) {
     constexpr std::array endings{QLatin1StringView(".comp"), QLatin1StringView(".com"),
                                  QLatin1StringView(".cmp"), QLatin1StringView(".cal"),
@@ -182,7 +182,7 @@ QLatin1StringView endingOfTable(QStringView fileName) {
     return found == endings.end() ? QLatin1StringView() : *found;
 }
 
-/// The beginning of a text, without its mark; UTF-16 as UTF-8.
+/// The beginning of a text without its byte order mark; UTF-16 is converted to UTF-8.
 std::string textOf(QByteArrayView bytes) {
     constexpr qsizetype enough = qsizetype(1) << 16;
     const std::string_view text(bytes.data(), static_cast<std::size_t>(bytes.size()));
@@ -190,13 +190,13 @@ std::string textOf(QByteArrayView bytes) {
         try {
             return decodeText(bytes.first(std::min(bytes.size() / 2 * 2, enough))).text;
         } catch (const Error &) {
-            return {}; // no text
+            return {}; // not text
         }
     }
     return std::string(text.starts_with("\xEF\xBB\xBF") ? text.substr(3, enough) : text.substr(0, enough));
 }
 
-/// Whether the second and third numbers are positions near the first, or small beside it.
+/// Decides whether the second and third numbers are positions near the first, or small trims.
 LinuxcncValues valuesOf(std::string_view text) {
     const FoundTable positions = readLinuxcncTable(text, LinuxcncValues::positions);
     const FoundTable trims = readLinuxcncTable(text, LinuxcncValues::trims);
@@ -239,9 +239,9 @@ FoundTable readControlTable(QByteArrayView bytes, QStringView fileName) {
         return readHeidenhainTable(text);
     if (name == "Weihong")
         return readWeihongTable(text, false);
-    if (name == "Palmer") // what was written for LinuxCNC with a comment before it
+    if (name == "Palmer") // written for LinuxCNC with a comment on top
         return readLinuxcncTable(text, LinuxcncValues::positions);
-    if (name == linuxcnc || (!control && isTriplets(text))) { // who compares a table says that it is one
+    if (name == linuxcnc || (!control && isTriplets(text))) { // a file given for comparison is a table
         const LinuxcncValues values = valuesOf(text);
         FoundTable found = readLinuxcncTable(text, values);
         found.remarks.push_back(
@@ -278,7 +278,7 @@ bool isCompensationTable(QByteArrayView bytes) {
     return controlOfTable(bytes, {}) != nullptr;
 }
 
-/// Always throws: a compensation table is no measurement; the sentence says how it is compared with one.
+/// Always throws: a compensation table is no measurement; the message says how to compare it with one.
 void readCompensationTable(const ImportSource &source, Choices & /*choices*/, Imported & /*imported*/) {
     refuseCompensationTable(source.bytes, {});
     throw Error(Error::Kind::format,

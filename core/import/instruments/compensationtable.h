@@ -14,52 +14,52 @@
 
 namespace palmer {
 
-/// A compensation of the systematic deviations of an axis: what is added to the commanded position.
-/// Values between the positions are interpolated, those beyond them hold (as controls do); with a period they
-/// are repeated instead.
+/// A compensation of the systematic deviations of an axis: values added to the commanded position. They are
+/// interpolated between the positions and constant beyond them (as in controls), or periodic if there is a
+/// period.
 struct CompensationTable {
-    std::string axis; ///< empty where the table does not say it
+    std::string axis; ///< empty if the table does not state it
     Motion motion = Motion::linear;
     bool perDirection = false;
     std::vector<double> positions;    ///< ascending, mm or degrees
     std::vector<double> forward;      ///< −x̄_i↑, or −x̄_i; mm or degrees
     std::vector<double> reverse;      ///< −x̄_i↓, or −x̄_i
-    std::optional<double> period;     ///< degrees: of a table for a full turn
-    std::optional<Interval> measured; ///< where it was measured; null where that is not known
-    std::optional<Direction> only;    ///< the one that was measured; null: both, or not known
+    std::optional<double> period;     ///< degrees; for a table of a full turn
+    std::optional<Interval> measured; ///< measured range; null if unknown
+    std::optional<Direction> only;    ///< the only measured direction; null: both, or unknown
 
     [[nodiscard]] double correction(double position, Direction direction) const;
     bool operator==(const CompensationTable &) const = default;
 };
 
-/// A table as it was found in a control.
+/// A table read from a control.
 struct FoundTable {
     const char *control = ""; ///< "LinuxCNC", "SINUMERIK", …
     CompensationTable table;
-    std::vector<Message> remarks; ///< what was taken for granted, what the control does not use
+    std::vector<Message> remarks; ///< assumptions, and parts that the control ignores
 };
 
-/// Which control the table is for, by its content; null for what is no compensation table. Three numbers a
-/// line and nothing else are a table of LinuxCNC only under the ending of one (.comp, .com, .cmp, .cal):
-/// without it they may be a measurement.
+/// Returns the control that a table is for, by its content; null if it is no compensation table. Lines of
+/// three numbers and nothing else are a LinuxCNC table only if the file has such an ending (.comp, .com,
+/// .cmp, .cal); otherwise they may be a measurement.
 [[nodiscard]] const char *controlOfTable(QByteArrayView bytes, QStringView fileName);
 
-/// The table as that control reads it, as far as its rules are public; three numbers a line are one of
-/// LinuxCNC under any name. Throws Error, with line and column where there is one, for what is no table or
-/// one whose rules are not known.
+/// The table as that control reads it, as far as its rules are public; lines of three numbers are a LinuxCNC
+/// table under any name. Throws Error, with line and column if known, if it is no table or its rules are
+/// unknown.
 [[nodiscard]] FoundTable readControlTable(QByteArrayView bytes, QStringView fileName);
 
-/// How the values of LinuxCNC are meant: COMP_FILE_TYPE 0, actual positions, or 1, what is added.
+/// Meaning of LinuxCNC values: COMP_FILE_TYPE 0, actual positions, or 1, values to add.
 enum class LinuxcncValues { positions, trims };
 
-// One reader a control; the text is UTF-8. They throw Error as readControlTable does.
+// One reader per control; the text is UTF-8. They throw Error like readControlTable().
 
-/// usrmotLoadComp: triplets up to the first line that is none, those that do not ascend and those after 256
-/// left out.
+/// usrmotLoadComp: triplets up to the first line that is none; non-ascending ones and those after 256 are
+/// ignored.
 [[nodiscard]] FoundTable readLinuxcncTable(std::string_view text, LinuxcncValues values);
-/// $AA_ENC_COMP and $AN_CEC of an axis upon itself: positive values move the axis in the negative direction.
+/// $AA_ENC_COMP, and $AN_CEC of an axis on itself: positive values move the axis in the negative direction.
 [[nodiscard]] FoundTable readSinumerikTable(std::string_view text);
-/// axeserr.dat. The maker's formula is nominal − actual; `deviations`: actual − nominal.
+/// axeserr.dat. The manufacturer's formula is nominal − actual; `deviations`: actual − nominal.
 [[nodiscard]] FoundTable readWeihongTable(std::string_view text, bool deviations);
 /// Columns AXISPOS, BACKLASH and the axis.
 [[nodiscard]] FoundTable readHeidenhainTable(std::string_view text);

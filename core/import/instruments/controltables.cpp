@@ -12,18 +12,18 @@
 #include <map>
 #include <set>
 
-// The compensation tables of controls, each read by the rules of its control.
+// Readers of the compensation tables, one per control, each by the rules of its control.
 
 namespace palmer {
 
 namespace {
 
-constexpr double positionFineness = 1e6; ///< parts of a mm or degree
+constexpr double positionFineness = 1e6; ///< fraction of a mm or degree
 constexpr double valueFineness = 1e7;
 constexpr std::size_t mostTableRows = 100'000;
 
 double rounded(double value, double parts) {
-    return std::round(value * parts) / parts + 0.0; // no −0
+    return std::round(value * parts) / parts + 0.0; // never −0
 }
 
 struct Line {
@@ -69,7 +69,7 @@ void demandAscent(const CompensationTable &table) {
                     {REPORT_TEXT("report", "the positions of a compensation table ascend")});
 }
 
-/// As sscanf("%lf %lf %lf"): three numbers with blanks before them, whatever follows.
+/// Like sscanf("%lf %lf %lf"): three numbers preceded by blanks, followed by anything.
 std::optional<std::array<double, 3>> triplet(std::string_view line) {
     std::array<double, 3> numbers{};
     for (double &number : numbers) {
@@ -118,7 +118,7 @@ std::vector<Command> assignmentsOf(std::string_view text) {
         if (open == std::string::npos || close == std::string::npos || close < open || equals != close + 1)
             refuseLine(line);
         Command each{code.substr(0, open), {}, code.substr(equals + 1), line};
-        // Manuals print [0.3] for [0,3], too.
+        // Some manuals print [0.3] for [0,3].
         const std::string inside = code.substr(open + 1, close - open - 1);
         for (std::size_t at = 0; at <= inside.size();) {
             const std::size_t end = std::min(inside.find_first_of(",.", at), inside.size());
@@ -130,7 +130,7 @@ std::vector<Command> assignmentsOf(std::string_view text) {
     return result;
 }
 
-/// One table of a SINUMERIK: the points counted from MIN in steps up to MAX.
+/// A SINUMERIK table: points counted from MIN in steps up to MAX.
 struct Stepped {
     std::map<std::size_t, double> values;
     std::optional<double> step;
@@ -138,7 +138,7 @@ struct Stepped {
     std::optional<double> high;
     bool modulo = false;
     int direction = 0;
-    std::string input; ///< of $AN_CEC
+    std::string input; ///< input axis of $AN_CEC
     std::string output;
 };
 
@@ -173,7 +173,7 @@ void take(Stepped &table, const Command &each, std::string_view what) {
         table.output = withoutBrackets(each.value);
 }
 
-/// The corrections of one table: a positive value moves the axis in the negative direction.
+/// Corrections of a table: a positive value moves the axis in the negative direction.
 CompensationTable correctionsOf(const Stepped &stepped) {
     if (stepped.values.empty() || !stepped.step || !stepped.low || !(*stepped.step > 0))
         refuseTable();
@@ -202,7 +202,7 @@ CompensationTable correctionsOf(const Stepped &stepped) {
     return table;
 }
 
-/// Tables of both directions in one.
+/// Merges the tables of both directions.
 CompensationTable bothDirections(const CompensationTable &up, const CompensationTable &down) {
     CompensationTable table = up;
     table.perDirection = true;
@@ -311,7 +311,7 @@ std::vector<HeidenhainColumn> columnsOf(std::string_view line) {
     }
 }
 
-/// The cell below a column: cells stand where their headings do, empty ones are blanks.
+/// The cell below a column: cells are aligned with their headings, empty ones are blank.
 std::string_view cellOf(std::string_view line, const std::vector<HeidenhainColumn> &columns,
                         std::size_t column) {
     const std::size_t begin = columns[column].begin;
@@ -466,7 +466,7 @@ FoundTable readHeidenhainTable(std::string_view text) {
         const std::string_view forward = cell(columns->axis);
         const std::string_view back = columns->reverse ? cell(*columns->reverse) : std::string_view();
         if (forward.empty() && back.empty())
-            continue; // no entry: interpolated
+            continue; // interpolated
         const double up = forward.empty() ? 0 : numberOf(forward, line) * unit;
         const double down = back.empty() ? up : numberOf(back, line) * unit;
         table.positions.push_back(numberOf(cell(columns->position), line) * unit);

@@ -26,7 +26,7 @@ struct Assignment {
     std::size_t line = 1;
 };
 
-/// `NAME[i,j]=value`; nothing for any other line.
+/// `NAME[i,j]=value`; null for any other line.
 std::optional<Assignment> assignmentOf(std::string_view line) {
     const std::size_t equals = line.find('=');
     if (equals == std::string_view::npos)
@@ -138,7 +138,7 @@ private:
         unused.remark(m.remarks);
     }
 
-    /// Named like targets or readings, or a number with two indexes, but damaged.
+    /// True for a damaged target or reading: such a name, or a number with two indexes.
     [[nodiscard]] static bool isOfData(std::string_view line) {
         constexpr std::size_t longestName = 4;
         const std::string begin = folded(line.substr(0, longestName));
@@ -202,7 +202,7 @@ private:
     void takeUnit(const Assignment &assignment, std::size_t line) {
         m_unit = unitWord(assignment.value);
         m_unknownUnit = !m_unit;
-        if (!m_unit) // nothing else in the file says it
+        if (!m_unit) // nothing else in the file states it
             remark(RemarkGrade::problem,
                    {REPORT_TEXT("report", "The unit “%1” is not known."), {excerpt(assignment.value)}}, line,
                    "unit");
@@ -215,7 +215,7 @@ private:
                line, "unread");
     }
 
-    /// Whether the first index is the target, the second the cycle; exchanged where only this fits.
+    /// True if the first index is the target and the second the cycle; false if only the reverse fits.
     [[nodiscard]] bool targetIsFirst() const {
         bool straight = true;
         bool swapped = true;
@@ -231,7 +231,7 @@ private:
         return straight;
     }
 
-    /// By cycle, forward and backward.
+    /// Passes forward and backward, by cycle.
     [[nodiscard]] std::map<long, std::array<Pass, 2>> cyclesOf() const {
         const bool straight = targetIsFirst();
         std::map<long, std::array<Pass, 2>> cycles;

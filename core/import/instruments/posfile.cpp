@@ -19,10 +19,10 @@ namespace {
 
 constexpr std::string_view headingMark = "Avg Error";
 
-/// A table of means: below "Position  Forward Directional Avg Error".
+/// A table of means, below "Position Forward Directional Avg Error".
 struct MeanTable {
-    std::optional<Direction> direction; ///< null: of both directions
-    std::size_t line = 0;               ///< of its heading
+    std::optional<Direction> direction; ///< null: means of both directions
+    std::size_t line = 0;               ///< line of its heading
     Pass pass = {};
     std::set<double> positions = {};
 };
@@ -34,7 +34,7 @@ std::optional<Direction> directionOfTitle(std::string_view line) {
     return readHeading(line).direction;
 }
 
-/// Whether a line begins with a number, or is a word with a number behind it: a row that was damaged.
+/// True for a damaged row: a line that begins with a number, or a word followed by a number.
 bool isDamagedRow(std::string_view line) {
     const auto begins = [](std::string_view text) {
         return leadingNumber(text, decimalMarkIn(text)).size > 0;
@@ -46,7 +46,7 @@ bool isDamagedRow(std::string_view line) {
     return rest.find_first_of(" \t") == std::string_view::npos && begins(rest);
 }
 
-/// A position that a table has already belongs to another, whose heading is lost.
+/// A position repeated in a table belongs to another table whose heading is missing.
 std::vector<MeanTable> tablesOf(std::string_view text, std::vector<Remark> &remarks) {
     std::vector<MeanTable> tables;
     bool inTable = false;
@@ -88,7 +88,7 @@ std::vector<MeanTable> tablesOf(std::string_view text, std::vector<Remark> &rema
     return tables;
 }
 
-/// The means of each direction; where they are missing those of both, whose direction is asked.
+/// Means of each direction, or if missing those of both, for which the direction is a choice.
 std::vector<Pass> passesOf(const std::vector<MeanTable> &tables, Choices &choices,
                            std::vector<Remark> &remarks) {
     std::vector<Pass> passes;

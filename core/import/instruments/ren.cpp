@@ -23,7 +23,7 @@ bool contains(std::string_view text, std::string_view word) {
     return false;
 }
 
-/// The last number of a line, which states spacing, start or end.
+/// The last number of a line, used for spacing, start or end.
 std::optional<double> lastNumber(std::string_view line) {
     std::optional<double> found;
     for (std::size_t at = 0; at < line.size();) {
@@ -42,7 +42,7 @@ struct Header {
     std::optional<double> start;
     std::optional<double> end;
     SaidUnit unit;
-    bool ended = false; ///< the table begins
+    bool ended = false; ///< true: the table begins
 };
 
 void readHead(std::string_view line, Header &header) {
@@ -60,7 +60,7 @@ void readHead(std::string_view line, Header &header) {
     }
 }
 
-/// Whether a line begins with a number, or has two of them: a row that was damaged.
+/// True for a damaged row: a line that begins with a number or has two.
 bool isDamagedLine(std::string_view line) {
     std::size_t numbers = 0;
     for (std::size_t at = 0; at < line.size();) {
@@ -77,7 +77,7 @@ bool isUnknown(std::string_view line) {
     return !contains(line, "Compensation") && !contains(line, "unit") && !contains(line, "Axis position");
 }
 
-/// Start and end are those of the table, in either order.
+/// True if start and end are those of the table, in either order.
 bool agrees(const Header &header, double low, double high) {
     const bool startAgrees = !header.start ||
                              std::min(*header.start, header.end.value_or(*header.start)) == low ||
@@ -85,7 +85,7 @@ bool agrees(const Header &header, double low, double high) {
     return startAgrees && (!header.end || *header.end == high || *header.end == low);
 }
 
-/// The table; what stands above it into `header`. Remarks: damaged and missing lines, texts that say nothing.
+/// Reads the table, and the lines above it into `header`. Remarks: damaged and missing lines, unknown texts.
 Pass readTable(Imported &imported, Header &header) {
     const std::string_view text = imported.text;
     Pass pass;
@@ -110,7 +110,7 @@ Pass readTable(Imported &imported, Header &header) {
             addRemark(imported.remarks, RemarkGrade::problem,
                       {REPORT_TEXT("report", "This line is not like the others and was not read.")}, number,
                       "unread");
-            lastNo.reset(); // it is said
+            lastNo.reset(); // reported already
             continue;
         }
         if (const double no = (*numbers)[0]; lastNo && no != *lastNo + 1)

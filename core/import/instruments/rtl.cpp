@@ -98,7 +98,7 @@ private:
                         placeOfLine(section.line));
         const auto stated = numberOf(section.value("Target-count"));
         const bool disagrees = stated && *stated != static_cast<double>(m_targets.size());
-        if (disagrees && !areOrdered()) // a number in two pieces
+        if (disagrees && !areOrdered()) // a number was split
             throw Error(
                 Error::Kind::content,
                 {REPORT_TEXT("report", "targets named in the head: %1, in the list, in no order: %2: it is "
@@ -154,7 +154,7 @@ private:
                         {REPORT_TEXT("report", "there are no readings in it; expected target "
                                                "positions and deviations")},
                         placeOfLine(section.line));
-        const double first = lowest == 0 ? 0 : 1; // some count from 0
+        const double first = lowest == 0 ? 0 : 1; // some files count from 0
         const bool descend = targetsDescend();
         for (const Row &row : m_rows) {
             const double index = row.target - first;
@@ -185,7 +185,7 @@ private:
                std::ranges::adjacent_find(m_targets, std::ranges::less_equal()) == m_targets.end();
     }
 
-    /// A run in their order moves the axis in the negative direction.
+    /// True if a run in target order moves the axis in the negative direction.
     [[nodiscard]] bool targetsDescend() const {
         return m_targets.size() > 1 && std::ranges::is_sorted(m_targets, std::ranges::greater());
     }
@@ -194,7 +194,7 @@ private:
         return value >= 0 && value == std::floor(value) && value < 1e9;
     }
 
-    /// Of the j-th run (from 0) under one of the choices.
+    /// Direction of the j-th run (from 0) under one of the choices.
     [[nodiscard]] Direction directionOf(std::string_view choice, const auto &run, std::size_t j) const {
         const bool isNegative = (choice == "stated" && run.falls && !run.rises) || choice == "negative" ||
                                 (choice == "alternating" && j % 2 == 1) ||
@@ -208,7 +208,7 @@ private:
         const bool descend = targetsDescend();
         for (const auto &[number, run] : m_runs) {
             ordered &= !(run.rises && run.falls);
-            areMixed |= descend ? run.rises : run.falls; // some against the list
+            areMixed |= descend ? run.rises : run.falls; // some runs against target order
         }
         const bool byOrder = ordered && (areMixed || (m_oneDirection && descend));
         std::string found = "stated";
@@ -277,7 +277,7 @@ private:
         return form;
     }
 
-    /// Pitch and yaw: angles at positions in millimetres.
+    /// Throws for pitch and yaw: angles at positions in millimetres.
     void demandRotation(bool angular, bool ofRotaryAxis) {
         const Section *header = findSection(m_sections, "HEADER");
         const std::string_view owner = header ? header->value("Owner").value_or("") : std::string_view();
@@ -301,7 +301,7 @@ private:
                 0, "motion");
     }
 
-    /// Words for angles beside the way of an axis.
+    /// True if the text names a rotation that is no positioning deviation.
     [[nodiscard]] static bool isTilt(std::string_view text) {
         constexpr std::array<std::string_view, 14> words{
             "pitch",   "yaw",    "roll",      "nick",       "gier",    "wank",    "lacet",
@@ -309,7 +309,7 @@ private:
         return std::ranges::any_of(words, [&](std::string_view word) { return contains(text, word); });
     }
 
-    /// Straightness, squareness, flatness: measured along an axis, too.
+    /// Straightness, squareness, flatness are measured along an axis, too.
     void askForType() {
         constexpr std::array<std::string_view, 5> known{"lin", "pos", "ang", "rot", "rta"};
         const Section *header = findSection(m_sections, "HEADER");
@@ -371,7 +371,7 @@ private:
             const auto value = numberOf(environment->value(key));
             return value && *value >= low && *value <= high ? value : std::nullopt;
         };
-        conditions.airPressure = within("Air press", 500, 1200); // mbar; other units have other sizes
+        conditions.airPressure = within("Air press", 500, 1200); // mbar; excludes other units
         conditions.airHumidity = within("Air humid", 0, 100);
         const auto addSensor = [&](std::string_view key, SensorMeasures what) {
             const auto value = within(key, -20, 60);

@@ -24,7 +24,7 @@ constexpr std::array<std::string_view, 14> knownKeys{
     "Owner", "Version no", "File Type", "Velocity", "Sample rate", "Sample no", "Actual sample rate",
     "Flags", "Machine",    "Serial No", "Date",     "By",          "Axis",      "Location"};
 
-/// "10", "10.0 Hz"; nothing for "1x.0".
+/// "10", "10.0 Hz"; null for "1x.0".
 std::optional<double> leadingNumberOf(std::optional<std::string_view> text) {
     if (!text)
         return {};
@@ -33,7 +33,7 @@ std::optional<double> leadingNumberOf(std::optional<std::string_view> text) {
     return number.size > 0 && isWhole ? std::optional(number.value) : std::nullopt;
 }
 
-/// How many samples, and how many a second.
+/// Number of samples, and samples per second.
 struct Sampling {
     std::size_t count = 0;
     double rate = 0;
@@ -57,7 +57,7 @@ Sampling samplingOf(const Section *header) {
     return {static_cast<std::size_t>(count), *rate};
 }
 
-/// What stands behind the mark and its line break: as many samples as are announced, or more.
+/// The part after the mark and its line break: at least the announced samples. Throws if there are fewer.
 std::string_view samplesBehind(std::string_view all, std::size_t mark, std::size_t count) {
     std::size_t at = mark + 1 + dataMark.size();
     if (all.substr(at, 2) == "\r\n")
@@ -88,7 +88,7 @@ void readSamples(std::string_view samples, const Sampling &sampling, const Unit 
     }
 }
 
-/// Behind the samples stands the end mark; where it stands further behind, more were measured than announced.
+/// The end mark follows the samples; if it is farther away, more were measured than announced.
 void remarkEnd(std::string_view rest, const Sampling &sampling, std::vector<Remark> &remarks) {
     const std::size_t mark = rest.find("EOF::");
     if (mark == std::string_view::npos)

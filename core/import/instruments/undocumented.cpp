@@ -11,7 +11,7 @@ namespace palmer {
 
 namespace {
 
-/// A format nobody documents, by the ending of its name or the beginning of its content, and what to do.
+/// An undocumented format, recognised by its file ending or content, and advice to the user.
 struct Undocumented {
     std::array<const char *, 3> endings{};
     const char *name = nullptr;
@@ -42,8 +42,7 @@ const std::array undocumentedFormats{
         {".mdb", ".accdb", ".sqlite"}, "database", REPORT_TEXT("report", "export the test as text or CSV")},
 };
 
-/// Whether the bytes are no text at all: then the ending may decide. A text is tried as a table whatever its
-/// name is.
+/// True if the bytes are not text, so that the file ending decides. Text is tried as a table under any name.
 bool isBinary(QByteArrayView bytes) {
     const QByteArrayView start = bytes.first(std::min<qsizetype>(bytes.size(), 4096));
     if (start.startsWith("\xFF\xFE") || start.startsWith("\xFE\xFF"))
@@ -62,11 +61,11 @@ bool isBinary(QByteArrayView bytes) {
 
 void refuseUndocumented(QByteArrayView bytes, const QString &fileName) {
     const QString name = fileName.toLower();
-    const bool compound = bytes.startsWith("\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"); // of old office programs
+    const bool compound = bytes.startsWith("\xD0\xCF\x11\xE0\xA1\xB1\x1A\xE1"); // old office programs
     const bool sqlite = bytes.startsWith("SQLite format 3");
     if (!isBinary(bytes) && !sqlite)
         return;
-    // A locked workbook is kept in the container of the old ones.
+    // An encrypted workbook uses the old container format.
     constexpr QByteArrayView encrypted("E\0n\0c\0r\0y\0p\0t\0e\0d\0P\0a\0c\0k\0a\0g\0e", 31);
     if (compound && bytes.indexOf(encrypted) >= 0)
         throw Error(Error::Kind::format,
