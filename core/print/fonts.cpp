@@ -15,7 +15,7 @@ namespace {
 constexpr QLatin1StringView family("Liberation Sans");
 
 #ifdef PALMER_FONTS
-/// That of the distribution.
+/// The font file of the distribution.
 QByteArray fontFile(const QString &name) {
     QFile file(QStringLiteral(PALMER_FONTS "/") + name);
     if (!file.open(QIODevice::ReadOnly))
@@ -23,7 +23,7 @@ QByteArray fontFile(const QString &name) {
     return file.readAll();
 }
 #else
-/// Read in place: the program holds it as long as it runs.
+/// The font file as a view of the resource, which exists as long as the program.
 QByteArray fontFile(const QString &name) {
     const QResource file(QStringLiteral(":/fonts/") + name);
     if (!file.isValid() || file.compressionAlgorithm() != QResource::NoCompression)
@@ -34,7 +34,7 @@ QByteArray fontFile(const QString &name) {
 #endif
 
 bool load() {
-    // What the texts of both languages and the symbols of the standards are made of, beside ASCII.
+    // Characters of the texts in both languages and of the symbols of the standards, besides ASCII.
     const QString signs = QStringLiteral("µ±↑↓\u0304°″′éèàùâêîôûçœÉÀ«»’−–—·×²³√α"
                                          "θ\u00a0\u202f");
     for (const char *face : {"Regular", "Bold", "Italic", "BoldItalic"}) {

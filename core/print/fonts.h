@@ -7,16 +7,16 @@
 
 namespace palmer {
 
-/// Makes the four faces of Liberation Sans that the program carries known to Qt, once per process, and checks
-/// that every sign of figures and reports is in them (µ ± ↑ ↓ x̄ ° ″ é − …). Needs a QGuiApplication. Throws
-/// std::runtime_error when the resource is missing or damaged. Called at start and by who draws.
+/// Registers the four embedded faces of Liberation Sans with Qt, once per process, and checks that they
+/// contain every character of figures and reports (µ ± ↑ ↓ x̄ ° ″ é − …). Requires a QGuiApplication. Throws
+/// std::runtime_error if the resource is missing or damaged. Called at start and before drawing.
 void loadFonts();
 
-/// The one family of figures and reports.
+/// The font family of figures and reports.
 [[nodiscard]] QString paperFamily();
 
-/// The paper's font at a size in pixels of the painter it is used with; a painter scaled to points makes them
-/// points. Whole sizes and no hinting: the same text is equally wide on every device.
+/// The paper font at a size in pixels of its painter, which are points if the painter is scaled to points.
+/// Whole sizes and no hinting: the same text has the same width on every device.
 [[nodiscard]] QFont paperFont(int pixelSize, bool bold = false, bool italic = false);
 
 } // namespace palmer

@@ -9,7 +9,7 @@ namespace palmer {
 
 namespace {
 
-/// The band at x, which lies in its range; `segment` is where the last search ended, x only grows.
+/// The band at x, which must be in its range; `segment` caches the last segment, so x must not decrease.
 BandPoint at(const std::vector<BandPoint> &band, double x, std::size_t &segment) {
     while (segment + 2 < band.size() && band[segment + 1].x < x)
         ++segment;
@@ -19,7 +19,7 @@ BandPoint at(const std::vector<BandPoint> &band, double x, std::size_t &segment)
     return {x, from.lower + t * (to.lower - from.lower), from.upper + t * (to.upper - from.upper)};
 }
 
-/// Adds the place between two neighbouring places where the difference of two lines changes its sign.
+/// Adds the x at which the difference of two lines changes sign between `from` and `to`.
 void addCrossing(std::vector<double> &places, double from, double to, double differenceFrom,
                  double differenceTo) {
     if ((differenceFrom < 0) != (differenceTo < 0)) {
@@ -28,7 +28,7 @@ void addCrossing(std::vector<double> &places, double from, double to, double dif
     }
 }
 
-/// Where both bands are, ascending: between two of these places neither has a corner, nor do they cross.
+/// Ascending x common to both bands: between two of them neither band has a corner, nor do they cross.
 std::vector<double> cornersAndCrossings(const std::vector<BandPoint> &a, const std::vector<BandPoint> &b) {
     const double first = std::max(a.front().x, b.front().x);
     const double last = std::min(a.back().x, b.back().x);
@@ -83,7 +83,7 @@ std::vector<std::vector<BandPoint>> bandOverlap(const std::vector<BandPoint> &a,
         const BandPoint there = at(b, x, segmentB);
         const double lower = std::max(here.lower, there.lower);
         const double upper = std::min(here.upper, there.upper);
-        // At the crossing that opens or closes an overlap its height is zero but for rounding.
+        // At the crossing that opens or closes an overlap its height is zero except for rounding.
         const double slack = 1e-9 * std::max(here.upper - here.lower, there.upper - there.lower);
         if (upper < lower - slack) {
             open = false;

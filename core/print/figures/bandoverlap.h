@@ -8,8 +8,8 @@
 
 namespace palmer {
 
-/// Where the limits of two directions lie over each other, as bands: between the smaller upper and the larger
-/// lower limit, with corners where the limits cross. Both bands are straight between their points.
+/// Returns the overlap of the limits of two directions as bands: from the larger lower to the smaller upper
+/// limit, with corners where the limits cross. Both bands are straight between their points.
 [[nodiscard]] std::vector<std::vector<BandPoint>> bandOverlap(const std::vector<BandPoint> &a,
                                                               const std::vector<BandPoint> &b);
 

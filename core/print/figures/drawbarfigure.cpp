@@ -14,11 +14,11 @@ namespace palmer {
 namespace {
 
 constexpr double rowPitch = 5.6;   ///< mm
-constexpr double headHeight = 5.6; ///< mm: titles of the columns
+constexpr double headHeight = 5.6; ///< mm: column titles
 constexpr double footHeight = 12;  ///< mm: scale, its numbers and its title
 constexpr double barHeight = 1.9 * mm;
 constexpr double columnGap = 3.2 * mm;
-constexpr double scaleTitleRow = 8.1 * mm; ///< centre of the title of the scale
+constexpr double scaleTitleRow = 8.1 * mm; ///< centre of the scale title
 
 class BarFigurePainter {
 public:
@@ -123,7 +123,7 @@ private:
         }
         const TextLine title{{m_figure.x.symbol},
                              {m_figure.x.subscript, true},
-                             {QStringLiteral(" (%1, k\u00A0=\u00A02)").arg(m_figure.x.unit)}}; // of a budget
+                             {QStringLiteral(" (%1, k\u00A0=\u00A02)").arg(m_figure.x.unit)}}; // in a budget
         drawText(p, {m_plot.center().x() - textWidth(title) / 2, m_plot.bottom() + scaleTitleRow}, title,
                  text);
     }

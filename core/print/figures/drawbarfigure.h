@@ -6,14 +6,14 @@
 
 namespace palmer {
 
-/// Draws bars below each other into `area` (points): names at the left, bars on their scale, numbers at the
-/// right, the scale below. Names that are too long for their third of the width are cut.
+/// Draws bars below each other into `area` (points): names on the left, bars on their scale, numbers on the
+/// right, the scale below. Names wider than a third of the area are elided.
 FigureTransform drawBarFigure(QPainter &painter, const QRectF &area, const BarFigure &figure, Medium medium);
 
-/// One bar in `rect`, which is the whole scale: `part` (0 … 1) of it. In whatever units the painter has.
+/// Draws one bar over `part` (0 … 1) of `rect`, which represents the whole scale. Any unit of the painter.
 void drawBar(QPainter &painter, const QRectF &rect, double part, bool first, Medium medium);
 
-/// Height of the figure on the printed page, mm.
+/// Printed height of the figure, mm.
 [[nodiscard]] double printedHeight(const BarFigure &figure);
 
 } // namespace palmer

@@ -15,8 +15,8 @@ namespace palmer {
 
 namespace {
 
-// Measures of the printed page, mm of the figure unless points are said.
-constexpr double axisTip = 3.2; ///< of the positive ends, beyond the figure's radius
+// Dimensions on the printed page, mm of the figure unless points are stated.
+constexpr double axisTip = 3.2; ///< positive ends, beyond the figure radius
 constexpr double axisTail = 1.4;
 constexpr double circleArrowLength = 2.1;
 constexpr double circleArrowWidth = 1.3;
@@ -29,7 +29,7 @@ constexpr double halo = 0.35;
 constexpr double contactWidth = 1.7;
 constexpr double senseRadius = 14;
 constexpr double leftSenseLabel = 132; ///< degrees
-constexpr double senseRoom = 3;        ///< between the arrows of the sense and what is drawn around them
+constexpr double senseRoom = 3;        ///< between the sense arrows and the drawing around them
 constexpr int spokes = 30;             ///< degrees
 constexpr double freeOfMarks = 9;      ///< degrees
 constexpr double roomForLabel = 9;     ///< between the circles of a dimension
@@ -54,21 +54,21 @@ constexpr double screenRow = 11;
 constexpr double screenSample = 20;
 constexpr double screenSampleGap = 5;
 
-/// Points of a path from which on most lie on one another in a picture.
+/// Number of points from which most points of a path overlap in an image.
 constexpr std::size_t denseTrace = 2500;
 constexpr std::size_t denseTraceInView = 300;
 constexpr double densePixels = 2; ///< between points
 constexpr qsizetype longChain = 4;
-/// Flatness of a circle drawn as a chain of chords, points.
+/// Flatness of a circle approximated by chords, points.
 constexpr double flatness = 0.02;
 
 double radians(double degrees) {
     return degrees * std::numbers::pi / 180;
 }
 
-/// The part of a segment inside a rectangle; false: none.
+/// Clips a segment to a rectangle; false if they do not intersect.
 bool clip(QPointF &a, QPointF &b, const QRectF &rect) {
-    // Of a long path nearly all lines lie on one side, or inside: a third of the time for these two looks.
+    // On a long path nearly all segments are on one side or inside; this test takes a third of the time.
     const auto [left, right] = std::minmax({a.x(), b.x()});
     const auto [top, bottom] = std::minmax({a.y(), b.y()});
     if (right < rect.left() || left > rect.right() || bottom < rect.top() || top > rect.bottom())
@@ -96,9 +96,9 @@ bool clip(QPointF &a, QPointF &b, const QRectF &rect) {
     return true;
 }
 
-constexpr double drawnSmaller = 1 - 1e-6; ///< part of its size from which on a figure is
+constexpr double drawnSmaller = 1 - 1e-6; ///< a figure below this fraction of its size counts as reduced
 
-/// Points a mm of the figure and of its key. The key is never drawn smaller than it is: its letters are not.
+/// Points per mm of the figure and of its key. The key is never reduced, because its letters are not.
 struct Units {
     double figure = 1;
     double key = 1;
@@ -117,8 +117,8 @@ Units unitsOf(const CircleFigure &figure, const QRectF &area, Medium medium) {
         mm};
 }
 
-/// The figure as it is to be drawn smaller by `less`, < 1, with the same magnification on paper: what stands
-/// between the nominal circle and the outermost keeps its size, and all else follows.
+/// The figure to be drawn at a scale `less` < 1 with the same magnification on paper: the distance between
+/// the nominal circle and the figure radius keeps its size, everything else shrinks.
 CircleFigure withMagnificationKept(const CircleFigure &figure, double less) {
     CircleFigure result = figure;
     result.magnification = figure.magnification / less;
@@ -139,7 +139,7 @@ public:
         , m_area(area)
         , m_unit(m_units.figure) {
         m_plot = medium == Medium::paper ? QRectF(area.topLeft(), figure.size * m_unit)
-                                         : area; // what stands beside the figure is part of the picture
+                                         : area; // the space around the figure belongs to the picture
         if (medium == Medium::paper)
             m_plot.moveLeft(area.left() + (area.width() - m_plot.width()) / 2);
         m_scale = m_unit * figure.view.zoom;
@@ -153,7 +153,7 @@ public:
         m_guard = m_plot.adjusted(-20, -20, 20, 20);
     }
 
-    /// The left end of the letters of a sense beside the circles.
+    /// Left end of the sense labels next to the circles.
     [[nodiscard]] double leftOfSenses() const {
         double left = m_plot.right();
         if (!whole() || m_figure.sector || sensesAreInside())
@@ -198,7 +198,7 @@ public:
         drawRingLabels();
         drawLimitOfG();
         p.restore();
-        if (!whole()) { // what is in view lies below
+        if (!whole()) { // draw on top of the zoomed figure
             drawScale();
             if (m_medium != Medium::paper)
                 drawCorners();
@@ -213,7 +213,7 @@ private:
     [[nodiscard]] QColor colour(FigureRole role) const { return figureColor(role, m_medium); }
     [[nodiscard]] bool whole() const { return m_figure.view.zoom <= 1; }
 
-    /// A place given by its direction (degrees) and its distance from the centre (mm).
+    /// Point in a direction (degrees) at a distance from the centre (mm).
     [[nodiscard]] QPointF polar(double degrees, double radius) const {
         return placeOn(directionOf(degrees), radius);
     }
@@ -233,7 +233,7 @@ private:
 
     // ---- Lines -------------------------------------------------------------------------------------------
 
-    /// A chain of points, as far as it is near the view: beyond, coordinates are no affair of the painter.
+    /// Draws a polyline, clipped to the surroundings of the view: the painter cannot handle far coordinates.
     void drawChain(const QPolygonF &chain) {
         QPolygonF piece;
         piece.reserve(chain.size());
@@ -262,8 +262,8 @@ private:
         return p.paintEngine() && p.paintEngine()->type() == QPaintEngine::Raster;
     }
 
-    /// In a raster picture lines with round ends one by one: the same look as a line with round joins, which
-    /// takes many times as long where it crosses itself.
+    /// In a raster image, draws separate lines with round caps: this looks like round joins, which take many
+    /// times as long where the line crosses itself.
     void stroke(const QPolygonF &chain) {
         if (!isPicture() || chain.size() < longChain || p.pen().capStyle() != Qt::RoundCap) {
             p.drawPolyline(chain);
@@ -286,7 +286,7 @@ private:
             p.drawEllipse(m_centre, radius, radius);
             return;
         }
-        // Only what is in view, as chords: a circle of a thousand times the view is too much for a painter.
+        // Only the visible part, as chords: a circle a thousand times the view is too much for the painter.
         const double step = 2 * std::acos(std::max(0.5, 1 - flatness / radius));
         const auto [from, to] = anglesInView();
         const int parts = std::max(1, static_cast<int>(std::ceil((to - from) / step)));
@@ -299,7 +299,7 @@ private:
         drawChain(chain);
     }
 
-    /// Directions from the centre of the circles to what is in view, radians.
+    /// Range of directions from the centre of the circles to the view, radians.
     [[nodiscard]] Interval anglesInView() const {
         if (m_guard.contains(m_centre))
             return {0, 2 * std::numbers::pi};
@@ -349,7 +349,7 @@ private:
         const double tail = m_figure.figureRadius + axisTail;
         QPen line = pen(FigureRole::planeAxis);
         line.setCapStyle(Qt::FlatCap);
-        // Of a sector the ends in view carry the letters.
+        // In a sector the visible ends carry the letters.
         const double first = m_figure.firstAxis.startsWith(u'−') ? 180 : 0;
         const double second = m_figure.secondAxis.startsWith(u'−') ? 270 : 90;
         for (const double angle : {first, second}) {
@@ -419,18 +419,18 @@ private:
         }
     }
 
-    /// A raster picture takes a second for the joins of thousands of points that lie on one another: a dense
-    /// path is drawn there as lines of a pixel beside each other, which looks the same.
+    /// A raster painter takes a second for the joins of thousands of overlapping points: a dense path is
+    /// drawn as parallel one-pixel lines, which looks the same.
     void drawTrace(const std::vector<TracePoint> &points, QPen line) {
         const double pixel = 1 / std::sqrt(std::abs(p.deviceTransform().determinant()));
         const double width = line.widthF();
         int lines = 1;
         if (isPicture() && isDense(points, pixel) && width > pixel) {
             lines = static_cast<int>(std::ceil(width / pixel));
-            line.setWidthF(0.99 * pixel); // what the painter draws quickly
+            line.setWidthF(0.99 * pixel); // fast path of the painter
         }
         p.setPen(line);
-        std::vector<QPointF> directions; // of all lines: a sine takes as long as all else of a point
+        std::vector<QPointF> directions; // shared by all lines: the sine costs as much as everything else
         directions.reserve(points.size());
         for (const TracePoint &point : points)
             directions.push_back(directionOf(point.angle));
@@ -450,8 +450,8 @@ private:
         }
     }
 
-    /// Whether the points of a path lie on one another where pixels are that wide: as many as a whole turn
-    /// has only then, or seen near by several in a pixel.
+    /// True if points of a path overlap at this pixel size: a number that only a whole turn has, or several
+    /// points per pixel in a zoomed view.
     [[nodiscard]] bool isDense(const std::vector<TracePoint> &points, double pixel) const {
         if (points.size() >= denseTrace)
             return true;
@@ -476,7 +476,7 @@ private:
         }
     }
 
-    /// All halos first: starting points often lie beside each other.
+    /// All halos first, because starting points are often close together.
     void drawStarts() {
         for (const bool ground : {true, false}) {
             for (const TraceMark &start : m_figure.starts) {
@@ -491,7 +491,7 @@ private:
         }
     }
 
-    /// Squares: full on the outer circle, open on the inner.
+    /// Squares: filled on the outer circle, open on the inner one.
     void drawContact(QPointF at, bool outer) {
         const double half = contactWidth * mm / 2;
         QPen line = pen(FigureRole::nominal);
@@ -523,7 +523,7 @@ private:
         return {centre.x() - width / 2 - 1, centre.y() - textHeight / 2, width + 2, textHeight};
     }
 
-    /// Whether a text of this box is in view and on no other; it is not so any more for the next.
+    /// Reserves the box of a text; false if it is not in view or overlaps another text.
     bool take(const QRectF &box) {
         if (!hasRoom(box))
             return false;
@@ -535,7 +535,7 @@ private:
                std::ranges::none_of(m_taken, [&](const QRectF &other) { return other.intersects(box); });
     }
 
-    /// Whether a path runs through the box.
+    /// True if a path crosses the box.
     [[nodiscard]] bool isCrossed(const QRectF &box) {
         if (m_lines.empty()) {
             for (const CircleTrace &trace : m_figure.traces) {
@@ -556,7 +556,7 @@ private:
             return false;
         });
     }
-    /// In view, on no other text and on no path.
+    /// True if the box is in view and free of texts and paths.
     [[nodiscard]] bool isFree(const QRectF &box) { return hasRoom(box) && !isCrossed(box); }
 
     void drawOnGround(QPointF centre, const TextLine &line, const QColor &ink, bool bold = false) {
@@ -565,7 +565,7 @@ private:
         drawText(p, {centre.x() - width / 2, centre.y()}, line, ink, bold);
     }
 
-    /// The first of the angles at which no marked point stands, else the one farthest from them.
+    /// The first angle without a marked point nearby, otherwise the one farthest from them.
     [[nodiscard]] double freeAngle(const std::vector<double> &angles) const {
         double best = angles.front();
         double widest = -1;
@@ -593,7 +593,7 @@ private:
         const double degrees = isFreeThere(best) || free == m_dimensionAngles.end() ? best : *free;
         const double inner = m_figure.radius(envelope.inner);
         const double outer = m_figure.radius(envelope.outer);
-        const double width = (outer - inner) * m_scale; // as it is drawn, points
+        const double width = (outer - inner) * m_scale; // as drawn, points
         const bool inside = width >= 2.4 * dimensionArrowLength * mm;
         const double beyond = inside ? 0 : 2.5 * dimensionArrowLength * mm / m_scale;
         QPen line = pen(FigureRole::dimension);
@@ -625,12 +625,12 @@ private:
         return label;
     }
 
-    /// Where the letters of a dimension in this direction have room: in its line, else beyond the outer
-    /// circle, else within the inner one; `free`: and no path runs.
+    /// Position for the label of a dimension in this direction: on its line, otherwise outside the outer
+    /// circle, otherwise inside the inner one; `free`: only where no path runs. Null if there is no room.
     [[nodiscard]] std::optional<QPointF> labelOfDimension(double degrees, bool free) {
         const double inner = m_figure.radius(m_figure.envelope->inner);
         const double outer = m_figure.radius(m_figure.envelope->outer);
-        const double width = (outer - inner) * m_scale; // as it is drawn, points
+        const double width = (outer - inner) * m_scale; // as drawn, points
         const bool inside = width >= 2.4 * dimensionArrowLength * mm;
         const double beyond = inside ? 0 : 2.5 * dimensionArrowLength * mm / m_scale;
         const double across = textWidth(dimensionLabel(), true);
@@ -650,7 +650,7 @@ private:
         return std::nullopt;
     }
 
-    /// The guard band about a limit: both its ends may lie as much farther in or out, all in mm.
+    /// Draws the guard band about a limit: both ends may be as much farther in or out, all in mm.
     void drawGuard(double degrees, double middle, double half, double guard) {
         const double angle = radians(degrees);
         const QPointF across = QPointF(std::sin(angle), std::cos(angle)) * (circleGuardWidth / 2 * mm);
@@ -664,7 +664,7 @@ private:
         p.setBrush(Qt::NoBrush);
     }
 
-    /// The limit of a width, as long as it is, in the middle of the circles it limits.
+    /// Draws the limit of a width to scale, centred between the circles it limits.
     void drawLimitOfG() {
         if (!m_figure.envelope || !m_figure.envelope->limit)
             return;
@@ -694,7 +694,7 @@ private:
                 return drawOnGround(*beside, {{envelope.limitLabel}}, colour(FigureRole::text));
             }
         }
-        // The text reads along the line, above it.
+        // Above the line, along it.
         const QTransform along = alongLimit(limitAngle);
         const QPointF above(0, -0.8 * textHeight);
         if (!take(along.mapRect(boxOf(above, textWidth(envelope.limitLabel)))))
@@ -705,21 +705,21 @@ private:
         p.restore();
     }
 
-    /// From the middle of the limit in this direction along its line.
+    /// Transform to the middle of the limit in this direction, along its line.
     [[nodiscard]] QTransform alongLimit(double degrees) const {
         const double middle =
             (m_figure.radius(m_figure.envelope->inner) + m_figure.radius(m_figure.envelope->outer)) / 2;
         const QPointF at = polar(degrees, middle);
         QTransform along = QTransform::fromTranslate(at.x(), at.y());
         double turn = std::remainder(180 - degrees, 360);
-        if (std::abs(turn) > 90) // nobody reads upside down
+        if (std::abs(turn) > 90) // keep the text upright
             turn = std::remainder(turn + 180, 360);
         along.rotate(turn);
         return along;
     }
 
-    /// Where paths run along the limit in every direction: beyond its outer end, else in a corner, where the
-    /// text says itself what it is the limit of.
+    /// Position if paths cross the limit in every direction: beyond its outer end, otherwise in a corner,
+    /// since the text names what it limits. Null if there is no room.
     [[nodiscard]] std::optional<QPointF> limitLabelBeside(double degrees, double end) {
         const double width = textWidth(m_figure.envelope->limitLabel);
         const double clear = (0.5 * width * std::abs(std::cos(radians(degrees))) + textHeight) / m_scale;
@@ -735,7 +735,7 @@ private:
     [[nodiscard]] bool limitLabelIsFree(double degrees) {
         const QPointF above(0, -0.8 * textHeight);
         const double width = textWidth(m_figure.envelope->limitLabel);
-        // Piece by piece: the box of a sloping line holds much that it does not touch.
+        // In pieces, because the bounding box of a sloping text is mostly empty.
         const QTransform along = alongLimit(degrees);
         if (!hasRoom(along.mapRect(boxOf(above, width))))
             return false;
@@ -749,7 +749,7 @@ private:
         return true;
     }
 
-    /// Distance from the centre that nothing drawn comes nearer than, mm.
+    /// Radius of the largest empty circle about the centre, mm.
     [[nodiscard]] double hole() const {
         double least = m_figure.plotRadius;
         for (const CircleTrace &trace : m_figure.traces) {
@@ -772,7 +772,7 @@ private:
         QPen line = trace;
         line.setWidthF(std::max(0.34 * mm, trace.widthF()));
         line.setCapStyle(Qt::FlatCap);
-        // The line ends in the head.
+        // The line ends inside the arrow head.
         const double headAngle = circleArrowLength / radius * 180 / std::numbers::pi;
         const double lineEnd = forwards ? end - headAngle * 0.7 : end + headAngle * 0.7;
         QPolygonF chain;
@@ -788,7 +788,7 @@ private:
         drawLetter(polar(middle, labelRadius), arrow.index);
     }
 
-    /// Beside each other about the middle of the sector.
+    /// Draws the sense arrows side by side about the middle of the sector.
     void drawSensesOfSector() {
         constexpr double largest = 34;
         constexpr double between = 4; // degrees from the middle
@@ -804,7 +804,7 @@ private:
         }
     }
 
-    /// Where arrows of the senses have room within what is drawn; too small: they stand outside.
+    /// Radius of the sense arrows inside the drawing; if it is too small, they are drawn outside.
     [[nodiscard]] double innerSenseRadius() const { return std::min(senseRadius, hole() - senseRoom); }
     [[nodiscard]] bool sensesAreInside() const { return innerSenseRadius() >= 8 * mm / m_unit; }
     [[nodiscard]] double halfOfSenseLabel() const { return 3.4 * mm / m_unit; }
@@ -814,7 +814,7 @@ private:
 
     void drawSenses() {
         if (!whole())
-            return; // they say nothing about a part
+            return; // meaningless for a part
         if (m_figure.sector)
             return drawSensesOfSector();
         const double radius = innerSenseRadius();
@@ -844,7 +844,7 @@ private:
         const double length = m_figure.division * m_figure.magnification / 1000 * m_scale;
         double left =
             m_medium == Medium::paper ? m_plot.left() + scaleLeft * m_unit : m_plot.left() + screenInset;
-        if (m_figure.sector && m_figure.home.x() < 0) // paths come down at the left
+        if (m_figure.sector && m_figure.home.x() < 0) // paths end at the lower left
             left = m_plot.right() - length - (scaleLeft * m_unit + scaleText * mm) -
                    std::max(textWidth(m_figure.divisionLabel), textWidth(m_figure.ratio) - length);
         const double y =
@@ -939,7 +939,7 @@ private:
         }
     }
 
-    /// Paths in the upper right corner, all else in the lower right; upper left stands the centre.
+    /// Legend: paths at the upper right, the rest at the lower right; the centre is named at the upper left.
     void drawCorners() {
         std::vector<const CircleLegendEntry *> paths;
         std::vector<const CircleLegendEntry *> others;
@@ -976,7 +976,7 @@ private:
             const double dx = std::max({box.left() - m_centre.x(), m_centre.x() - box.right(), 0.0});
             const double dy = std::max({box.top() - m_centre.y(), m_centre.y() - box.bottom(), 0.0});
             if (std::hypot(dx, dy) < m_figure.figureRadius * m_scale || !take(box))
-                return; // no room beside the circles
+                return; // no room next to the circles
         } else {
             p.fillRect(box, colour(FigureRole::background));
         }
@@ -986,28 +986,28 @@ private:
 
     QPainter &p;
     Units m_units;
-    std::optional<CircleFigure> m_smaller; ///< what is drawn in place of the figure
+    std::optional<CircleFigure> m_smaller; ///< drawn instead of the figure, if reduced
     const CircleFigure &m_figure;
     Medium m_medium;
     QRectF m_area;
-    double m_unit; ///< points a mm of the whole figure
+    double m_unit; ///< points per mm of the whole figure
     QRectF m_plot;
-    QRectF m_guard; ///< what the painter is given of long lines
+    QRectF m_guard; ///< long lines are clipped to this
     QPointF m_centre;
-    // Directions, degrees, the preferred one first.
+    // Directions in degrees, in order of preference.
     std::vector<double> m_dimensionAngles{135, 123, 147, 111, 159};
     std::vector<double> m_limitAngles{225, 213, 237, 201, 249, 315, 303, 327,
                                       45,  57,  33,  262, 278, 190, 350, 10};
     std::vector<double> m_labelAngles{-60, -54, -66, -48, -72, -40, -80, -30, -20, -120, -130, -110};
-    std::vector<QRectF> m_taken;    ///< by texts
-    std::vector<QPolygonF> m_lines; ///< paths, once they were asked for
-    double m_scale = 1;             ///< points a mm of the figure in view
+    std::vector<QRectF> m_taken;    ///< boxes of texts
+    std::vector<QPolygonF> m_lines; ///< paths, filled on first use
+    double m_scale = 1;             ///< points per mm of the figure in view
 };
 
 } // namespace
 
 double leastHeight(const CircleFigure &figure) {
-    constexpr double innermost = 0.06; // of the figure's radius, where its centre mark still has room
+    constexpr double innermost = 0.06; // fraction of the figure radius; leaves room for the centre mark
     double lowest = figure.rings.empty() ? 0 : figure.rings.front().deviation;
     for (const CircleTrace &trace : figure.traces) {
         for (const TracePoint &point : trace.points)
@@ -1015,7 +1015,7 @@ double leastHeight(const CircleFigure &figure) {
     }
     const double span = figure.figureRadius - figure.radius(lowest);
     double less = span / ((1 - innermost) * figure.figureRadius);
-    if (figure.envelope && figure.envelope->limit) // and its limit stays within the figure
+    if (figure.envelope && figure.envelope->limit) // the limit must stay within the figure
         less = std::max(less, *figure.envelope->limit * figure.magnification / 1000 / figure.figureRadius);
     return std::min(less, 1.0) * figure.size.height() + figure.keyHeight;
 }

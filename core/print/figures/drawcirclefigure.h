@@ -7,18 +7,18 @@
 namespace palmer {
 
 /// Draws a circle figure into `area`, in points; the part of drawFigure for this kind. The figure keeps its
-/// proportions: where the area has others it is drawn as large as it fits. On paper the key stands below, on
-/// a screen in the corners, as far as it has room there beside the circles. Where it is drawn smaller than it
-/// is, the nominal circle gives way and the deviations keep the magnification that is stated.
+/// proportions and is drawn as large as it fits. On paper the key is below, on a screen in the corners if it
+/// has room next to the circles. If the figure is reduced, the nominal circle shrinks and the deviations keep
+/// the stated magnification.
 FigureTransform drawCircleFigure(QPainter &painter, const QRectF &area, const CircleFigure &figure,
                                  Medium medium);
 
-/// Where a text in the upper left corner has to end: the left end of the letters of a sense that stand beside
-/// the circles, else the right end of the area; in points, as the area.
+/// Right limit for a text in the upper left corner: the left end of the sense labels outside the circles,
+/// otherwise the right end of the area; in points, like the area.
 [[nodiscard]] double leftOfSenses(QPainter &painter, const QRectF &area, const CircleFigure &figure,
                                   Medium medium);
 
-/// The least height, mm with the key, at which a circle figure can keep its magnification.
+/// Least height, mm with the key, at which a circle figure can keep its magnification.
 [[nodiscard]] double leastHeight(const CircleFigure &figure);
 
 } // namespace palmer

@@ -15,14 +15,14 @@ namespace palmer {
 
 namespace {
 
-// Measures of the printed page (report), in points.
+// Dimensions on the printed page (report), in points.
 constexpr double gutterWidth = 26 * mm;
-constexpr double narrowGutter = 8 * mm; ///< for one dimension
+constexpr double narrowGutter = 8 * mm; ///< for a single dimension
 constexpr double gutterStart = 2.4 * mm;
 constexpr double gutterStep = 6.1 * mm;
 constexpr double besideTarget = 3.3 * mm;
 constexpr double besideStep = 3.6 * mm;
-constexpr double leaderGap = 1.3 * mm;       ///< from the ruling place
+constexpr double leaderGap = 1.3 * mm;       ///< from the ruling point
 constexpr double leaderOvershoot = 0.9 * mm; ///< past the dimension
 constexpr double curveArrowLength = 0.95 * mm;
 constexpr double curveArrowWidth = 0.76 * mm;
@@ -35,40 +35,40 @@ constexpr double dotRadius = 0.36 * mm;
 constexpr double squareWidth = 0.56 * mm;
 constexpr double readingShift = 1.15 * mm;
 constexpr double whiskerCap = 0.8 * mm;   ///< half
-constexpr double sizeOfShapes = 0.6;      ///< of readings, part of the full size; smaller ones are dots
-constexpr std::size_t fewReadings = 2000; ///< each is a thing of its own in a file
-constexpr double markerGap = 0.7 * mm;    ///< between markers of one curve
+constexpr double sizeOfShapes = 0.6;      ///< fraction of the full size; readings below it are drawn as dots
+constexpr std::size_t fewReadings = 2000; ///< up to this many are separate objects in a file
+constexpr double markerGap = 0.7 * mm;    ///< between markers of a curve
 constexpr double pixel = 0.75;            ///< of a screen
-constexpr double densePitch = 4 * pixel;  ///< closer targets than this are drawn without their corners
-constexpr double numberGap = 1.6 * mm;    ///< between numbers of an axis
+constexpr double densePitch = 4 * pixel;  ///< targets closer than this are drawn without corners
+constexpr double numberGap = 1.6 * mm;    ///< between axis numbers
 constexpr double curveSampleHeight = 3 * mm;
 constexpr double readingsSampleWidth = 2.8 * mm;
 
-/// What differs between page and screen, in points.
+/// Differences between page and screen, in points.
 struct Margins {
     double left = 0;
     double right = 0;
     double top = 0;
     double bottom = 0;
-    double tickLabels = 0; ///< centres below the plot
-    double title = 0;      ///< 0: beside the numbers of the axis
+    double tickLabels = 0; ///< centre, below the plot
+    double title = 0;      ///< 0: next to the axis numbers
     double legend = 0;
     double sampleWidth = 0;
     double sampleGap = 0;
-    double legendGap = 0; ///< largest
+    double legendGap = 0; ///< upper bound
 };
 
 constexpr Margins paperMargins{13.5 * mm, gutterWidth, 1.2 * mm, 16.5 * mm, 3.5 * mm,
                                8.1 * mm,  13.4 * mm,   10 * mm,  2 * mm,    14 * mm};
 constexpr Margins screenMargins{35, 9, 6, 31, 9.75, 0, 23, 22, 4.5, 18};
-/// Narrower than this (points) a screen shows no dimensions beside the plot.
+/// Screens narrower than this (points) show no dimensions next to the plot.
 constexpr double widthForDimensions = 480;
 
 double centreOf(double from, double to) {
     return (from + to) / 2;
 }
 
-/// Whether some part of a segment lies in a rectangle.
+/// True if a segment intersects a rectangle.
 bool meets(QPointF a, QPointF b, const QRectF &rect) {
     double from = 0;
     double to = 1;
@@ -92,7 +92,7 @@ public:
         , m_medium(medium)
         , m_area(area)
         , m_margins(medium == Medium::paper ? paperMargins : screenMargins) {
-        // A single one, as that of a drift test, needs little room.
+        // A single dimension, as in a drift test, needs little room.
         const bool single = medium != Medium::paper && figure.dimensions.size() == 1 &&
                             figure.dimensions[0].place == DimensionPlace::gutter;
         const bool dimensions = medium == Medium::paper || single ||
@@ -151,7 +151,7 @@ private:
         return least;
     }
     [[nodiscard]] bool isDense() const { return m_medium != Medium::paper && pitch() < densePitch; }
-    /// Between dense targets the marks move together.
+    /// Between dense targets the marks move closer.
     [[nodiscard]] double shiftOfReadings() const { return std::min(readingShift, 0.3 * pitch()); }
 
     [[nodiscard]] FigureTransform transform() const {
@@ -163,8 +163,7 @@ private:
                 shiftOfReadings()};
     }
 
-    /// The ticks whose labels have room beside each other: all, or every second, fifth, tenth … counted from
-    /// zero.
+    /// Ticks whose labels fit: all, or every second, fifth, tenth … counted from zero.
     [[nodiscard]] static std::vector<const Tick *> thinned(const FigureAxis &axis, double length,
                                                            bool horizontal) {
         double need = 1.5 * figureTextSize;
@@ -212,8 +211,8 @@ private:
         p.restore();
     }
 
-    /// On a screen that shows hundreds of targets the outlines of the bands would take most of a frame: each
-    /// pixel of the width gets the height of the band at its middle.
+    /// On a screen with hundreds of targets the outlines of the bands would take most of a frame: each pixel
+    /// column gets the height of the band at its middle.
     void drawBandColumns() {
         p.setRenderHint(QPainter::Antialiasing, false);
         const QList<QRectF> up = columnsOf(CurveRole::up);
@@ -231,13 +230,13 @@ private:
         p.setRenderHint(QPainter::Antialiasing);
     }
 
-    /// Empty where there is no band.
+    /// One rectangle per pixel column, empty where there is no band.
     [[nodiscard]] QList<QRectF> columnsOf(CurveRole role) const {
         QList<QRectF> columns(static_cast<qsizetype>(m_plot.width() / pixel) + 1);
         const auto middle = [&](qsizetype i) {
             return m_plot.left() + (static_cast<double>(i) + 0.5) * pixel;
         };
-        const auto firstFrom = [&](double at) { // column with its middle there or behind
+        const auto firstFrom = [&](double at) { // first column with its middle at or after `at`
             const double place = std::ceil((at - middle(0)) / pixel);
             return static_cast<qsizetype>(std::clamp(place, 0.0, static_cast<double>(columns.size())));
         };
@@ -260,7 +259,7 @@ private:
         return columns;
     }
 
-    /// The bands of a direction follow one another without overlapping, so each pair that meets is met once.
+    /// The bands of a direction are ordered and disjoint, so each intersecting pair is visited once.
     void drawOverlaps() {
         const auto bandsOf = [&](CurveRole role) {
             std::vector<const Band *> bands;
@@ -279,10 +278,10 @@ private:
         }
     }
 
-    /// As much of a line as the range of x shows, with the ends of the segments that leave it.
+    /// Draws the part of a line within the x range, including the segments that cross its ends.
     template <class Point>
     void drawLine(const std::vector<Point> &points, double Point::*value, const QPen &line) {
-        if (points.size() < 2) // a whisker, or a marker alone
+        if (points.size() < 2) // a whisker, or only a marker
             return;
         const auto before = [&](const Point &point) { return point.x < m_figure.x.from; };
         const auto within = [&](const Point &point) { return point.x <= m_figure.x.to; };
@@ -302,7 +301,7 @@ private:
         p.save();
         p.setClipRect(m_plot, Qt::IntersectClip);
         p.setBrush(Qt::NoBrush);
-        const double widest = isDense() ? pixel : mm; // wider lines would cover each other's corners
+        const double widest = isDense() ? pixel : mm; // wider lines would hide each other's corners
         const auto lineOf = [&](FigureRole role) {
             QPen line = pen(role);
             line.setWidthF(std::min(line.widthF(), widest));
@@ -326,7 +325,7 @@ private:
         p.restore();
     }
 
-    /// Lines along the axes fill whole pixels of a screen.
+    /// Makes axis-parallel lines fill whole pixels on a screen.
     void sharpenLines(bool sharp) {
         p.setRenderHint(QPainter::Antialiasing, !sharp || m_medium == Medium::paper);
     }
@@ -414,7 +413,7 @@ private:
                 band.points[0].x > m_figure.x.to)
                 continue;
             const BandPoint &point = band.points[0];
-            // Side by side: the whiskers of both directions of a target would hide each other.
+            // Side by side, so that the whiskers of both directions do not hide each other.
             const double at = x(point.x) + (band.role == CurveRole::up ? -0.5 : 0.5) * mm;
             p.save();
             p.setClipRect(m_plot, Qt::IntersectClip);
@@ -426,7 +425,7 @@ private:
         }
     }
 
-    /// Where targets are dense, smaller and paler: the curves above them must stay the first thing seen.
+    /// Dense readings are smaller and paler, so that the curves above them stay prominent.
     void drawReadings() {
         const double shift = shiftOfReadings();
         const double size = std::clamp(pitch() / (6 * dotRadius), 0.5, 1.0);
@@ -442,7 +441,7 @@ private:
         }
     }
 
-    /// Thousands of them in two strokes of the pen.
+    /// Thousands of readings in two fill operations.
     void drawManyReadings(double shift, double size) {
         for (const CurveRole role : {CurveRole::up, CurveRole::down}) {
             QPainterPath dots;
@@ -489,13 +488,13 @@ private:
         return blend(strong, colour(FigureRole::background), strength);
     }
 
-    /// Markers as far apart as they can be told apart: of every target, every second, third …
+    /// Draws markers at distinguishable distances: for every target, every second, third …
     void drawMarkers() {
         const double distance = pitch();
         const int stride = std::max(1, static_cast<int>(std::ceil((diamondWidth + markerGap) / distance)));
-        // ▲ last: where both lie on one place, the corners of ◇ look out.
+        // ▲ last: at the same point the corners of ◇ remain visible.
         for (const CurveRole role : {CurveRole::down, CurveRole::up}) {
-            const int phase = role == CurveRole::up ? 0 : stride / 2; // dense curves take turns
+            const int phase = role == CurveRole::up ? 0 : stride / 2; // dense curves alternate
             for (const Curve &curve : m_figure.curves) {
                 if (curve.role == role)
                     drawMarkers(curve, stride, phase);
@@ -513,9 +512,9 @@ private:
 
     void drawMarkers(const Curve &curve, int stride, int phase) {
         const bool lonely = curve.points.size() == 1;
-        int last = -1; // turn that has its marker
+        int last = -1; // last stride with a marker
         for (const FigurePoint &point : curve.points) {
-            // Of a thinned curve the target whose turn it is may be missing: the next one takes it.
+            // If a thinned curve lacks the target of a stride, the next target gets its marker.
             const int turn = point.target - 1 < phase ? -1 : (point.target - 1 - phase) / stride;
             const bool misses = &point != &curve.points.front() && (&point)[-1].target + 1 < point.target;
             const bool exact = turn >= 0 && (point.target - 1 - phase) % stride == 0;
@@ -551,7 +550,7 @@ private:
         for (const Dimension &dimension : m_figure.dimensions) {
             if (!shows(dimension.lowerPosition, dimension.lower) ||
                 !shows(dimension.upperPosition, dimension.upper)) {
-                continue; // zoomed away
+                continue; // outside the zoomed range
             }
             double at = m_plot.right() + gutterStart + slot * gutterStep;
             double towards = 1;
@@ -574,7 +573,7 @@ private:
         }
     }
 
-    /// How many dimensions stand already on the same side of the same target.
+    /// Number of earlier dimensions on the same side of the same target.
     [[nodiscard]] double placed(const Dimension &dimension) const {
         return static_cast<double>(
             std::count_if(m_figure.dimensions.data(), &dimension, [&](const Dimension &earlier) {
@@ -582,7 +581,7 @@ private:
             }));
     }
 
-    /// The limit as a tick at its distance from the lower value, in the guard band about it.
+    /// Draws the limit as a tick at its distance from the lower value, in its guard band.
     void drawLimit(double at, const Dimension &dimension) {
         if (!dimension.limit || !shows(dimension.upperPosition, dimension.lower + *dimension.limit))
             return;
@@ -595,14 +594,14 @@ private:
         QPen tick = pen(FigureRole::dimension);
         tick.setCapStyle(Qt::FlatCap);
         p.setPen(tick);
-        if (limit > dimension.upper) // from the arrow to the tick: nobody is to wonder whose it is
+        if (limit > dimension.upper) // connects the tick with its arrow
             p.drawLine(QPointF(at, y(dimension.upper)), QPointF(at, y(limit)));
         tick.setWidthF(limitStroke);
         p.setPen(tick);
         p.drawLine(QPointF(at - curveLimitTick / 2, y(limit)), QPointF(at + curveLimitTick / 2, y(limit)));
     }
 
-    /// Whether a curve runs through the box.
+    /// True if a curve crosses the box.
     [[nodiscard]] bool hitsCurve(const QRectF &box) const {
         for (const Curve &curve : m_figure.curves) {
             for (std::size_t i = 0; i < curve.points.size(); ++i) {
@@ -617,8 +616,8 @@ private:
         return false;
     }
 
-    /// The middle of a letter beside a target: in the line of its dimension, above or below it, where no
-    /// curve runs.
+    /// Middle of a letter next to a target: on the line of its dimension, or above or below it, free of
+    /// curves.
     [[nodiscard]] double placeOfLetter(double at, double width, double top, double bottom,
                                        double height) const {
         const auto box = [&](double middle) {
@@ -656,8 +655,8 @@ private:
         p.drawPolygon(head);
     }
 
-    /// Arrows inside with the letter in a gap of the line; where that is too tight, the letter stands above,
-    /// and where the arrows would meet, they point from outside.
+    /// Arrows inside, with the letter in a gap of the line; if that is too tight, the letter is above, and if
+    /// the arrows would meet, they point inwards from outside.
     void drawDimension(double at, double top, double bottom, const TextLine &label, bool amongCurves) {
         constexpr double letterHeight = figureTextSize + 2;
         const bool arrowsInside = bottom - top >= 2.4 * curveArrowLength;
@@ -696,7 +695,7 @@ private:
 
     void drawLegend() {
         std::vector<LegendEntry> shown = m_figure.legend;
-        if (!m_dimensions) // limits stand beside dimensions
+        if (!m_dimensions) // limits are drawn with dimensions
             std::erase_if(shown,
                           [](const LegendEntry &entry) { return entry.sample == LegendSample::limit; });
         double width = 0;

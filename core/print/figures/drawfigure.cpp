@@ -76,7 +76,7 @@ QSizeF paperSize(const Figure &figure) {
 
 FigureTransform drawFigure(QPainter &painter, const QRectF &rect, const Figure &figure, Medium medium) {
     loadFonts();
-    const double unit = medium == Medium::paper ? 1 : 1 / pointsPerPixel; // of the painter a point
+    const double unit = medium == Medium::paper ? 1 : 1 / pointsPerPixel; // painter units per point
     painter.save();
     if (medium != Medium::paper)
         painter.fillRect(rect, figureColor(FigureRole::background, medium));

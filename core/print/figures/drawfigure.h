@@ -14,23 +14,23 @@ class QPainter;
 
 namespace palmer {
 
-/// Where a drawn figure put its data, in the units of the painter it was drawn with.
+/// Maps the data of a drawn figure to the units of its painter.
 struct FigureTransform {
     QRectF plotArea;
-    QTransform toPainter;    ///< from the units of the axes (circles: mm from their centre); invertible
-    double readingShift = 0; ///< marks of readings stand this much left (↑) or right (↓) of their target
+    QTransform toPainter;    ///< from axis units (circles: mm from their centre); invertible
+    double readingShift = 0; ///< marks of readings are this far left (↑) or right (↓) of their target
 
     [[nodiscard]] QPointF map(double x, double y) const { return toPainter.map(QPointF(x, y)); }
     [[nodiscard]] QPointF toData(const QPointF &place) const { return toPainter.inverted().map(place); }
 };
 
-/// Size of the figure on the printed page, mm.
+/// Printed size of the figure, mm.
 [[nodiscard]] QSizeF paperSize(const Figure &figure);
 
-/// The one way to paint a figure, on screen, page and file. On paper the painter is scaled to points (1/72
-/// inch) and `rect` is given in points; on a screen one unit is a pixel of 96 to the inch, whatever the
-/// device really has. On screens the background is filled; dimensions beside the plot are drawn where there
-/// is room for them. Vectors stay vectors. Needs a QApplication.
+/// Paints a figure of any kind, on screen, page or file. On paper the painter is scaled to points (1/72 inch)
+/// and `rect` is in points; on a screen one unit is a pixel at 96 dpi, whatever the device has. On screens
+/// the background is filled, and dimensions next to the plot are drawn if they fit. Vectors stay vectors.
+/// Requires a QApplication.
 FigureTransform drawFigure(QPainter &painter, const QRectF &rect, const Figure &figure, Medium medium);
 
 } // namespace palmer

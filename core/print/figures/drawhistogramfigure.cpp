@@ -16,12 +16,12 @@ namespace {
 constexpr double histogramSide = 2 * mm;
 constexpr double histogramTop = 2 * mm;
 constexpr double histogramFoot = 17 * mm;      ///< numbers, title and legend below the plot
-constexpr double histogramTitleRow = 7.8 * mm; ///< centres below the plot
+constexpr double histogramTitleRow = 7.8 * mm; ///< centre, below the plot
 constexpr double histogramLegendRow = 13 * mm;
 constexpr double histogramSampleWidth = 5 * mm;
 constexpr double histogramSampleHeight = 2.6 * mm;
 constexpr double histogramSampleGap = 1.5 * mm;
-constexpr double legendGap = 5 * mm; ///< largest
+constexpr double legendGap = 5 * mm; ///< upper bound
 constexpr double leastLegendGap = 1.5 * mm;
 
 class HistogramPainter {
@@ -132,7 +132,7 @@ void drawHistogramBars(QPainter &painter, const QRectF &plot, const HistogramFig
         const bool inside = middle >= figure.coverage.from && middle <= figure.coverage.to;
         const double height =
             plot.height() * static_cast<double>(figure.counts[i]) / static_cast<double>(most);
-        // A value that never differs still has to be seen.
+        // Keep a value without spread visible.
         const double width = std::max(figure.width * scale, line);
         painter.fillRect(QRectF(x(from), plot.bottom() - height, width, height),
                          figureColor(inside ? FigureRole::histogram : FigureRole::histogramTail, medium));

@@ -6,13 +6,13 @@
 
 namespace palmer {
 
-/// Draws a histogram into `area` (points) over its axis: bars, darker inside the interval that holds 95.45 %
-/// of the values, the evaluated value as a line, the mean dashed, and what these are below.
+/// Draws a histogram into `area` (points) over its axis: bars, darker inside the interval that contains 95.45
+/// % of the values, the evaluated value as a line, the mean dashed, and the legend below.
 FigureTransform drawHistogramFigure(QPainter &painter, const QRectF &area, const HistogramFigure &figure,
                                     Medium medium);
 
-/// The bars and the line of the evaluated value alone, as they fit into a row of a table. In whatever units
-/// the painter has; `line`: width of the line.
+/// Draws only the bars and the line of the evaluated value, for a table row. Any unit of the painter; `line`:
+/// width of the line.
 void drawHistogramBars(QPainter &painter, const QRectF &plot, const HistogramFigure &figure, Medium medium,
                        double line);
 

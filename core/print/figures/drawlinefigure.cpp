@@ -14,7 +14,7 @@ namespace palmer {
 namespace {
 
 constexpr double lineTitleRow = 7.4 * mm; ///< below the plot
-constexpr double lineLegendRow = 12 * mm; ///< the first
+constexpr double lineLegendRow = 12 * mm; ///< first row
 constexpr double legendPitch = 4.2 * mm;
 constexpr double lineSampleWidth = 10 * mm;
 constexpr double lineSampleGap = 2 * mm;
@@ -130,7 +130,7 @@ private:
         p.drawPolyline(points);
     }
 
-    /// At the ends of the lines; those at the edge apart from each other.
+    /// Draws labels at the ends of the lines; those at the edge are kept apart.
     void drawLabels() {
         struct Label {
             double at = 0;
@@ -141,7 +141,7 @@ private:
             if (line.label.isEmpty() || line.points.empty())
                 continue;
             const QPointF end(x(line.points.back().x()) + endLabelGap, y(line.points.back().y()));
-            if (end.x() < m_plot.right() - figureTextSize) // ends earlier than the others
+            if (end.x() < m_plot.right() - figureTextSize) // ends before the others
                 drawText(p, end, line.label, text());
             else
                 labels.push_back({end.y(), line.label});

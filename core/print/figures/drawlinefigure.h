@@ -6,8 +6,7 @@
 
 namespace palmer {
 
-/// Draws a line figure into an area given in points; see drawFigure(). The legend takes as many rows as it
-/// needs.
+/// Draws a line figure into `area`, in points; see drawFigure(). The legend takes as many rows as needed.
 FigureTransform drawLineFigure(QPainter &painter, const QRectF &area, const LineFigure &figure,
                                Medium medium);
 

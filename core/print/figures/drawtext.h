@@ -10,7 +10,7 @@
 
 namespace palmer {
 
-/// A piece of a line of text, set lower and smaller when it is a subscript.
+/// A piece of a line of text; a subscript is lower and smaller.
 struct TextPiece {
     QString text;
     bool subscript = false;
@@ -20,11 +20,11 @@ using TextLine = std::vector<TextPiece>;
 
 constexpr int figureTextSize = 8; ///< points
 
-/// Width of a line of the paper's font, points.
+/// Width of a line in the paper font, points.
 [[nodiscard]] double textWidth(const TextLine &line, bool bold = false);
 [[nodiscard]] double textWidth(const QString &text, bool bold = false);
 
-/// Draws a line with its left end on x, its capitals centred on y.
+/// Draws a line with its left end at x and its capitals centred at y.
 void drawText(QPainter &painter, QPointF leftCentre, const TextLine &line, const QColor &colour,
               bool bold = false);
 void drawText(QPainter &painter, QPointF leftCentre, const QString &text, const QColor &colour,

@@ -18,7 +18,7 @@ constexpr double trendTickLength = 0.8 * mm;
 constexpr double trendTickGap = 0.7 * mm;
 constexpr double hatchHeight = 1.2 * mm;
 constexpr double hatchStep = 0.9 * mm;
-constexpr double labelWidth = 15 * mm; ///< of a row
+constexpr double labelWidth = 15 * mm; ///< of a row label
 constexpr double panelGap = 2.5 * mm;
 constexpr double titleHeight = 4.2 * mm;
 constexpr double trendTickRow = 3.2 * mm;
@@ -221,7 +221,7 @@ private:
             symbol.push_back({m_panel.y.subscript, true});
         if (m_large)
             symbol.push_back({QStringLiteral(" (") + m_panel.y.unit + QLatin1Char(')')});
-        // From where the labels of the axis begin: "G(b)" with its index is wider than they.
+        // Starts at the axis labels, because "G(b)" with its index is wider than they are.
         drawText(p, {m_area.left(), line}, symbol, colour(FigureRole::text), true);
         const double width = textWidth(m_panel.statement, m_panel.isFirst);
         drawText(p, {m_area.right() - 1 * mm - width, line}, m_panel.statement, colour(FigureRole::text),
@@ -232,7 +232,7 @@ private:
         for (const TrendIntervention &one : m_panel.interventions) {
             const double wanted = x(one.x) - textWidth(one.name) / 2;
             if (wanted < free)
-                continue; // its line stands there all the same
+                continue; // its line is drawn anyway
             drawText(p, {wanted, line + titleHeight}, one.name, colour(FigureRole::text));
             free = wanted + textWidth(one.name) + 1 * mm;
         }
@@ -246,7 +246,7 @@ private:
     QRectF m_plot;
 };
 
-/// What the marks of a legend are, in the order of its texts.
+/// Draws the legend sample number `index`, in the order of the texts.
 void drawSample(QPainter &p, std::size_t index, QPointF place, Medium medium) {
     const double half = 3 * mm;
     const QColor text = figureColor(FigureRole::text, medium);

@@ -6,7 +6,7 @@
 
 namespace palmer {
 
-/// Draws a row of small trends, or one alone with its names and legend. `area` in points.
+/// Draws a row of small trends, or a single one with its names and legend. `area` in points.
 FigureTransform drawTrendFigure(QPainter &painter, const QRectF &area, const TrendFigure &figure,
                                 Medium medium);
 

@@ -27,8 +27,8 @@ QRectF pageInPoints(const Figure &figure) {
     return {QPointF(0, 0), paperSize(figure) * pointsPerMillimetre};
 }
 
-/// Takes the time of writing out of a PDF of Qt: it is no property of the figure. Every offset behind it
-/// moves.
+/// Removes the creation date from a PDF of Qt, since the same figure must give the same bytes, and updates
+/// the offsets behind it.
 QByteArray withoutDate(const QByteArray &pdf) {
     const qsizetype from = pdf.indexOf("/CreationDate (");
     const qsizetype table = pdf.lastIndexOf("\nxref\n");
@@ -52,13 +52,13 @@ QByteArray withoutDate(const QByteArray &pdf) {
            moved(pdf.mid(start + 10, pdf.indexOf('\n', start + 10) - start - 10).trimmed()) + "\n%%EOF\n";
 }
 
-/// For those who hear it: a picture with title and description, and their language.
+/// Marks the SVG as an image with a language, for screen readers.
 QByteArray asPicture(QByteArray svg, const QString &language) {
     return svg.replace("<svg ", R"(<svg role="img" xml:lang=")" + language.toLatin1() + R"(" )");
 }
 
-/// QSvgGenerator takes lines thinner than half a unit for one unit wide when it writes their dashes: shortens
-/// them.
+/// QSvgGenerator treats lines thinner than half a unit as one unit wide when it writes dashes: shortens the
+/// dashes.
 QByteArray withTrueDashes(const QByteArray &svg) {
     static const QRegularExpression dashed(QStringLiteral(
         R"re(stroke-dasharray="([^"]*)" stroke-dashoffset="([^"]*)" stroke-width="([^"]*)")re"));
@@ -80,14 +80,14 @@ QByteArray withTrueDashes(const QByteArray &svg) {
     return (result + text.mid(end)).toUtf8();
 }
 
-/// A number of a path with a hundredth of a point: QSvgGenerator writes six digits.
+/// A number of a path rounded to a hundredth of a point; QSvgGenerator writes six digits.
 QByteArray shortNumber(const QByteArray &number) {
     constexpr double hundredths = 100;
     const double value = std::round(number.toDouble() * hundredths) / hundredths;
-    return QByteArray::number(value == 0 ? 0.0 : value, 'g', 7); // no "-0"
+    return QByteArray::number(value == 0 ? 0.0 : value, 'g', 7); // never "-0"
 }
 
-/// Paths and lines without digits that no paper shows, and without what says nothing.
+/// Removes digits that no paper resolves from paths and lines, and redundant attributes.
 QByteArray withShortPaths(QByteArray svg) {
     svg.replace(" vector-effect=\"none\"", "");
     QByteArray result;
@@ -125,7 +125,7 @@ QByteArray figureAsSvg(const Figure &figure, const QString &title, const Languag
     const QRectF page = pageInPoints(figure);
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
-    generator.setResolution(2540); // hundredths of a millimetre: the size is exact
+    generator.setResolution(2540); // hundredths of a millimetre, for an exact size
     generator.setSize((paperSize(figure) * 100).toSize());
     generator.setViewBox(page);
     generator.setTitle(title);

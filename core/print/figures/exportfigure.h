@@ -10,9 +10,9 @@
 
 namespace palmer {
 
-/// A figure as a file of its own: white, in the size of the printed page. The same figure gives the same
-/// bytes at any time and place. Throws std::runtime_error when the device fails. Need a QApplication.
-/// SVG: a picture with its title, and with what it shows in words of the language.
+/// A figure as a file: white, in its printed size. The same figure always gives the same bytes. Throw
+/// std::runtime_error if the device fails. Require a QApplication. SVG: an image with its title and a
+/// description in the language.
 [[nodiscard]] QByteArray figureAsSvg(const Figure &figure, const QString &title, const Language &language);
 [[nodiscard]] QByteArray figureAsPdf(const Figure &figure, const QString &title);
 [[nodiscard]] QByteArray figureAsPng(const Figure &figure, int dotsPerInch = 300);

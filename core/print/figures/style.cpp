@@ -11,12 +11,12 @@ namespace palmer {
 namespace {
 
 struct Dashes {
-    std::array<double, 4> lengths{}; ///< dash, gap, dash, gap in mm; unused ones 0
+    std::array<double, 4> lengths{}; ///< dash, gap, dash, gap in mm; unused: 0
 };
 
 struct RoleRow {
     FigureRole role = FigureRole::background;
-    double width = 0; ///< mm; 0: not a line
+    double width = 0; ///< mm; 0: no line
     Dashes dashes;
     QRgb paper = 0;
     QRgb light = 0;
@@ -68,15 +68,15 @@ constexpr std::array table{
 
 constexpr double bandOpacity = 0.12;
 
-/// A line thinner than this fades on a screen, mm (0.75 pixels of 96 to the inch).
+/// Thinner lines fade on a screen, mm (0.75 pixels at 96 dpi).
 constexpr double thinnestOnScreen = 0.2;
 
-/// Width and dashes, mm.
+/// Sets width and dashes, mm.
 void setLine(QPen &pen, double width, const Dashes &dashes) {
     pen.setWidthF(width * pointsPerMillimetre);
     pen.setJoinStyle(Qt::RoundJoin);
     pen.setCapStyle(Qt::RoundCap);
-    QList<double> pattern; // in widths of the pen, as Qt wants it
+    QList<double> pattern; // in pen widths, as Qt expects
     for (const double length : dashes.lengths) {
         if (length > 0)
             pattern.append(length / width);
@@ -125,7 +125,7 @@ QPen figurePen(FigureRole role, Medium medium) {
 }
 
 QPen layerPen(int layer, Medium medium) {
-    // From slow to fast; after the last colour they begin anew.
+    // In order of feed; the colours repeat after the last one.
     constexpr std::array light{0xff004488U, 0xff2f8f6bU, 0xff7a3e9dU, 0xffb35c00U, 0xffb3261eU, 0xff59626bU};
     constexpr std::array dark{0xff78aef0U, 0xff6bc48bU, 0xffc79ae6U, 0xfff0a040U, 0xfff28e86U, 0xffa4acb3U};
     constexpr std::array<Dashes, 3> patterns{{{}, {{2.4, 0.7}}, {{2.4, 0.7, 0.5, 0.7}}}};

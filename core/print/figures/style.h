@@ -10,11 +10,11 @@
 
 namespace palmer {
 
-/// What a figure is drawn on. Paper stays readable in black and white: dashes and markers tell what colours
-/// tell.
+/// What a figure is drawn on. Paper stays readable in black and white: dashes and markers repeat the
+/// information of the colours.
 enum class Medium { screenLight, screenDark, paper };
 
-/// The parts of a figure that have a look of their own.
+/// Parts of a figure with their own appearance.
 enum class FigureRole {
     background,
     text,
@@ -35,22 +35,22 @@ enum class FigureRole {
     clockwise,
     ring, ///< divisions of a circle figure, and its spokes
     nominal,
-    planeAxis, ///< of a circle figure
+    planeAxis, ///< in a circle figure
     envelope,
     limit,
-    centre,        ///< the mark +
+    centre,        ///< mark +
     drift,         ///< readings at rest
-    bar,           ///< of a bar figure
-    firstBar,      ///< what is to be improved first
-    barGround,     ///< from the end of a bar to that of its scale
-    histogram,     ///< inside the interval that is stated
-    histogramTail, ///< outside of it
+    bar,           ///< in a bar figure
+    firstBar,      ///< to be improved first
+    barGround,     ///< from the end of a bar to the end of its scale
+    histogram,     ///< inside the stated interval
+    histogramTail, ///< outside the stated interval
     evaluated,     ///< value evaluated from the readings
     trialMean,     ///< mean of the trials
     guardBand,     ///< outline of the band about a limit
     guardFill,
-    synthetic, ///< what sources of a diagnosis make
-    residual,  ///< lines that lie on one another: the width
+    synthetic, ///< computed from sources of a diagnosis
+    residual,  ///< thin, for overlapping lines
 };
 
 constexpr double pointsPerMillimetre = 72 / 25.4;
@@ -61,14 +61,14 @@ constexpr double pointsPerPixel = 72.0 / 96.0; ///< of a screen
 [[nodiscard]] QPen figurePen(FigureRole role, Medium medium);
 [[nodiscard]] QColor figureColor(FigureRole role, Medium medium);
 
-/// Of test `layer` among several over one another: colours and dashes tell them apart.
+/// Pen of test `layer` in a figure of several tests, which differ in colours and dashes.
 [[nodiscard]] QPen layerPen(int layer, Medium medium);
 
 /// `colour` laid over `ground` with an opacity of `strength`, 0 … 1; opaque.
 [[nodiscard]] QColor blend(const QColor &colour, const QColor &ground, double strength);
 
-/// Fill between the limits of one direction, or where those of both lie over each other. Opaque: archival PDF
-/// and some printers do not know transparency.
+/// Fill between the limits of one direction, or of the overlap of both. Opaque, because archival PDF and some
+/// printers do not support transparency.
 [[nodiscard]] QColor bandColor(bool up, bool down, Medium medium);
 
 } // namespace palmer

@@ -22,16 +22,16 @@ namespace {
 // Gaps, points.
 constexpr double afterHead = 5 * mm;
 constexpr double afterHeading = 1.9 * mm;
-constexpr double belowTitle = 3 * mm; ///< of a test, to its first section
+constexpr double belowTitle = 3 * mm; ///< between the title of a test and its first section
 constexpr double afterSmallHeading = 1.2 * mm;
 constexpr double betweenTables = 2.6 * mm;
-constexpr double belowTable = 1.8 * mm; ///< to the small text that belongs to it
+constexpr double belowTable = 1.8 * mm; ///< between a table and its small print
 constexpr double paragraphGap = 1.6 * mm;
 constexpr double beforeVerdict = 3.8 * mm;
 constexpr double beforeEnd = 8 * mm;
-constexpr double leastFigure = 65 * mm; ///< height at which its curves can still be read
+constexpr double leastFigure = 65 * mm; ///< least readable height
 
-// The head of a test.
+// Head of a test.
 constexpr double logoHeight = 10 * mm;
 constexpr double logoWidth = 50 * mm;
 constexpr double logoGap = 3.5 * mm;
@@ -90,7 +90,7 @@ Strip textStrip(TextBlock block, TextAlignment alignment = TextAlignment::left, 
     });
 }
 
-/// Lines of running text: at least two of them on each page.
+/// Lines of running text, at least two on each page.
 Strips lineStrips(const TextBlock &block) {
     Strips result;
     for (std::size_t i = 0; i < block.lineCount(); ++i) {
@@ -114,10 +114,10 @@ Strips keyValueStrips(const KeyValues &values, double width) {
         TextBlock label(row.key, labels, values.labelWidth * mm + labelGap / 2);
         TextBlock value(missing ? thinDash : row.value, missing ? dashes : stated,
                         std::max(width - left, 20.0));
-        // Label and value on one base line.
+        // Label and value share a baseline.
         const double drop = value.ascent() - label.ascent();
         const std::size_t lines = std::max(label.lineCount(), value.lineCount());
-        constexpr std::size_t tallRow = 24; // is split between its lines
+        constexpr std::size_t tallRow = 24; // split between its lines
         const std::size_t step = lines > tallRow ? 1 : lines;
         const double height = value.lineHeight() * static_cast<double>(step);
         const auto add = [&](TextBlock key, TextBlock stands) {
@@ -171,7 +171,7 @@ Strips headingStrips(const Heading &heading, double width) {
     return {result};
 }
 
-/// Short notes on one line where they fit, a thin stroke between them, else below each other.
+/// Short notes on one line, separated by thin strokes, or below each other if they are too long.
 class NoteLine {
 public:
     NoteLine(const QStringList &notes, double room) {
@@ -193,7 +193,7 @@ public:
     [[nodiscard]] double width() const { return m_width; }
     [[nodiscard]] double height() const { return m_height; }
 
-    /// From `left`, or with the right end there.
+    /// Draws from `at`; right-aligned notes end there.
     void draw(QPainter &painter, QPointF at, TextAlignment alignment) const {
         if (alignment == TextAlignment::right)
             at.rx() -= m_width;
@@ -220,7 +220,7 @@ private:
     double m_height = 0;
 };
 
-/// Logo, name and address of the laboratory at the left, number and what belongs to it at the right.
+/// Logo, name and address of the laboratory on the left, number and related data on the right.
 Strip letterhead(const TestHead &head, double width) {
     const Logo logo(head.logo);
     const Logo mark(head.mark);
@@ -254,7 +254,7 @@ Strip letterhead(const TestHead &head, double width) {
     });
 }
 
-/// Two columns at the same height as one strip; one below the other where they are higher than `tallest`.
+/// Two columns side by side as one strip; below each other if they are higher than `tallest`.
 Strips besideEachOther(Strips left, Strips right, double rightAt, double tallest) {
     const double height = std::max(heightOf(left), heightOf(right));
     if (height > tallest) {
@@ -268,7 +268,7 @@ Strips besideEachOther(Strips left, Strips right, double rightAt, double tallest
                   })};
 }
 
-/// The same below each other, line by line, for what is too long for a letterhead.
+/// The letterhead below each other, line by line, if it is too high side by side.
 Strips tallLetterhead(const TestHead &head, double width) {
     const Logo logo(head.logo);
     const Logo mark(head.mark);
@@ -315,7 +315,7 @@ Strips testHeadStrips(const TestHead &head, double width, double tallest) {
     TextStyle small = noteStyle;
     constexpr double smallest = 7.2;
     while (small.size > smallest && TextBlock(head.editionTitle, small).width() > width)
-        small.size -= 0.1; // one line where that is readable
+        small.size -= 0.1; // one line if that is still readable
     line(head.editionTitle, small, subtitleGap / 2);
     line(head.notice, {9, true, black, 1.28}, 2 * subtitleGap);
     result.push_back(strip(
@@ -372,11 +372,11 @@ Strips legendStrips(const ResultsLegend &legend, double width) {
     })};
 }
 
-/// A part of the verdict: label, mark, then the state and what is said of it.
+/// A part of the verdict: label, mark, state and explanation.
 struct StatementBlock {
     TextBlock label;
     Mark mark = Mark::none;
-    TextBlock state; ///< of a large verdict above the text, else at its beginning
+    TextBlock state; ///< in a large verdict above the text, otherwise at its beginning
     TextBlock text;
 
     [[nodiscard]] double height() const { return std::max(label.height(), state.height() + text.height()); }
@@ -426,7 +426,7 @@ void drawStatement(QPainter &painter, QPointF at, const StatementBlock &statemen
                             text + QPointF(0, statement.state.empty() ? 0 : statement.state.height()));
 }
 
-/// The large word, or its second line, in the size that its column allows: the same for both.
+/// The large word or its second line, both at the largest size that fits their column.
 TextBlock verdictWord(const VerdictLine &line, const QString &text, double width) {
     constexpr qsizetype longWord = 12;
     constexpr double smallest = 8;
@@ -484,7 +484,7 @@ Strips verdictStrips(const VerdictLine &line, double width) {
     })};
 }
 
-/// A heading as large as its column allows.
+/// A heading at the largest size that fits its column.
 TextBlock signatureHeading(const QString &text, double width) {
     TextStyle style = h3;
     constexpr double smallest = 7.5;
@@ -507,8 +507,7 @@ std::vector<double> signatureWidths(const Signatures &signatures, double width, 
     return result;
 }
 
-/// Columns of lines to be filled in or signed; what stands beside each other has one height, so all rules are
-/// level.
+/// Columns of lines to fill in or sign; neighbouring lines have the same height, so that all rules are level.
 class SignatureBlock {
 public:
     SignatureBlock(const Signatures &signatures, double width)
@@ -551,7 +550,7 @@ private:
         TextBlock label;
         TextBlock value;
 
-        /// By which the value is higher than one line.
+        /// Height of the value beyond one line.
         [[nodiscard]] double more() const { return value.empty() ? 0 : value.height() - value.lineHeight(); }
     };
 
@@ -573,7 +572,7 @@ private:
     static void drawLine(QPainter &painter, QPointF at, const SignatureLine &line, const Line &made,
                          double height) {
         const double bottom = at.y() + height - labelAbove - made.more();
-        if (line.height > 0) { // its value stands below the label
+        if (line.height > 0) { // the value is below the label
             made.label.draw(painter, at);
             made.value.draw(painter, {at.x(), bottom});
             return;
@@ -586,9 +585,9 @@ private:
 
     static constexpr double gap = 8 * mm;
     static constexpr double lineHeight = 9 * mm;
-    static constexpr double signatureHeight = 20.1 * mm; ///< 12 free below the label
+    static constexpr double signatureHeight = 20.1 * mm; ///< 12 mm free below the label
     static constexpr double signatureLabel = 4.3 * mm;
-    static constexpr double labelAbove = 4.6 * mm; ///< top of a label above its rule
+    static constexpr double labelAbove = 4.6 * mm; ///< from a label to its rule
     static constexpr double labelGap = 2 * mm;
 
     Signatures m_signatures;
@@ -603,7 +602,7 @@ Strips signatureStrips(const Signatures &signatures, double width) {
     return {strip(block.height(), [block](QPainter &painter, QPointF at) { block.draw(painter, at); })};
 }
 
-/// The gap above a block, after the one before it.
+/// Gap between two blocks.
 double gapBetween(const Block &above, const Block &below) {
     const auto *heading = std::get_if<Heading>(&above);
     if (std::holds_alternative<TestHead>(above))
@@ -638,7 +637,7 @@ bool isTitle(const Block &block) {
     return heading && heading->level == 1;
 }
 
-/// What the block behind a heading makes of the strips of block i; nothing where that is none.
+/// Sets the properties of a heading (block i) that depend on the next block.
 void stateOfHeading(Strips &strips, const std::vector<Block> &blocks, std::size_t i, bool titled) {
     const auto *heading = std::get_if<Heading>(&blocks[i]);
     if (!heading || i + 1 == blocks.size())
@@ -647,10 +646,11 @@ void stateOfHeading(Strips &strips, const std::vector<Block> &blocks, std::size_
     strips.front().title = isTitle(blocks[i]);
     strips.front().filler = titled && std::holds_alternative<FindingsBlock>(next);
     if (heading->level == 2 && (beginsSection(next) || isMark(next)))
-        strips.back().withNext = false; // its note says all
+        strips.back().withNext = false; // the section is only the heading's note
 }
 
-/// What stands above the heading of the signatures goes with them: they never stand alone on a page.
+/// Keeps the heading of the signatures with up to three strips above it, so that signatures are never alone
+/// on a page.
 void takeAlong(Strips &above) {
     constexpr std::size_t most = 3;
     const auto stays = [](const Strip &strip) { return !strip.pageBreak && !strip.running; };
@@ -684,7 +684,7 @@ public:
         const Strips right = partStrips(columns.right, m_width - rightAt);
         Strips result = besideEachOther(left, right, rightAt, m_tallest);
         if (result.size() == 1 && !left.empty() && left.back().drawOf) {
-            // The figure gives way as far as what stands beside it allows.
+            // The figure shrinks as far as the other column allows.
             const double above = heightOf(left) - left.back().height;
             result.front().least =
                 std::min(result.front().height, std::max(above + left.back().least, heightOf(right)));
@@ -786,7 +786,7 @@ Strips blockStrips(const std::vector<Block> &blocks, double width, double talles
             stateOfHeading(strips, blocks, i, titled);
             above = &block;
         } else if (std::holds_alternative<PageBreak>(block)) {
-            // A head needs a page of its own; other parts may follow results that found no room there.
+            // A head needs its own page; other parts may follow results that were moved to this page.
             const auto *next = i + 1 < blocks.size() ? std::get_if<Heading>(&blocks[i + 1]) : nullptr;
             strips.front().soft = next && next->level == 1;
             if (!strips.front().soft)

@@ -7,14 +7,14 @@
 
 namespace palmer {
 
-/// The strips of all blocks, in their order, with the gaps between them. `width`: of the text, points;
-/// `tallest`: what fits on an empty page. Running heads are strips without height.
+/// Converts all blocks to strips, in order, with the gaps between them. `width`: of the text, points;
+/// `tallest`: height of an empty page. Running heads are strips without height.
 [[nodiscard]] Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest);
 
-/// Whether a section begins with it.
+/// True if the block begins a section.
 [[nodiscard]] bool beginsSection(const Block &block);
 
-/// Whether it is nothing to be read.
+/// True for running heads and page breaks.
 [[nodiscard]] bool isMark(const Block &block);
 
 } // namespace palmer

@@ -51,8 +51,8 @@ void setMetadata(QPDF &document, const QByteArray &xmp) {
     document.getRoot().replaceKey("/Metadata", packet);
 }
 
-/// The library's helper packs it again and takes the MD5 of all readings, which nobody asks for: the report
-/// prints their SHA-256.
+/// Replaces the library's helper, which would compress again and compute an MD5 of all readings that is not
+/// needed: the report prints their SHA-256.
 Handle packedStream(QPDF &document, const PdfAttachment &attachment) {
     const QByteArray &packed = attachment.packed.get();
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast,cppcoreguidelines-pro-type-const-cast)
@@ -67,7 +67,7 @@ Handle packedStream(QPDF &document, const PdfAttachment &attachment) {
     return stream;
 }
 
-/// The helpers of the library write neither the relationship nor the list of associated files.
+/// The library's helpers write neither the relationship nor the list of associated files.
 void attach(QPDF &document, const std::vector<PdfAttachment> &attachments, const QString &date) {
     Handle associated = Handle::newArray();
     QPDFEmbeddedFileDocumentHelper files(document);
@@ -89,8 +89,8 @@ void attach(QPDF &document, const std::vector<PdfAttachment> &attachments, const
         document.getRoot().replaceKey("/AF", associated);
 }
 
-/// sRGB again, but its curves said as formulas: viewers turn Qt's tables of 1 024 values round for each page,
-/// which takes them longer than to draw it.
+/// Replaces the sRGB profile by one with its curves as formulas: viewers invert Qt's tables of 1 024 values
+/// on each page, which takes longer than drawing it.
 void setColourProfile(QPDF &document) {
     Handle intents = document.getRoot().getKey("/OutputIntents");
     if (!intents.isArray())
@@ -107,7 +107,7 @@ double heightOf(Handle page) {
     return page.getKey("/MediaBox").getArrayItem(3).getNumericValue();
 }
 
-/// The whole width of a page from this place on, at the size it is shown in.
+/// Destination at this place over the full page width, keeping the zoom.
 Handle destination(const std::vector<Handle> &pages, const PdfPlace &place) {
     const Handle &page = pages.at(static_cast<std::size_t>(place.page));
     return Handle::newArray({page, Handle::newName("/XYZ"), Handle::newInteger(0),
@@ -130,7 +130,7 @@ void addLinks(QPDF &document, const std::vector<Handle> &pages, const std::vecto
     }
 }
 
-/// Ties the items of one level below `parent`, with `shown` of them and theirs open.
+/// Links the items of one level below `parent`, with `shown` of them and their children open.
 void tie(Handle parent, std::vector<Handle> &items, std::size_t shown) {
     for (std::size_t i = 0; i < items.size(); ++i) {
         items[i].replaceKey("/Parent", parent);
@@ -185,7 +185,7 @@ QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties) {
     setColourProfile(document);
     setMetadata(document, properties.xmp);
     setInformation(document, properties.metadata);
-    document.getTrailer().removeKey("/ID"); // drawn by lot
+    document.getTrailer().removeKey("/ID"); // it is random
     root.removeKey("/Names");
     attach(document, properties.attachments, properties.metadata.date);
     const std::vector<Handle> &pages = document.getAllPages();

@@ -12,7 +12,7 @@
 
 namespace palmer {
 
-/// A file inside a PDF.
+/// A file embedded in a PDF.
 struct PdfAttachment {
     QString name;
     QByteArray mimeType;
@@ -22,17 +22,17 @@ struct PdfAttachment {
     std::shared_future<QByteArray> packed; ///< see packed()
 };
 
-/// What FlateDecode unpacks to these bytes. Of many it is made on a thread, beside what is done until it is
-/// asked for: of 10⁶ readings that takes 0.15 s, as long as the pages.
+/// Compresses the bytes for FlateDecode. Large data are compressed on a thread until the result is needed:
+/// 10⁶ readings take 0.15 s, as long as the pages.
 [[nodiscard]] std::shared_future<QByteArray> packed(const QByteArray &bytes);
 
-/// The top of what is shown there.
+/// Top edge of a destination.
 struct PdfPlace {
     int page = 0; ///< from 0
     double y = 0; ///< points from the top
 };
 
-/// Level 0 or, below the last one of level 0, level 1.
+/// Level 0, or level 1 below the last bookmark of level 0.
 struct PdfBookmark {
     int level = 0;
     QString title;
@@ -45,18 +45,18 @@ struct PdfLink {
     PdfPlace target;
 };
 
-/// What a PDF says about itself, and what it carries beside its pages.
+/// Metadata and embedded content of a PDF.
 struct PdfProperties {
     ReportMetadata metadata;
-    QByteArray xmp; ///< the packet that states them
+    QByteArray xmp; ///< packet with the metadata
     std::vector<PdfAttachment> attachments;
     std::vector<PdfBookmark> bookmarks;
     std::vector<PdfLink> links;
 };
 
-/// Takes out of a PDF what comes from the clock and the machine it was written on, and puts in what the
-/// report says: the same pages and properties give the same bytes. With an output intent in `pdf` the result
-/// is a PDF/A-3b. Throws std::runtime_error when `pdf` is no PDF.
+/// Removes everything from a PDF that depends on the clock or machine, and adds the properties: the same
+/// pages and properties give the same bytes. With an output intent in `pdf` the result is a PDF/A-3b. Throws
+/// std::runtime_error if `pdf` is no PDF.
 [[nodiscard]] QByteArray finishPdf(const QByteArray &pdf, const PdfProperties &properties);
 
 } // namespace palmer

@@ -11,10 +11,10 @@ namespace palmer {
 
 namespace {
 
-constexpr int largestSide = 1200; ///< pixels: 3000 dots per inch at 10 mm
+constexpr int largestSide = 1200; ///< pixels: 3000 dpi at 10 mm
 
-/// Standard error goes nowhere as long as this lives: libpng writes there by itself about a damaged picture,
-/// and what is to be said of it is said once.
+/// Discards standard error during its lifetime: libpng itself reports damaged pictures there, but Palmer
+/// reports them once in its own words.
 class QuietErrors {
 public:
     QuietErrors()

@@ -13,14 +13,14 @@ class QSvgRenderer;
 
 namespace palmer {
 
-/// A picture in the head of a report, PNG or SVG. What is neither is an empty logo. Opaque: archival PDF
-/// knows no transparency.
+/// A picture in the head of a report, PNG or SVG; empty for anything else. Opaque, because archival PDF does
+/// not support transparency.
 class Logo {
 public:
     explicit Logo(const QByteArray &bytes);
 
     [[nodiscard]] bool empty() const { return m_size.isEmpty(); }
-    /// As large as it fits into `room`, with its own proportions.
+    /// Largest size that fits into `room`, keeping the proportions.
     [[nodiscard]] QSizeF size(QSizeF room) const;
     void draw(QPainter &painter, const QRectF &rect) const;
 

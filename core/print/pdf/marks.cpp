@@ -12,7 +12,7 @@ namespace palmer {
 
 namespace {
 
-constexpr double limitPlace = 0.6; ///< of the width
+constexpr double limitPlace = 0.6; ///< fraction of the width
 constexpr double bandHeight = 1.56 * mm;
 constexpr double diamondHalf = 0.88 * mm;
 constexpr double haloWidth = 0.2 * mm;
@@ -53,7 +53,7 @@ void drawLimit(QPainter &painter, QPointF centre, const QColor &ink) {
 } // namespace
 
 void drawMark(QPainter &painter, Mark mark, QPointF centre, double side, const QColor &ink) {
-    const double unit = side / markBox; // points per mm of the mark's own measures
+    const double unit = side / markBox; // points per mm of the mark's own coordinates
     const auto at = [&](double x, double y) {
         return centre + QPointF(x - markBox / 2, y - markBox / 2) * unit;
     };
@@ -122,7 +122,7 @@ void drawBar(QPainter &painter, QPointF left, double length, bool hollow) {
         const QPen outline = line(hollowOutline, barColour);
         painter.setPen(hollow ? outline : QPen(Qt::NoPen));
         painter.setBrush(hollow ? QBrush(Qt::NoBrush) : QBrush(barColour));
-        const double inset = hollow ? outline.widthF() / 2 : 0; // as high and long as a full one
+        const double inset = hollow ? outline.widthF() / 2 : 0; // as high and long as a filled one
         painter.drawRect(QRectF(left.x(), left.y() - printedBarHeight / 2, length, printedBarHeight)
                              .adjusted(0, inset, -std::min(inset, length), -inset));
         painter.setBrush(Qt::NoBrush);

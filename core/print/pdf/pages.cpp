@@ -21,17 +21,17 @@ constexpr double leftMargin = 20 * mm;
 constexpr double rightMargin = 15 * mm;
 constexpr double topMargin = 15 * mm;
 constexpr double bottomMargin = 18 * mm;
-constexpr double footerRule = 14 * mm;    ///< above the edge
+constexpr double footerRule = 14 * mm;    ///< above the page edge
 constexpr double footerText = 1.3 * mm;   ///< below its rule
 constexpr double runningRule = 1.45 * mm; ///< below its text
 constexpr double belowRunningHead = 6 * mm;
-/// To keep the results on the first page, gaps from this size on may shrink to this part.
+/// Gaps from this size on may shrink to this fraction to keep the results on the first page.
 constexpr double smallestToNarrow = 1.5 * mm;
 constexpr double narrowest = 0.5;
-constexpr double leastOnFurtherPages = 0.8; ///< part of its height that a figure keeps there
+constexpr double leastOnFurtherPages = 0.8; ///< fraction of its height
 constexpr double roundingRoom = 0.01;
-constexpr double largestGap = 8.5 * mm; ///< where the page has room
-constexpr double sectionRoom = 25 * mm; ///< below the top of a section
+constexpr double largestGap = 8.5 * mm; ///< if the page has space
+constexpr double sectionRoom = 25 * mm; ///< minimum below the top of a section
 
 constexpr TextStyle runningStyle{7.5, false, noteGrey, 1.2};
 
@@ -47,7 +47,7 @@ TextBlock elided(const QString &text, double width) {
     return palmer::elided(text, runningStyle, width);
 }
 
-/// Strips of one page before their places are final.
+/// Strips of one page before they are positioned.
 struct PageStrips {
     std::optional<RunningHead> running;
     Strips strips;
@@ -61,7 +61,7 @@ struct PageStrips {
     }
 };
 
-/// Fills pages with the strips one after another.
+/// Distributes strips over pages.
 class Flow {
 public:
     explicit Flow(double bottom)
@@ -96,7 +96,7 @@ public:
     [[nodiscard]] const std::vector<PageStrips> &pages() const { return m_pages; }
 
 private:
-    /// Behind the strips that stay together with the one at `from`.
+    /// End of the strips that must stay together with the one at `from`.
     static std::size_t chainEnd(const Strips &strips, std::size_t from) {
         std::size_t end = from + 1;
         while (end < strips.size() && strips[end - 1].withNext && !strips[end].pageBreak &&
@@ -105,7 +105,7 @@ private:
         return end;
     }
 
-    /// Behind the section that begins at `from`.
+    /// End of the section that begins at `from`.
     static std::size_t sectionEnd(const Strips &strips, std::size_t from) {
         std::size_t end = from + 1;
         while (end < strips.size() && !strips[end].section && !strips[end].pageBreak && !strips[end].running)
@@ -113,8 +113,8 @@ private:
         return end;
     }
 
-    /// Where what begins at `from` finds no room, lines of the same test that may stand before it fill the
-    /// page, below the title if it begins with that. Returns where to go on.
+    /// If the section at `from` does not fit, a later section of the same test that may be moved forward
+    /// fills the page, below the title if `from` is one. Returns the index to continue at.
     std::size_t fillRest(const Strips &strips, std::size_t from) {
         if (m_page.strips.empty() || !strips[from].section ||
             needed(strips, from, chainEnd(strips, from)) <= room())
@@ -146,8 +146,7 @@ private:
 
     [[nodiscard]] double room() const { return m_bottom - m_page.top() - m_page.used(); }
 
-    /// Height of strips as they would stand next, the head of their table included where it is to be
-    /// repeated.
+    /// Height of the strips if placed next, including a repeated table head.
     [[nodiscard]] double needed(const Strips &strips, std::size_t from, std::size_t end) const {
         double height = 0;
         const bool begins = m_page.strips.empty();
@@ -177,8 +176,8 @@ private:
         }
     }
 
-    /// On the first page of a test the larger gaps give way before the results do, all in the same ratio, and
-    /// then the figure.
+    /// To keep the results on the first page of a test, shrinks the larger gaps by a common factor, and then
+    /// the figure.
     bool narrowGaps(const Strips &strips, std::size_t from, std::size_t end, double missing) {
         if (m_narrowing < 1 || m_page.running || !strips[end - 1].verdict)
             return false;
@@ -209,8 +208,8 @@ private:
         return true;
     }
 
-    /// A figure that does not find room on a page gives way rather than leave it half blank: on the first
-    /// page of a test as far as it can be read, on others by a little.
+    /// Shrinks a figure that does not fit rather than leave half a page blank: on the first page of a test
+    /// down to its readable height, on others a little.
     bool lowerFigure(const Strips &strips, std::size_t from, std::size_t end, double missing) {
         for (std::size_t i = from; i < end; ++i) {
             if (!strips[i].drawOf)
@@ -254,9 +253,9 @@ private:
     std::vector<PageStrips> m_pages;
     PageStrips m_page;
     std::optional<RunningHead> m_running;
-    double m_narrowing = 1;    ///< ratio of the larger gaps on this page
-    std::vector<bool> m_early; ///< strips that stand before others of their test
-    double m_lowering = 0;     ///< what the next figure gives up of its height
+    double m_narrowing = 1;    ///< factor for the larger gaps of this page
+    std::vector<bool> m_early; ///< strips moved forward within their test
+    double m_lowering = 0;     ///< reduction of the next figure's height
 };
 
 class PageMaker {
@@ -313,7 +312,7 @@ private:
         }
     }
 
-    /// Of sections within a test the bookmark stands below that of the test.
+    /// Bookmarks of sections in a test are below the bookmark of the test.
     void addBookmark(PrintedPage &page, std::size_t index, double y) const {
         const Block &block = m_report.blocks[index];
         if (const auto *head = std::get_if<TestHead>(&block))
@@ -324,8 +323,7 @@ private:
                 {m_inTest[index] && heading->level > 1 ? 1 : 0, heading->text, y, heading->anchor});
     }
 
-    /// Of each block, whether it belongs to the head of a test, or a heading of level 1, above it; a new page
-    /// without head ends that.
+    /// True for each block that follows the head of a test or a heading of level 1; a page break ends that.
     static std::vector<bool> inTest(const std::vector<Block> &blocks) {
         std::vector<bool> result;
         bool within = false;
@@ -382,7 +380,7 @@ Flow flowOf(const std::vector<Block> &blocks, QSizeF size) {
     return flow;
 }
 
-/// The page on which each block ends; 0: it has no strip.
+/// Page on which each block ends; 0: it has no strip.
 std::vector<int> pagesOfBlocks(const Flow &flow, std::size_t count) {
     std::vector<int> result(count);
     std::size_t block = 0;
@@ -415,14 +413,14 @@ std::map<QString, int> anchorPages(const Flow &flow, const std::vector<Block> &b
     return result;
 }
 
-/// Where the figure of a test found no room on the page of its head, below its verdict, the results go there
-/// before it: they may be lower. True: something was moved.
+/// If the figure of a test does not fit on the page of its head, below the verdict, moves the (possibly
+/// lower) results there. Returns true if blocks were moved.
 bool moveResults(std::vector<Block> &blocks, const std::vector<int> &pages, std::size_t head) {
     const std::size_t figure = head + 2;
     const auto ends = [&](std::size_t i) {
         return i >= blocks.size() || isMark(blocks[i]) || beginsSection(blocks[i]);
     };
-    std::size_t results = figure; // a heading with a table below it
+    std::size_t results = figure; // a heading followed by a table
     while (results + 1 < blocks.size() && !isMark(blocks[results]) &&
            !(std::holds_alternative<Heading>(blocks[results]) &&
              std::holds_alternative<Table>(blocks[results + 1])))
@@ -438,8 +436,8 @@ bool moveResults(std::vector<Block> &blocks, const std::vector<int> &pages, std:
     return true;
 }
 
-/// Where the results of a test and its verdict found no room on the page of its head, the verdict goes
-/// directly below the head, and the results follow whole on the next page. True: something was moved.
+/// If the results of a test and its verdict do not fit on the page of its head, moves the verdict directly
+/// below the head; the results follow together on the next page. Returns true if blocks were moved.
 bool moveVerdicts(std::vector<Block> &blocks, const Flow &flow) {
     const std::vector<int> pages = pagesOfBlocks(flow, blocks.size());
     bool moved = false;
@@ -463,7 +461,7 @@ bool moveVerdicts(std::vector<Block> &blocks, const Flow &flow) {
     return moved;
 }
 
-/// The blocks in the order in which they stand on the pages. True: it is another.
+/// Sorts the blocks in page order. Returns true if that changes their order.
 bool followPages(std::vector<Block> &blocks, const Flow &flow) {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> places(blocks.size(), none);
@@ -474,7 +472,7 @@ bool followPages(std::vector<Block> &blocks, const Flow &flow) {
                 places[static_cast<std::size_t>(strip.block)] = ++place;
         }
     }
-    std::size_t last = 0; // what is no strip stays behind all that stands before it
+    std::size_t last = 0; // blocks without strips stay after those above them
     for (std::size_t &each : places) {
         each = each == none ? last : each;
         last = std::max(last, each);
@@ -507,7 +505,7 @@ std::vector<double> heightsOfBlocks(const Flow &flow, std::size_t count) {
     return result;
 }
 
-/// Behind the last of the sections from `first` on that find room whole at the end of a page.
+/// End of the sections from `first` on that fit completely at the end of a page.
 std::size_t endOfWhatFits(const std::vector<Block> &blocks, std::size_t first,
                           const std::vector<double> &heights, const PageStrips &page, double bottom) {
     double room = bottom - page.top() - page.used() - roundingRoom;
@@ -526,8 +524,8 @@ std::size_t endOfWhatFits(const std::vector<Block> &blocks, std::size_t first,
     return taken;
 }
 
-/// Of what concerns all tests the sections from the first with an anchor on fill the page that their summary
-/// leaves, as many as find room there whole.
+/// Fills the page of the summary of all tests with as many sections as fit completely, from the first with an
+/// anchor on.
 void fillSummary(std::vector<Block> &blocks, const Flow &flow, double bottom) {
     const auto at = [&](std::size_t i) { return blocks.begin() + static_cast<std::ptrdiff_t>(i); };
     const auto indexOf = [&](auto found) { return static_cast<std::size_t>(found - blocks.begin()); };
@@ -555,13 +553,12 @@ void fillSummary(std::vector<Block> &blocks, const Flow &flow, double bottom) {
         return;
     const std::size_t taken = endOfWhatFits(blocks, first, heightsOfBlocks(flow, blocks.size()),
                                             flow.pages()[static_cast<std::size_t>(page) - 1], bottom);
-    if (taken < blocks.size()) // something stays behind the break
+    if (taken < blocks.size()) // something remains behind the break
         std::rotate(at(behind), at(first), at(taken));
 }
 
-/// Where the results of one of several tests stand on a page behind that of its head, the sections that
-/// stand behind them in the report fill that page, as many as find room there whole. True: something was
-/// moved.
+/// If the results of one of several tests continue behind the page of its head, fills that page with as many
+/// of its later sections as fit completely. Returns true if blocks were moved.
 bool fillResults(std::vector<Block> &blocks, const Flow &flow, double bottom) {
     const auto at = [&](std::size_t i) { return blocks.begin() + static_cast<std::ptrdiff_t>(i); };
     const std::vector<int> pages = pagesOfBlocks(flow, blocks.size());
@@ -585,14 +582,14 @@ bool fillResults(std::vector<Block> &blocks, const Flow &flow, double bottom) {
             continue;
         const bool all = taken >= blocks.size() || isMark(blocks[taken]);
         std::rotate(at(behind), at(first), at(taken));
-        if (all) // its title, and the running head before that, have nothing below them
+        if (all) // its title and running head would be empty
             blocks.erase(at(taken - 2), at(taken));
         return true;
     }
     return false;
 }
 
-/// A report laid out: its blocks in the order of the pages, and with their numbers put in.
+/// A report after layout: blocks in page order, with page numbers filled in.
 struct Layout {
     Report report;
     Flow flow;
@@ -605,7 +602,7 @@ Layout layoutOf(const Report &report, QSizeF size) {
     if (arranged.blocks != report.blocks)
         result = {arranged, flowOf(arranged.blocks, size)};
     std::map<QString, int> numbers;
-    // Numbers of pages in the text, and verdicts that move, may move what follows them.
+    // Page numbers in the text and moved verdicts may move what follows them.
     constexpr int attempts = 8;
     for (int i = 0; i < attempts; ++i) {
         bool moved = followPages(arranged.blocks, result.flow);
@@ -637,7 +634,7 @@ Pages layoutPages(const Report &report) {
     Pages pages;
     for (std::size_t i = 0; i < filled.size(); ++i) {
         const bool last = i + 1 == filled.size();
-        // On the next page a repeated head stands first, then the row that goes on.
+        // If a table continues, the next page begins with its repeated head, followed by its next row.
         const Strip *next = !last && filled[i + 1].strips.size() > 1 ? &filled[i + 1].strips[1] : nullptr;
         pages.push_back(maker.page(filled[i], next, i + 1, filled.size()));
     }

@@ -7,10 +7,10 @@
 
 namespace palmer {
 
-/// The spans of a phrase as they are set. `bold`: all but what is muted.
+/// Converts a phrase to formatted text. `bold`: everything except muted spans.
 [[nodiscard]] RichText richText(const Phrase &phrase, bool bold = false);
 
-/// What stands where nothing is stated.
+/// Placeholder for missing values.
 inline const QString thinDash = QStringLiteral("–");
 
 } // namespace palmer

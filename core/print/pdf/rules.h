@@ -18,7 +18,7 @@ inline const QColor groupGrey(0xc4, 0xc4, 0xc4);
 inline const QColor ruleGrey(0x77, 0x77, 0x77);
 inline const QColor headTint(0xf3, 0xf3, 0xf3);
 
-/// A rule from `left` to the right, its middle on y; `width` in points, `strength` in mm.
+/// Draws a horizontal rule from `left`, centred at its y; `width` in points, `strength` in mm.
 inline void drawRule(QPainter &painter, QPointF left, double width, double strength,
                      const QColor &colour = Qt::black) {
     painter.setPen(QPen(colour, strength * mm, Qt::SolidLine, Qt::FlatCap));

@@ -15,20 +15,20 @@ namespace palmer {
 
 namespace {
 
-// Measures of a table, points.
+// Dimensions of a table, points.
 constexpr double textSize = 8.5;
 constexpr double cellPadding = 1.0 * mm; ///< left and right
 constexpr double firstPadding = 1.2 * mm;
 constexpr double rowPadding = 0.52 * mm; ///< above and below
 constexpr double headAbove = 1.15 * mm;
 constexpr double headBelow = 1.05 * mm;
-constexpr double spannerGap = 0.95 * mm; ///< between a spanner, its rule and what stands below
-constexpr double markWidth = 3.7 * mm;   ///< with the gap to the word
-constexpr double tallestRow = 120 * mm;  ///< that is not split
-constexpr double noteSize = 7.5;         ///< of the lines below a cell
-constexpr double mostFitted = 0.3;       ///< of the table: what is wider breaks into lines
-constexpr std::size_t wholeRows = 15;    ///< a table of no more rows stays whole
-constexpr std::size_t leastRows = 5;     ///< on either side of a break
+constexpr double spannerGap = 0.95 * mm; ///< between a spanner, its rule and the titles below
+constexpr double markWidth = 3.7 * mm;   ///< including the gap before the word
+constexpr double tallestRow = 120 * mm;  ///< higher rows are split
+constexpr double noteSize = 7.5;         ///< lines below a cell
+constexpr double mostFitted = 0.3;       ///< fraction of the table width; wider columns wrap
+constexpr std::size_t wholeRows = 15;    ///< tables with up to this many rows stay together
+constexpr std::size_t leastRows = 5;     ///< on each side of a break
 constexpr QRgb paleGrey = 0xff666666;
 
 constexpr TextStyle cellStyle{textSize, false, black, 1.2};
@@ -50,11 +50,11 @@ bool isNumber(const QString &text) {
     return std::any_of(text.begin(), text.end(), [](QChar c) { return c.isDigit(); });
 }
 
-/// Where the cells of a column stand.
+/// Position of the cells of a column.
 struct Place {
     double left = 0; ///< of the text, from the left edge of the table
     double width = 0;
-    double fraction = 0; ///< room for mark and decimals
+    double fraction = 0; ///< space for decimal mark and decimals
 
     [[nodiscard]] double right() const { return left + width; }
 };
@@ -63,7 +63,7 @@ double paddingBefore(const Table &table, std::size_t column) {
     return std::max(table.columns[column].paddingLeft * mm, column == 0 ? firstPadding : 0);
 }
 
-/// What the widest text of a column needs to stand on one line, with the padding.
+/// Width that the widest text of a column needs on one line, with padding.
 double neededWidth(const Table &table, std::size_t column) {
     const bool spread = table.columns[column].titleSpan > 1;
     double widest = spread ? 0 : TextBlock(richText(table.columns[column].title, true), cellStyle).width();
@@ -139,16 +139,16 @@ std::vector<Place> places(const Table &table, double width) {
     return result;
 }
 
-/// A text at its place in a row.
+/// A text with its position in a row.
 struct PlacedText {
     TextBlock block;
     double x = 0;
-    double width = 0; ///< to align in
+    double width = 0; ///< for the alignment
     TextAlignment alignment = TextAlignment::left;
-    std::size_t line = 0; ///< of the row, on which it begins
+    std::size_t line = 0; ///< first line in the row
 };
 
-/// A row made ready: texts, marks and pictures in the order they are read.
+/// A row ready for drawing: texts, marks and pictures in reading order.
 struct PrintedRow {
     struct Sign {
         Mark mark = Mark::none;
@@ -162,7 +162,7 @@ struct PrintedRow {
     std::vector<PlacedText> texts;
     std::vector<Sign> signs;
     std::size_t lines = 1;
-    std::size_t beside = 1; ///< rows its tallest cell stands beside
+    std::size_t beside = 1; ///< rows that its tallest cell spans
     std::size_t besideLines = 1;
 };
 
@@ -170,8 +170,7 @@ TextAlignment textAlignment(Alignment alignment) {
     return alignment == Alignment::left ? TextAlignment::left : TextAlignment::right;
 }
 
-/// A number so that its decimal mark stands where those of its column do; a text that is none, and a number
-/// too wide for that, right aligned.
+/// Aligns a number at the decimal mark of its column; right-aligns other texts and numbers too wide for that.
 PlacedText decimalText(const QString &text, const TextStyle &style, const Place &place) {
     const qsizetype mark = isNumber(text) ? decimalMark(text) : text.size();
     const QString whole = mark < 0 ? text : text.left(mark);
@@ -181,15 +180,15 @@ PlacedText decimalText(const QString &text, const TextStyle &style, const Place 
     return {TextBlock(text, style), x};
 }
 
-/// Where a number of a decimal column begins.
+/// Left end of a number in a decimal column.
 double beginningOf(const Cell &cell, const Place &place) {
     const QString text = cell.isMissing() ? thinDash : cell.text.plain();
-    const QString whole = text.left(decimalMark(text)); // all of it without a mark
+    const QString whole = text.left(decimalMark(text)); // the whole text without a mark
     return place.right() - place.fraction - textWidth(whole, styled(cell.bold));
 }
 
-/// Short texts that must not break ("10↑ – 12↓") stand out into the free part of the next column, and are set
-/// smaller where that is not enough.
+/// Short texts that must not break ("10↑ – 12↓") extend into the free part of the next column, and are
+/// reduced if that is not enough.
 PlacedText narrowText(const Cell &cell, const Place &place, double room) {
     constexpr double smallest = 7;
     TextStyle style = cellStyle;
@@ -265,7 +264,6 @@ void drawRow(QPainter &painter, QPointF at, const PrintedRow &row) {
                         text.alignment, text.width);
 }
 
-/// The part of a row that its line `index` is.
 PrintedRow lineOf(const PrintedRow &row, std::size_t index) {
     PrintedRow result;
     if (index == 0)
@@ -283,7 +281,7 @@ struct RowEdges {
     bool groupEnds = false;
     bool tableEnds = false;
     QString link = {};
-    bool strong = false; ///< the rule at the end of a group is black
+    bool strong = false; ///< black rule at the end of a group
 };
 
 void addRow(Strips &strips, PrintedRow row, double lineHeight, double width, const RowEdges &edges,
@@ -319,9 +317,9 @@ void addRow(Strips &strips, PrintedRow row, double lineHeight, double width, con
     }
 }
 
-/// Short tables stay whole; of longer ones `least` rows stand on either side of a break.
+/// Short tables stay together; longer ones have at least `least` rows on each side of a break.
 void keepTogether(Strips &strips, bool all, bool headed, std::size_t least) {
-    const std::size_t first = headed ? 1 : 0; // row
+    const std::size_t first = headed ? 1 : 0; // index of the first row
     for (std::size_t i = 0; i + 1 < strips.size(); ++i) {
         const bool top = i < first + least - 1;
         const bool end = i + least >= strips.size();
@@ -329,7 +327,7 @@ void keepTogether(Strips &strips, bool all, bool headed, std::size_t least) {
     }
 }
 
-/// Cells that stand beside several rows need room there, and keep those rows together.
+/// Additional height below each row for cells that span several rows.
 std::vector<double> roomBelow(const std::vector<PrintedRow> &rows) {
     std::vector<double> result(rows.size(), 0);
     const double lineHeight = textSize * cellStyle.leading;
@@ -344,7 +342,7 @@ std::vector<double> roomBelow(const std::vector<PrintedRow> &rows) {
     return result;
 }
 
-/// A title, smaller where a word of it is wider than its column.
+/// A column title, reduced if one of its words is wider than the column.
 TextBlock headText(const Phrase &title, double room) {
     constexpr double smallest = 7;
     TextStyle style = cellStyle;
@@ -361,7 +359,7 @@ class TableHead {
 public:
     TableHead(const Table &table, const std::vector<Place> &places, double width)
         : m_width(width) {
-        double below = 0; // height of the titles and units
+        double below = 0; // height of titles and units
         const bool units =
             std::ranges::any_of(table.columns, [](const Column &column) { return !column.unit.isEmpty(); });
         for (std::size_t i = 0; i < table.columns.size(); ++i) {
@@ -369,7 +367,7 @@ public:
             const Place &place = places[i];
             const auto last =
                 std::min(i + static_cast<std::size_t>(std::max(column.titleSpan, 1)), places.size()) - 1;
-            const bool right = column.alignment != Alignment::left; // may stand out to the left
+            const bool right = column.alignment != Alignment::left; // may extend to the left
             const double room = places[last].right() - place.left + (right ? 2 * cellPadding : cellPadding);
             Title title;
             if (!column.title.plain().isEmpty())
@@ -379,7 +377,7 @@ public:
             title.alignment = textAlignment(column.alignment);
             title.x = place.left;
             title.width = places[last].right() - place.left;
-            // Above numbers the line of the units stays free.
+            // Above numbers the line for units is kept free.
             const bool free = units && right && title.unit.empty() && !title.name.empty();
             below = std::max(below, title.name.height() +
                                         (free ? textSize * cellStyle.leading : title.unit.height()));
@@ -418,13 +416,13 @@ public:
         const double unitHeight = textSize * cellStyle.leading;
         for (std::size_t i = 0; i < m_titles.size(); ++i) {
             const Title &title = m_titles[i];
-            for (const HeadSpanner &spanner : m_spanners) { // read before the first of its columns
+            for (const HeadSpanner &spanner : m_spanners) { // precedes its first column in reading order
                 if (spanner.first == i)
                     drawSpanner(painter, at, spanner.title);
             }
             if (title.name.empty())
                 continue;
-            // Aligned at the bottom; above numbers the line of the units stays free.
+            // Aligned at the bottom; above numbers the line for units is kept free.
             const bool free = units && (title.alignment == TextAlignment::right || !title.unit.empty());
             const double top = bottom - title.name.height() - (free ? unitHeight : 0);
             title.name.draw(painter, {at.x() + title.x, top}, title.alignment, title.width);
@@ -501,7 +499,7 @@ Strips tableStrips(const Table &table, double width) {
     for (const auto &cells : table.rows)
         rows.push_back(rowOf(table, cells, columns));
     const std::vector<double> below = roomBelow(rows);
-    std::size_t together = 0; // rows from here on that stay with the next
+    std::size_t together = 0; // rows before this one stay with the next
     for (std::size_t r = 0; r < table.rows.size(); ++r) {
         const auto isIn = [r](const std::vector<std::size_t> &rules) {
             return std::binary_search(rules.begin(), rules.end(), r);
@@ -545,7 +543,7 @@ Strips findingStrips(const FindingsBlock &findings, double width) {
     const double sentenceLeft = textLeft + gradeWidth + 2 * cellPadding;
     const double clauseLeft = width - cellPadding - clauseWidth;
     const double sentenceWidth = clauseLeft - cellPadding - sentenceLeft;
-    const auto topRule = std::make_shared<Strip>(); // also where the findings go on
+    const auto topRule = std::make_shared<Strip>(); // repeated where the findings continue
     topRule->draw = [width](QPainter &painter, QPointF at) { drawRule(painter, at, width, outerRule); };
     topRule->height = 0.6 * mm;
 
@@ -583,7 +581,7 @@ Strips findingStrips(const FindingsBlock &findings, double width) {
         strips.insert(strips.begin(), *topRule);
     constexpr std::size_t leastFindings = 2;
     keepTogether(strips, false, true, leastFindings);
-    for (const std::size_t heading : headings) // behind the rule at the top
+    for (const std::size_t heading : headings) // after the rule at the top
         strips[heading + 1].withNext = true;
     return strips;
 }

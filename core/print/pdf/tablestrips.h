@@ -7,12 +7,12 @@
 
 namespace palmer {
 
-/// A table as strips, `width` points wide: its head, then its rows. Numbers stand on their decimal mark, the
-/// widest fraction of a column at the right edge. Text that is too wide for its column is broken into lines;
-/// a row higher than half a page is split between its lines.
+/// A table as strips, `width` points wide: its head, then its rows. Numbers are aligned at the decimal mark,
+/// the widest fraction of a column at the right edge. Text that is too wide for its column wraps; a row
+/// higher than half a page is split between its lines.
 [[nodiscard]] Strips tableStrips(const Table &table, double width);
 
-/// The findings: mark, grade, sentence, clause.
+/// Findings with mark, grade, sentence and clause.
 [[nodiscard]] Strips findingStrips(const FindingsBlock &findings, double width);
 
 } // namespace palmer

@@ -17,12 +17,12 @@ namespace palmer {
 
 namespace {
 
-/// Fonts have whole sizes in pixels: text is measured and drawn in tenths of a point.
+/// Font sizes are whole pixels, so text is measured and drawn in tenths of a point.
 constexpr double tenths = 10;
 constexpr double scriptSize = 0.75;
-constexpr double paperSubscriptDrop = 0.22; ///< in sizes of the text
+constexpr double paperSubscriptDrop = 0.22; ///< fraction of the text size
 constexpr double superscriptRise = 0.36;
-/// Of Liberation Sans, in sizes.
+/// Liberation Sans, fractions of the size.
 constexpr double fontAscent = 0.905;
 constexpr double fontDescent = 0.212;
 
@@ -31,7 +31,7 @@ struct Face {
     QFontMetricsF metrics;
 };
 
-/// A font made and measured once: a report draws thousands of short texts in a dozen fonts.
+/// Caches fonts and metrics: a report draws thousands of short texts in a dozen fonts.
 const Face &face(double size, bool bold, bool italic) {
     thread_local std::map<int, Face> faces;
     const int pixels = qRound(size * tenths);
@@ -54,7 +54,7 @@ const Face &face(const TextRun &run, const TextStyle &style) {
 
 // NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables): counts of one thread
 thread_local std::size_t measuredLetters = 0;
-/// Kept only where somebody asks.
+/// Null unless requested.
 thread_local std::optional<std::vector<QRectF>> foreignPlaces;
 // NOLINTEND(cppcoreguidelines-avoid-non-const-global-variables)
 
@@ -64,10 +64,10 @@ bool needsOtherFont(const QString &text) {
            !notOnPaper(text).empty();
 }
 
-/// Pieces of a text in the paper's font, and between them single characters that it lacks.
+/// Pieces of a text in the paper font, and single characters that it lacks.
 struct TextPiece {
     QString text;
-    char32_t foreign = 0; ///< 0: of the paper's font
+    char32_t foreign = 0; ///< 0: the text is in the paper font
 };
 
 std::vector<TextPiece> piecesOf(const QString &text) {
@@ -90,7 +90,7 @@ double widthOf(const TextPiece &piece, const TextRun &look, const TextStyle &sty
     return face(look, style).metrics.horizontalAdvance(piece.text) / tenths;
 }
 
-/// Of characters of other fonts a width of their own: it is the same where no such font is installed.
+/// Characters of other fonts have a fixed width, so that it does not depend on the installed fonts.
 double widthOf(const QString &text, const TextRun &look, const TextStyle &style) {
     measuredLetters += static_cast<std::size_t>(text.size());
     if (!needsOtherFont(text))
@@ -101,7 +101,7 @@ double widthOf(const QString &text, const TextRun &look, const TextStyle &style)
     return width;
 }
 
-/// At a base line, in tenths of a point. A character of another font stands in the width set for it.
+/// Draws on a baseline, in tenths of a point. Characters of other fonts are fitted to their fixed width.
 void drawRun(QPainter &painter, QPointF at, const TextRun &run, const TextStyle &style) {
     const Face &own = face(run, style);
     painter.setFont(own.font);
@@ -142,7 +142,7 @@ TextRun part(const TextRun &run, qsizetype from, qsizetype length) {
     return result;
 }
 
-/// What does not break: a word with the space before it. Runs may change within a word.
+/// An unbreakable word with the space before it. The format may change within a word.
 struct Word {
     std::vector<TextRun> runs;
     bool spaceBefore = false;
@@ -153,7 +153,7 @@ bool isSpace(QChar c) {
     return c == u' ' || c == u'\t';
 }
 
-/// "000", "000,5", "000)": a group of three digits that begins a word.
+/// True if the word begins with a group of three digits: "000", "000,5", "000)".
 bool beginsWithGroup(QStringView word) {
     constexpr qsizetype group = 3;
     return word.size() >= group &&
@@ -161,8 +161,8 @@ bool beginsWithGroup(QStringView word) {
            (word.size() == group || !word[group].isLetterOrNumber());
 }
 
-/// Whether a line must not end at this space: before and after "=", between the groups of a number, between
-/// a number and its unit, between the name of a standard, "page" and their like and their number or letter
+/// True if a line must not end at this space: before and after "=", between the groups of a number, between a
+/// number and its unit, between the name of a standard, "page" and the like and their number or letter
 /// ("l’ISO 230-2", "(clause 3").
 bool joinsWords(QStringView text, qsizetype space) {
     const auto isEnd = [&](qsizetype at) {
@@ -233,7 +233,7 @@ std::vector<Word> words(const RichText &text) {
     return result;
 }
 
-/// The rest of a run from `from` on. What it is asked costs as much as a line is long, not as the rest is.
+/// The rest of a run from `from` on. The cost of its queries depends on the line length, not on the rest.
 class Rest {
 public:
     Rest(const TextRun &run, const TextStyle &style)
@@ -242,7 +242,7 @@ public:
 
     [[nodiscard]] bool empty() const { return m_from == m_run.text.size(); }
 
-    /// Takes that many characters off its beginning.
+    /// Removes and returns the first `count` characters.
     TextRun take(qsizetype count) {
         m_from += count;
         return part(m_run, m_from - count, count);
@@ -253,21 +253,21 @@ public:
         return widthOf(m_run.text.mid(m_from, count), m_run, m_style);
     }
 
-    /// Wider than that?
+    /// True if the rest is wider than `width`.
     [[nodiscard]] bool exceeds(double width) const {
         return firstBeyond(width) <= m_run.text.size() - m_from;
     }
 
-    /// Characters that stand in `width`, at least one; never between a letter and its accent.
+    /// Number of characters that fit into `width`, at least one; never splits a letter and its accent.
     [[nodiscard]] qsizetype most(double width) const {
         return std::max<qsizetype>(before(firstBeyond(width)), whole(1));
     }
 
-    /// As many, or fewer where the line ends better.
+    /// The same, or fewer if the line ends better.
     [[nodiscard]] qsizetype fitting(double width) const {
         const qsizetype size = m_run.text.size() - m_from;
         const qsizetype count = most(width);
-        // Better behind a sign that parts words, if most of the line is used that way.
+        // Prefer the end after a separator if most of the line is used.
         for (qsizetype at = count; at < size && at > count / 2; --at) {
             if (QStringLiteral("/-_.,;:").contains(m_run.text[m_from + at - 1]))
                 return at;
@@ -275,7 +275,7 @@ public:
         return count;
     }
 
-    /// The last end of a whole character before `count`.
+    /// Last end of a whole character before `count`.
     [[nodiscard]] qsizetype before(qsizetype count) const {
         --count;
         while (count > 0 && joins(count))
@@ -289,15 +289,15 @@ private:
         return place < m_run.text.size() &&
                (m_run.text[place].isMark() || m_run.text[place].isLowSurrogate());
     }
-    /// The first such end from `count` on.
+    /// First end of a whole character from `count` on.
     [[nodiscard]] qsizetype whole(qsizetype count) const {
         while (joins(count))
             ++count;
         return count;
     }
 
-    /// The least number of characters that are wider than `width`; one more than there are where all fit.
-    /// What is measured doubles until it is too wide, then halves between.
+    /// Least number of characters wider than `width`; one more than the rest has if all fit. Doubles the
+    /// measured length until it is too wide, then bisects.
     [[nodiscard]] qsizetype firstBeyond(double width) const {
         const qsizetype size = m_run.text.size() - m_from;
         qsizetype fits = 0;
@@ -342,7 +342,7 @@ TextBlock::TextBlock(const RichText &text, const TextStyle &style, double width)
         for (const TextRun &run : word.runs)
             append(run, width);
     }
-    // A line that cannot be full is measured when it is whole.
+    // Lines of unlimited width are measured once they are complete.
     if (width >= unlimited) {
         for (Line &line : m_lines)
             measure(line);

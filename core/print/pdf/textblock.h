@@ -17,7 +17,7 @@ constexpr QRgb noteGrey = 0xff333333;
 constexpr QRgb labelGrey = 0xff444444;
 constexpr QRgb dashGrey = 0xff777777;
 
-/// Sizes in points, of a multiple of 0.1; `leading` in sizes. The text of pages is Liberation Sans.
+/// Sizes in points, multiples of 0.1; `leading` as a multiple of the size. The font is Liberation Sans.
 struct TextStyle {
     double size = 9;
     bool bold = false;
@@ -25,7 +25,7 @@ struct TextStyle {
     double leading = 1.2;
 };
 
-/// A piece of text that is set in one way. `grey`: as notes are (units in a head, words beside a heading).
+/// A piece of text in one format. `grey`: like notes (units in a head, words next to a heading).
 struct TextRun {
     enum class Script { normal, subscript, superscript };
 
@@ -40,9 +40,8 @@ using RichText = std::vector<TextRun>;
 
 enum class TextAlignment { left, centre, right };
 
-/// A text broken into lines of at most `width` points: at spaces, and at a line feed; within a word only
-/// where the word alone is wider than a line. No-break spaces do not break. Measured once; drawn as text that
-/// can be searched and copied.
+/// A text broken into lines of at most `width` points: at spaces and line feeds, within a word only if it is
+/// wider than a line, never at no-break spaces. Measured once; drawn as text that can be searched and copied.
 class TextBlock {
 public:
     TextBlock() = default;
@@ -54,14 +53,14 @@ public:
     [[nodiscard]] double width() const; ///< of the widest line
     [[nodiscard]] std::size_t lineCount() const { return m_lines.size(); }
     [[nodiscard]] bool empty() const { return m_lines.empty(); }
-    /// From the top of the block to the base line of its first line.
+    /// Distance from the top of the block to its first baseline.
     [[nodiscard]] double ascent() const;
-    /// As it stands, without the ends of the lines.
+    /// Its text without line ends.
     [[nodiscard]] QString text() const;
-    /// One of its lines as a block of its own.
+    /// Line `index` as a separate block.
     [[nodiscard]] TextBlock line(std::size_t index) const;
 
-    /// `topLeft` in points of the painter; centred and right aligned lines stand in `width` from there.
+    /// `topLeft` in points of the painter; centred and right-aligned lines are aligned within `width`.
     void draw(QPainter &painter, QPointF topLeft, TextAlignment alignment = TextAlignment::left,
               double width = 0) const;
 
@@ -77,9 +76,9 @@ private:
         double width = 0;
     };
 
-    /// A space before a word, or a new line where the word has no room; nothing at the beginning of a line.
+    /// Adds the space before a word, or a new line if the word does not fit; nothing at the start of a line.
     void beginWord(const std::vector<TextRun> &runs, bool spaceBefore, double width);
-    /// Broken where it is wider than a line.
+    /// Appends a run, broken if it is wider than a line.
     void append(const TextRun &run, double width);
     void appendToLine(const TextRun &run, double width);
     void measure(Line &line) const;
@@ -89,13 +88,13 @@ private:
     std::vector<Line> m_lines;
 };
 
-/// How wide a text of one style stands on its line, points.
+/// Width of a text on one line, points.
 [[nodiscard]] double textWidth(const QString &text, const TextStyle &style);
 
-/// A text on one line, cut at its end to what fits.
+/// A text on one line, cut at its end to fit.
 [[nodiscard]] TextBlock elided(const QString &text, const TextStyle &style, double width);
 
-/// While it lives: where this thread draws characters that the font of paper lacks, in units of the device.
+/// Records where this thread draws characters that the paper font lacks, in device units.
 class ForeignPlaces {
 public:
     ForeignPlaces();
@@ -103,12 +102,12 @@ public:
     ForeignPlaces(const ForeignPlaces &) = delete;
     ForeignPlaces &operator=(const ForeignPlaces &) = delete;
 
-    /// Those since the last time.
+    /// The places since the last call.
     [[nodiscard]] std::vector<QRectF> take();
 };
 
-/// Characters measured by this thread so far: the work of laying out, for those who watch that it does not
-/// grow faster than the text.
+/// Characters measured by this thread so far: the cost of the layout, for tests that it does not grow faster
+/// than the text.
 [[nodiscard]] std::size_t charactersMeasured();
 
 } // namespace palmer

@@ -23,7 +23,7 @@ QByteArray pagesAsPdf(const Pages &pages) {
     QBuffer buffer(&pdf);
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
-    writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b); // output intent, nothing transparent
+    writer.setPdfVersion(QPagedPaintDevice::PdfVersion_A1b); // output intent, no transparency
     writer.setResolution(dotsPerInch);
     writer.setPageLayout(QPageLayout(
         QPageSize(pages.front().size, QPageSize::Point, QString(), QPageSize::FuzzyOrientationMatch),
@@ -43,7 +43,7 @@ QByteArray pagesAsPdf(const Pages &pages) {
     return pdf;
 }
 
-/// One line of a property: control characters are no part of a title.
+/// A property on one line, without control characters.
 QString oneLine(QString text) {
     std::ranges::replace_if(
         text, [](QChar c) { return c.category() == QChar::Other_Control; }, u' ');
@@ -54,7 +54,7 @@ PdfPlace placeOf(std::size_t page, double y) {
     return {static_cast<int>(page), y};
 }
 
-/// Bookmarks of all pages, and the links to those that have an anchor.
+/// Adds the bookmarks of all pages, and the links to those with an anchor.
 void addNavigation(PdfProperties &properties, const Pages &pages) {
     std::map<QString, PdfPlace> anchors;
     for (std::size_t i = 0; i < pages.size(); ++i) {

@@ -10,18 +10,18 @@
 
 namespace palmer {
 
-/// Writes the report as a PDF/A-3b: vectors and text, fonts embedded, with title, language, bookmarks and
-/// links; its test file and the `results` (of attachedResults; empty: none) as associated files. The same
+/// Writes the report as a PDF/A-3b: vectors and text, embedded fonts, with title, language, bookmarks and
+/// links; its test file and the `results` (of attachedResults; may be empty) as associated files. The same
 /// report gives the same bytes at any time, place and locale, provided
-/// QHashSeed::setDeterministicGlobalSeed() was called before the QApplication. Throws Error(unwritable) when
-/// the device does not take all.
+/// QHashSeed::setDeterministicGlobalSeed() was called before the QApplication. Throws Error(unwritable) if
+/// the device does not accept all bytes.
 void writePdf(const Report &report, QIODevice &device, const QByteArray &results = {});
 
-/// What a report carries; it is packed from then on.
+/// Attachments of a report; compression starts here.
 [[nodiscard]] std::vector<PdfAttachment> attachmentsOf(const QString &testFileName,
                                                        const QByteArray &testFile, const QByteArray &results);
 
-/// The same with files that are packed already: beside other work, and once for the reports of both
+/// The same with compressed attachments: compressed in the background, and once for the reports of both
 /// languages.
 void writePdf(const Report &report, QIODevice &device, const std::vector<PdfAttachment> &attachments);
 

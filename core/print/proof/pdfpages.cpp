@@ -12,8 +12,8 @@ namespace palmer {
 
 namespace {
 
-// Poppler asks after every tenth operator whether it is to go on. A report draws some thousand operators a
-// page; one that nests forms a billion. A paused or busy machine changes neither.
+// Poppler calls back after every tenth operator. A report has some thousand operators per page; malicious
+// nested forms a billion. Unlike a time limit, this does not depend on the speed of the machine.
 constexpr int operatorsOfAnAsking = 10;
 constexpr qint64 askingsOfDocument = 200'000;
 constexpr qint64 askingsOfPage = 4'000;
@@ -54,7 +54,7 @@ private:
     void demandNotTooMuch() const;
 
     std::unique_ptr<Poppler::Document> m_document;
-    mutable qint64 m_left = 0; ///< askings until the PDF draws too much
+    mutable qint64 m_left = 0; ///< callbacks until the PDF draws too much
 };
 
 PagesOfPoppler::PagesOfPoppler(const QByteArray &pdf) {
@@ -113,7 +113,7 @@ std::vector<SignatureStatement> PagesOfPoppler::signatures() const {
     for (const auto &field : m_document->signatures()) {
         if (field->signatureType() == SignatureField::UnsignedSignature)
             continue;
-        // Nothing is asked of servers.
+        // No network access.
         const Info info = field->validate(SignatureField::ValidateVerifyCertificate |
                                               SignatureField::ValidateWithoutOCSPRevocationCheck,
                                           QDateTime::currentDateTime());

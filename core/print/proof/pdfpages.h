@@ -13,8 +13,8 @@
 
 namespace palmer {
 
-/// The pages of a PDF: words, pictures, signatures. Throws Error for what cannot be read, and for pages that
-/// draw more than a report does.
+/// The pages of a PDF: words, pictures, signatures. Throws Error if they cannot be read or draw more than a
+/// report does.
 class PdfPages {
 public:
     virtual ~PdfPages() = default;
@@ -23,9 +23,9 @@ public:
 
     [[nodiscard]] virtual int count() const = 0;
     [[nodiscard]] virtual QSizeF size(int index) const = 0; ///< points
-    /// The words of a page in the order of reading.
+    /// Words of a page in reading order.
     [[nodiscard]] virtual PrintedWords words(int index) const = 0;
-    /// A page without annotations, a pixel a point.
+    /// A page without annotations, one pixel per point.
     [[nodiscard]] virtual QImage picture(int index) const = 0;
     [[nodiscard]] virtual std::vector<SignatureStatement> signatures() const = 0;
 
@@ -33,7 +33,7 @@ protected:
     PdfPages() = default;
 };
 
-/// As another program reads them (poppler).
+/// The pages as another program (poppler) reads them.
 [[nodiscard]] std::unique_ptr<PdfPages> openPages(const QByteArray &pdf);
 
 } // namespace palmer

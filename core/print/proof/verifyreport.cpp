@@ -27,8 +27,8 @@ namespace palmer {
 
 namespace {
 
-constexpr double sizeTolerance = 0.01;    ///< points: a size is written with two decimals
-constexpr std::size_t fewDifferences = 5; ///< on a page that another version laid out as this one does
+constexpr double sizeTolerance = 0.01;    ///< points: sizes are written with two decimals
+constexpr std::size_t fewDifferences = 5; ///< on a page with the same layout in another version
 
 Document attachedDocument(const QByteArray &testFile) {
     try {
@@ -39,7 +39,7 @@ Document attachedDocument(const QByteArray &testFile) {
     }
 }
 
-/// The words of a page in which something stands.
+/// Words of a page that intersect `area`.
 QString wordsIn(const PrintedWords &words, const QRectF &area) {
     constexpr qsizetype longest = 120;
     QStringList found;
@@ -53,8 +53,8 @@ QString wordsIn(const PrintedWords &words, const QRectF &area) {
 
 constexpr QChar replacement(u'\uFFFD');
 
-/// Where the report has characters that the font of paper lacks, page by page; empty: nowhere. Another
-/// program does not know the place of each: some glyphs say of no character that they are it.
+/// Areas of the report with characters that the paper font lacks, by page; empty if there are none. Another
+/// program does not know them all: some glyphs do not state their character.
 std::vector<std::vector<QRectF>> foreignPlaces(const Report &report) {
     std::vector<std::vector<QRectF>> result;
     if (notOnPaper(pageText(report)).empty())
@@ -69,15 +69,15 @@ std::vector<std::vector<QRectF>> foreignPlaces(const Report &report) {
     return result;
 }
 
-/// What another font may cover where a character of it stands: such fonts are higher.
+/// Area that another font may cover for a character: such fonts are higher.
 QRectF coveredBy(const QRectF &foreign) {
     const double above = foreign.height() / 2;
     return foreign.adjusted(-2, -above, 2, above);
 }
 
-/// What a page says in the font of paper, in no order: another font beside it changes that of other readers.
+/// Text of a page in the paper font, unordered: readers may change it next to other fonts.
 struct OwnText {
-    QStringList words;     ///< where no character of another font stands near, sorted
+    QStringList words;     ///< words away from characters of other fonts, sorted
     std::u32string beside; ///< characters of the other words, sorted
 
     bool operator==(const OwnText &) const = default;
@@ -102,7 +102,7 @@ OwnText ownText(const PrintedWords &words, const std::vector<QRectF> &foreign) {
     return result;
 }
 
-/// A picture of 72 dots to the inch with these areas wiped out.
+/// A picture at 72 dpi with these areas cleared.
 QImage without(QImage picture, const std::vector<QRectF> &areas) {
     for (const QRectF &area : areas) {
         const QRect wiped = coveredBy(area).toAlignedRect() & picture.rect();
@@ -115,7 +115,7 @@ QImage without(QImage picture, const std::vector<QRectF> &areas) {
     return picture;
 }
 
-/// The box of all pixels that differ; empty: none do.
+/// Bounding box of all pixels that differ; empty if none do.
 QRectF differingArea(const QImage &a, const QImage &b) {
     if (a.size() != b.size())
         return {0, 0, static_cast<double>(a.width()), static_cast<double>(a.height())};
@@ -133,7 +133,7 @@ QRectF differingArea(const QImage &a, const QImage &b) {
     return area;
 }
 
-/// What the tables of results and the lines of verdicts print.
+/// Rows printed by the tables of results and the verdict lines.
 std::vector<PrintedRow> rowsOf(const EvaluatedDocument &evaluated, const Report &composed,
                                const Language &language) {
     std::vector<PrintedRow> rows;
@@ -155,7 +155,7 @@ std::vector<PrintedRow> rowsOf(const EvaluatedDocument &evaluated, const Report 
     for (const Block &block : composed.blocks) {
         const auto *verdict = std::get_if<VerdictLine>(&block);
         if (verdict && !verdict->word.isEmpty())
-            rows.push_back({verdict->word, {}}); // larger than its label, and so in a line of its own
+            rows.push_back({verdict->word, {}}); // larger than its label, and therefore on a separate line
         if (verdict && !verdict->second.isEmpty())
             rows.push_back({verdict->second, {}});
     }
@@ -191,7 +191,7 @@ public:
     }
 
 private:
-    /// Another version may lay its pages out otherwise.
+    /// For another version, whose layout may differ.
     void compareRowsOfResults() {
         std::vector<PrintedWords> pages;
         pages.reserve(static_cast<std::size_t>(m_printed->count()));
@@ -219,7 +219,7 @@ private:
         for (const PrintedWord &word : printed)
             words << word.text;
         m_result.fingerprintPrinted &= words.join(u' ').contains(m_fingerprint);
-        // What another font drew, or none, is no part of the proof.
+        // Other fonts, or missing ones, do not count.
         const auto index = static_cast<std::size_t>(page);
         const std::vector<QRectF> foreign =
             index < m_foreign.size() ? m_foreign[index] : std::vector<QRectF>();
@@ -236,7 +236,7 @@ private:
         demandFree(page + 1, follows);
     }
 
-    /// The words are the same: so has to be what is seen.
+    /// If the words are the same, the pictures must be, too.
     void comparePictures(int page, const PrintedWords &words, const std::vector<QRectF> &foreign,
                          bool sameProgram) {
         const QRectF area = differingArea(without(m_printed->picture(page), foreign),
@@ -247,7 +247,7 @@ private:
             .push_back(drawnOtherwise(page + 1, area, wordsIn(words, area)));
     }
 
-    /// The picture of a signature must not hide what is printed.
+    /// A signature picture must not hide printed text.
     void demandFree(int page, const PrintedWords &words) {
         for (const SignatureField &field : m_report.parts.signatureFields) {
             const QString covered = field.page == page ? wordsIn(words, field.area) : QString();
@@ -256,7 +256,7 @@ private:
         }
     }
 
-    /// Numbers, dates and verdicts; the other words of a report may change with the version of the program.
+    /// True for numbers, dates and verdicts; other words may change with the version of the program.
     [[nodiscard]] bool isSerious(const Difference &difference) const {
         const QString both = difference.printed + u' ' + difference.follows;
         if (std::ranges::any_of(both, [](QChar c) { return c.isDigit(); }))
@@ -293,7 +293,7 @@ std::optional<OpenedReport> openReport(const QByteArray &pdf, int threads, const
     for (const int number : result.parts.metadata.making.simulated) {
         const std::size_t test = static_cast<std::size_t>(number) - 1;
         if (test >= result.evaluated.tests.size())
-            continue; // the report follows without it, and differs
+            continue; // the recomputed report lacks it and differs
         SimulationOptions options = simulationOptions(*result.evaluated.document->tests[test]);
         options.threads = threads;
         auto simulation = simulateTest(result.evaluated, test, options, stop, progress);
