@@ -30,7 +30,7 @@ QByteArray attachedFile(const Document &document, Originals originals) {
     Document attached = document;
     for (TestPointer &test : attached.tests) {
         if (!holdsBytes(*test))
-            continue; // many readings are not copied for nothing
+            continue; // do not copy many readings needlessly
         Test withoutBytes = *test;
         for (ImportedFile &file : withoutBytes.imports)
             file.data.reset();
@@ -46,7 +46,7 @@ QString attachedFileName(const Document &document) {
         const bool fits = c.isLetterOrNumber() || c.isSurrogate() || QStringView(u" .-_+()#&").contains(c);
         c = fits ? c : u'-';
     }
-    while (name.startsWith(u'.') || name.startsWith(u'-')) // hidden, or taken for an option
+    while (name.startsWith(u'.') || name.startsWith(u'-')) // such a file is hidden, or read as an option
         name.remove(0, 1);
     return (name.isEmpty() ? QStringLiteral("report") : name) + QStringLiteral(".palmer");
 }

@@ -9,23 +9,23 @@
 
 namespace palmer {
 
-/// Whether the bytes of the instrument files that a document was imported from go out with its report.
+/// Whether a report includes the bytes of the instrument files that its document was imported from.
 enum class Originals { leaveOut, include };
 
-/// The test file that belongs to the report of a document and travels inside its PDF: the whole document.
-/// Throws as writeDocument does.
+/// The test file in the PDF of a report: the whole document. Throws like writeDocument().
 [[nodiscard]] QByteArray attachedFile(const Document &document, Originals originals = Originals::leaveOut);
 
-/// Whether the document holds bytes of instrument files at all.
+/// True if the document holds bytes of instrument files.
 [[nodiscard]] bool holdsOriginals(const Document &document);
 
-/// "<report number>.palmer", without signs that a file name cannot have; "report.palmer" without a number.
+/// "<report number>.palmer", without characters that file names cannot have; "report.palmer" without a
+/// number.
 [[nodiscard]] QString attachedFileName(const Document &document);
 
-/// SHA-256 of that file, 64 hex digits: the fingerprint of the report, what `sha256sum` prints of the file.
+/// SHA-256 of that file, 64 hex digits, as `sha256sum` prints it: the fingerprint of the report.
 [[nodiscard]] QString fingerprint(const QByteArray &attachedFile);
 
-/// The first 16 digits in groups of four, as footers carry it.
+/// The first 16 digits in groups of four, for footers.
 [[nodiscard]] QString shortFingerprint(const QString &fingerprint);
 
 } // namespace palmer

@@ -28,8 +28,8 @@ constexpr double valueMargin = 0.07;
 constexpr double mostPositionTicks = 6.5;
 constexpr double mostValueTicks = 10;
 constexpr int circularDecimals = 2;   // 0.01 µm
-constexpr double comparedStep = 0.25; ///< degrees: finer than a pixel of the picture
-constexpr double turnTolerance = 1;   ///< degrees by which a path may begin before the turn
+constexpr double comparedStep = 0.25; ///< degrees; finer than a pixel of the image
+constexpr double turnTolerance = 1;   ///< degrees that a path may begin before the turn
 
 int decimalsFor(const Test &test) {
     return partOr(circularDecimals, test.measurement,
@@ -48,7 +48,7 @@ QString signedNumber(double value, Quantity quantity, int decimals, const Langua
     return isPositive ? u'+' + number : number;
 }
 
-/// A row for every parameter that any of the evaluations has, in the order in which they appear.
+/// One row per parameter of any of the evaluations, in order of appearance.
 std::vector<ComparisonRow> rowsOf(const std::vector<const TestEvaluation *> &columns, int decimals,
                                   const Language &language) {
     std::vector<ComparisonRow> rows;
@@ -97,9 +97,9 @@ bool knows(const Edition &edition, const std::string &id) {
     return std::ranges::any_of(termsOf(edition), [&](const Term *term) { return bare == term->id; });
 }
 
-/// Which editions differ from the first one in a parameter, and by what.
+/// Editions that differ from the first one in a parameter, and how.
 struct Differences {
-    bool same = false; ///< the first has a value, and none another
+    bool same = false; ///< the first has a value, and no other value differs
     QStringList absent;
     QStringList byMethod;
     QStringList otherwise;
@@ -140,7 +140,7 @@ Differences differencesOf(const std::vector<const TestEvaluation *> &columns, co
     return differences;
 }
 
-/// Why a parameter differs between the first column and another, as sentences; empty where it does not.
+/// Reasons why a parameter differs between the first column and another, as sentences; may be empty.
 QStringList reasons(const std::vector<const TestEvaluation *> &columns, const std::string &id,
                     const Language &language) {
     const TestEvaluation &first = *columns.front();
@@ -172,7 +172,7 @@ QStringList reasons(const std::vector<const TestEvaluation *> &columns, const st
     return sentences;
 }
 
-/// The test under another edition; its own evaluation where that is it.
+/// The test under another edition; its own evaluation if that is the edition.
 TestEvaluationPointer under(const EvaluatedDocument &evaluated, std::size_t test,
                             const std::string &edition) {
     const TestEvaluationPointer &own = evaluated.tests[test];
@@ -192,7 +192,7 @@ std::vector<std::string> editionsToCompare(const Test &test) {
     std::vector<std::string> words{test.edition};
     for (const Edition *other : editionsOf(own->kind)) {
         const std::string_view word = other->word;
-        if (word == other->family && word != own->family) // no alias
+        if (word == other->family && word != own->family) // skips aliases
             words.emplace_back(word);
     }
     return words;
@@ -268,7 +268,7 @@ ResultComparison compareTests(const std::vector<ComparedTest> &tests, const Lang
 
 namespace {
 
-/// The ranges the curves of a figure take.
+/// Ranges of the curves of a figure.
 struct CurveRanges {
     static constexpr double infinite = std::numeric_limits<double>::infinity();
     Interval x{infinite, -infinite};
@@ -320,7 +320,7 @@ PathProfile onlyPoints(const PathProfile &profile, const std::vector<std::size_t
     return result;
 }
 
-/// The angles of every path begin in the first turn, so that paths of several tests lie over one another.
+/// The angles of every path begin in the first turn, so that the paths of several tests overlap.
 ComparisonCurve pathCurve(const Test &test, const TestEvaluation &evaluation, const EvaluatedPath &path,
                           const Language &language, CurveRanges &ranges) {
     ComparisonCurve curve;
@@ -340,7 +340,7 @@ ComparisonCurve pathCurve(const Test &test, const TestEvaluation &evaluation, co
     return curve;
 }
 
-/// What the curves of a test are made of, and the ranges they take.
+/// Inputs for the curves of a test, and the ranges they cover.
 struct CurveSource {
     const Test &test;
     const TestEvaluation &evaluation;
@@ -348,7 +348,7 @@ struct CurveSource {
     CurveRanges &ranges;
 };
 
-// The curves of a test, each with the name that tells it from the others.
+// Curves of a test, each with a distinguishing name.
 
 std::vector<ComparisonCurve> curvesOf(const CurveSource &source, const PositioningMeasurement &measurement,
                                       const PositioningResults &results) {

@@ -21,8 +21,8 @@ struct ComparisonRow {
     QString id; ///< parameterId
     Formula symbol;
     QString name;
-    QStringList values;      ///< one a column; a dash for no value, empty where the column does not know it
-    QStringList differences; ///< to the first column, signed; empty where there is none to tell
+    QStringList values;      ///< one per column; a dash for no value, empty: no such parameter
+    QStringList differences; ///< from the first column, signed; may be empty
     QStringList reasons;     ///< sentences: why columns differ, or that they do not
 
     [[nodiscard]] QString reason() const { return reasons.join(u' '); }
@@ -30,21 +30,21 @@ struct ComparisonRow {
     bool operator==(const ComparisonRow &) const = default;
 };
 
-/// Results side by side, in one language and one unit.
+/// Results side by side, in one language and unit.
 struct ResultComparison {
     QString unit;
-    QStringList columns; ///< what each column shows; the first is what the others are compared with
+    QStringList columns; ///< content of each column; the first is the reference
     std::vector<ComparisonRow> rows;
     QStringList notes;
 
     bool operator==(const ResultComparison &) const = default;
 };
 
-/// Editions worth comparing with that of a test: one a family, its own first. Empty for drift tests.
+/// Editions worth comparing with that of a test: one per family, its own first. Empty for drift tests.
 [[nodiscard]] std::vector<std::string> editionsToCompare(const Test &test);
 
-/// The same readings under several editions (words), in that order. Reasons say what the editions do
-/// otherwise: factor c, way to s, parameters they have or have not; never a verdict.
+/// The same readings under several editions (words), in that order. The reasons name the differences of the
+/// editions: factor c, formula of s, parameters they have or lack; never a verdict.
 [[nodiscard]] ResultComparison compareEditions(const EvaluatedDocument &evaluated, std::size_t test,
                                                const std::vector<std::string> &editions,
                                                const Language &language);
@@ -56,19 +56,19 @@ struct ComparedTest {
     QString name;
 };
 
-/// Whether two tests can be compared: of one kind, and positioning tests of one kind of motion.
+/// True if two tests can be compared: same kind, and for positioning tests the same kind of motion.
 [[nodiscard]] bool isComparable(const Test &a, const Test &b);
 
-/// The parameters of several tests, all under the edition of the first, with the differences to it. What
-/// cannot be compared with the first is left out, with a note.
+/// The parameters of several tests, all under the edition of the first, with the differences from it. Tests
+/// that cannot be compared with the first are left out, with a note.
 [[nodiscard]] ResultComparison compareTests(const std::vector<ComparedTest> &tests, const Language &language);
 
-/// One curve of a test, in the units that are shown: the mean deviations over the target positions, a gap
-/// begins another line; or a path of a circle, its radial deviations over the angle.
+/// One curve of a test, in displayed units: mean deviations over target positions, interrupted by gaps; or a
+/// path of a circle, radial deviations over the angle.
 struct ComparisonCurve {
     QString name;
-    std::size_t test = 0;       ///< the how many'th of the tests shown: curves of one look alike
-    std::optional<Sense> sense; ///< of a path
+    std::size_t test = 0;       ///< index among the displayed tests; its curves have the same style
+    std::optional<Sense> sense; ///< for a path
     std::vector<std::vector<FigurePoint>> lines;
 };
 
@@ -78,13 +78,13 @@ struct ComparisonFigure {
     std::vector<ComparisonCurve> curves;
 };
 
-/// For one picture, those of the kind of the first. Positioning tests: the means x̄ of both directions, or of
-/// the one that was measured. Circular tests: the first path of each sense, unwrapped, about its least
-/// squares centre; of very many points the extremes. Without any, no curves.
+/// Figure of all tests of the same kind as the first. Positioning tests: the means x̄ of both directions, or
+/// of the measured one. Circular tests: the first path of each sense, unwrapped, about its least squares
+/// centre; long paths are reduced to their extremes. May have no curves.
 [[nodiscard]] ComparisonFigure comparisonFigure(const std::vector<ComparedTest> &tests,
                                                 const Language &language);
 
-/// Tab-separated with a head, for spreadsheets: numbers as the language writes them, without spaces.
+/// Tab-separated with a heading row, for spreadsheets: numbers in the format of the language, without spaces.
 [[nodiscard]] QString asTabSeparated(const ResultComparison &comparison);
 
 } // namespace palmer

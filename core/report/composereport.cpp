@@ -46,7 +46,7 @@ std::vector<TestPart> testParts(const EvaluatedDocument &evaluated, const Writer
     return parts;
 }
 
-/// The remarks of a test; those of the report with them, where it has this test only.
+/// The remarks of a test, with those of the report if this is its only test.
 QString remarksBeside(const TestPart &part) {
     QStringList remarks{QString::fromStdString(part.test.remarks)};
     if (part.count == 1)
@@ -54,7 +54,7 @@ QString remarksBeside(const TestPart &part) {
     return joined(remarks, QStringLiteral("\n"));
 }
 
-/// What stands on the first page of a test: its head, figure, results and verdict.
+/// Adds the first page of a test: head, figure, results and verdict.
 void addFirstPage(std::vector<Block> &blocks, const PositioningPart &part) {
     blocks.emplace_back(positioningHead(part));
     addFigure(blocks, part);
@@ -67,13 +67,13 @@ void addFirstPage(std::vector<Block> &blocks, const CircularPart &part) {
     addResults(blocks, part);
 }
 
-/// What a report over several tests states of all of them in one place.
+/// Adds the sections that a report over several tests merges for all of them.
 void addOwnConditions(std::vector<Block> &blocks, const auto &part) {
     addConditions(blocks, part);
     addAgreedPoints(blocks, part);
 }
 
-/// What stands behind the results of a positioning test.
+/// Adds the sections that follow the results of a positioning test.
 void addDetails(std::vector<Block> &blocks, const PositioningPart &part) {
     const bool alone = part.count == 1;
     if (alone)
@@ -89,12 +89,12 @@ void addDetails(std::vector<Block> &blocks, const PositioningPart &part) {
     addTargetsAndReadings(blocks, part);
     addExcludedReadings(blocks, part);
     addCorrection(blocks, part);
-    if (!alone) // their lines fill the page that whole tables leave
+    if (!alone) // their lines fill the space that unsplit tables leave
         addFindings(blocks, part);
     addImports(blocks, part);
 }
 
-/// The same of a circular test.
+/// Adds the sections that follow the results of a circular test.
 void addDetails(std::vector<Block> &blocks, const CircularPart &part) {
     const bool alone = part.count == 1;
     addSeparateFigures(blocks, part);
@@ -117,7 +117,7 @@ void addDetails(std::vector<Block> &blocks, const CircularPart &part) {
     addDiagnosis(blocks, part);
 }
 
-/// Paper shows no more of a figure; and a report is copied with its figures.
+/// Thins figures to what paper resolves, because a report is copied with its figures.
 void thinFigures(std::vector<Block> &blocks, std::size_t from) {
     for (std::size_t i = from; i < blocks.size(); ++i) {
         auto *block = std::get_if<FigureBlock>(&blocks[i]);
@@ -134,14 +134,14 @@ bool beginsSection(const Block &block) {
     return heading && heading->level <= 2;
 }
 
-/// Sections of the tests before, by which one that says the same is known.
+/// Sections of earlier tests, for finding repetitions.
 class PrintedSections {
 public:
-    /// What stands word for word in an earlier test is not printed again: a line says where it stands.
+    /// Replaces sections that are identical in an earlier test by a line that refers to it.
     void leaveOutRepeated(std::vector<Block> &blocks, std::size_t from, const TestPart &part) {
         std::vector<Block> result;
-        std::map<int, QStringList> repeated; // by test
-        std::size_t place = 0;               // of the line about them
+        std::map<int, QStringList> repeated; // by test number
+        std::size_t place = 0;               // of that line
         for (std::size_t i = from; i < blocks.size();) {
             std::size_t end = i + 1;
             while (end < blocks.size() && !beginsSection(blocks[end]))
@@ -150,7 +150,7 @@ public:
             const auto at = [&](std::size_t index) {
                 return blocks.begin() + static_cast<std::ptrdiff_t>(index);
             };
-            // What a heading of the first level is about stands in the sections behind it, which may differ.
+            // The content of a level 1 heading is in the sections after it, which may differ.
             const bool known = heading && heading->level > 1 && heading->anchor.isEmpty() && end > i + 1;
             const auto same = std::ranges::find_if(m_sections, [&](const Section &section) {
                 return known && std::equal(section.blocks.begin(), section.blocks.end(), at(i), at(end));
@@ -186,7 +186,7 @@ private:
     std::vector<Section> m_sections;
 };
 
-/// The only test, with all that belongs to it.
+/// Adds the only test with all its sections.
 void addTest(std::vector<Block> &blocks, const TestPart &part) {
     const std::size_t first = blocks.size();
     blocks.emplace_back(runningHead(part));
@@ -198,8 +198,8 @@ void addTest(std::vector<Block> &blocks, const TestPart &part) {
     thinFigures(blocks, first);
 }
 
-/// Several tests: the summary, a page of each with its results, then what all of them state, and behind that
-/// what stands behind the results of each, one after the other without turning the page.
+/// Adds several tests: the summary, one page per test with its results, the common statements, and then the
+/// details of each test without page breaks.
 void addTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
     const Writer &write = parts.front().write;
     const ReportHead &head = parts.front().head();
@@ -209,7 +209,7 @@ void addTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
         blocks.emplace_back(runningHead(part));
         withKind(part, [&](const auto &own) { addFirstPage(blocks, own); });
     }
-    // Before the break: the page has no head of its own.
+    // Precedes the break because the page has no head of its own.
     blocks.emplace_back(RunningHead{QString::fromStdString(head.laboratory.name), reportTitle(write, head)});
     blocks.emplace_back(PageBreak{});
     blocks.emplace_back(Heading{1, write.text(REPORT_TEXT("report", "All tests"))});
@@ -228,7 +228,7 @@ void addTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
         const RunningHead running = runningHead(part);
         withKind(part, [&](const auto &own) { addDetails(blocks, own); });
         if (blocks.size() == first)
-            continue; // all of it was left out
+            continue; // everything was left out
         const std::array<Block, 2> heading{
             running, Heading{1,
                              write.say(REPORT_TEXT("report", "Test %1: %2"),
@@ -241,7 +241,7 @@ void addTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
     blocks.emplace_back(RunningHead{QString::fromStdString(head.laboratory.name), reportTitle(write, head)});
 }
 
-/// "U+6F22, U+5B57": the characters of what is composed so far that the font of paper lacks.
+/// "U+6F22, U+5B57": characters in the report so far that the paper font lacks.
 QString foreignCharacters(const Report &report) {
     constexpr std::size_t most = 20;
     constexpr int hexadecimal = 16;
@@ -269,7 +269,7 @@ std::vector<int> simulatedTests(const EvaluatedDocument &evaluated) {
     return result;
 }
 
-/// The edition of a view, empty for a report under the editions of the file.
+/// Edition of a view; empty for a report under the editions of the file.
 QString viewedEdition(const EvaluatedDocument &evaluated) {
     const auto found = std::ranges::find_if(evaluated.tests, [](const auto &test) { return test->view; });
     return found == evaluated.tests.end() ? QString() : QString::fromUtf8((*found)->edition->word);

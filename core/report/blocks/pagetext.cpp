@@ -89,7 +89,7 @@ public:
 private:
     void line(const QString &text) { m_text += text + u'\n'; }
 
-    /// One line of those that are not empty.
+    /// Adds one line of the non-empty texts.
     void cells(const QStringList &texts) {
         QStringList filled;
         for (const QString &text : texts) {

@@ -8,15 +8,15 @@
 
 namespace palmer {
 
-/// The words of a report as its pages carry them, block by block in the order they are drawn: what the text
-/// of the PDF is compared with, white space and compatibility forms apart, and what tests store.
+/// The words of a report as printed, block by block in drawing order. The text of the PDF is compared with
+/// it, except for white space and compatibility forms, and tests store it.
 ///
-/// One line for each line of a paragraph, for a row of a table (cells from left to right, two spaces between
-/// them) and for a label with its value; the head of a table is a line of titles and a line of units; a
-/// dash stands where a value is missing. Side by side: all of the left, then all of the right. Figures give
-/// their words in a fixed order: both axes with title and ticks, dimensions, legend; their painter may draw
-/// these in another. What pages repeat is no part of it: running heads, footers, the head of a table that
-/// continues; nor are marks and pictures. Pages of anchors that are not put in yet are dashes.
+/// One line for each line of a paragraph, for a table row (cells from left to right, separated by two spaces)
+/// and for a label with its value; a table head is a line of titles and a line of units; a dash replaces a
+/// missing value. Side by side: the whole left column, then the right one. Figures give their words in a
+/// fixed order: both axes with title and ticks, dimensions, legend; painters may draw them in another.
+/// Repeated parts are not included (running heads, footers, the head of a continued table), nor marks and
+/// pictures. Page numbers of anchors that are not filled in yet are dashes.
 [[nodiscard]] QString pageText(const Report &report);
 
 /// The words of one block; lines end in '\n'.

@@ -16,14 +16,14 @@ namespace {
 constexpr QChar thinDash(u'–');
 constexpr QChar ruleOfTable(u'─');
 constexpr QChar headRule(u'━');
-constexpr int smallestName = 16; ///< columns left to a flexible column however narrow the terminal
+constexpr int smallestName = 16; ///< least width of a flexible column, in columns of the terminal
 
 struct Range {
     char32_t first;
     char32_t last;
 };
 
-/// Blocks of wide characters (Unicode, East Asian Width W and F), coarse.
+/// Blocks of wide characters (Unicode, East Asian Width W and F), approximate.
 constexpr std::array wideRanges{Range{0x1100, 0x115F},  Range{0x2E80, 0x303E}, Range{0x3041, 0xA4CF},
                                 Range{0xAC00, 0xD7A3},  Range{0xF900, 0xFAFF}, Range{0xFE30, 0xFE6F},
                                 Range{0xFF00, 0xFF60},  Range{0xFFE0, 0xFFE6}, Range{0x1F300, 0x1FAFF},
@@ -56,7 +56,7 @@ bool isDecimalMark(QChar c) {
     return c == u'.' || c == u',';
 }
 
-/// Columns before the decimal mark, or the whole of a number without one.
+/// Columns before the decimal mark, or of the whole number if it has none.
 int wholeWidth(const QString &text) {
     const auto mark = std::ranges::find_if(text, isDecimalMark);
     return displayWidth(QStringView(text).first(mark - text.begin()));
@@ -66,14 +66,14 @@ bool isNumber(const QString &text) {
     return std::ranges::any_of(text, [](QChar c) { return c.isDigit(); });
 }
 
-/// A column made ready: its cells as text, its width, and where the decimal marks stand.
+/// A column prepared for printing: its cells as text, its width, and the position of the decimal mark.
 struct Layout {
     int width = 0;
     int whole = 0; ///< columns before the decimal mark
     QStringList cells;
 };
 
-/// A number so that all decimal marks of the column stand below each other.
+/// Aligns a number at the decimal mark of its column.
 QString withMark(const QString &cell, int whole) {
     return isNumber(cell) ? spaces(whole - wholeWidth(cell)) + cell : cell;
 }
@@ -93,7 +93,7 @@ Layout layout(const Table &table, std::size_t index) {
             numbers = std::max(numbers, displayWidth(cell));
         }
         for (QString &cell : result.cells) {
-            // The dash stands where the last whole digit would.
+            // A dash is aligned with the last integer digit.
             const int before = isNumber(cell) ? 0 : result.whole - displayWidth(cell);
             cell = spaces(before) + cell;
             cell += spaces(numbers - displayWidth(cell));
@@ -148,7 +148,7 @@ private:
         return sum + m_gap * (static_cast<int>(m_columns.size()) - 1);
     }
 
-    /// Takes what is too much from the first flexible column.
+    /// Reduces the first flexible column until the table fits.
     void narrow(int width) {
         for (std::size_t i = 0; i < m_columns.size(); ++i) {
             if (!m_table.columns[i].flexible)
@@ -192,7 +192,7 @@ private:
     int m_gap = 2;
 };
 
-/// Text beside a label: the first line beside it, the others below the first.
+/// Text next to a label: the continuation lines are below the first line of the text.
 QStringList hanging(const QString &label, const QString &text, int indent, int width) {
     QStringList result = wrapped(text, width - indent);
     for (qsizetype i = 0; i < result.size(); ++i)
@@ -250,7 +250,7 @@ public:
                 m_lines << hanging(part.label, text, labels + 2, m_width);
         }
     }
-    /// What is drawn on pages only reads as the words it carries.
+    /// Blocks that only pages can draw are printed as their words.
     void operator()(const auto &block) {
         for (const QString &line : pageText(Block(block)).split(u'\n', Qt::SkipEmptyParts))
             m_lines << wrapped(line, m_width);
@@ -276,7 +276,7 @@ private:
     QStringList m_lines;
 };
 
-/// A heading of a section stands right above what it heads.
+/// True if a blank line precedes the block; a section heading directly precedes its content.
 bool separated(const Block *before, const Block &block) {
     const auto *heading = before ? std::get_if<Heading>(before) : nullptr;
     return !heading || heading->level == 1 || std::holds_alternative<Heading>(block);

@@ -104,7 +104,7 @@ private:
 
     QStringView m_rest;
     std::vector<double> m_chosen;
-    bool m_isProduct = false; ///< the last term has factors
+    bool m_isProduct = false; ///< the last term is a product
 };
 
 } // namespace

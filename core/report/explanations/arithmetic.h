@@ -7,15 +7,15 @@
 
 namespace palmer {
 
-/// The value of a printed calculation. It tells how many digits the calculation has to be printed with.
+/// Value of a printed calculation, for finding the digits it must be printed with.
 struct Calculation {
     double value = 0;
-    std::vector<double> terms; ///< that it is the sum of, or that max or min chooses from
-    bool isGrouped = false;    ///< each of them is a calculation: in brackets, or chosen from
+    std::vector<double> terms; ///< summands, or candidates of max or min
+    bool isGrouped = false;    ///< each term is a calculation: in brackets, or a candidate
 };
 
-/// Evaluates numbers with a decimal point, + − · / ( ) |…| max(a; b) min(a; b), which is all that the
-/// formulas of explanations use. Stops at anything else.
+/// Evaluates numbers with a decimal point, + − · / ( ) |…| max(a; b) min(a; b), as used by the formulas of
+/// explanations. Stops at anything else.
 [[nodiscard]] Calculation calculated(QStringView text);
 
 } // namespace palmer

@@ -20,13 +20,13 @@ namespace {
 
 using namespace iso230_4;
 
-constexpr int leastDecimals = 2; ///< of what is put in: 0.01 µm, as statistics per target have them
-constexpr int angleDecimals = 1; ///< of the ruling points
+constexpr int leastDecimals = 2; ///< of inserted numbers: 0.01 µm, like the statistics per target
+constexpr int angleDecimals = 1; ///< of ruling points
 
-/// How one function of parameters.h is explained. In the formulas stand
+/// Explanation of one function of parameters.h. Placeholders in the formulas:
 ///   %s symbol of the parameter    [=]  the result with its unit
 ///   [+] [-] [r]  largest and smallest distance, radius of the circle, each from the nominal radius
-///   [C] the correction; what stands in {} is left out where nothing is corrected here
+/// [C] the correction; the text in {} is omitted if nothing is corrected here
 struct CircularRecipe {
     std::optional<double> (*function)(const CircularCase &, const EvaluatedPath *) = nullptr;
     const char *formula = nullptr;
@@ -114,12 +114,12 @@ private:
     [[nodiscard]] QString shownResult() const {
         return withUnit(m_printed.value, Quantity::deviation, m_language);
     }
-    /// After an operator a negative number stands in parentheses.
+    /// A negative number after an operator is put in parentheses.
     [[nodiscard]] static QString inSum(const QString &shown) {
         return shown.startsWith(u'−') ? u'(' + shown + u')' : shown;
     }
 
-    /// What the formula names, mm.
+    /// The value of a placeholder, mm.
     [[nodiscard]] double valueOf(QChar name) const {
         const double nominal = m_measurement.nominalRadius;
         const double c = m_correction.value_or(0);
@@ -177,7 +177,7 @@ private:
     [[nodiscard]] Formula correctionStep() const {
         const Conditions &conditions = m_measurement.conditions.common;
         const auto shown = [&](std::optional<double> value, Quantity quantity) {
-            // A mean may have no short form.
+            // A mean may have no short decimal form.
             return value ? m_language.number(*value, quantity, decimalsOf(*value, quantity))
                          : QStringLiteral("–");
         };
@@ -200,7 +200,7 @@ private:
 
     [[nodiscard]] std::vector<RulingPoint> rulingPoints() const {
         if (m_recipe.length && m_recipe.ofPair)
-            return {}; // all points make the radius
+            return {}; // the radius depends on all points
         CircleFigureOptions options;
         options.of = of();
         options.subject = m_recipe.length ? CircleSubject::radialDeviation : CircleSubject::circularDeviation;
@@ -210,7 +210,7 @@ private:
         std::vector<RulingPoint> result;
         for (const ContactMark &contact : figure.contacts) {
             if (m_recipe.length && contact.outer == smallest)
-                continue; // of the other of Fmax and Fmin
+                continue; // belongs to the other one of Fmax and Fmin
             result.push_back({axisIndexOf(contact.mark.sense), std::remainder(contact.mark.at.angle, 360.0),
                               contact.outer});
         }
@@ -289,10 +289,10 @@ private:
     const CircularResults &m_results;
     const Parameter &m_parameter;
     const PrintedNumbers m_printed;
-    int m_decimals; ///< of the numbers put in
+    int m_decimals; ///< of inserted numbers
     const CircularRecipe &m_recipe;
     const Language &m_language;
-    const CircleResult *m_circle = nullptr; ///< the one the distances are from; null for the set-up
+    const CircleResult *m_circle = nullptr; ///< circle the distances start from; null: the set-up
     std::optional<double> m_correction;     ///< mm
 };
 

@@ -7,10 +7,10 @@
 
 namespace palmer {
 
-/// What `explanation` says of a parameter of a circular test: formula with the distances from the centre and
-/// the correction put in, the circle with its certificate, the points that rule it. Nothing where the
-/// edition's parameter has no such explanation. `test` holds a CircularMeasurement, `evaluation` is its
-/// evaluation, `printed` the numbers of the parameter as everywhere.
+/// The `explanation` of a parameter of a circular test: formula with the distances from the centre and the
+/// correction inserted, the circle with its certificate, the points that rule it. Null if the parameter of
+/// the edition has no such explanation. `test` holds a CircularMeasurement, `evaluation` is its evaluation,
+/// `printed` are the numbers of the parameter as printed elsewhere.
 [[nodiscard]] std::optional<Explanation>
 circularExplanation(const Test &test, const TestEvaluation &evaluation, const Parameter &parameter,
                     const PrintedNumbers &printed, const Language &language);

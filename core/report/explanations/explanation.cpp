@@ -27,7 +27,7 @@ namespace {
 
 using namespace iso230_2;
 
-/// How one function of parameters.h is explained. In the formulas stand
+/// Explanation of one function of parameters.h. Placeholders in the formulas:
 ///   %s symbol of the parameter   %c %d  c and 2c     %m  number of targets
 ///   %1 %2 the ruling targets     %a %b  their arrows
 ///   [id] [id'] a quantity of the first or second ruling target; "*" in it is the direction that rules
@@ -39,8 +39,8 @@ struct Recipe {
     std::array<const char *, 3> steps{};
     const char *bars = ""; ///< quantity per target
     const char *barsTitle = "";
-    std::array<const char *, 3> terms{}; ///< per target, whose clauses are named too
-    bool parts = false;                  ///< the parts of the sum are weighed
+    std::array<const char *, 3> terms{}; ///< quantities per target, whose clauses are cited too
+    bool parts = false;                  ///< explain the parts of the sum
 };
 
 // clang-format off
@@ -77,7 +77,7 @@ constexpr std::array recipes{
 };
 // clang-format on
 
-/// targetValue, and what else the recipes name.
+/// targetValue(), and further quantities of the recipes.
 std::optional<double> valueOf(std::string_view id, const TargetStatistics &target, double c) {
     const double scatter = c * (target.positive.s + target.negative.s);
     const double size = std::abs(target.reversal());
@@ -178,7 +178,7 @@ private:
         return sides.replaceInStrings(QStringLiteral("[]"), result);
     }
 
-    /// The numbers of a side with that many decimals, as a calculation.
+    /// Evaluates a side with its numbers rounded to `decimals`.
     [[nodiscard]] Calculation calculatedSide(const QString &side, int decimals) const {
         QString text;
         for (qsizetype i = 0; i < side.size(); ++i) {
@@ -198,8 +198,8 @@ private:
         return calculated(text);
     }
 
-    /// Digits of the numbers of each side: as statistics have them, and more where the calculation as it is
-    /// printed would not come to what is printed behind it.
+    /// Decimals of the numbers of each side: those of the statistics, and more if the printed calculation
+    /// would not give the printed result.
     [[nodiscard]] std::vector<int> decimalsOfSides() const {
         QStringList sides;
         for (const char *step : m_recipe.steps)
@@ -211,7 +211,7 @@ private:
             const bool chooses =
                 sides[i].contains(QStringLiteral("max([")) || sides[i].contains(QStringLiteral("min(["));
             const int fewest = chooses ? m_printed.decimals : m_decimals;
-            constexpr int most = 6; // more: the digits are a tie
+            constexpr int most = 6; // with more the digits are a tie
             int &used = decimals[static_cast<std::size_t>(i)];
             for (used = fewest; used < fewest + most; ++used) {
                 if (comesTo(calculatedSide(sides[i], used), expected, behind))
@@ -221,7 +221,7 @@ private:
         return decimals;
     }
 
-    /// Compares bracket by bracket (or candidate by candidate) where both sides have as many, else the whole.
+    /// Compares term by term (brackets or candidates) if both sides have as many, otherwise the values.
     [[nodiscard]] static bool comesTo(const Calculation &left, const Calculation &right, int decimals) {
         const double half = (0.5 + 1e-6) * std::pow(10.0, -decimals);
         const auto equal = [half](double a, double b) { return std::abs(a - b) <= half; };
@@ -230,7 +230,7 @@ private:
                    : equal(left.value, right.value);
     }
 
-    /// The recipe's formula with everything put in; decimals of the numbers of each side.
+    /// The formula of a recipe with all values inserted; `decimals` of the numbers of each side.
     [[nodiscard]] Formula filled(const char *recipe, std::span<const int> decimals) const {
         Formula result;
         const QString source = QString::fromUtf8(recipe);
@@ -291,13 +291,13 @@ private:
         }
     }
 
-    /// After an operator a negative number stands in parentheses.
+    /// True if a negative number at this place needs parentheses.
     [[nodiscard]] static bool endsInSign(const QString &plain) {
         const QString before = plain.trimmed();
         return before.endsWith(u'+') || before.endsWith(u'−') || before.endsWith(u'·');
     }
 
-    /// The value that a name in a recipe stands for.
+    /// The value of a name in a recipe.
     [[nodiscard]] std::optional<double> numberOf(QString id) const {
         if (id == QStringLiteral("="))
             return m_parameter.value;
@@ -308,7 +308,7 @@ private:
                : target(which)       ? valueOf(id.toStdString(), *target(which), m_c)
                                      : std::nullopt;
     }
-    /// The statistic it names: of the direction that rules where it does not say.
+    /// The statistic of a name; by default that of the ruling direction.
     [[nodiscard]] QString statisticOf(QString id) const {
         const std::size_t which = id.endsWith(u'\'') ? 1 : 0;
         id.chop(static_cast<qsizetype>(which));
@@ -384,7 +384,7 @@ private:
         return {};
     }
 
-    /// Which part of the sum weighs how much, where the sum is what rules.
+    /// Weights of the parts of the sum, if the sum rules.
     [[nodiscard]] QString weights(const TargetStatistics &target) const {
         const double up = m_c * target.positive.s;
         const double down = m_c * target.negative.s;
@@ -402,7 +402,7 @@ private:
 
     // ---- Clauses -----------------------------------------------------------------------------------------
 
-    /// The clause of the parameter and those of the quantities per target it rests on, ascending.
+    /// Clauses of the parameter and of the quantities per target it is based on, ascending.
     [[nodiscard]] QString source() const {
         std::vector<QString> clauses;
         const auto add = [&](const char *clause) {
@@ -458,7 +458,7 @@ private:
     const Recipe &m_recipe;
     const Language &m_language;
     double m_c;
-    int m_decimals; ///< of the numbers put in
+    int m_decimals; ///< of inserted numbers
 };
 
 } // namespace
@@ -483,7 +483,7 @@ std::optional<Explanation> explained(const auto & /*circles*/, const Test &sourc
     return circularExplanation(source, evaluation, parameter, printed, language);
 }
 
-/// What its actual targets carry of the systematic part of the uncertainty.
+/// How much of the systematic part of the uncertainty its actual targets carry.
 QStringList systematicCarried(const TestEvaluation &evaluation, const Parameter &parameter,
                               const Language &language) {
     const UncertaintyEvaluation &uncertainty = evaluation.uncertainty;
@@ -498,10 +498,10 @@ QStringList systematicCarried(const TestEvaluation &evaluation, const Parameter 
          {size(*uncertainty.systematic), size(*parameter.effectiveSystematic)}})};
 }
 
-/// What the instrument's own program says of the result.
+/// Statements of the instrument's program about the result.
 QStringList statedBeside(const Test &source, const TestEvaluation &evaluation, const Parameter &parameter,
                          const Language &language) {
-    constexpr int decimals = 2; // of µm: programs state one
+    constexpr int decimals = 2; // of µm; programs state one
     const Quantity quantity = parameter.term.quantity;
     QStringList sentences;
     for (const InstrumentResult &stated : instrumentResults(source, evaluation)) {

@@ -12,23 +12,23 @@
 
 namespace palmer {
 
-/// A page of the help. Headings carry the anchors that F1 goes to.
+/// A page of the help. Its headings carry the anchors for F1.
 struct HelpPage {
     QString id; ///< "workflow", "keys", "fields", "editions.ISO 230-2:2006", "circles", "validation"
     QString title;
     Report content;
 };
 
-/// The help in one language: the workflow, the keys, what each field means, and for each edition every symbol
-/// with its name, formula and clause as the tables of the program have them. Anchors: of fields the key in
-/// the file ("sensors"), of symbols the id of the parameter ("R+").
+/// The help in one language: workflow, keys, meaning of each field, and for each edition every symbol with
+/// name, formula and clause, from the program's tables. Anchors: for fields the key in the file ("sensors"),
+/// for symbols the id of the parameter ("R+").
 [[nodiscard]] std::vector<HelpPage> composeHelp(const Language &language);
 
-/// The page of the reference data, whose computing takes a moment.
+/// The page of the reference data, which takes a moment to compute.
 [[nodiscard]] HelpPage composeValidationHelp(const std::vector<SetValidation> &sets,
                                              const Language &language);
 
-/// What the field of that key in the file means and who asks for it; empty for a key that is not explained.
+/// Meaning of the field with that key in the file, and who requires it; empty if it has no explanation.
 [[nodiscard]] QString fieldHelp(std::string_view key, const Language &language);
 
 } // namespace palmer

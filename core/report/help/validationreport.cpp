@@ -14,7 +14,7 @@ namespace palmer {
 namespace {
 
 constexpr int digitsOfDifference = 2;
-constexpr int digitsShown = 12; ///< the difference tells the rest
+constexpr int digitsShown = 12; ///< the difference shows the rest
 
 Text sourceText(ExpectationSource source) {
     switch (source) {
@@ -30,7 +30,7 @@ Text sourceText(ExpectationSource source) {
     return {};
 }
 
-/// What a set is called and where it comes from, in words; the files say it in English, with all details.
+/// Name and origin of a set, translated; the files give both in English with all details.
 struct SetWords {
     const char *name = "";
     Text shown;
@@ -80,7 +80,7 @@ const std::array setWords{
                          "Univariate data of the statistical reference datasets of NIST (public domain), "
                          "https://www.itl.nist.gov/div898/strd/univ/")}};
 
-/// Those of the set; null for one of another name.
+/// Words of a set; null for an unknown name.
 const SetWords *wordsOf(const SetValidation &set) {
     const auto found = std::ranges::find_if(setWords, [&](const SetWords &words) {
         const QString name = QString::fromUtf8(words.name);
@@ -89,7 +89,7 @@ const SetWords *wordsOf(const SetValidation &set) {
     return found == setWords.end() ? nullptr : &*found;
 }
 
-/// "−1.5·10⁻¹¹" for "−1.5e−11".
+/// Converts "−1.5e−11" to "−1.5·10⁻¹¹".
 QString withPower(const QString &number) {
     const qsizetype at = number.indexOf(u'e');
     if (at < 0)

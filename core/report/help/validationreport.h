@@ -8,7 +8,7 @@
 
 namespace palmer {
 
-/// What selftest and the help print: of each set of reference data computed and expected values.
+/// Computed and expected values of each set of reference data, for selftest and help.
 [[nodiscard]] Report composeValidation(const std::vector<SetValidation> &sets, const Language &language);
 
 } // namespace palmer

@@ -18,9 +18,9 @@ namespace palmer {
 
 namespace {
 
-constexpr QSizeF separateSize{112, 97}; ///< mm, of the further figures: two stand on a page
+constexpr QSizeF separateSize{112, 97}; ///< mm; two separate figures fit on a page
 constexpr double parameterLabels = 24;  ///< mm
-constexpr int deviationDecimals = 1;    ///< of centres and C beside the figure, µm
+constexpr int deviationDecimals = 1;    ///< of centres and C next to the figure, µm
 constexpr int circleDecimals = 2;       ///< of centres and radii in their table, µm
 constexpr int pointAngleDecimals = 1;
 constexpr int timeDecimals = 1;
@@ -31,7 +31,7 @@ QString axisName(const std::string &name) {
 
 // ---- The parameters of the test --------------------------------------------------------------------------
 
-/// One text of all paths where they say the same, else one a path in the order of measurement.
+/// One text if it is the same for all paths, otherwise one per path in the order of measurement.
 template <typename TextOf>
 QString ofEachPath(const CircularPart &part, TextOf textOf) {
     QStringList texts;
@@ -59,7 +59,7 @@ QString angleRange(const Writer &write, double from, double to) {
 
 constexpr double roundingOfAngles = 0.1; ///< degrees
 
-/// "360°" of what closes to a circle and is no longer than one, else from where to where.
+/// "360°" for a closed circle without overlap, otherwise its ends.
 QString rangeText(const CircularPart &part, double low, double high, bool closed) {
     const auto round = [](double angle) { return std::round(angle / roundingOfAngles) * roundingOfAngles; };
     if (closed && high - low <= 360 + roundingOfAngles / 2)
@@ -67,7 +67,7 @@ QString rangeText(const CircularPart &part, double low, double high, bool closed
     return angleRange(part.write, round(low), round(high));
 }
 
-/// What was captured of a path.
+/// Captured range of a path.
 QString captureText(const CircularPart &part, const EvaluatedPath &path) {
     const auto &angles = part.measurement.arcs[path.arc].angles;
     if (angles.empty())
@@ -76,7 +76,7 @@ QString captureText(const CircularPart &part, const EvaluatedPath &path) {
     return rangeText(part, low, high, path.fullCircle);
 }
 
-/// Whether what was evaluated of some path is not all that was captured.
+/// True if a path has captured points that are not evaluated.
 bool evaluatesPart(const CircularPart &part) {
     return std::ranges::any_of(part.results.paths, [&](const EvaluatedPath &path) {
         return path.source.size() != part.measurement.arcs[path.arc].angles.size();
@@ -109,7 +109,7 @@ QString startAndStop(const CircularPart &part) {
     return orDash(conditions.startPoint) + part.write.semicolon() + orDash(conditions.stopPoint);
 }
 
-/// The circle whose centre the figure is drawn about: what takes out the error of the set-up.
+/// The circle whose centre the figure is drawn about, which removes the set-up error.
 const CircleResult *drawnCircle(const CircularPart &part) {
     const CircularResults &results = part.results;
     if (results.paths.empty())
@@ -133,7 +133,7 @@ public:
         m_values.narrow = true;
     }
 
-    /// With a dash where it is not stated, unless the test does not need it.
+    /// Adds a row; an empty value is omitted unless the test needs it.
     void add(const Text &label, const QString &value, bool needed = true) {
         if (needed || !value.isEmpty())
             m_values.rows.push_back({m_write.text(label), value});
@@ -148,7 +148,7 @@ private:
     KeyValues m_values;
 };
 
-/// How many points of a path were evaluated, and of how many where it is a part of them.
+/// Number of evaluated points of a path, with the number of all if it differs.
 QString pointsText(const CircularPart &part, const EvaluatedPath &path) {
     const Writer &write = part.write;
     const auto number = [&](std::size_t count) {
@@ -207,7 +207,7 @@ KeyValues parameterRows(const CircularPart &part) {
                                 ? REPORT_TEXT("report", "least squares")
                                 : REPORT_TEXT("report", "set-up of the instrument")));
     if (const CircleResult *circle = drawnCircle(part)) {
-        // Of the centre of the path as the instrument sees it.
+        // Centre of the path as the instrument sees it.
         const Point error = part.results.centringError.value_or(Point{});
         rows.add(
             REPORT_TEXT("report", "Set-up removed"),
@@ -232,7 +232,7 @@ CircleFigure figureOf(const CircularPart &part, CircleFigureOptions options) {
     return circleFigure(part.test, part.evaluation, part.write.language(), options);
 }
 
-/// Heading and figure as the left of two columns.
+/// Heading and figure as the left one of two columns.
 SideBySide besideFigure(CircleFigure figure) {
     const QSizeF size = printedSize(figure);
     SideBySide both;
@@ -256,7 +256,7 @@ Cell bold(Cell cell) {
     return cell;
 }
 
-/// What a circle is of: the pair, or a path, by the symbols of the results it stands behind.
+/// Subject of a circle: the pair or a path, by the symbol of its result.
 Phrase circleOf(const CircularPart &part, const CircleResult &circle) {
     const bool both = circle.of == CircleOf::both;
     std::string index;
@@ -269,7 +269,7 @@ Phrase circleOf(const CircularPart &part, const CircleResult &circle) {
     return symbolPhrase({both ? "G(b)" : "G", part.feedback() ? "f" : "", ""}, index);
 }
 
-/// Least squares needs none.
+/// Blank for least squares, which needs no certificate.
 Cell certificate(const CircularPart &part, const CircleResult &circle) {
     if (!circle.certified)
         return blankCell();
@@ -291,7 +291,7 @@ bool isOf(const CircleFigureOptions &options, const EvaluatedPath &path) {
                (path.sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise);
 }
 
-/// The results a separate figure shows.
+/// Results of a separate figure.
 Table resultsOf(const CircularPart &part, const CircleFigureOptions &options) {
     const Writer &write = part.write;
     const bool lengths = options.subject == CircleSubject::radialDeviation;
@@ -315,7 +315,7 @@ Table resultsOf(const CircularPart &part, const CircleFigureOptions &options) {
     return table;
 }
 
-/// The circle a separate figure is drawn about.
+/// Centre of a separate figure.
 KeyValues centreRows(const CircularPart &part, const CircleFigureOptions &options) {
     const Writer &write = part.write;
     const bool lengths = options.subject == CircleSubject::radialDeviation;
@@ -416,7 +416,7 @@ void addPaths(std::vector<Block> &blocks, const CircularPart &part) {
         if (arc.angles.empty()) {
             row.resize(4);
         } else {
-            // In the sense of contouring.
+            // In the direction of contouring.
             const auto [low, high] = path.evaluated;
             row.emplace_back(range({arc.angles.front(), arc.angles.back()}));
             row.emplace_back(
@@ -474,7 +474,7 @@ void addCircles(std::vector<Block> &blocks, const CircularPart &part) {
     blocks.emplace_back(std::move(table));
     if (part.results.centringError)
         blocks.emplace_back(Paragraph{
-            // Of the centre of the path as the instrument sees it, as beside the figure.
+            // Centre of the path as the instrument sees it, as next to the figure.
             write.say(REPORT_TEXT("report", "Centring error taken out of the commanded angles: %1."),
                       centreText(part, {-part.results.centringError->x, -part.results.centringError->y},
                                  circleDecimals)),

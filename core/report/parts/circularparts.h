@@ -6,24 +6,24 @@
 
 namespace palmer {
 
-/// The figure of a circular test with the parameters of the test beside it (4.4): both senses in one, or the
+/// Adds the figure of a circular test with the test parameters next to it (4.4): both senses in one, or the
 /// first of the three figures of the standard.
 void addActualPaths(std::vector<Block> &blocks, const CircularPart &part);
 
-/// The other figures of the standard, each with the circle it is drawn about; nothing where the report has
-/// them combined.
+/// Adds the other figures of the standard, each with the circle it is drawn about; none if the report
+/// combines them.
 void addSeparateFigures(std::vector<Block> &blocks, const CircularPart &part);
 
-/// What was measured of each path and what of it is evaluated; how long it took.
+/// Adds the measured and evaluated range of each path and its duration.
 void addPaths(std::vector<Block> &blocks, const CircularPart &part);
 
-/// The reference circles with their certificates.
+/// Adds the reference circles with their certificates.
 void addCircles(std::vector<Block> &blocks, const CircularPart &part);
 
-/// G of the further arcs of each sense, beside that of the first; only where the report asks for it.
+/// Adds G of the further arcs of each sense next to that of the first, if the report includes them.
 void addRepetitions(std::vector<Block> &blocks, const CircularPart &part);
 
-/// "+10.1": centres say on which side they are.
+/// "+10.1": centres need their sign.
 [[nodiscard]] QString signedNumber(const Writer &write, double value, Quantity quantity, int decimals);
 
 /// "X −14.9; Y +10.1 µm".

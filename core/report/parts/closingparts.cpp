@@ -13,10 +13,10 @@ namespace palmer {
 namespace {
 
 constexpr double statementLabels = 44;  ///< mm
-constexpr double labelsBeside = 36;     ///< of two columns of statements
-constexpr qsizetype longestBeside = 26; ///< characters of a statement that finds room on a line there
+constexpr double labelsBeside = 36;     ///< in two columns of statements, mm
+constexpr qsizetype longestBeside = 26; ///< characters of a statement that fits on a line there
 
-/// Ids of the instruments that a test names.
+/// Ids of the instruments named by the tests.
 std::set<std::string> usedInstruments(const Document &document) {
     std::set<std::string> used;
     for (const TestPointer &test : document.tests)
@@ -55,7 +55,7 @@ Text signerText(Signer signer) {
     return {};
 }
 
-/// What finds room in a column that is never split: whole names stand in the head and among the statements.
+/// Shortens a name to fit in a column that is never split; head and statements give it in full.
 QString bounded(const QString &name) {
     constexpr qsizetype most = 160;
     if (name.size() <= most)
@@ -77,7 +77,7 @@ QString knownName(Signer signer, const ReportHead &head) {
         return bounded(authorisedText(head));
     case Signer::supplier:
     case Signer::customer:
-        return {}; // the head names the company, not who signs for it
+        return {}; // the head names the company, not the signer
     }
     return {};
 }
@@ -138,9 +138,9 @@ void addDriftTests(std::vector<Block> &blocks, const Writer &write, const Evalua
 
 namespace {
 
-/// What is stated, the short statements in two columns beside each other, the long ones below.
+/// Adds statements: short ones in two columns, long ones below.
 void addStated(std::vector<Block> &blocks, const std::vector<KeyValue> &rows) {
-    constexpr std::size_t fewest = 4; // are worth two columns
+    constexpr std::size_t fewest = 4; // minimum for two columns
     SideBySide both;
     KeyValues left;
     KeyValues right;
@@ -219,7 +219,7 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
 }
 
 void addResponsibility(std::vector<Block> &blocks, const Writer &write, const ReportHead &head) {
-    constexpr double height = 12.4; // mm, as the widths
+    constexpr double height = 12.4; // mm, like the widths
     constexpr double dateWidth = 36;
     constexpr double signatureWidth = 62;
     const auto column = [&](const Text &label, const QString &value, double width) {
