@@ -9,7 +9,7 @@
 namespace palmer {
 namespace {
 
-constexpr int runsBeside = 5; ///< more runs than that are printed below
+constexpr int runsBeside = 5; ///< further runs are printed below
 
 QString joined(const Language &language, double value, Quantity quantity, int decimals = -1) {
     return language.quantity(value, quantity, decimals);
@@ -73,7 +73,7 @@ KeyValues head(const TargetRequest &request, const TargetPlan &plan, const Cycle
     return result;
 }
 
-/// Runs first … last of the plan, an empty field a reading.
+/// Table of runs first … last − 1 of the plan, with an empty field per reading.
 Table table(const TargetPlan &plan, const TargetRequest &request, int first, int last,
             const Language &language) {
     const Quantity position = request.motion == Motion::linear ? Quantity::position : Quantity::angle;
@@ -89,7 +89,7 @@ Table table(const TargetPlan &plan, const TargetRequest &request, int first, int
         std::vector<Cell> row{QString::number(i + 1),
                               language.number(plan.targets[i], position, request.decimals)};
         for (int run = first; run < last; ++run)
-            row.insert(row.end(), 2, Cell(QStringLiteral("\n"))); // room to write
+            row.insert(row.end(), 2, Cell(QStringLiteral("\n"))); // space to write
         result.rows.push_back(std::move(row));
         result.rulesAfter.push_back(i);
     }
@@ -129,7 +129,7 @@ Report composePlan(std::span<const PlannedMeasurement> planned, const CycleProgr
     report.blocks.emplace_back(Heading{1, report.title});
     for (const PlannedMeasurement &part : planned) {
         if (&part != &planned.front())
-            report.blocks.emplace_back(PageBreak{}); // each is filled in at the machine by itself
+            report.blocks.emplace_back(PageBreak{}); // each plan is filled in separately at the machine
         if (part.request.zone)
             report.blocks.emplace_back(
                 Heading{1, language.text(REPORT_TEXT("report", "Full test of a zone of the long axis"))});

@@ -12,13 +12,13 @@
 
 namespace palmer {
 
-/// The plan of a measurement as it is printed and taken to the machine: of the travel, and of the zone of a
-/// long axis, what was planned and how, and a table of the targets with an empty field for every reading, in
-/// the order they are taken. `program`: of the first; its targets and runs are those of each plan.
+/// Printable plan of a measurement for use at the machine, for the travel and, on a long axis, the zone: what
+/// was planned and how, and a table of targets with an empty field for every reading, in measuring order.
+/// `program`: of the first plan; targets and runs are those of each plan.
 [[nodiscard]] Report composePlan(std::span<const PlannedMeasurement> planned, const CycleProgram &program,
                                  const Language &language);
 
-/// The targets alone, one a line: number, tabulator, position with a decimal point.
+/// Only the targets, one per line: number, tab, position with a decimal point.
 [[nodiscard]] QString targetList(const TargetPlan &plan, int decimals);
 
 } // namespace palmer

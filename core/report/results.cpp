@@ -22,7 +22,7 @@ namespace palmer {
 
 namespace {
 
-/// Composes one test after the other; everything in the one language.
+/// Composes one test after the other in one language.
 class Composer {
 public:
     Composer(const EvaluatedDocument &evaluated, const Language &language)

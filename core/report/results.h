@@ -8,11 +8,11 @@
 
 namespace palmer {
 
-/// The results of all tests in short, as a terminal shows them: of each test head, results with their limits,
-/// statistics per target, verdict in its two parts, findings.
+/// Short results of all tests for a terminal: for each test head, results with their limits, statistics per
+/// target, verdict in its two parts, findings.
 [[nodiscard]] Report composeResults(const EvaluatedDocument &evaluated, const Language &language);
 
-/// The findings of all tests alone, with the accordance of each test with its edition.
+/// Only the findings of all tests, with the accordance of each test with its edition.
 [[nodiscard]] Report composeFindings(const EvaluatedDocument &evaluated, const Language &language);
 
 } // namespace palmer

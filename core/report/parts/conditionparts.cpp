@@ -21,7 +21,7 @@ namespace palmer {
 
 namespace {
 
-constexpr double conditionsWidth = 98; ///< mm, beside the environment of 68
+constexpr double conditionsWidth = 98; ///< mm, next to the environment of 68 mm
 constexpr double conditionLabels = 30; ///< mm
 constexpr int correctionDecimals = 2;
 
@@ -88,14 +88,14 @@ QString measuringLineText(const Writer &write, const Conditions &conditions) {
     return lines.join(u'\n');
 }
 
-/// Conditions that stand elsewhere in the report, or in a row with others.
+/// Conditions that are printed elsewhere in the report or share a row.
 constexpr auto placedConditions = std::to_array<std::string_view>(
     {"feedMode", "unloaded", "complete", "levelled", "temperatureControlled", "stabilised", "correctionTo20",
      "airPressure", "airHumidity", "gradientPerHour", "gradientHoursBefore"});
 constexpr auto placedOfCircles = std::to_array<std::string_view>(
     {"compensation", "otherAxes", "startPoint", "stopPoint", "smoothing", "recentredBetweenRuns"});
 
-/// The rows of a table of conditions.
+/// Collects the rows of a table of conditions.
 class ConditionRows {
 public:
     explicit ConditionRows(const TestPart &part)
@@ -111,7 +111,7 @@ public:
         if (!value.isEmpty())
             add(label, value);
     }
-    /// A row named after a StatedThing.
+    /// Adds a row named after a StatedThing.
     void add(const char *key, const QString &value) {
         m_keys.emplace_back(key);
         add(statedThing(key)->name, value);
@@ -120,10 +120,10 @@ public:
         if (!value.isEmpty())
             add(key, value);
     }
-    /// What the test says of it.
+    /// Adds a row with the statement of the test.
     void add(const char *key) { add(key, said(key)); }
     void addStated(const char *key) { addStated(key, said(key)); }
-    /// What it states and no row has yet: nothing is lost because nobody thought of it here.
+    /// Adds all statements without a row yet, so that none is lost.
     void addRest() {
         for (const std::string_view key : conditionKeys(m_test)) {
             const auto isOneOf = [key](const auto &keys) {
@@ -152,10 +152,10 @@ private:
     const Test &m_test;
     const Writer &m_write;
     KeyValues m_values;
-    std::vector<std::string_view> m_keys; ///< of the rows
+    std::vector<std::string_view> m_keys; ///< keys of the rows
 };
 
-/// Whether a contribution of the printed budget is computed from the number; a 0 needs no place in a formula.
+/// True if a contribution of the printed budget uses the number; a 0 does not need to be shown.
 bool isInBudget(const TestPart &part, double value) {
     if (part.leavesOut(ReportPart::uncertainty) || !usesBudget(part.evaluation))
         return false;
@@ -169,7 +169,7 @@ bool isInBudget(const TestPart &part, double value) {
            });
 }
 
-/// What the file states of uncertainty and decision and no other part of the report shows.
+/// Statements of the file about uncertainty and decision that no other part of the report shows.
 QString furtherStatements(const TestPart &part) {
     const Writer &write = part.write;
     QStringList texts;
@@ -259,7 +259,7 @@ KeyValues rowsOf(const PositioningPart &part) {
     rows.add("instrumentPosition");
     rows.add("targetChoice", targetChoiceText(part));
     if (part.leavesOut(ReportPart::targetTable) && part.leavesOut(ReportPart::readings))
-        rows.add(REPORT_TEXT("report", "Target positions"), targetList(part)); // in the tables otherwise
+        rows.add(REPORT_TEXT("report", "Target positions"), targetList(part)); // otherwise in the tables
     if (const auto &ends = part.measurement.axis.range)
         rows.add("range", write.say(REPORT_TEXT("report", "%1 to %2"),
                                     {Number{ends->from, part.along()}, Number{ends->to, part.along()}}));
@@ -279,7 +279,7 @@ KeyValues rowsOf(const PositioningPart &part) {
     return rows.take();
 }
 
-/// The circle as it was specified.
+/// The circle as specified.
 QString specifiedCircle(const CircularPart &part) {
     const SpecifiedCircle &circle = part.measurement.specified;
     QStringList texts;
@@ -292,7 +292,7 @@ QString specifiedCircle(const CircularPart &part) {
     return texts.join(part.write.semicolon());
 }
 
-/// What the evaluated ranges leave out, as stated of each arc.
+/// Parts left out of the evaluated ranges, as stated for each arc.
 QString leftOut(const CircularPart &part) {
     QStringList texts;
     for (const Arc &arc : part.measurement.arcs) {
@@ -339,7 +339,7 @@ KeyValues rowsOf(const CircularPart &part) {
     return rows.take();
 }
 
-/// Temperatures at start and end and what else is stated of the environment.
+/// Table of temperatures at start and end and other statements about the environment.
 class EnvironmentTable {
 public:
     EnvironmentTable(const TestPart &part, const Conditions &conditions)
@@ -377,7 +377,7 @@ private:
     [[nodiscard]] Cell shown(std::optional<double> value, Quantity quantity, int decimals) const {
         return {value ? m_write.language().number(certain(*value), quantity, decimals) : QString()};
     }
-    /// With the decimals it was stated with.
+    /// With at least the stated decimals.
     [[nodiscard]] Cell statedCell(std::optional<double> value, Quantity quantity, int least) const {
         return shown(value, quantity, value ? statedDecimals(*value, quantity, least) : least);
     }
@@ -402,7 +402,7 @@ Table environment(const PositioningPart &part) {
     return table.take();
 }
 
-/// Whether a table of the sensors says more than that of the environment: where they are, or several means.
+/// True if a table of the sensors adds to that of the environment: positions, or several sensors per mean.
 bool saysMore(const std::vector<Sensor> &sensors) {
     std::array<int, kindsOfSensors> counts{};
     return std::ranges::any_of(sensors, [&](const Sensor &sensor) {
@@ -529,7 +529,7 @@ void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
     addConditionsHeading(blocks, part);
     if (!temperatures) {
         blocks.emplace_back(std::move(rows));
-        return; // there are no sensors either
+        return; // without temperatures there are no sensors
     }
     EnvironmentTable table(part, conditions);
     table.addExpansion(conditions.expansion);
@@ -546,7 +546,7 @@ void addConditions(std::vector<Block> &blocks, const CircularPart &part) {
     addTemperatureCurve(blocks, part);
 }
 
-/// The text of an agreement; the number behind it unless the text says it.
+/// Text of an agreement, followed by its number if the text does not contain it.
 QString agreedText(const TestPart &part, const AgreedPoint &agreed) {
     QString text = QString::fromStdString(agreed.text);
     if (!agreed.value)
@@ -609,7 +609,7 @@ std::optional<AgreedPoints> agreedPointsOf(const TestPart &part) {
     };
     for (const AgreementPoint &point : edition.points)
         add(point, true);
-    for (const AgreementPoint *point : further) // stated, though this edition does not ask for it
+    for (const AgreementPoint *point : further) // stated, although this edition does not ask for them
         add(*point, false);
     return AgreedPoints{note, std::move(table), letters ? std::size_t(2) : std::size_t(1)};
 }
@@ -661,7 +661,7 @@ void addUncertainty(std::vector<Block> &blocks, const TestPart &part, Uncertaint
 
 namespace {
 
-/// What was added to the readings of each target.
+/// The correction added to the readings of each target.
 Table correctionTable(const PositioningPart &part) {
     const Writer &write = part.write;
     const auto &targets = part.measurement.targets;
@@ -699,7 +699,7 @@ void addCorrection(std::vector<Block> &blocks, const PositioningPart &part) {
     const Conditions &conditions = part.measurement.conditions.common;
     if (part.measurement.axis.motion != Motion::linear ||
         conditions.correctionTo20 != CorrectionTo20::appliedHere)
-        return; // the conditions say so
+        return; // the conditions state it
     const Writer &write = part.write;
     const Expansion &alpha = conditions.expansion;
     const bool corrected = !part.results.corrections.empty();
@@ -736,7 +736,7 @@ void addCorrection(std::vector<Block> &blocks, const PositioningPart &part) {
 void addCorrection(std::vector<Block> &blocks, const CircularPart &part) {
     const Conditions &conditions = part.measurement.conditions.common;
     if (!part.needsLength() || conditions.correctionTo20 != CorrectionTo20::appliedHere)
-        return; // the conditions say so
+        return; // the conditions state it
     const Writer &write = part.write;
     const std::optional<double> &correction = part.results.correction;
     const QString words = write.text(

@@ -6,10 +6,10 @@
 
 namespace palmer {
 
-/// What a test states of its conditions, a row each; a value that is missing is empty.
+/// The conditions stated by a test, one row each; missing values are empty.
 [[nodiscard]] KeyValues conditionRows(const TestPart &part);
 
-/// Temperatures of what the sensors measure: the mean over all of them, null unless each has a value.
+/// Temperatures of a kind of sensor: the mean of all of them, null unless each has a value.
 struct Temperatures {
     std::optional<double> start;
     std::optional<double> end;
@@ -19,47 +19,47 @@ struct Temperatures {
 /// "Machine", "Instrument", "Air".
 [[nodiscard]] Text sensorText(SensorMeasures what);
 
-/// Whether temperatures count for the test, or are stated all the same.
+/// True if temperatures matter for the test or are stated.
 [[nodiscard]] bool statesTemperatures(const TestPart &part);
 
-/// The correction to 20 °C in words; empty where none can be asked for.
+/// The correction to 20 °C in words; empty if it cannot be required.
 [[nodiscard]] QString correctionOf(const TestPart &part);
 
-/// The sensors with their positions; null where the environment says as much.
+/// The sensors with their positions; null if the environment table already shows everything.
 [[nodiscard]] std::optional<Table> sensorTable(const TestPart &part);
 
-/// The temperatures over time, where a sensor has a series and the curve is wanted.
+/// Adds the temperatures over time if a sensor has a series and the curve is wanted.
 void addTemperatureCurve(std::vector<Block> &blocks, const TestPart &part);
 
-/// The points to be agreed with what was agreed, and between whom, after which clause.
+/// The points to be agreed, with the agreement, its parties and its clause.
 struct AgreedPoints {
     QString note;
     Table table;
-    std::size_t keys = 1; ///< columns that say which point it is
+    std::size_t keys = 1; ///< columns that identify the point
 };
-/// Null: the edition has none.
+/// Null if the edition has none.
 [[nodiscard]] std::optional<AgreedPoints> agreedPointsOf(const TestPart &part);
 
-/// The test conditions with the environment and the temperature sensors.
+/// Adds the test conditions with the environment and the temperature sensors.
 void addConditions(std::vector<Block> &blocks, const PositioningPart &part);
 
-/// The same of a circular test, apart from the parameters that stand beside its figure.
+/// The same for a circular test, without the parameters printed next to its figure.
 void addConditions(std::vector<Block> &blocks, const CircularPart &part);
 
-/// The points to be agreed between supplier/manufacturer and user, each with its state.
+/// Adds the points to be agreed between supplier/manufacturer and user, each with its state.
 void addAgreedPoints(std::vector<Block> &blocks, const TestPart &part);
 
-/// What stands behind the U of the results, where there is any or the edition asks for it.
+/// Adds the origin of the U of the results, if there is any or the edition requires it.
 void addUncertainty(std::vector<Block> &blocks, const TestPart &part, UncertaintyMethod method);
 
-/// The correction to 20 °C where it was to be made here, and what was added to each target. Linear axes only;
-/// in all other cases the conditions say what there is to say.
+/// Adds the correction to 20 °C if it was to be made here, and its value at each target. Linear axes only; in
+/// all other cases the conditions state it.
 void addCorrection(std::vector<Block> &blocks, const PositioningPart &part);
 
-/// The same of F and D, with C and what it follows from; nothing where neither is asked for.
+/// The same for F and D, with C and its inputs; nothing if neither is required.
 void addCorrection(std::vector<Block> &blocks, const CircularPart &part);
 
-/// "X 0; Y –; Z 150"; empty where nothing is stated.
+/// "X 0; Y –; Z 150"; empty if nothing is stated.
 [[nodiscard]] QString pointText(const Writer &write, const Point3 &point);
 
 } // namespace palmer

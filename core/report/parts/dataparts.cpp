@@ -21,14 +21,14 @@ namespace {
 
 constexpr double positionWidth = 19;
 constexpr double directionsGap = 5;
-constexpr double digitWidth = 1.67; ///< mm, of 8.5 pt
+constexpr double digitWidth = 1.67; ///< mm, at 8.5 pt
 constexpr double readingPadding = 2;
 constexpr std::size_t mostRunsSideBySide = 7;
 constexpr std::size_t rowsOfAGroup = 5;
 constexpr double narrowestReading = 12;
-constexpr std::size_t mostRows = 2000;       ///< of readings or targets that are printed unasked
+constexpr std::size_t mostRows = 2000;       ///< of readings or targets printed by default
 constexpr qsizetype mostRemarksBeside = 600; ///< characters; longer remarks take the whole width
-constexpr std::size_t mostColumnsBeside = 5; ///< of editions, beside remarks
+constexpr std::size_t mostColumnsBeside = 5; ///< of editions, next to remarks
 
 Phrase indexed(const QString &base, const QString &index, const QString &after = {}) {
     std::vector<Span> spans{{base}, {index, true}};
@@ -37,7 +37,7 @@ Phrase indexed(const QString &base, const QString &index, const QString &after =
     return Phrase(std::move(spans));
 }
 
-/// Width of column i, mm: two digits; one more for each digit more.
+/// Width of column i, mm: for two digits, and more for each further digit.
 double widthOfNumbers(const PositioningMeasurement &measurement) {
     const qsizetype digits = QString::number(measurement.targets.size()).size();
     return 7 + 2.0 * static_cast<double>(std::max<qsizetype>(0, digits - 2));
@@ -61,8 +61,7 @@ void addGroupRules(Table &table) {
         table.rulesAfter.push_back(row - 1);
 }
 
-/// Targets (from 1) that rule R↑, R↓, R, B and their likes: the cells of the table per target that stand
-/// bold.
+/// Targets (from 1) that rule R↑, R↓, R, B etc.: bold cells in the table per target.
 std::set<std::pair<std::string, int>> rulingCells(const TestEvaluation &evaluation) {
     std::set<std::pair<std::string, int>> cells;
     for (const TargetTerm &term : evaluation.edition->targetTerms) {
@@ -74,7 +73,7 @@ std::set<std::pair<std::string, int>> rulingCells(const TestEvaluation &evaluati
     return cells;
 }
 
-/// The runs of a direction in the order they were measured.
+/// Runs of a direction in the order of measurement.
 std::vector<const Run *> runsOf(const PositioningMeasurement &measurement, Direction direction) {
     std::vector<const Run *> runs;
     for (const Run &run : measurement.runs) {
@@ -100,7 +99,7 @@ void addLeftOut(std::vector<Block> &blocks, const Writer &write, std::size_t row
 
 class ReadingTables {
 public:
-    /// Rows of all tables together, or of the least there can be where these are too many as it is.
+    /// Rows of all tables together; if these are too many, a lower bound is enough.
     static std::size_t leastRows(const PositioningMeasurement &measurement) {
         const std::size_t up = runsOf(measurement, Direction::positive).size();
         const std::size_t down = runsOf(measurement, Direction::negative).size();
@@ -127,7 +126,7 @@ public:
         m_columnWidth = static_cast<double>(longest) * digitWidth + readingPadding;
     }
 
-    /// Adds the readings to a table per target; where they find no room there: false, and nothing is added.
+    /// Appends the readings to a table per target; returns false and adds nothing if they do not fit.
     [[nodiscard]] bool appendedTo(Table &table) const {
         constexpr std::size_t numberAndPosition = 2;
         double width = std::max(m_columnWidth, narrowestReading);
@@ -232,7 +231,7 @@ private:
     double m_columnWidth = 0;
 };
 
-/// Which of its direction each run is, from 1.
+/// Number of each run within its direction, from 1.
 std::vector<int> numbersInDirection(const PositioningMeasurement &measurement) {
     std::vector<int> numbers;
     int ups = 0;
@@ -242,7 +241,7 @@ std::vector<int> numbersInDirection(const PositioningMeasurement &measurement) {
     return numbers;
 }
 
-/// "2006"; whole designations where there is more than the year to tell apart.
+/// "2006"; the full designation if the year is not enough to identify the edition.
 QString shortEdition(const char *word) {
     QString designation = QString::fromUtf8(word);
     for (const QString &family : {QStringLiteral("ISO 230-2:"), QStringLiteral("ISO 230-4:")}) {
@@ -273,7 +272,7 @@ bool hasScatter(const PositioningPart &part) {
     return std::max(part.results.positiveRuns, part.results.negativeRuns) > 1;
 }
 
-/// Of one run a direction the means are the readings.
+/// With one run per direction the means are the readings.
 bool meansAreReadings(const PositioningPart &part) {
     return !hasScatter(part) && part.results.corrections.empty() && !part.leavesOut(ReportPart::targetTable);
 }
@@ -331,8 +330,8 @@ Table groupedTargets(const PositioningPart &part) {
     return table;
 }
 
-/// A table of few columns and many rows as two halves beside each other, the second behind the last row of
-/// the first; as it is where they find no room or are too long to stand on a page whole.
+/// Splits a table of few columns and many rows into two halves side by side; returns it unchanged if they do
+/// not fit or are too long for one page.
 Table inHalves(Table table) {
     constexpr std::size_t fewest = 16;
     constexpr std::size_t most = 40;
@@ -363,7 +362,7 @@ Table inHalves(Table table) {
     return table;
 }
 
-/// "positional deviations x_ij", and whether they are as read.
+/// "positional deviations x_ij", and whether they are uncorrected.
 Phrase readingsNote(const PositioningPart &part) {
     const Writer &write = part.write;
     Phrase note = indexed(write.text(part.edition().deviations) + QStringLiteral(" x"), QStringLiteral("ij"));
@@ -408,7 +407,7 @@ void addReadingTables(std::vector<Block> &blocks, const PositioningPart &part) {
         blocks.emplace_back(std::move(table));
 }
 
-/// Both in one table, where that is wide enough; else false, and nothing is added.
+/// Adds both in one table if they fit; otherwise returns false and adds nothing.
 bool addTargetsWithReadings(std::vector<Block> &blocks, const PositioningPart &part) {
     if (!printsTargets(part) || !printsReadings(part) || part.results.targets.size() > mostRows)
         return false;
@@ -471,7 +470,7 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
         {write.text(REPORT_TEXT("report", "Reason")), {}, Alignment::left, true, 112}};
     const std::vector<int> numbers = numbersInDirection(measurement);
     int decimals = readingDecimals(measurement);
-    for (const ExcludedReading &reading : measurement.excluded) // which may have more
+    for (const ExcludedReading &reading : measurement.excluded) // these may have more
         decimals =
             std::max(decimals, limitDecimals(reading.value, part.deviation(), write.language().units()));
     const std::size_t shown =
@@ -566,8 +565,7 @@ void addEditionsAndRemarks(std::vector<Block> &blocks, const TestPart &part, con
 
 namespace {
 
-/// The results that programs of instruments state, ours beside them where we have the same, and the
-/// difference.
+/// Results stated by the instruments' programs, next to our own ones if available, and their difference.
 Table instrumentResultsTable(const TestPart &part) {
     const Writer &write = part.write;
     const Language &language = write.language();
@@ -582,7 +580,7 @@ Table instrumentResultsTable(const TestPart &part) {
                      {write.text(REPORT_TEXT("report", "Here")), {}, Alignment::left, false, 18},
                      {write.text(REPORT_TEXT("report", "Value here")), {}, Alignment::right, false, 27},
                      {write.text(REPORT_TEXT("report", "Here − stated")), {}, Alignment::right, false, 27}};
-    constexpr int decimals = 2; // of µm: programs state one
+    constexpr int decimals = 2; // of µm; programs state one
     for (const InstrumentResult &result : instrumentResults(part.test, part.evaluation)) {
         const ImportedResult &stated = *result.stated;
         const std::string name =

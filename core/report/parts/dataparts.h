@@ -6,28 +6,28 @@
 
 namespace palmer {
 
-/// Statistics per target, a row each; what rules a parameter of the axis is bold.
+/// Statistics per target, one row each; values that rule a parameter of the axis are bold.
 [[nodiscard]] Table targetTable(const PositioningPart &part);
 
-/// Statistics per target, what rules a parameter of the axis bold; and all readings as entered: in the same
-/// table where they find room, else below it, both directions side by side, or ↑ above ↓ where these would be
-/// too narrow (more than seven runs a direction); many runs in several tables.
+/// Adds the statistics per target, with ruling values bold, and all readings as entered: in the same table if
+/// they fit, otherwise below it with both directions side by side, or ↑ above ↓ if these would be too narrow
+/// (more than seven runs per direction); many runs in several tables.
 void addTargetsAndReadings(std::vector<Block> &blocks, const PositioningPart &part);
 
-/// About how many pages of rows "all readings" prints that the report leaves out without it; 0: none.
+/// Estimates the pages of rows that "all readings" adds to the report; 0: none.
 [[nodiscard]] int pagesOfAllReadings(const Document &document);
 
-/// Readings set aside, each with its reason.
+/// Adds the excluded readings, each with its reason.
 void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part);
 
-/// The results under the editions asked for, side by side, without verdict; null where none is. The first
-/// column holds the symbols, below its title the unit. `narrow`: the factors stand as "c = 2".
+/// Results under the requested editions, side by side, without verdict; null if none is requested. The first
+/// column contains the symbols, with the unit below its title. `narrow`: factors are printed as "c = 2".
 [[nodiscard]] std::optional<Table> editionsTable(const TestPart &part, bool narrow = false);
 
-/// It and the remarks of the test, beside each other where they fit.
+/// Adds this table and the remarks of the test, side by side if they fit.
 void addEditionsAndRemarks(std::vector<Block> &blocks, const TestPart &part, const QString &remarks);
 
-/// The files the measurement came from, with the results their own program states.
+/// Adds the files the measurement came from, with the results stated by their programs.
 void addImports(std::vector<Block> &blocks, const TestPart &part);
 
 } // namespace palmer

@@ -21,7 +21,7 @@ namespace palmer {
 
 namespace {
 
-constexpr double micrometres = 1000; ///< of a millimetre
+constexpr double micrometres = 1000; ///< per millimetre
 constexpr int contributionDecimals = 2;
 
 QString counted(const Language &language, auto n) {
@@ -40,7 +40,7 @@ Cell contributionCell(const DiagnosisRow &row, const Language &language, int dec
                : Cell();
 }
 
-/// The table of sources and what is said of it.
+/// Composes the table of sources and its explanations.
 class DiagnosisComposer {
 public:
     DiagnosisComposer(const Diagnosis &diagnosis, const Language &language)
@@ -84,7 +84,7 @@ private:
             {},
             {text(REPORT_TEXT("report", "Part of G(b)")), QStringLiteral("µm"), Alignment::decimal, false},
             {text(REPORT_TEXT("report", "Meaning")), {}, Alignment::left, true}};
-        std::vector<Block> sums; // their names are too long for a column of a terminal
+        std::vector<Block> sums; // their names are too long for a terminal column
         for (const DiagnosisRow &row : diagnosisRows(m_diagnosis, m_language)) {
             if (row.kind == DiagnosisRowKind::sum)
                 sums.emplace_back(Paragraph{m_language.sentence(
@@ -112,19 +112,19 @@ constexpr std::size_t mostRowsUnbroken = 16;
 constexpr double stripWidth = 175;
 constexpr double stripHeight = 25;
 constexpr double spectrumHeight = 40;
-constexpr double barWidth = 18;    ///< of the end of the scale, mm
+constexpr double barWidth = 18;    ///< of the full scale, mm
 constexpr double barColumn = 20.5; ///< mm
 constexpr std::size_t partsOfStrip = 1500;
 constexpr int decimalsOfWidths = 1;
 
-/// How the table of sources is made.
+/// Options of the table of sources.
 struct SourcesOfPage {
-    std::size_t traced = 0; ///< so many of the first are drawn
-    QString zone;           ///< what the part is of
-    bool circle = false;    ///< with radius and centre, that else stand beside the figure
+    std::size_t traced = 0; ///< number of leading sources that are drawn
+    QString zone;           ///< what the contributions are a part of
+    bool circle = false;    ///< include radius and centre, otherwise printed next to the figure
 };
 
-/// Of the scale of their bars, µm.
+/// End of the bar scale, µm.
 double endOfBars(const std::vector<DiagnosisRow> &rows) {
     double largest = 0;
     for (const DiagnosisRow &row : rows)
@@ -176,7 +176,7 @@ Table sourcesTable(const Writer &write, const std::vector<DiagnosisRow> &rows, c
     return table;
 }
 
-/// The figure with its heading at the left; what is said of it comes to the right.
+/// The figure with its heading on the left, for a right column.
 SideBySide withTracedFigure(CircleFigure figure, const Writer &write) {
     SideBySide both;
     both.leftWidth = figureWidth;
@@ -207,7 +207,7 @@ public:
 
 private:
     [[nodiscard]] const Language &language() const { return m_write.language(); }
-    /// ": " as the language spaces it.
+    /// ": " with the spacing of the language.
     [[nodiscard]] QString colon() const {
         return language().id() == Language::Id::french ? QStringLiteral("\u00A0: ") : QStringLiteral(": ");
     }
@@ -215,7 +215,7 @@ private:
         return language().quantity(mm, Quantity::deviation, decimalsOfWidths);
     }
 
-    /// What the widths of minimum zones are of: the result where that is one.
+    /// Name of the minimum zone width: the symbol of the result if it is one.
     [[nodiscard]] QString zoneName() const {
         if (m_part.measurement.referenceCircle != ReferenceCircle::minimumZone)
             return m_write.text(REPORT_TEXT("report", "minimum zone"));
@@ -323,7 +323,7 @@ private:
         blocks.emplace_back(sourcesTable(m_write, m_rows, {m_traced, zoneName(), false}));
     }
 
-    /// What the program of the instrument says of the same faults.
+    /// Adds the diagnosis by the instrument's own program.
     void addStated(std::vector<Block> &blocks) const {
         const std::vector<StatedSource> stated = statedSources(m_part.test, m_test.diagnosis, language());
         if (stated.empty())
@@ -369,7 +369,7 @@ private:
     void addRest(std::vector<Block> &blocks) const {
         LineFigure strip = residualFigure(m_test, language(), partsOfStrip);
         for (FigureLine &line : strip.lines)
-            line.name.clear(); // as in the figure above
+            line.name.clear(); // same colours as in the figure above
         addHeading(blocks, strip.title,
                    m_write.text(REPORT_TEXT("report", "measured minus all sources, over the angle; colours "
                                                       "as above")));
@@ -386,14 +386,14 @@ private:
     const CircularPart &m_part;
     const Writer &m_write;
     const DiagnosedTest &m_test;
-    std::vector<DiagnosisRow> m_rows; ///< those that are traced come first
+    std::vector<DiagnosisRow> m_rows; ///< the traced ones first
     std::size_t m_traced;
     std::vector<std::size_t> m_chosen;
 };
 
 // ---- Several feeds ---------------------------------------------------------------------------------------
 
-/// What circles of one plane at several feeds say together: the page behind that of the last of them.
+/// Page of the joint diagnosis of circles of one plane at several feeds, after the page of the last of them.
 class FeedsPage {
 public:
     FeedsPage(const Writer &write, const std::vector<DiagnosedTest> &tests, const Diagnosis &together)
@@ -445,7 +445,7 @@ private:
         blocks.emplace_back(std::move(both));
     }
 
-    /// A lag that is seen, and the sources that count most, as each circle tells them by itself.
+    /// Adds detected lags and the most important sources over the feed, as each circle shows them.
     void addOverFeed(std::vector<Block> &blocks) const {
         constexpr double width = 85;
         constexpr double height = 42;
@@ -458,7 +458,7 @@ private:
             if (row.kind == DiagnosisRowKind::source && !figure.lines.empty() && isNew && figures.size() < 2)
                 figures.push_back(std::move(figure));
         };
-        for (const DiagnosisRow &row : m_rows) { // what only several feeds tell
+        for (const DiagnosisRow &row : m_rows) { // lags, which only several feeds determine
             const SourceEstimate &source = m_together.sources[row.sources.front()];
             const bool isLag = source.id == InfluenceId::commonLag || source.id == InfluenceId::lagMismatch;
             if (isLag && source.value && source.u && std::abs(*source.value) > 2 * *source.u)
@@ -487,7 +487,7 @@ private:
     std::vector<DiagnosisRow> m_rows;
 };
 
-/// Behind the last of the tests at several feeds.
+/// Adds the joint diagnosis if this is the last test of a group at several feeds.
 void addFeeds(std::vector<Block> &blocks, const CircularPart &part) {
     for (const std::vector<std::size_t> &group : testsAtSeveralFeeds(part.evaluated)) {
         if (group.back() != part.index)
@@ -542,7 +542,7 @@ void addDiagnosis(std::vector<Block> &blocks, const CircularPart &part) {
         blocks.emplace_back(Paragraph{
             write.text(REPORT_TEXT("report", "The evaluated points are too few for a diagnosis."))});
     addFeeds(blocks, part);
-    blocks.emplace_back(PageBreak{}); // what follows is no interpretation
+    blocks.emplace_back(PageBreak{}); // the diagnosis pages end here
 }
 
 } // namespace palmer

@@ -9,14 +9,14 @@
 
 namespace palmer {
 
-/// The diagnosis of a circle to be read: heading that says what it is (an interpretation, no result of the
-/// standard), how well the circle tells its sources, the sources with value, u and part of G(b), what each
-/// means, remarks. Nothing for a circle that gives no diagnosis.
+/// The diagnosis of a circle as text: heading that declares it an interpretation and no result of the
+/// standard, quality of the separation, the sources with value, u, part of G(b) and meaning, remarks. Empty
+/// if the circle gives no diagnosis.
 [[nodiscard]] std::vector<Block> diagnosisParts(const Diagnosis &diagnosis, const Language &language);
 
-/// The page of a report that says the same with figures: measured and synthetic path, the sources with what
-/// to look at on the machine, what they leave. Behind the last of several tests of a plane at different feeds
-/// a page of what these say together. Nothing unless the report asks for it.
+/// Adds the diagnosis page of a report with figures: measured and synthetic path, the sources with advice for
+/// the machine, the residual. The last of several tests of a plane at different feeds is followed by a page
+/// of the joint diagnosis. Nothing unless the report includes it.
 void addDiagnosis(std::vector<Block> &blocks, const CircularPart &part);
 
 } // namespace palmer

@@ -37,7 +37,7 @@ QString machineText(const Machine &machine) {
                    QString::fromStdString(machine.model)});
 }
 
-/// Laboratory, number, title: what the heads of tests and of the summary have in common.
+/// Common parts of the heads of tests and of the summary: laboratory, number, title.
 TestHead letterHead(const Writer &write, const ReportHead &head) {
     TestHead result;
     result.laboratory = QString::fromStdString(head.laboratory.name);
@@ -76,7 +76,7 @@ QString dateOfTest(const TestPart &part) {
     return part.test.time ? joined({date, QString::fromStdString(*part.test.time)}) : date;
 }
 
-/// When the tests were carried out: as the head of the report says, else from the first to the last of them.
+/// Period of the tests: as stated in the report head, otherwise from the first to the last test.
 QString periodOfTests(const std::vector<TestPart> &parts) {
     const ReportHead &head = parts.front().head();
     if (head.performedFrom || head.performedTo)
@@ -143,7 +143,7 @@ QString axisText(const PositioningPart &part) {
     return joined(texts);
 }
 
-/// "0.00 to 1 500.41 mm"; a sign of degrees stands at each number.
+/// "0.00 to 1 500.41 mm"; with degrees each number has its sign.
 QString intervalText(const PositioningPart &part, double from, double to, int decimals) {
     const Language &language = part.write.language();
     const QString first = part.along() == Quantity::angle
@@ -197,7 +197,7 @@ QString titleAndEdition(const TestPart &part) {
                   QStringLiteral(" · "));
 }
 
-/// What the heads of all kinds state alike; the right column is left to each.
+/// Common parts of the heads of all kinds, without the right column.
 TestHead commonHead(const TestPart &part) {
     TestHead head = letterHead(part.write, part.head());
     head.anchor = part.headAnchor();

@@ -9,7 +9,7 @@ namespace palmer {
 /// The title of the report: its own, or "Acceptance test report".
 [[nodiscard]] QString reportTitle(const Writer &write, const ReportHead &head);
 
-/// What each page of a test carries above its rule.
+/// Running head of the pages of a test.
 [[nodiscard]] RunningHead runningHead(const TestPart &part);
 
 /// The head of a positioning test.
@@ -18,7 +18,7 @@ namespace palmer {
 /// The head of a circular test.
 [[nodiscard]] TestHead circularHead(const CircularPart &part);
 
-/// The head of a report whose tests have no page of their own.
+/// The head of a report whose tests have no pages of their own.
 [[nodiscard]] TestHead driftHead(const Writer &write, const Document &document);
 
 /// The head of the first page of a report over several tests.

@@ -4,10 +4,10 @@
 
 namespace palmer {
 
-// What the parts of a report have in common on the page.
+// Page dimensions and decimals shared by the parts of a report.
 
-inline constexpr double textWidth = 175; ///< mm, of a page
-inline constexpr double figureGap = 5;   ///< mm between a figure and what stands beside it
+inline constexpr double textWidth = 175; ///< mm
+inline constexpr double figureGap = 5;   ///< mm between a figure and the column next to it
 inline constexpr int temperatureDecimals = 1;
 inline constexpr int expansionDecimals = 1; ///< of α
 

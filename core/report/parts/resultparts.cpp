@@ -25,9 +25,9 @@ namespace palmer {
 namespace {
 
 constexpr double earlierGuardFactor = 1.0;   ///< guard band U: earlier editions of ISO 14253-1
-constexpr double oneSidedGuardFactor = 0.83; ///< 1.65 u: its later 95 % rule for one limit
+constexpr double oneSidedGuardFactor = 0.83; ///< 1.65 u: 95 % rule of later editions for one limit
 constexpr QChar noBreakSpace(u'\u00A0');
-constexpr qsizetype mostOfReason = 230; ///< characters that fit on three lines of the verdict line
+constexpr qsizetype mostOfReason = 230; ///< characters that fit on three lines of the verdict
 
 bool hasGuardBand(const Test &test) {
     return test.decisionRule.rule != Rule::simpleAcceptance;
@@ -41,7 +41,7 @@ Number factor(const Test &test) {
     return {test.decisionRule.guardFactor, Quantity::number, -1};
 }
 
-/// "U", "0.83 U"; of a simulated U "0.83 (U + 2s)", s that of U.
+/// "U", "0.83 U"; with a simulated U "0.83 (U + 2s)", where s belongs to U.
 QString bandName(const TestPart &part, bool simulated) {
     QString band = simulated ? QStringLiteral("U\u00A0+\u00A02s") : QStringLiteral("U");
     if (factorIsOne(part.test))
@@ -50,7 +50,7 @@ QString bandName(const TestPart &part, bool simulated) {
            QStringLiteral("\u00A0") + (simulated ? u'(' + band + u')' : band);
 }
 
-/// In a sentence, without typography: "Fmax,XY".
+/// Symbol for sentences, without typography: "Fmax,XY".
 QString shownSymbol(const Parameter &parameter) {
     return symbolPhrase(parameter.term.symbol, parameter.index).plain();
 }
@@ -62,8 +62,8 @@ QString joinedSymbols(const std::vector<const Parameter *> &parameters) {
     return symbols.join(QStringLiteral(", "));
 }
 
-/// The names of the standard end in "of an axis": in a table of one axis that is said by the heading. A name
-/// that would become one word stays whole.
+/// Removes the ending "of an axis" from the standard's names, since the table heading states it. A name that
+/// would become a single word is not changed.
 QString nameInTable(const Writer &write, const Text &name) {
     QString result = write.text(name);
     const QString ending =
@@ -80,10 +80,10 @@ Phrase targetsTitle(const Writer &write) {
                    {QStringLiteral("i"), false, true}});
 }
 
-/// What the table of results says of one kind of test.
+/// Properties of the table of results of a kind of test.
 struct ResultForm {
     QString heading;
-    bool setUpInF = false; ///< F holds the error of the set-up: it says so
+    bool setUpInF = false; ///< note that F contains the set-up error
     std::function<QString(const Parameter &)> nameOf;
 };
 
@@ -94,12 +94,12 @@ ResultForm positioningForm(const PositioningPart &part) {
             false, [&part](const Parameter &parameter) {
                 QString name = nameInTable(part.write, parameter.term.name);
                 const QString symbol =
-                    QStringLiteral(" (%1)").arg(shownSymbol(parameter)); // stands beside it
+                    QStringLiteral(" (%1)").arg(shownSymbol(parameter)); // printed next to it
                 return name.endsWith(symbol) ? name.chopped(symbol.size()) : name;
             }};
 }
 
-/// "Circular deviation, anticlockwise, minimum zone": the term, of which path, by which circle.
+/// Term, path and circle: "Circular deviation, anticlockwise, minimum zone".
 QString circularName(const CircularPart &part, const Parameter &parameter) {
     const Writer &write = part.write;
     QStringList words{nameInTable(write, parameter.term.name)};
@@ -122,7 +122,7 @@ ResultForm circularForm(const CircularPart &part) {
             [&part](const Parameter &parameter) { return circularName(part, parameter); }};
 }
 
-/// The name has what the others leave; what a text needs more is taken from beside the picture first. In mm.
+/// Widths in mm: the name gets the rest; wider texts first take space next to the picture.
 Column columnOnPaper(const ResultColumn &column, const TestPart &part, const QString &unit) {
     const Writer &write = part.write;
     constexpr double gap = 1.2;
@@ -134,7 +134,7 @@ Column columnOnPaper(const ResultColumn &column, const TestPart &part, const QSt
                   column.look == ResultLook::name, column.width};
     result.fitting = column.look != ResultLook::name;
     switch (column.look) {
-    case ResultLook::symbol: // and the name beside it
+    case ResultLook::symbol: // followed by the name
         result.title = write.text(resultColumn("name").title);
         result.titleSpan = 2;
         result.paddingLeft = gap;
@@ -332,7 +332,7 @@ std::vector<const Parameter *> parametersOf(const std::vector<const PrintedResul
 std::string shownValue(const TestPart &part, const PrintedResult &result) {
     QString value = result.value;
     if (result.parameter->bound == Bound::magnitude && value.startsWith(u'−'))
-        value.remove(0, 1); // the limit holds for the absolute value
+        value.remove(0, 1); // the limit applies to the absolute value
     return withUnit(value, result.parameter->term.quantity, part.write.language()).toStdString();
 }
 
@@ -353,7 +353,7 @@ Text exceededBand(bool isLower, bool bandIsU) {
                              "%1 exceeds its limit by more than the guard band: %2 against %3 + %4 = %5.");
 }
 
-/// `inShort`: the symbols only.
+/// `inShort`: only the symbols.
 QString exceeded(const TestPart &part, const std::vector<const PrintedResult *> &results, bool inShort) {
     const Writer &write = part.write;
     if (results.size() > 1 || inShort) {
@@ -412,7 +412,7 @@ QString notProven(const TestPart &part, const std::vector<const PrintedResult *>
                           symbols);
 }
 
-/// Results without a limit of their own, evaluable or not.
+/// True if a result, evaluable or not, has no limit.
 bool anyWithoutLimit(const TestPart &part, const std::vector<PrintedResult> &results) {
     return std::ranges::any_of(results, [&](const PrintedResult &result) {
         return !result.parameter->verdict &&
@@ -447,7 +447,7 @@ QString reason(const TestPart &part, const std::vector<PrintedResult> &results) 
         const QString unknown = notEvaluableSentence(part.evaluation, part.write.language());
         if (!unknown.isEmpty())
             all << unknown;
-        if (!good.empty() && failing.empty() && open.empty() && unknown.isEmpty()) // the state says it
+        if (!good.empty() && failing.empty() && open.empty() && unknown.isEmpty()) // the state says so
             all << enumerated(part.write, met.split(QStringLiteral(", "))) + u'.';
         else if (!good.empty())
             all << part.write.say(REPORT_TEXT("report", "Within its limit: %1."), met);
@@ -582,7 +582,7 @@ void addResults(std::vector<Block> &blocks, const CircularPart &part) {
 
 void addFindings(std::vector<Block> &blocks, const TestPart &part) {
     if (part.leavesOut(ReportPart::findings)) {
-        // That readings are substitutes is said wherever they are shown.
+        // Substituted readings are always declared with the readings.
         for (const Finding &finding : part.evaluation.findings) {
             if (finding.explains == Explains::substituteReadings)
                 blocks.emplace_back(Paragraph{findingText(finding, part.write.language()), TextSize::small});
@@ -590,7 +590,7 @@ void addFindings(std::vector<Block> &blocks, const TestPart &part) {
         return;
     }
     FindingsBlock block = findingLines(part.evaluation, part.write.language());
-    const bool none = block.lines.empty(); // is said beside the heading
+    const bool none = block.lines.empty(); // stated next to the heading
     addHeading(blocks, part.write.text(REPORT_TEXT("report", "Findings")),
                part.write.text(
                    none ? REPORT_TEXT("report", "No findings.")
@@ -664,7 +664,7 @@ Table limitsTable(const TestPart &part) {
                               QString::fromStdString(limit.edition.value_or(part.test.edition)),
                               QString::fromStdString(limit.source)});
     };
-    Limits others = part.test.limits; // those of no parameter of this test come last
+    Limits others = part.test.limits; // limits without a parameter of this test come last
     for (const Parameter &parameter : part.evaluation.parameters) {
         const auto found = others.find(parameter.term.id);
         if (found == others.end())

@@ -6,46 +6,46 @@
 
 namespace palmer {
 
-/// The large word of a verdict line, and the line below it where limits are respected by a test of which not
-/// all is known.
+/// The large word of a verdict, and a second line if the limits are respected but facts of the test are
+/// unknown.
 struct LargeWord {
     Text word;
     Text second = {}; ///< may be empty
 };
 
-/// "Conforms" and its likes are for tests whose requirements were all read, declared and met. Otherwise the
-/// word is of the limits alone, and with an unmet requirement there is no verdict on respected limits.
+/// "Conforms" etc. require that all requirements were read, declared and met. Otherwise the word only
+/// concerns the limits, and with an unmet requirement there is no verdict on respected limits.
 [[nodiscard]] LargeWord largeWord(std::optional<Verdict> verdict, bool anyLimit, Accordance accordance);
 
-/// The mark beside the large word; none where it has none.
+/// The mark next to the large word; may be none.
 [[nodiscard]] Mark largeMark(std::optional<Verdict> verdict, Accordance accordance);
 
-/// The guard picture of a result; blank without verdict, or where the limit is no size.
+/// The guard picture of a result; blank without verdict, or if the limit is not positive.
 [[nodiscard]] Cell guardCell(const Parameter &parameter);
 
-/// "met", "exceeded" with its mark; missing without verdict.
+/// "met", "exceeded" with its mark; a missing value without verdict.
 [[nodiscard]] Cell verdictCell(const Writer &write, const Parameter &parameter);
 
-/// "ISO 14253-1, conformity has to be proven", with the guard band where that is not U.
+/// "ISO 14253-1, conformity has to be proven", with the guard band unless it is U.
 [[nodiscard]] QString ruleInShort(const TestPart &part);
 
-/// The figure of a positioning test below its heading.
+/// Adds the figure of a positioning test with its heading.
 void addFigure(std::vector<Block> &blocks, const PositioningPart &part);
 
-/// Results with limits, guard pictures and verdicts, what these mean, and the verdict line.
+/// Adds results with limits, guard pictures and verdicts, their legend, and the verdict line.
 void addResults(std::vector<Block> &blocks, const PositioningPart &part);
 void addResults(std::vector<Block> &blocks, const CircularPart &part);
 
-/// Findings in the order of their grades, unless the report leaves them out.
+/// Adds the findings in order of grade, unless the report leaves them out.
 void addFindings(std::vector<Block> &blocks, const TestPart &part);
 
 /// The decision rule of a test in words, with its guard factor.
 [[nodiscard]] QString decisionText(const TestPart &part);
 
-/// The limits with their sources; without rows where there are none.
+/// The limits with their sources; may have no rows.
 [[nodiscard]] Table limitsTable(const TestPart &part);
 
-/// These and the decision rule in words.
+/// Adds these and the decision rule in words.
 void addLimits(std::vector<Block> &blocks, const TestPart &part);
 
 } // namespace palmer

@@ -21,15 +21,15 @@ namespace palmer {
 
 namespace {
 
-constexpr double testsWidth = 16; ///< mm, of the numbers of tests
+constexpr double testsWidth = 16; ///< mm, for test numbers
 
 struct TableOfTest {
     int test = 1;
     Table table;
 };
 
-/// Tables of the same columns as one: rows whose first `keyCells` cells are the same stand below each other,
-/// with the numbers of the tests that state the rest. What several tests state stands once.
+/// Merges tables with the same columns: rows with the same first `keyCells` cells become neighbours, with the
+/// numbers of their tests. Statements shared by several tests are printed once.
 class MergedTable {
 public:
     MergedTable(const Writer &write, int count, std::size_t keyCells)
@@ -41,12 +41,12 @@ public:
         if (m_columns.empty())
             m_columns = source.table.columns;
         const auto &rows = source.table.rows;
-        std::vector<std::size_t> known(rows.size() + 1, rows.size()); // the next row whose subject is
+        std::vector<std::size_t> known(rows.size() + 1, rows.size()); // next row with a known subject
         for (std::size_t i = rows.size(); i-- > 0;)
             known[i] = find(rows[i]) != m_subjects.end() ? i : known[i + 1];
         for (std::size_t i = 0; i < rows.size(); ++i) {
             auto subject = find(rows[i]);
-            if (subject == m_subjects.end()) { // stands before that
+            if (subject == m_subjects.end()) { // insert before that row
                 const auto next = known[i] < rows.size() ? find(rows[known[i]]) : m_subjects.end();
                 const auto end = rows[i].begin() + static_cast<std::ptrdiff_t>(m_keys);
                 subject = m_subjects.insert(next, {{rows[i].begin(), end}, {}});
@@ -55,14 +55,14 @@ public:
         }
     }
 
-    /// Without rows where there was nothing to add.
+    /// The merged table; empty if nothing was added.
     [[nodiscard]] Table take() const {
         Table table;
         if (m_subjects.empty())
             return table;
         table.columns = m_columns;
         const auto tests = static_cast<std::ptrdiff_t>(m_keys);
-        std::ranges::find_if(table.columns, &Column::flexible)->width -= testsWidth; // there is one
+        std::ranges::find_if(table.columns, &Column::flexible)->width -= testsWidth; // exists
         table.columns.insert(
             table.columns.begin() + tests,
             {m_write.text(REPORT_TEXT("report", "Tests")), {}, Alignment::left, false, testsWidth});
@@ -134,13 +134,13 @@ Table conditionTable(const TestPart &part) {
     }
     if (const QString correction = correctionOf(part); !correction.isEmpty())
         table.rows.push_back({part.write.text(REPORT_TEXT("report", "Correction to 20 °C")), correction});
-    if (!missing.isEmpty()) // in one row, for the dashes would take a line each
+    if (!missing.isEmpty()) // in one row, to avoid a row per dash
         table.rows.push_back({part.write.text(REPORT_TEXT_FOR("report", "Not stated", "conditions")),
                               missing.join(part.write.semicolon())});
     return table;
 }
 
-/// Temperatures and what else is stated of the environment, a row a test.
+/// Table of temperatures and other statements about the environment, one row per test.
 class EnvironmentOfTests {
 public:
     explicit EnvironmentOfTests(const Writer &write)
@@ -185,10 +185,10 @@ public:
         constexpr std::size_t behindTemperatures = 7;
         for (std::size_t i = m_table.columns.size(); i-- > behindTemperatures;) {
             const auto isBlank = [i](const std::vector<Cell> &row) { return row[i].blank; };
-            if (std::ranges::all_of(m_table.rows, isBlank)) // what is asked for and missing is a dash
+            if (std::ranges::all_of(m_table.rows, isBlank)) // required but missing values are dashes
                 leaveOutEmptyColumns(m_table, i, i);
         }
-        // What is left over stands behind them.
+        // Takes the remaining width.
         m_table.columns.push_back({QString(), {}, Alignment::left, true, 1});
         for (std::vector<Cell> &row : m_table.rows)
             row.push_back(blankCell());
@@ -205,7 +205,7 @@ private:
             row.push_back(shown(conditions.airHumidity, Quantity::percent));
             row.push_back(shown(conditions.gradientPerHour, Quantity::gradient));
         } else {
-            row.insert(row.end(), 3, blankCell()); // nobody asks for them
+            row.insert(row.end(), 3, blankCell()); // not required
         }
     }
 
@@ -221,7 +221,7 @@ private:
     Table m_table;
 };
 
-/// Whether the row of a test in the table of the environment holds all that its sensors measured.
+/// True if the test's row in the environment table contains everything its sensors measured.
 bool environmentSaysAll(const TestPart &part) {
     std::array<int, kindsOfSensors> counts{};
     return std::ranges::none_of(conditionsOf(part.test)->sensors, [&](const Sensor &sensor) {
@@ -237,7 +237,7 @@ void leaveOutTemperatures(Table &sensors) {
         row.resize(kindAndPlace);
 }
 
-/// What some of the tests say alike.
+/// A statement shared by several tests.
 struct TextOfTests {
     QString text;
     std::vector<int> tests;
@@ -260,10 +260,10 @@ QString ofTests(const Writer &write, const std::vector<int> &numbers, const QStr
                      {testNumbers(write, numbers, 0).toStdString(), text.toStdString()});
 }
 
-/// Results under several editions, as many tests beside each other as find room.
+/// Results under several editions, with as many tests side by side as fit.
 class EditionsOfTests {
 public:
-    /// False, and nothing added, where there is no room left.
+    /// Returns false and adds nothing if there is no room left.
     bool add(const TestPart &part, const Table &editions) {
         constexpr std::size_t mostColumns = 15;
         const std::size_t count = editions.columns.size() - 1;
@@ -299,7 +299,7 @@ public:
             if (column.width <= 0)
                 column.width = std::min(widest, (textWidth - symbolWidth - gaps - 1) / columns);
         }
-        m_table.columns.push_back({QString(), {}, Alignment::left, true, 1}); // what is left over
+        m_table.columns.push_back({QString(), {}, Alignment::left, true, 1}); // takes the remaining width
         for (std::vector<Cell> &row : m_table.rows)
             row.push_back(blankCell());
         return std::exchange(m_table, {});
@@ -319,20 +319,20 @@ private:
     Table m_table;
 };
 
-/// Lines that a text takes in a column of a width, mm: enough to balance columns by.
+/// Approximate number of lines of a text in a column, for balancing; width in mm.
 std::size_t linesOf(const QString &text, double width) {
-    constexpr double letter = 1.55; // mm, of 8.5 pt
+    constexpr double letter = 1.55; // mm, at 8.5 pt
     std::size_t lines = 0;
     for (const QString &line : text.split(u'\n'))
         lines += 1 + static_cast<std::size_t>(static_cast<double>(line.size()) * letter / width);
     return lines;
 }
 
-/// A table as two halves beside each other, where these find room on a page; else as it is. Rows that a cell
-/// stands beside stay together.
+/// Adds a table as two halves side by side if they fit on a page, otherwise as it is. Rows of a cell that
+/// spans several stay together.
 void addInHalves(std::vector<Block> &blocks, Table table) {
-    constexpr std::size_t mostLines = 44; // of a half
-    constexpr double widthOfText = 40;    // mm, there
+    constexpr std::size_t mostLines = 44; // in a half
+    constexpr double widthOfText = 40;    // mm, in a half
     std::vector<std::size_t> above{0};    // lines above each row
     for (const std::vector<Cell> &row : table.rows)
         above.push_back(above.back() + linesOf(row.back().text.plain(), widthOfText));
@@ -361,7 +361,7 @@ void addInHalves(std::vector<Block> &blocks, Table table) {
     blocks.emplace_back(std::move(both));
 }
 
-/// Limits of one origin, agreed for one edition: quantity by quantity on one line.
+/// Limits of the same origin and edition, on one line.
 struct LimitsOfOrigin {
     Cell limits;
     Cell edition;
@@ -374,7 +374,7 @@ public:
     explicit LimitsOfTests(const Writer &write)
         : m_write(write) {}
 
-    /// Rows of `limitsTable`: quantity, limit, edition, source.
+    /// Adds rows of `limitsTable`: quantity, limit, edition, source.
     void add(const Table &table, int test) {
         std::vector<LimitsOfOrigin> own;
         for (const std::vector<Cell> &row : table.rows) {
@@ -430,8 +430,8 @@ private:
     std::vector<LimitsOfOrigin> m_rows;
 };
 
-/// A section that several tests have, as one: the heading of the first, each text once, and one table with a
-/// column of the numbers of the tests.
+/// Merges a section of several tests: the heading of the first, each text once, and one table with a column
+/// of test numbers.
 class SectionOfTests {
 public:
     explicit SectionOfTests(const Writer &write)
@@ -466,7 +466,7 @@ private:
         constexpr double width = 9; // mm
         if (m_table.columns.empty()) {
             m_table.columns = table.columns;
-            std::ranges::find_if(m_table.columns, &Column::flexible)->width -= width; // there is one
+            std::ranges::find_if(m_table.columns, &Column::flexible)->width -= width; // exists
             m_table.columns.insert(
                 m_table.columns.begin(),
                 {m_write.text(REPORT_TEXT("report", "Test")), {}, Alignment::left, false, width});
@@ -490,7 +490,7 @@ private:
     Table m_table;
 };
 
-/// What two tests of the same gave, quantity by quantity.
+/// Table of two tests of the same subject, quantity by quantity.
 class BeforeAndAfter {
 public:
     BeforeAndAfter(const TestPart &before, const TestPart &after, const RolesBeside &roles)
@@ -644,7 +644,7 @@ void addPathsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &pa
 
 void addAgreedPointsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts) {
     struct Group {
-        AgreedPoints points; ///< of its first test
+        AgreedPoints points; ///< of the first test
         std::vector<TableOfTest> tests;
     };
     const auto samePoints = [](const AgreedPoints &a, const AgreedPoints &b) {
@@ -686,7 +686,7 @@ void addLimitsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &p
         limits.add(table, part.number);
         addText(rules, decisionText(part), part.number);
     }
-    // By the anchor who makes pages knows that it, and what follows, may stand behind the summary.
+    // The anchor lets the layout move this and the following sections behind the summary.
     addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")), {},
                QStringLiteral("limits"));
     if (rules.empty()) {

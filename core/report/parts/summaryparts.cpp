@@ -25,18 +25,18 @@ namespace {
 constexpr double numberWidth = 5;
 constexpr double testWidth = 38.2;
 constexpr double quantityWidth = 12.5;
-constexpr double nameWidth = 29; ///< and what is left over
+constexpr double nameWidth = 29; ///< plus the remaining width
 constexpr double valueWidth = 11.5;
 constexpr double uncertaintyWidth = 13.5;
 constexpr double limitWidth = 11;
-constexpr double unitWidth = 5.6; ///< where tests differ in it
-constexpr double unitGap = 0.3;   ///< to its number
+constexpr double unitWidth = 5.6; ///< used if units differ between tests
+constexpr double unitGap = 0.3;   ///< before the number
 constexpr double pictureWidth = 18.7;
 constexpr double pictureGap = 2.3;
 constexpr double verdictWidth = 20.8;
 constexpr double pageWidth = 9.2;
 
-constexpr qsizetype mostNamed = 6; ///< quantities in the verdict
+constexpr qsizetype mostNamed = 6; ///< quantities named in the verdict
 
 bool counts(const TestPart &part) {
     return countsForVerdict(part.document(), part.index);
@@ -87,12 +87,12 @@ Cell testCell(const TestPart &part, bool pale) {
     return cell;
 }
 
-/// What the tables of all tests have in common; without that, it is said row by row or not at all.
+/// Properties common to the tables of all tests; others are stated per row or not at all.
 struct Shared {
-    QString unit; ///< empty: several
+    QString unit; ///< empty if they differ
     QString rule;
     CoverageOfResults coverage;
-    bool band = false; ///< a limit has a guard band
+    bool band = false; ///< true if a limit has a guard band
 };
 
 Shared sharedBy(const std::vector<TestPart> &parts) {
@@ -229,7 +229,7 @@ private:
         addRow(part, std::move(cells), pale);
     }
 
-    /// Between a test as found and the one as left.
+    /// Adds the adjustment between a test as found and the one as left.
     void addAdjustment(const TestPart &part) {
         m_table.rulesAfter.push_back(m_table.rows.size() - 1);
         std::vector<Cell> cells(m_table.columns.size(), blankCell());
@@ -248,7 +248,7 @@ private:
     Table m_table;
 };
 
-/// What the verdict of the report rests on.
+/// Inputs of the verdict of the report.
 struct Whole {
     std::optional<Verdict> verdict;
     std::vector<Accordance> accordances;
@@ -259,7 +259,7 @@ struct Whole {
     int unmet = 0; ///< requirements
     int undeclared = 0;
     QStringList editions;
-    QStringList asFound; ///< numbers of the tests that do not count
+    QStringList asFound; ///< numbers of tests that do not count
 
     [[nodiscard]] Accordance weakest() const {
         for (const Accordance each :
@@ -294,7 +294,7 @@ Whole wholeOf(const std::vector<TestPart> &parts) {
     return whole;
 }
 
-/// "E (Y axis), A (Z axis)": those with the verdict of the report.
+/// Quantities with the verdict of the report: "E (Y axis), A (Z axis)".
 Phrase namedQuantities(const std::vector<TestPart> &parts, Verdict verdict) {
     Phrase result;
     qsizetype named = 0;
@@ -317,7 +317,7 @@ Phrase namedQuantities(const std::vector<TestPart> &parts, Verdict verdict) {
     return result;
 }
 
-/// "Not evaluable: A (X axis; one run in each direction)."; empty where every limit was evaluated.
+/// "Not evaluable: A (X axis; one run in each direction)."; empty if every limit was evaluated.
 QString notEvaluable(const std::vector<TestPart> &parts) {
     const Writer &write = parts.front().write;
     QStringList items;

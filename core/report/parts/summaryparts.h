@@ -6,8 +6,8 @@
 
 namespace palmer {
 
-/// The first page of a report over several tests: the verdict of all, and every quantity that has a limit,
-/// test by test. Tests as found are printed for information where there are others.
+/// Adds the first page of a report over several tests: the overall verdict, and every quantity with a limit,
+/// test by test. Tests as found are only informative if there are others.
 void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
 
 } // namespace palmer

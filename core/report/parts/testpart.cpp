@@ -78,7 +78,7 @@ QString periodText(const Writer &write, const std::optional<std::string> &from,
     const QString last = dateText(write, to);
     if (first.isEmpty() || last.isEmpty() || first == last)
         return first.isEmpty() ? last : first;
-    // What both have in common is said once: the year, or month and year.
+    // A common year, or month and year, is printed once.
     const qsizetype year = first.lastIndexOf(u' ');
     const qsizetype month = first.indexOf(QChar(u'\u00A0'));
     if (month > 0 && last.endsWith(first.mid(month)))

@@ -13,7 +13,7 @@
 
 namespace palmer {
 
-/// Texts of one language; what every part of a report is written with.
+/// Formats the texts of a report in one language.
 class Writer {
 public:
     explicit Writer(const Language &language)
@@ -31,14 +31,14 @@ public:
         return value ? m_language.quantity(*value, quantity, decimals) : QString();
     }
 
-    /// "; " as the language spaces it.
+    /// "; " with the spacing of the language.
     [[nodiscard]] QString semicolon() const { return m_language.semicolon(); }
 
 private:
     const Language &m_language;
 };
 
-/// One test with all that its part of a report is made from. Owns nothing.
+/// One test with the inputs for its part of a report. Owns nothing.
 struct TestPart {
     const Writer &write;
     const EvaluatedDocument &evaluated;
@@ -47,7 +47,7 @@ struct TestPart {
     std::size_t index = 0;            ///< in the document
     int number = 1;                   ///< in the report
     int count = 1;
-    /// The file under each edition the head names, in its order: evaluated once for all tests.
+    /// The file under each edition named by the head, in its order; evaluated once for all tests.
     const std::vector<EvaluatedDocument> *views = nullptr;
 
     [[nodiscard]] const Document &document() const { return *evaluated.document; }
@@ -58,34 +58,32 @@ struct TestPart {
     [[nodiscard]] QString headAnchor() const;
 };
 
-/// A positioning test with its measurement at hand.
 struct PositioningPart : TestPart {
     const PositioningMeasurement &measurement;
     const PositioningResults &results;
 
     [[nodiscard]] Quantity along() const;
     [[nodiscard]] Quantity deviation() const;
-    /// Temperatures count: of lengths.
+    /// True for linear axes, whose results depend on temperature.
     [[nodiscard]] bool needsLength() const { return measurement.axis.motion == Motion::linear; }
 };
 
-/// A circular test with its measurement at hand.
 struct CircularPart : TestPart {
     const CircularMeasurement &measurement;
     const CircularResults &results;
 
     [[nodiscard]] bool feedback() const { return measurement.source == SignalSource::feedback; }
-    /// The parties ask for it and the edition has it.
+    /// True if the parties require it and the edition has it.
     [[nodiscard]] bool asksFor(OfCircle quantity) const;
-    /// F or D is asked for and can be: the reference length and the temperatures count.
+    /// True if F or D is required and possible, so that reference length and temperatures matter.
     [[nodiscard]] bool needsLength() const;
-    /// F and D are corrected to 20 °C, or temperatures are known that need no correction.
+    /// True if F and D are corrected to 20 °C, or known temperatures need no correction.
     [[nodiscard]] bool holdsAt20() const;
-    /// "XY": the axes in the order of the plane.
+    /// Axes in the order of the plane: "XY".
     [[nodiscard]] QString plane() const;
 };
 
-/// What `use` makes of the part as that of its kind: a test with an edition is of one of two.
+/// Calls `use` with the part of its kind; a test with an edition is one of two kinds.
 template <class Use>
 auto withKind(const TestPart &part, Use use) {
     if (const auto *positioning = std::get_if<PositioningMeasurement>(&part.test.measurement))
@@ -97,26 +95,26 @@ auto withKind(const TestPart &part, Use use) {
 /// "Positioning test of the X axis".
 [[nodiscard]] QString testName(const Writer &write, const Test &test);
 
-/// Those of the texts that say something, joined.
+/// Joins the non-empty texts.
 [[nodiscard]] QString joined(const QStringList &texts, const QString &separator = QStringLiteral(", "));
 
 /// "A, B and C".
 [[nodiscard]] QString enumerated(const Writer &write, QStringList texts);
 
-/// A date in words; empty for none.
+/// A date in words; may be empty.
 [[nodiscard]] QString dateText(const Writer &write, const std::optional<std::string> &date);
 
-/// "20 to 21 November 2026": from one date to another; one of them where there is no other.
+/// "20 to 21 November 2026"; only one of the dates if the other is missing.
 [[nodiscard]] QString periodText(const Writer &write, const std::optional<std::string> &from,
                                  const std::optional<std::string> &to);
 
 /// Name and address on one line.
 [[nodiscard]] QString partyText(const Party &party);
 
-/// Takes the columns from `first` to `last` in which nothing stands out of a table without spanners.
+/// Removes the empty columns from `first` to `last` of a table without spanners.
 void leaveOutEmptyColumns(Table &table, std::size_t first, std::size_t last);
 
-/// A section: heading and what follows it.
+/// Adds the heading of a section.
 void addHeading(std::vector<Block> &blocks, const QString &text, Phrase note = {},
                 const QString &anchor = {});
 

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double percent = 100;
 
-/// With a capital, and the index of E_VE set lower.
+/// Capitalised, with the index of E_VE as a subscript.
 Phrase nameOf(const Writer &write, const Contribution &contribution) {
     QString name = contributionName(contribution, write.language());
     const QString index = QStringLiteral("_VE");
@@ -34,7 +34,7 @@ Phrase nameOf(const Writer &write, const Contribution &contribution) {
     return Phrase({{name.left(at)}, {index.mid(1), true}, {name.mid(at + index.size())}});
 }
 
-/// "1 500.41 mm; k = 2": what the budget is made after.
+/// Model, length and k of the budget: "1 500.41 mm; k = 2".
 QString budgetNote(const TestPart &part) {
     const Writer &write = part.write;
     QStringList notes{write.text(kindWords(part.test).model)};
@@ -87,12 +87,12 @@ Table contributionTable(const TestPart &part) {
     return table;
 }
 
-/// A name of a method and what its U stands for.
+/// Name of a method with the coverage of its U.
 QString withCoverage(const QString &method, const QString &coverage) {
     return method + QStringLiteral(", ") + coverage;
 }
 
-constexpr double inThousandths = 1000; ///< of the unit of deviations: the columns are narrow
+constexpr double inThousandths = 1000; ///< of the unit of deviations, because the columns are narrow
 
 QString thousandthOf(Quantity quantity, const Language &language) {
     return quantity == Quantity::deviation
@@ -100,7 +100,7 @@ QString thousandthOf(Quantity quantity, const Language &language) {
                : language.number(1 / inThousandths, Quantity::number) + language.unit(quantity);
 }
 
-/// U of a result by one method: the one that decides reads as in the results, and is bold.
+/// U of a result by one method; the deciding one is bold and printed as in the results.
 Cell uncertaintyCell(const TestPart &part, const Parameter &parameter, double value,
                      UncertaintyMethod method) {
     const Language &language = part.write.language();
@@ -114,7 +114,7 @@ Cell uncertaintyCell(const TestPart &part, const Parameter &parameter, double va
     return cell;
 }
 
-/// U of each result, a row a method.
+/// U of each result, one row per method.
 Table resultTable(const TestPart &part) {
     const Writer &write = part.write;
     const Quantity quantity = deviationQuantity(part.test);
@@ -167,7 +167,7 @@ Table resultTable(const TestPart &part) {
                             : Cell());
     }
     table.rows = {budget};
-    if (axisOf(part.test)) // which has targets
+    if (axisOf(part.test)) // only axes have targets
         table.rows.push_back(actual);
     if (simulated)
         table.rows.insert(table.rows.end(), {monteCarlo, error, tolerance, shift});
@@ -183,7 +183,7 @@ QString symbolsOf(const TestPart &part, bool (*holds)(const Parameter &)) {
     return symbols.join(QStringLiteral(", "));
 }
 
-/// The drift test that E_VE is taken from; null where it is typed in.
+/// The drift test that provides E_VE; null if E_VE was entered.
 const Test *driftTestOf(const TestPart &part) {
     std::optional<std::string> id;
     withUncertainty(part.test, [&](const auto &inputs) {
@@ -198,7 +198,7 @@ const Test *driftTestOf(const TestPart &part) {
     return found == tests.end() ? nullptr : found->get();
 }
 
-/// The curve of that drift test.
+/// Adds the curve of that drift test.
 void addDriftCurve(std::vector<Block> &blocks, const TestPart &part) {
     const Test *drift = driftTestOf(part);
     if (!drift)
@@ -219,7 +219,7 @@ void addDriftCurve(std::vector<Block> &blocks, const TestPart &part) {
     blocks.emplace_back(std::move(block));
 }
 
-/// "To improve first: …"; empty where nothing stands out.
+/// "Improve first: …"; empty if no contribution stands out.
 QString adviceText(const TestPart &part) {
     const auto &contributions = part.evaluation.uncertainty.contributions;
     const Contribution *first = toImproveFirst(contributions);
@@ -241,7 +241,7 @@ bool usesBudget(const TestEvaluation &evaluation) {
 
 namespace {
 
-/// What the methods of a test's uncertainties are explained by, numbers aside.
+/// Which methods the explanations cover; numbers are not compared.
 struct Explained {
     bool actual = false;
     bool simulated = false;
@@ -264,7 +264,7 @@ bool showsBudgetOf(const TestEvaluation &evaluation, const ReportHead &head) {
            });
 }
 
-/// Number of an earlier test of the report whose methods are the same.
+/// Number of an earlier test of the report with the same methods.
 std::optional<int> explainedBefore(const TestPart &part) {
     int number = 0;
     for (std::size_t i = 0; i < part.index; ++i) {
@@ -281,7 +281,7 @@ int trialsOf(const TestPart &part) {
     return static_cast<int>(part.evaluation.uncertainty.simulation->trials);
 }
 
-/// How the methods came to their U: once for all tests that use the same.
+/// Explains how the methods determine U; once for all tests with the same methods.
 void addMethods(QStringList &words, const TestPart &part) {
     const Writer &write = part.write;
     const UncertaintyEvaluation &uncertainty = part.evaluation.uncertainty;
@@ -306,7 +306,7 @@ void addMethods(QStringList &words, const TestPart &part) {
                       "and U is below the tolerance of u, half a unit of its second digit."));
 }
 
-/// The same where the methods were explained for an earlier test: its numbers alone.
+/// Adds only the numbers if the methods were explained for an earlier test.
 void addMethodsAsFor(QStringList &words, const TestPart &part, int before) {
     const Writer &write = part.write;
     const UncertaintyEvaluation &uncertainty = part.evaluation.uncertainty;

@@ -6,16 +6,16 @@
 
 namespace palmer {
 
-/// Whether the budget of a test is to be used, and so to be shown.
+/// True if the budget of a test is used, and therefore shown.
 [[nodiscard]] bool usesBudget(const TestEvaluation &evaluation);
 
-/// The sources of an uncertainty budget as a table sorted by size, with shares and bars; below it the U of
-/// each result by the budget and by Monte Carlo, which of them decides, and what to improve first. Nothing
-/// where the method needs no budget.
+/// Adds an uncertainty budget as a table sorted by size, with shares and bars, then the U of each result by
+/// the budget and by Monte Carlo, which of them decides, and what to improve first. Nothing if the method
+/// needs no budget.
 void addBudget(std::vector<Block> &blocks, const TestPart &part);
 
-/// Which method gave U how, which of them decides and where they differ: the sentences below the U of both
-/// methods, in window and report. Where the methods were explained for the test `before`, the numbers alone.
+/// Sentences below the U of both methods, in window and report: how each was determined, which decides, and
+/// where they differ. Only the numbers if the methods were explained for the test `before`.
 [[nodiscard]] QString methodText(const TestPart &part, std::optional<int> before = {});
 
 } // namespace palmer

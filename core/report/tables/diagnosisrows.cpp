@@ -39,7 +39,7 @@ public:
         return row;
     }
 
-    /// "Backlash X + 1.02 · Lateral play Y"
+    /// Row of a part; the name of a sum is "Backlash X + 1.02 · Lateral play Y".
     [[nodiscard]] DiagnosisRow rowOf(const DiagnosedPart &part) const {
         if (!part.sum)
             return rowOf(part.sources.front());
@@ -67,7 +67,7 @@ public:
     }
 
 private:
-    /// Lengths in the unit of deviations, what has another unit in its own.
+    /// Lengths use the unit of deviations, others their own.
     void setUnit(DiagnosisRow &row, InfluenceId id) const {
         row.quantity =
             influence(id).unit == std::string_view("µm") ? Quantity::micrometres : Quantity::number;
@@ -102,7 +102,7 @@ private:
                                     {others.join(QStringLiteral(", ")).toStdString()}});
     }
 
-    /// There is nothing to look for on a machine where nothing is seen.
+    /// Advice for the machine; empty if the value could be zero.
     [[nodiscard]] QString adviceOf(const SourceEstimate &source) const {
         const auto interval = source.interval();
         if (interval && interval->from <= 0 && interval->to >= 0)

@@ -11,32 +11,31 @@
 
 namespace palmer {
 
-/// What a row of a diagnosis is.
 enum class DiagnosisRowKind {
-    source,   ///< with a value
-    sum,      ///< of sources that cannot be told apart
-    notTold,  ///< without a value, with the reason
-    fitCircle ///< centre or radius: taken out before any deviation is stated
+    source,   ///< has a value
+    sum,      ///< sum of inseparable sources
+    notTold,  ///< has no value, but a reason
+    fitCircle ///< centre or radius: removed before deviations are stated
 };
 
-/// A source as it is read in the window, on paper and in a terminal.
+/// A source as shown in the window, on paper and in a terminal.
 struct DiagnosisRow {
     DiagnosisRowKind kind = DiagnosisRowKind::source;
-    std::vector<std::size_t> sources; ///< places in the diagnosis: all that make its trace
+    std::vector<std::size_t> sources; ///< indices in the diagnosis: all that contribute to its trace
     QString name;                     ///< "Backlash X", "Lateral play X + Backlash Y"
-    QString value;                    ///< with the digits u allows; empty: none
+    QString value;                    ///< with the digits that u allows; may be empty
     QString u;
-    Quantity quantity = Quantity::number; ///< of value and u
+    Quantity quantity = Quantity::number; ///< quantity of value and u
     QString unit;
-    std::optional<double> contribution; ///< to G(b), alone, mm
-    QString meaning;                    ///< a sentence: what it is; or why it has no value
-    QString advice;                     ///< a sentence: what to look at on the machine; may be empty
+    std::optional<double> contribution; ///< to G(b), of this source alone, mm
+    QString meaning;                    ///< a sentence: what it is, or why it has no value
+    QString advice;                     ///< a sentence: what to check on the machine; may be empty
 };
 
-/// Sources and sums, the largest contribution first; then what is not told; centre and radius last.
+/// Sources and sums, the largest contribution first; then those without a value; centre and radius last.
 [[nodiscard]] std::vector<DiagnosisRow> diagnosisRows(const Diagnosis &diagnosis, const Language &language);
 
-/// Digits after the point of a value with that standard uncertainty: two significant ones of u; 0 … 4.
+/// Decimals of a value with that standard uncertainty: two significant digits of u; 0 … 4.
 [[nodiscard]] int decimalsOfEstimate(double standardUncertainty);
 
 } // namespace palmer

@@ -12,13 +12,13 @@ namespace palmer {
 
 namespace {
 
-/// "6 (4.4 b)" stands on one line with "6".
+/// Clause that decides the line: "6 (4.4 b)" is printed with "6".
 std::string_view mainClause(const std::string &clause) {
     return std::string_view(clause).substr(0, clause.find(" ("));
 }
 
-/// Findings that are printed on one line. Sentences without a clause stay apart: they have nothing in common;
-/// so do points that were not agreed and points that were not declared.
+/// True if two findings are printed on one line. Sentences without a clause stay apart, as they have nothing
+/// in common; so do points that were not agreed and points that were not declared.
 bool onOneLine(const Finding &a, const Finding &b) {
     const bool anySentence = !a.clause.empty() && a.subject != Subject::agreedPoints;
     return a.source == b.source && a.grade == b.grade && a.state == b.state &&
@@ -74,7 +74,7 @@ FindingsBlock findingLines(const TestEvaluation &evaluation, const Language &lan
         if (source != first.source)
             printed.heading = headingOf(first.source, evaluation.edition, language);
         source = first.source;
-        // What was not declared is no fault: it has the mark of what is open.
+        // An undeclared requirement is no fault: it has the mark of an open one.
         printed.grade =
             first.state == State::undeclared ? std::max(first.grade, Grade::recommendation) : first.grade;
         printed.gradeName = language.text(gradeText(first.grade));

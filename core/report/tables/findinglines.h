@@ -8,7 +8,7 @@
 
 namespace palmer {
 
-/// The findings as they are printed: by source, what the text asks for first; one line per clause and state.
+/// The findings as printed: by source, requirements of the text first; one line per clause and state.
 [[nodiscard]] FindingsBlock findingLines(const TestEvaluation &evaluation, const Language &language);
 
 } // namespace palmer

@@ -13,12 +13,12 @@ namespace palmer {
 
 namespace {
 
-/// µm as mm, seconds of arc as degrees: digits more.
+/// Additional decimals of µm in mm, and of arc seconds in degrees.
 constexpr int digitsOfMicrometre = 3;
 constexpr int digitsOfSecond = 4;
 
-/// Whether the test has the quantity, and the table shows it: of both directions R, not R↑ and R↓ besides; x̄
-/// stands in the card of the target.
+/// True if the test has the quantity and the table shows it: for both directions R without R↑ and R↓; x̄ is
+/// shown in the card of the target.
 bool has(const TargetTerm &term, const PositioningResults &results) {
     const bool both = results.upward && results.downward;
     return isShown(term, results) && !(both && term.weight == Weight::detail);
@@ -53,7 +53,7 @@ std::vector<StatisticColumn> statisticColumns(const TestEvaluation &evaluation, 
     std::vector<StatisticColumn> columns;
     if (!evaluation.edition)
         return columns;
-    for (const TargetTerm &term : evaluation.edition->targetTerms) { // of axes: circles have no targets
+    for (const TargetTerm &term : evaluation.edition->targetTerms) { // for axes; circles have no targets
         if (has(term, std::get<PositioningResults>(evaluation.results)))
             columns.push_back({term.id, symbolFormula({term.symbol.base, "", term.symbol.arrow}),
                                language.text(term.name)});

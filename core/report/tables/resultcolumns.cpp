@@ -108,7 +108,7 @@ constexpr std::array columnRows{
         [](const ToldResult &t) { return t.parameter.verdict ? Json(fileWord(*t.parameter.verdict)) : Json(nullptr); }, 20},
     ResultColumn{"monteCarlo", "", {}, ResultLook::text, inJson, nullptr, monteCarlo},
     ResultColumn{"limits", "limits", REPORT_TEXT("report", "Verdict"), ResultLook::text, 0, verdictShown,
-        [](const ToldResult &t) { return Json(limitsWord(t.parameter.verdict)); }}, // of summaries
+        [](const ToldResult &t) { return Json(limitsWord(t.parameter.verdict)); }}, // for summaries
 };
 // clang-format on
 

@@ -14,13 +14,13 @@
 
 namespace palmer {
 
-/// A result as window, report and command line list it. Points into the evaluation.
+/// A result as listed in window, report and command line. Points into the evaluation.
 struct PrintedResult : PrintedNumbers {
     const Parameter *parameter = nullptr;
-    bool isFirst = true; ///< of its family: a rule stands above
+    bool isFirst = true; ///< first of its family, with a rule above
 };
 
-/// Lists of results; bits, joined with |.
+/// Lists of results; bits that can be combined with |.
 enum ResultList : unsigned {
     onPaper = 1U << 0U,
     onTerminal = 1U << 1U,
@@ -30,48 +30,48 @@ enum ResultList : unsigned {
     inJson = 1U << 5U
 };
 
-/// What a cell says to people is made of that.
+/// Inputs of a cell for people.
 struct ShownResult {
     const PrintedResult &result;
     const Language &language;
-    bool filledUp = false;                 ///< a limit has the decimals of the value: nothing aligns them
-    const PrintedNumbers *other = nullptr; ///< of the same quantity in the test of the other role
+    bool filledUp = false;                 ///< limits have the decimals of the value, as nothing aligns them
+    const PrintedNumbers *other = nullptr; ///< same quantity in the test of the other role
     QString change = {};                   ///< as left − as found
 };
 
-/// What it says to programs is made of that.
+/// Inputs of a cell for programs.
 struct ToldResult {
     const Parameter &parameter;
     const UncertaintyEvaluation &uncertainty;
     const Language &language;
 };
 
-/// How each list draws a cell.
+/// Appearance of a cell; each list draws it in its way.
 enum class ResultLook { text, number, symbol, name, picture, verdict };
 
-/// A column of results. Every list of results has the columns whose rows name it, in the order of the rows:
-/// a new one is a row.
+/// A column of results. Every list contains the columns that name it in `lists`, in table order: a new column
+/// only needs a new row.
 struct ResultColumn {
-    const char *key = "";     ///< in JSON; for the window's own columns what code calls them
+    const char *key = "";     ///< in JSON; for columns of the window only, their name in the code
     const char *heading = ""; ///< in CSV
     Text title;               ///< for people
     ResultLook look = ResultLook::text;
     unsigned lists = 0; ///< ResultList
-    /// As people read it, empty where there is nothing; null where each list draws it in its own way.
+    /// Text for people, empty if there is none; null if each list draws the cell itself.
     QString (*shown)(const ShownResult &) = nullptr;
-    /// Unrounded, in mm or degrees.
+    /// Value for programs: unrounded, in mm or degrees.
     nlohmann::ordered_json (*told)(const ToldResult &) = nullptr;
-    double width = 0;        ///< on paper, mm; 0: what the others leave
-    bool besideOnly = false; ///< there where the test of the other role stands beside
-    bool axesOnly = false;   ///< circles have none
+    double width = 0;        ///< on paper, mm; 0: the remaining width
+    bool besideOnly = false; ///< shown only with a test of the other role
+    bool axesOnly = false;   ///< not for circles
 };
 
 [[nodiscard]] std::span<const ResultColumn> resultColumns();
 
-/// Those of a list.
+/// The columns of a list.
 [[nodiscard]] std::vector<const ResultColumn *> resultColumns(ResultList list);
 
-/// By its key or heading, which exists.
+/// The column with this key or heading. Precondition: it exists.
 [[nodiscard]] const ResultColumn &resultColumn(std::string_view name);
 
 } // namespace palmer

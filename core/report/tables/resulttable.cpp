@@ -26,7 +26,7 @@ Text shortName(const Term &term, bool alone, Room room) {
     return alone && !standing.empty() ? standing : below.empty() ? term.name : below;
 }
 
-/// Of a path its sense: the symbol tells the rest.
+/// The sense for a path, since the symbol shows the rest.
 Text shortNameOf(const Parameter &parameter, const TestEvaluation &evaluation, bool alone,
                  Room room = Room::usual) {
     const auto *paths = partOr<const std::vector<EvaluatedPath> *>(
@@ -46,12 +46,12 @@ QString circleName(ReferenceCircle circle) {
     return circle == ReferenceCircle::minimumZone ? QStringLiteral("MZC") : QStringLiteral("LSC");
 }
 
-/// What a spreadsheet reads as a number.
+/// Converts a printed number so that a spreadsheet reads it.
 QString plainNumber(QString text) {
     return text.remove(QChar(u'\u202F')).remove(QChar(u'\u00A0')).replace(QChar(u'\u2212'), u'-');
 }
 
-/// But for its short name and weight, which depend on the lines before it.
+/// All except short name and weight, which depend on the preceding lines.
 ResultLine lineOf(const PrintedResult &result, const Language &language) {
     const Parameter &parameter = *result.parameter;
     ResultLine line;
@@ -76,7 +76,7 @@ std::vector<QString> cellsOf(const ShownResult &shown) {
     return cells;
 }
 
-/// The same quantity in the test of the other role; into `numbers`, which `shown` points to then.
+/// Adds the same quantity of the test of the other role; `shown` points to `numbers` afterwards.
 void takeOther(ResultLine &line, ShownResult &shown, PrintedNumbers &numbers, bool isFound,
                const RolesBeside &both, const EvaluatedDocument &evaluated) {
     const auto same = std::ranges::find_if(both.quantities, [&](const QuantityOfRoles &quantity) {
@@ -95,7 +95,7 @@ void takeOther(ResultLine &line, ShownResult &shown, PrintedNumbers &numbers, bo
         line.otherVerdictWord = shown.language.text(limitText(*other.verdict));
 }
 
-/// The titles of a list of people, with the unit.
+/// Column title with the unit, in lists for people.
 QString titleOf(const ResultColumn &column, const ResultTable &table, const Language &language) {
     if (column.look != ResultLook::number)
         return language.text(column.title);
@@ -109,7 +109,7 @@ QString titleOf(const ResultColumn &column, const ResultTable &table, const Lang
            (isCovered ? QStringLiteral(", ") + table.coverage : QString()) + u')';
 }
 
-/// The columns of the clipboard.
+/// The columns copied to the clipboard.
 std::vector<const ResultColumn *> copied(const ResultTable &table) {
     auto columns = resultColumns(onClipboard);
     std::erase_if(columns,
@@ -201,7 +201,7 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         const Term &term = result.parameter->term;
         table.unit = language.unit(term.quantity);
         ResultLine line = lineOf(result, language);
-        // Of an axis measured from one side no main one is there.
+        // An axis measured from one side has no main parameter.
         const bool standsForAll = line.isFirst && term.of == Of::axis;
         line.main = standsForAll || term.weight == Weight::main;
         line.name = language.text(shortNameOf(*result.parameter, evaluation, standsForAll));
@@ -226,7 +226,7 @@ std::optional<RolesBeside> rolesBeside(const EvaluatedDocument &evaluated, std::
         if (!found)
             return std::nullopt;
         both.found = *found;
-    } else { // the last state that was left
+    } else { // the last state as left
         for (std::size_t i = 0; i < document.tests.size(); ++i)
             both.left = testAsFound(document, i) == test ? i : both.left;
     }

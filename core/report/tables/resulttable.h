@@ -15,107 +15,105 @@
 
 namespace palmer {
 
-/// The results of a test in the order of its edition; those for print on request are left out unless the
-/// report asks for them.
+/// The results of a test in the order of its edition; those printed on request are omitted unless the report
+/// includes them.
 [[nodiscard]] std::vector<PrintedResult> printedResults(const Document &document, const Test &test,
                                                         const TestEvaluation &evaluation,
                                                         const Language &language);
 
-/// The rows of a table of them that a rule stands below.
+/// The rows that are followed by a rule.
 [[nodiscard]] std::vector<std::size_t> rulesBetween(const std::vector<PrintedResult> &results);
 
-/// Where a value stands beside its limit on a scale whose middle is the limit and whose guard band is always
-/// equally wide. −1 … 1 is what the scale shows; beyond, an arrow stands for the value.
+/// Position of a value on a scale centred on the limit, with a guard band of constant width. The scale covers
+/// −1 … 1; an arrow replaces values beyond it.
 struct DecisionScale {
     double value = 0; ///< −1 … 1, clamped
     bool below = false;
-    bool above = false; ///< outside of the scale
-    bool band = false;  ///< the rule has a guard band: from −guard to +guard
+    bool above = false; ///< beyond the scale
+    bool band = false;  ///< the rule has a guard band, from −guard to +guard
     static constexpr double guard = 1.0 / 3;
 
     bool operator==(const DecisionScale &) const = default;
 };
 
-/// With a guard band g the scale shows limit ± 3 g, without one 0 … 2 · limit. Signed values by size, lower
-/// limits turned round. Nothing without value, or without a limit above zero (a lower one: below). All in one
-/// unit.
+/// With a guard band g the scale covers limit ± 3 g, otherwise 0 … 2 · limit. Signed values by magnitude,
+/// lower limits mirrored. Null without a value or a limit above zero (lower limits: below zero). All in the
+/// same unit.
 [[nodiscard]] std::optional<DecisionScale> decisionScale(const Parameter &parameter);
 
-/// A result as a window lists it.
+/// A result as listed in the window.
 struct ResultLine {
     QString id; ///< parameterId
     Formula symbol;
-    QString name;               ///< short; beside the bidirectional one "unidirectional" is enough
-    QString narrowName;         ///< where there is little room
+    QString name;               ///< short; "unidirectional" below the bidirectional one
+    QString narrowName;         ///< for narrow tables
     QString fullName;           ///< the edition's term
-    std::vector<QString> cells; ///< by the rows of resultColumns(); of numbers a dash for none
+    std::vector<QString> cells; ///< in the order of resultColumns(); a dash for missing numbers
     std::optional<Verdict> verdict;
     std::optional<DecisionScale> scale;
-    bool main = true;    ///< bidirectional, G or D; else a detail
-    bool isFirst = true; ///< of those that belong together: with a rule above
-    /// The verdict of the same quantity in the test of the other role, where the table has one.
+    bool main = true;    ///< bidirectional, G or D; otherwise a detail
+    bool isFirst = true; ///< first of its group, with a rule above
+    /// Verdict of the same quantity in the test of the other role, if the table has one.
     std::optional<Verdict> otherVerdict = {};
     QString otherVerdictWord = {};
 
-    /// By the key of its column.
+    /// The cell with the key of its column.
     [[nodiscard]] const QString &cell(std::string_view key) const;
     [[nodiscard]] const QString &cell(const ResultColumn &column) const;
 };
 
-/// The results of one test in short.
+/// Short results of one test.
 struct ResultTable {
     QString unit;
     QString rule;     ///< "ISO 14253-1"
-    QString circle;   ///< "MZC", "LSC": of G and G(b); empty for positioning
-    QString coverage; ///< of U: "k = 2", "95.45 %", or which has which; empty where there is no U
+    QString circle;   ///< "MZC", "LSC": for G and G(b); empty for positioning
+    QString coverage; ///< of U: "k = 2", "95.45 %", or a list of both; empty if there is no U
     std::vector<ResultLine> lines;
     std::optional<Verdict> verdict;
     QString verdictWord;
-    bool view = false;        ///< under another edition: no verdicts
-    QString viewNote;         ///< says so
-    bool provisional = false; ///< readings are still to come, or an outdated simulation decides
+    bool view = false;        ///< under another edition, without verdicts
+    QString viewNote;         ///< statement of that
+    bool provisional = false; ///< readings are incomplete, or an outdated simulation decides
     QString edition;
-    std::optional<std::size_t> otherTest; ///< of the other role; null: none
-    bool otherIsFound = true;             ///< that one is as found, this one as left
+    std::optional<std::size_t> otherTest; ///< test of the other role; may be null
+    bool otherIsFound = true;             ///< true: the other test is as found, this one as left
 };
 
-/// A quantity of a test as found and of the same as left. Points into the evaluations it was made from.
+/// A quantity of a test as found and the test as left. Points into their evaluations.
 struct QuantityOfRoles {
     const Parameter *found = nullptr;
     const Parameter *left = nullptr;
-    QString change; ///< left − found, signed; empty where one has no value
+    QString change; ///< left − found, signed; empty unless both have a value
 };
 
-/// A test as found and the one as left, side by side.
 struct RolesBeside {
     std::size_t found = 0;
     std::size_t left = 0;
-    std::vector<QuantityOfRoles> quantities; ///< that both have and the report prints
+    std::vector<QuantityOfRoles> quantities; ///< printed quantities that both tests have
 };
 
-/// `test` is one of the two; null where it has no other (see testAsFound), or one of them is not evaluated
+/// `test` is one of the two. Null if there is no other one (see testAsFound), or one of them is not evaluated
 /// under its own edition.
 [[nodiscard]] std::optional<RolesBeside> rolesBeside(const EvaluatedDocument &evaluated, std::size_t test,
                                                      const Language &language);
 
-/// What a result is called in a few words where it stands alone: "unidirectional accuracy"; of a path its
-/// sense.
+/// Short name of a result outside of lists: "unidirectional accuracy"; for a path its sense.
 [[nodiscard]] Text briefName(const Parameter &parameter, const TestEvaluation &evaluation);
 
-/// What a list calls the parameter below its bidirectional companion: short; the term where there is no
-/// shorter one.
+/// Short name of a parameter in a list below its bidirectional companion; its term if there is no shorter
+/// name.
 [[nodiscard]] Text listedName(const Term &term);
 
-/// The results of a test as it is evaluated, in the order of its edition; those for print on request are left
-/// out unless the report asks for them. Empty for tests without edition.
+/// The results of a test as evaluated, in the order of its edition; those printed on request are omitted
+/// unless the report includes them. Empty for tests without edition.
 [[nodiscard]] ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test,
                                       const Language &language);
 
-/// Tab-separated with a head, as spreadsheets paste it: numbers as the language writes them, without spaces
-/// in them and with "-", that a spreadsheet of that language reads as numbers.
+/// Tab-separated with a heading row, for spreadsheets: numbers in the format of the language, but without
+/// spaces and with "-", so that they are read as numbers.
 [[nodiscard]] QString asTabSeparated(const ResultTable &table, const Language &language);
 
-/// The same as a table of HTML, for texts.
+/// The same as an HTML table, for text documents.
 [[nodiscard]] QString asHtml(const ResultTable &table, const Language &language);
 
 } // namespace palmer

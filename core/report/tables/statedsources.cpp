@@ -13,7 +13,7 @@ namespace palmer {
 
 namespace {
 
-/// A word in the name of a result and what it stands for. Longer words first.
+/// A word in the name of a result, and its source. Longer words must come first.
 struct Name {
     const char *word;
     InfluenceId id;
@@ -35,7 +35,7 @@ QString lettersOf(const std::string &name) {
     return letters;
 }
 
-/// The source a result is about; of those of an axis the one whose letter follows the word.
+/// The source of a result; for sources of an axis, the one whose letter follows the word.
 const SourceEstimate *sourceOf(const Diagnosis &diagnosis, const std::string &result) {
     const QString letters = lettersOf(result);
     for (const Name &name : names) {
@@ -59,7 +59,7 @@ const SourceEstimate *sourceOf(const Diagnosis &diagnosis, const std::string &re
 
 std::vector<StatedSource> statedSources(const Test &test, const Diagnosis &diagnosis,
                                         const Language &language) {
-    constexpr int decimals = -1; // all that the program gave
+    constexpr int decimals = -1; // as many as the program gave
     std::vector<StatedSource> result;
     for (const ImportedFile &file : test.imports) {
         for (const ImportedResult &stated : file.results) {

@@ -11,20 +11,20 @@
 
 namespace palmer {
 
-/// A fault of the machine that the program of the instrument states, beside the same of ours.
+/// A machine fault stated by the program of the instrument, compared with our own diagnosis.
 struct StatedSource {
-    QString name; ///< as its file says: "AF_SQUARENESS"
+    QString name; ///< as in its file: "AF_SQUARENESS"
     QString stated;
     QString statedUnit;
     QString source; ///< "Squareness X–Y"
-    QString here;   ///< empty where the circle does not tell it
+    QString here;   ///< empty if the circle does not determine it
     QString u;
     QString unit;
-    QString positive; ///< a sentence: what a positive value of ours means
+    QString positive; ///< a sentence: meaning of a positive value of ours
 };
 
-/// Those of the results in the files a test came from that are known by their name. Their signs are what the
-/// file says: it states no convention.
+/// Results of the imported files of a test that are recognised by name. Their signs are those of the file,
+/// which states no convention.
 [[nodiscard]] std::vector<StatedSource> statedSources(const Test &test, const Diagnosis &diagnosis,
                                                       const Language &language);
 

@@ -21,14 +21,14 @@ namespace palmer {
 
 namespace {
 
-/// A column and how its cells stand below each other on a terminal.
+/// A column and its alignment on a terminal.
 struct SummaryColumn {
     const char *word = nullptr;
     Text title;
     bool atRight = false;
 };
 
-/// What a row begins with.
+/// Columns before the results.
 constexpr std::array headColumns{SummaryColumn{"file", REPORT_TEXT("report", "File")},
                                  SummaryColumn{"test", REPORT_TEXT("report", "Test"), true},
                                  SummaryColumn{"machine", REPORT_TEXT("report", "Machine")},
@@ -36,7 +36,7 @@ constexpr std::array headColumns{SummaryColumn{"file", REPORT_TEXT("report", "Fi
                                  SummaryColumn{"date", REPORT_TEXT("report", "Date")},
                                  SummaryColumn{"edition", REPORT_TEXT("report", "Edition")},
                                  SummaryColumn{"role", REPORT_TEXT("report", "Role")}};
-/// The columns of results that follow, by their headings.
+/// Columns of results, by their headings.
 constexpr std::array resultHeadings{"parameter", "value", "U", "limit", "unit", "limits"};
 
 std::vector<SummaryColumn> allColumns() {
@@ -59,7 +59,7 @@ QString cellText(const nlohmann::ordered_json &told) {
                               : QString();
 }
 
-/// What all rows of a test begin with.
+/// Leading cells common to all rows of a test.
 QStringList headOf(const EvaluatedDocument &evaluated, std::size_t index, const QString &file,
                    SummaryForm form, const Language &language) {
     const Test &test = *evaluated.document->tests[index];
@@ -142,9 +142,9 @@ QByteArray summaryCsv(const std::vector<QStringList> &rows) {
 namespace {
 
 constexpr int gap = 2;            ///< between two columns
-constexpr int narrowestPath = 16; ///< columns; other texts are as wide as their longest word
+constexpr int narrowestPath = 16; ///< terminal columns; other texts keep the width of their longest word
 
-/// Breaks at blanks, and anywhere in what is longer than a line: a path.
+/// Breaks at spaces, and anywhere in longer words such as paths.
 QStringList broken(const QString &cell, int width) {
     QStringList lines;
     for (QString line : wrapped(cell, width)) {
@@ -162,7 +162,7 @@ int longestWord(const QString &cell) {
     return longest;
 }
 
-/// Takes from the widest texts what a row is too wide, down to `least`.
+/// Reduces the widest columns, down to `least`, until a row fits.
 void narrow(std::vector<int> &widths, const std::vector<int> &least, int width) {
     const auto total = [&] {
         int sum = gap * (static_cast<int>(widths.size()) - 1);

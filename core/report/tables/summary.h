@@ -13,26 +13,25 @@
 
 namespace palmer {
 
-/// The results of many files in one table: a row per parameter, a test without parameters has one, too.
+/// Table of the results of many files: one row per parameter, and one for a test without parameters.
 enum class SummaryForm {
-    csv, ///< for programs: numbers unrounded in mm or degrees, with a point; words of files, the same in all
-         ///< languages
-    text ///< for a terminal: numbers and words as a report prints them
+    csv, ///< for programs: unrounded numbers in mm or degrees with a point, language-independent words
+    text ///< for a terminal: numbers and words as printed in reports
 };
 
-/// The titles of the columns: file, test (from 1), machine, axis or plane, date, edition, role, parameter,
-/// value, U, limit, unit, limits, accordance.
+/// Column titles: file, test (from 1), machine, axis or plane, date, edition, role, parameter, value, U,
+/// limit, unit, limits, accordance.
 [[nodiscard]] QStringList summaryHead(SummaryForm form, const Language &language);
 
-/// The cells of the rows of a file.
+/// The cells of all rows of a file.
 [[nodiscard]] std::vector<QStringList> summaryRows(const EvaluatedDocument &evaluated, const QString &file,
                                                    SummaryForm form, const Language &language);
 
-/// A file of the rows.
+/// The rows as a CSV file.
 [[nodiscard]] QByteArray summaryCsv(const std::vector<QStringList> &rows);
 
-/// The head and the rows in columns; texts are broken into several lines where a row would be wider than
-/// `width`, numbers never.
+/// Head and rows in aligned columns; if a row would be wider than `width`, texts are wrapped, but never
+/// numbers.
 [[nodiscard]] QString summaryText(const QStringList &head, const std::vector<QStringList> &rows,
                                   std::optional<int> width = {});
 

@@ -62,7 +62,7 @@ private:
         return m_language.sentence({words, std::move(arguments)});
     }
 
-    /// The standard, with what was checked of it where that is a part.
+    /// The sentence with the name of the standard, and its checked part if only a part was checked.
     [[nodiscard]] QString counted(const Text &words, int count) const {
         QString standard = m_standard;
         if (m_evaluation.edition->textRead == TextRead::part)
@@ -172,7 +172,7 @@ Mark markOf(Accordance accordance) {
         return Mark::warning;
     case Accordance::notShown:
     case Accordance::notChecked:
-    case Accordance::partly: // a part of the text alone was read: no tick
+    case Accordance::partly: // no tick, because only a part of the text was read
         return Mark::openCircle;
     case Accordance::yes:
         return Mark::check;

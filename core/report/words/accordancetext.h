@@ -11,22 +11,22 @@
 
 namespace palmer {
 
-/// Whether a test is in accordance with its edition: the second part of the verdict, one sentence. With
-/// `page`, "see page %1" stands where there is something to see, the number still to be put in.
+/// The accordance of a test with its edition as a sentence: the second part of the verdict. With `page`, it
+/// includes "see page %1" if there are details, with the number still to be filled in.
 [[nodiscard]] QString accordanceText(const Test &test, const TestEvaluation &evaluation,
                                      const Language &language, bool page);
 
-/// The same in a few words, for lists.
+/// Short form for lists.
 [[nodiscard]] Text accordanceWords(Accordance accordance);
 
-/// The mark beside it.
+/// The mark next to it.
 [[nodiscard]] Mark markOf(Accordance accordance);
 
-/// The sentence as the second part of a verdict: what stands before its colon is the state.
+/// The sentence as the second part of a verdict: the text before its colon is the state.
 [[nodiscard]] VerdictStatement accordanceStatement(const Test &test, const TestEvaluation &evaluation,
                                                    const Language &language, bool page);
 
-/// Of several tests: that all are in accordance, or how many are.
+/// States that all tests are in accordance, or how many are.
 [[nodiscard]] QString accordanceOfAll(std::span<const Accordance> tests, const Language &language);
 
 } // namespace palmer

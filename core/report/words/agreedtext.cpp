@@ -24,7 +24,7 @@ QString fromTo(double from, double to, Quantity quantity, const Language &langua
     return language.sentence(sentence);
 }
 
-/// What only tests of the kind state.
+/// Statements that only positioning tests have.
 QString agreedText(const PositioningMeasurement &measurement, std::string_view point,
                    const Language &language) {
     const Quantity position = positionQuantity(measurement.axis);

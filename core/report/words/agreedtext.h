@@ -10,8 +10,8 @@
 
 namespace palmer {
 
-/// What the conditions of a test say of a point to be agreed ("warmUp", "feed", …), as the text of the
-/// agreement: "2 000 mm/min". Empty where they say nothing, or the point has nothing to do with them.
+/// What the conditions of a test state about a point to be agreed ("warmUp", "feed", …), as the text of the
+/// agreement: "2 000 mm/min". Empty if they state nothing or the point does not depend on them.
 [[nodiscard]] QString agreedTextFromConditions(const Test &test, std::string_view point,
                                                const Language &language);
 

@@ -12,7 +12,7 @@ namespace palmer {
 
 namespace {
 
-/// The length that expands, mm; 0: none.
+/// The expanding length, mm; 0: none.
 double expandingLength(const PositioningMeasurement &measurement) {
     if (measurement.axis.motion != Motion::linear || measurement.targets.empty())
         return 0;

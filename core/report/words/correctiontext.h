@@ -9,9 +9,9 @@
 
 namespace palmer {
 
-/// How large the correction to 20 °C of a test is where it is largest: "13.8 µm over 1 500 mm", the
-/// differential expansion over the farthest target from the origin or over the radius. Whether it is applied
-/// does not count. Empty where temperatures or coefficients are missing, and where there are no lengths.
+/// The largest correction to 20 °C of a test, applied or not: "13.8 µm over 1 500 mm", the differential
+/// expansion over the farthest target from the origin or over the radius. Empty if temperatures or
+/// coefficients are missing, or there are no lengths.
 [[nodiscard]] QString correctionSizeText(const Test &test, const Language &language);
 
 } // namespace palmer

@@ -16,7 +16,7 @@ QString withRemark(const QString &sentence, Source source, const Language &langu
                : sentence;
 }
 
-/// The sentences of a line; names that complete the same sentence stand in it together.
+/// The sentences of a line; names that complete the same sentence are listed in it.
 QString sentencesOf(std::span<const Finding *const> line, const Language &language, bool counted) {
     QStringList sentences;
     for (std::size_t i = 0; i < line.size(); ++i) {

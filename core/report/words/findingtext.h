@@ -9,15 +9,15 @@
 
 namespace palmer {
 
-/// One finding in words, as it is stored: its sentence, of practice with the remark that the text is not
-/// available.
+/// A finding in words: its sentence, and for practice the remark that the text is not available.
 [[nodiscard]] QString findingText(const Finding &finding, const Language &language);
 
-/// What a finding names, a point to be agreed with its letter; empty where its sentence stands for itself.
+/// Name of the subject of a finding, with the letter of a point to be agreed; empty if its sentence needs
+/// none.
 [[nodiscard]] QString findingName(const Finding &finding, const Language &language);
 
-/// The sentences of several findings, one after the other; names that complete the same sentence stand in it
-/// together, and it says how many they are. For lists whose headings say the source.
+/// The sentences of several findings in order; names that complete the same sentence are listed in it and
+/// counted. For lists with the source in their headings.
 [[nodiscard]] QString findingsText(std::span<const Finding *const> findings, const Language &language);
 
 } // namespace palmer

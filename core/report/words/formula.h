@@ -10,11 +10,11 @@
 
 namespace palmer {
 
-/// A piece of a formula. `approach`: the direction the number or symbol belongs to, for who draws in colours.
+/// A piece of a formula. `approach`: direction of the number or symbol, for renderers with colours.
 struct FormulaSpan {
     QString text;
     bool subscript = false;
-    bool strong = false; ///< a number put in, a result
+    bool strong = false; ///< an inserted number or a result
     std::optional<Direction> approach = std::nullopt;
 
     bool operator==(const FormulaSpan &) const = default;
@@ -24,19 +24,19 @@ struct FormulaSpan {
 struct Formula {
     std::vector<FormulaSpan> spans;
 
-    /// Without typography: "R11 = max(2·1,85 + …)".
+    /// Plain text, without typography: "R11 = max(2·1,85 + …)".
     [[nodiscard]] QString plain() const;
 
     bool operator==(const Formula &) const = default;
 };
 
-/// A formula from its source: "_" sets the letters and digits after it (or what stands in braces) lower.
+/// Parses a formula: "_" makes the following letters and digits (or the text in braces) a subscript.
 [[nodiscard]] Formula formulaFrom(const QString &source);
 
-/// What stands lower behind a symbol: "i", "XY", "max,XY".
+/// Subscript of a symbol: "i", "XY", "max,XY".
 [[nodiscard]] QString lowerPart(const Symbol &symbol, const std::string &index);
 
-/// A symbol as a formula: "R↑", "x̄" with a lower "i" and "↑".
+/// A symbol as a formula: "R↑", "x̄" with subscript "i" and "↑".
 [[nodiscard]] Formula symbolFormula(const Symbol &symbol, const std::string &index = {});
 
 } // namespace palmer

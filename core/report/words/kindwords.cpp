@@ -8,7 +8,7 @@ namespace palmer {
 
 const KindWords &kindWords(const Test &test) {
     static constexpr std::array kinds{
-        // in the order of the measurements of a test
+        // in the order of Measurement
         KindWords{REPORT_TEXT("report", "Positioning test of the %1 axis"),
                   REPORT_TEXT("report", "Positioning test of axis %1"), REPORT_TEXT("report", "%1 axis"),
                   REPORT_TEXT("report", "GUM, after the model of ISO 230-2:2006 Annex A"),

@@ -7,13 +7,13 @@
 
 namespace palmer {
 
-/// What a report calls the tests of a kind and what belongs to them; %1 are the axis or the axes.
+/// Words of a kind of test; %1 is the axis or the axes.
 struct KindWords {
     Text name;   ///< as a heading
-    Text listed; ///< above the results on the command line
+    Text listed; ///< above its results on the command line
     Text brief;  ///< in a summary; %2 is the radius
-    Text model;  ///< what the budget of its uncertainty is made after; empty without one
-    Text budget; ///< that budget beside other methods
+    Text model;  ///< model of its uncertainty budget; may be empty
+    Text budget; ///< name of that budget among other methods
 };
 
 [[nodiscard]] const KindWords &kindWords(const Test &test);

@@ -17,36 +17,36 @@ namespace {
 
 constexpr int mostDecimals = 20;
 
-/// The number a reader reads.
+/// The printed number as a reader reads it.
 double readBack(const std::string &text) {
     double value = 0;
     std::from_chars(text.data(), text.data() + text.size(), value);
     return value;
 }
 
-/// Decimals of value and U.
+/// Decimals of the value and of U.
 struct Digits {
     int value = 1;
     int uncertainty = 1;
 };
 
-/// A result that is compared with its limit, in the unit that is shown.
+/// A result and its limit in the displayed unit.
 struct ComparedNumbers {
-    double value = 0; ///< less is better, as of the limit
+    double value = 0; ///< normalised like the limit, so that less is better
     double limit = 0;
-    std::optional<double> uncertainty; ///< what the guard band is a multiple of
+    std::optional<double> uncertainty; ///< the guard band is a multiple of it
     double rounding = roundingOfSums;
 
     [[nodiscard]] Verdict verdict(const DecisionRule &rule) const {
         return decideUpper(value, limit, uncertainty, rule, rounding);
     }
-    /// On the same side of the limit, and of the ends of its guard band, as `other`.
+    /// True if the verdicts without and with the guard band are those of `other`.
     [[nodiscard]] bool agreesWith(const ComparedNumbers &other, const DecisionRule &rule) const {
         return verdict({}) == other.verdict({}) && verdict(rule) == other.verdict(rule);
     }
 };
 
-/// A number of a parameter as Language prints it in some units.
+/// A number of a parameter as Language prints it in the given unit.
 double printedNumber(double value, const ShownUnit &unit, int decimals) {
     return readBack(Decimal(value, unit).rounded(std::max(0, decimals + unit.decimals)));
 }
@@ -69,7 +69,7 @@ bool isComparable(const Parameter &p) {
     return p.value && p.limit && p.limit->value && std::isfinite(*p.value) && std::isfinite(*p.limit->value);
 }
 
-/// limit ± g of the printed limit and U, with the fewest decimals that leave the printed value on its side.
+/// limit ± g from the printed limit and U, with the fewest decimals that leave the printed value on its side.
 QString printedReach(const Parameter &p, const DecisionRule &rule, Digits shown, const Language &language) {
     const ComparedNumbers printed = printedComparison(p, shown, language.units());
     const auto guard = guardBand(printed.uncertainty, rule);
@@ -83,7 +83,7 @@ QString printedReach(const Parameter &p, const DecisionRule &rule, Digits shown,
     return language.number(p.bound == Bound::lower ? -end : end, Quantity::number, digits);
 }
 
-/// As few as give the verdict of the unrounded numbers.
+/// The fewest decimals that give the verdict of the unrounded numbers.
 Digits digitsOf(const Parameter &parameter, const DecisionRule &rule, std::optional<double> resolution,
                 const DisplayUnits &units) {
     int least = decimalsWithoutUncertainty;
@@ -150,7 +150,7 @@ QString significant(double size, int digits, int finest, const Language &languag
     const auto placeOfFirst = [](double number) { return static_cast<int>(std::floor(std::log10(number))); };
     const double last = std::max(std::pow(10, placeOfFirst(size) - digits + 1), smallest);
     const double rounded = std::round(size / last) * last;
-    constexpr double noRounding = 1 + 1e-9; // 9.96 becomes 10, one place more
+    constexpr double noRounding = 1 + 1e-9; // 9.96 becomes 10, one digit more
     const int decimals = digits - 1 - placeOfFirst(rounded * noRounding);
     return language.number(rounded, Quantity::number, std::clamp(decimals, 0, finest));
 }

@@ -79,7 +79,7 @@ Text correctionText(CorrectionTo20 correction) {
 
 QString clauseText(const std::string &clause, const Language &language) {
     struct Word {
-        std::string_view before; ///< what it stands behind, as the tables write it
+        std::string_view before; ///< text before it in the tables
         std::string_view word;
         Text text;
     };
@@ -289,7 +289,7 @@ QString notEvaluableSentence(const TestEvaluation &evaluation, const Language &l
 }
 
 bool isPrinted(const Parameter &parameter, const ReportHead &head) {
-    if (parameter.limit) // an agreed limit is a question that has to be answered
+    if (parameter.limit) // an agreed limit must be answered
         return true;
     if (!parameter.required)
         return false;
