@@ -6,7 +6,7 @@
 
 namespace palmer {
 
-/// The locale's language: the first of these variables that is set decides, as everywhere in POSIX.
+/// Language of the locale: the first of these variables that is set, as in POSIX.
 inline Language languageOfLocale() {
     for (const char *variable : {"LC_ALL", "LC_MESSAGES", "LANG"}) {
         const QString locale = qEnvironmentVariable(variable);

@@ -6,7 +6,7 @@ namespace palmer {
 
 namespace {
 
-/// As the formatter prints it: no line is a request, a hyphen can be typed.
+/// Escapes text for the formatter: no line is a request, and hyphens are ASCII, so that they can be copied.
 QString escaped(QString text) {
     text.replace(u'\\', QStringLiteral("\\e"));
     text.replace(u'-', QStringLiteral("\\-"));

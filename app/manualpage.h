@@ -10,16 +10,16 @@
 
 namespace palmer {
 
-/// Writes a page for man(1): section after section.
+/// Writes a page for man(1), section by section.
 class ManualPage {
 public:
-    /// `name` of the program, what it is in a few words.
+    /// `name` of the program, and a short description.
     ManualPage(const char *name, const Text &whatItIs, const Language &language);
 
     void section(const Text &title);
     void subsection(const QString &title);
     void paragraph(const QString &text);
-    /// What is typed, and what it means.
+    /// Adds what is typed, and its meaning.
     void item(const QString &typed, const QString &meaning);
 
     [[nodiscard]] QString text() const { return m_text; }

@@ -22,7 +22,7 @@ namespace {
 
 using namespace palmer;
 
-/// Throws UsageError for a name that is no command.
+/// Throws UsageError if there is no such command.
 const Command &commandCalled(const QString &name) {
     const auto found = std::ranges::find_if(
         commands(), [&name](const Command &command) { return name == QString::fromUtf8(command.name); });
@@ -44,16 +44,16 @@ int runCommand(const Command &command, const QStringList &words, const Language 
 }
 
 int runProgram(const QStringList &words, const Language &language) {
-    // For the shell and for packages: not in the help.
+    // For the shell and for packages; not in the help.
     if (words.value(0) == QLatin1StringView("--complete")) {
-        printOut(completion(words.mid(1), language).toUtf8()); // a table of tabulators
+        printOut(completion(words.mid(1), language).toUtf8()); // a tab-separated table
         return done;
     }
     if (words.value(0) == QLatin1StringView("--manual-page")) {
         printOut(manualPage(language));
         return done;
     }
-    // --language may stand before the command, too.
+    // --language may also precede the command.
     const auto name = std::ranges::find_if(words, [&](const QString &word) {
         return !word.startsWith(u'-') &&
                !(&word != &words.front() && *(&word - 1) == QLatin1StringView("--language"));
@@ -79,15 +79,15 @@ int runProgram(const QStringList &words, const Language &language) {
     return runCommand(commandCalled(*name), before + QStringList(name + 1, words.end()), language);
 }
 
-/// stderr is ours: what Qt has to say of its surroundings (no XDG_RUNTIME_DIR) is no error of a file.
+/// Suppresses Qt's warnings about the environment (no XDG_RUNTIME_DIR): stderr is for errors of files.
 void keepQuiet(QtMsgType type, const QMessageLogContext &, const QString &message) {
     if (type == QtFatalMsg)
         printError(message);
 }
 
-/// Figures need a QGuiApplication; it needs no display.
+/// Figures need a QGuiApplication, but no display.
 std::unique_ptr<QCoreApplication> applicationFor(const QStringList &words, char **argv) {
-    static int count = 1; // the words are ours, none is Qt's
+    static int count = 1; // no arguments for Qt
     if (!needsDrawing(words))
         return std::make_unique<QCoreApplication>(count, argv);
     qInstallMessageHandler(keepQuiet);
@@ -95,8 +95,8 @@ std::unique_ptr<QCoreApplication> applicationFor(const QStringList &words, char 
     return std::make_unique<QGuiApplication>(count, argv);
 }
 
-/// A stream that the caller closed gives its number to the next file that is opened, and what is read from it
-/// or written to it would be that file's. It becomes one that every read or write of fails.
+/// If the caller closed a standard stream, the next opened file would get its number and be read or written
+/// as that stream. Opens streams that fail on every access instead.
 void keepClosedStreamsClosed() {
     for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
         // NOLINTBEGIN(cppcoreguidelines-pro-type-vararg): POSIX
@@ -110,15 +110,15 @@ void keepClosedStreamsClosed() {
 
 int main(int argc, char *argv[]) {
     keepClosedStreamsClosed();
-    QHashSeed::setDeterministicGlobalSeed(); // else no two PDFs were alike
-    std::signal(SIGXFSZ, SIG_IGN);           // a file that may not grow is an error with a sentence
+    QHashSeed::setDeterministicGlobalSeed(); // otherwise PDFs would differ
+    std::signal(SIGXFSZ, SIG_IGN);           // report a file over its size limit as an error
     const Language ofLocale = languageOfLocale();
-    // Qt speaks UTF-8 only and would say so on stderr under any other locale.
+    // Qt requires UTF-8 and would warn on stderr about any other locale.
     qputenv("LC_ALL", "C.UTF-8");
     QStringList words;
     for (int i = 1; i < argc; ++i)
         words << fileNameOf(argv[i]);
-    static_cast<void>(terminalColumns()); // while standard output is what it was
+    static_cast<void>(terminalColumns()); // before standard output is redirected
     const Language language = chosenLanguage(words).value_or(ofLocale);
     try {
         const auto application = applicationFor(words, argv);

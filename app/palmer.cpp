@@ -26,13 +26,13 @@
 
 namespace {
 
-/// The copies of a large test that edits make come and go in small pieces: what is free goes back to the
-/// system, for the sixty edits of a million readings kept 120 MB otherwise.
+/// Edits copy large tests in many small blocks: return free memory to the system, as sixty edits of a million
+/// readings kept 120 MB otherwise.
 void giveMemoryBack() {
 #if defined(__GLIBC__)
     mallopt(M_TRIM_THRESHOLD, 8 << 20);
     mallopt(M_MMAP_THRESHOLD,
-            4 << 20); // as it is by itself after a while; the former would hold it at 128 KiB
+            4 << 20); // glibc's adaptive value; setting the other threshold would fix it at 128 KiB
 #endif
 }
 
@@ -41,9 +41,9 @@ void giveMemoryBack() {
 int main(int argc, char *argv[]) {
     using namespace palmer::ui;
     giveMemoryBack();
-    QHashSeed::setDeterministicGlobalSeed(); // before all else: the same report is the same bytes
-    std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow and a pipe that nobody reads are errors with a
-    std::signal(SIGPIPE, SIG_IGN); // sentence
+    QHashSeed::setDeterministicGlobalSeed(); // first of all, so that the same report has the same bytes
+    std::signal(SIGXFSZ, SIG_IGN);           // a file over its size limit is reported as an error
+    std::signal(SIGPIPE, SIG_IGN);           // so is a pipe without reader
     QStringList words;
     for (int i = 1; i < argc; ++i)
         words << palmer::fileNameOf(argv[i]);
@@ -68,7 +68,7 @@ int main(int argc, char *argv[]) {
 
     auto *window = new MainWindow; // deletes itself when it is closed
     window->show();
-    QStringList rest; // without the options of Qt
+    QStringList rest; // without Qt's options
     for (int i = 1; i < argc; ++i)
         rest << palmer::fileNameOf(argv[i]);
     for (const QString &file : palmer::filesOf(rest))

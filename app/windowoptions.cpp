@@ -17,9 +17,9 @@ namespace palmer {
 namespace {
 
 constexpr int wrongUsage = 2;
-constexpr int noDisplay = 3; // as for a file: it could not be opened
+constexpr int noDisplay = 3; // like a file that could not be opened
 
-/// Options of Qt's applications, and whether a value follows. Qt takes them with one dash or two.
+/// Options of Qt applications, and whether they take a value. Qt accepts them with one or two dashes.
 struct QtOption {
     std::string_view name;
     bool hasValue = false;
@@ -106,7 +106,7 @@ QString manual(const Language &language) {
     return page.text();
 }
 
-/// Whether there is a screen to open a window on, as far as the surroundings tell.
+/// True if the environment indicates a screen for the window.
 bool hasDisplay(const QStringList &words) {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
     const auto isSet = [](const char *name) { return !qEnvironmentVariableIsEmpty(name); };
@@ -136,7 +136,7 @@ std::optional<int> answeredWithoutWindow(const QStringList &words) {
             print(stdout, help(language));
             return 0;
         }
-        if (word == QLatin1StringView("--manual-page")) { // for packages: not in the help
+        if (word == QLatin1StringView("--manual-page")) { // for packages; not in the help
             print(stdout, manual(language));
             return 0;
         }
@@ -169,7 +169,7 @@ std::optional<int> answeredWithoutWindow(const QStringList &words) {
 
 QStringList filesOf(const QStringList &words) {
     QStringList files = words;
-    files.removeOne(QStringLiteral("--")); // the first: what follows are files
+    files.removeOne(QStringLiteral("--")); // only the first one: the rest are files
     return files;
 }
 

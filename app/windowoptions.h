@@ -7,13 +7,13 @@
 
 namespace palmer {
 
-/// What the words after `palmer` ask for that needs no window: --help and --version are answered on standard
-/// output, an option that neither Palmer nor Qt knows and a missing display with one line on standard error.
-/// The exit code; nothing when the window is to open. `words`: in the encoding of the system, program's name
-/// left out. Needs no application, and no display.
+/// Handles the words after `palmer` that need no window: --help and --version on standard output, an option
+/// unknown to Palmer and Qt or a missing display with one line on standard error. Returns the exit code; null
+/// if the window is to open. `words`: in the encoding of the system, without the program name. Requires no
+/// application and no display.
 [[nodiscard]] std::optional<int> answeredWithoutWindow(const QStringList &words);
 
-/// The files among the words that Qt leaves: all after "--", and what is no option.
+/// The files among the words left by Qt: everything after "--", and all words that are no options.
 [[nodiscard]] QStringList filesOf(const QStringList &words);
 
 } // namespace palmer

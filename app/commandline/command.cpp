@@ -28,7 +28,7 @@ constexpr std::array optionsOfAll{
     Option{"help", "", REPORT_TEXT("report", "this help")},
 };
 
-constexpr QChar valueEnd(0x1F); ///< between the values of an option that stands several times
+constexpr QChar valueEnd(0x1F); ///< separates the values of a repeated option
 
 const Option *findOwnOption(const Command &command, const QString &name) {
     const auto found = std::ranges::find_if(
@@ -44,8 +44,8 @@ const Option *findOption(const Command &command, const QString &name) {
     return found == optionsOfAll.end() ? nullptr : &*found;
 }
 
-/// Throws UsageError for a value that is none of the words of the option: a list of them ("fr,en") where one
-/// of its words is a list.
+/// Throws UsageError unless the value is one of the option's words, or a list of them ("fr,en") if one of the
+/// words is a list.
 void demandWord(const Option &option, const QString &given) {
     const QStringList words = wordsOf(option);
     const auto isWord = [&words](const QString &word) { return words.contains(word); };
@@ -58,20 +58,20 @@ void demandWord(const Option &option, const QString &given) {
                            words.join(QStringLiteral(", ")).toStdString()}});
 }
 
-/// An option with its value, which is `given` ("--name=value") or the next word.
+/// Stores an option with its value, which is `given` ("--name=value") or the next word.
 void take(Invocation &invocation, const Option &option, std::optional<QString> given,
           const QStringList &words, qsizetype &next) {
     const bool wantsValue = *option.value != 0;
     if (wantsValue && !given && next < words.size())
         given = words[next++];
-    // Empty: of a script whose variable is not set.
+    // A script with an unset variable passes an empty value.
     if (wantsValue && (!given || (given->isEmpty() && !option.mayBeEmpty)))
         throw UsageError({REPORT_TEXT("report", "the option %1 needs a value (%2)"),
                           {dashed(option).toStdString(), std::string(option.value)}});
     if (!wantsValue && given)
         throw UsageError(
             {REPORT_TEXT("report", "the option %1 takes no value"), {dashed(option).toStdString()}});
-    QString &value = invocation.options[QString::fromUtf8(option.name)]; // null: it did not stand before
+    QString &value = invocation.options[QString::fromUtf8(option.name)]; // null: first occurrence
     if (!value.isNull() && wantsValue && !option.repeats)
         throw UsageError({REPORT_TEXT("report", "the option %1 stands twice; it takes one value"),
                           {dashed(option).toStdString()}});
@@ -82,7 +82,7 @@ void take(Invocation &invocation, const Option &option, std::optional<QString> g
         value = QStringLiteral("");
 }
 
-/// Whether one of the things stands in the call that the option has an effect with.
+/// True if the call contains something the option has an effect with.
 bool hasEffect(const Option &option, const Invocation &invocation) {
     const QStringList partners = QString::fromUtf8(option.goesWith).split(u'|', Qt::SkipEmptyParts);
     return partners.isEmpty() || std::ranges::any_of(partners, [&](const QString &partner) {
@@ -94,7 +94,7 @@ bool hasEffect(const Option &option, const Invocation &invocation) {
            });
 }
 
-/// "--as csv, --as siemens": what the option goes with, as it is typed.
+/// What the option goes with, as typed: "--as csv, --as siemens".
 std::string partnersOf(const Command &command, const Option &option) {
     QStringList typed;
     for (const QString &partner : QString::fromUtf8(option.goesWith).split(u'|')) {
@@ -105,7 +105,7 @@ std::string partnersOf(const Command &command, const Option &option) {
     return typed.join(QStringLiteral(", ")).toStdString();
 }
 
-/// Throws UsageError for an option that would do nothing, and silence would say that it did.
+/// Throws UsageError for an option without effect, instead of silently ignoring it.
 void demandEffects(const Command &command, const Invocation &invocation) {
     for (const Option &option : command.options) {
         if (invocation.has(QLatin1StringView(option.name)) && !hasEffect(option, invocation))
@@ -114,7 +114,7 @@ void demandEffects(const Command &command, const Invocation &invocation) {
     }
 }
 
-/// "title" of --title=x, "o" of -o; empty where it is written neither way.
+/// "title" of --title=x, "o" of -o; otherwise empty.
 QString optionName(const QString &word) {
     const qsizetype mark = word.indexOf(u'=');
     const bool isLong = word.startsWith(QLatin1StringView("--"));
@@ -122,11 +122,11 @@ QString optionName(const QString &word) {
     QString name = word.size() == 2 ? word.mid(1) : QString();
     if (isLong)
         name = longName.size() > 1 ? longName : QString();
-    return name == QLatin1StringView("h") ? QStringLiteral("help") : name; // as everywhere
+    return name == QLatin1StringView("h") ? QStringLiteral("help") : name; // by convention
 }
 
 void settleLanguage(Invocation &invocation) {
-    const auto chosen = invocation.value(QLatin1StringView("language")); // one of the words of the option
+    const auto chosen = invocation.value(QLatin1StringView("language")); // already checked to be a known word
     if (!chosen)
         return;
     invocation.language = Language::fromName(*chosen).value();
@@ -149,7 +149,7 @@ void demandFiles(const Command &command, const Invocation &invocation) {
 } // namespace
 
 int worse(int a, int b) {
-    return std::max(a, b); // the codes ascend in their rank
+    return std::max(a, b); // higher codes rank higher
 }
 
 bool Invocation::has(QLatin1StringView option) const {
@@ -214,7 +214,7 @@ Invocation parseArguments(const Command &command, const QStringList &words, Lang
             take(result, *option, mark < 0 ? std::nullopt : std::optional(word.mid(mark + 1)), words, next);
         }
     }
-    // A command may give the option another meaning: the languages of its reports.
+    // A command may redefine the option as the languages of its reports.
     if (!findOwnOption(command, QStringLiteral("language")))
         settleLanguage(result);
     if (!result.has(QLatin1StringView("help"))) {

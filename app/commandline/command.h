@@ -14,54 +14,54 @@
 
 namespace palmer {
 
-/// Exit codes of the program; of several files the worst wins: cannotRead, wrongUsage, difference, done.
+/// Exit codes of the program; for several files the worst one: cannotRead, wrongUsage, difference, done.
 enum ExitCode : int {
     done = 0,
-    difference = 1, ///< a verdict other than "conforms", an unmet requirement, a value that does not agree
+    difference = 1, ///< a verdict other than "conforms", an unmet requirement, a deviating value
     wrongUsage = 2,
     cannotRead = 3, ///< a file cannot be read, written or understood
 };
 
-/// The worse of two codes, by rank and not by number alone.
+/// Returns the worse of two codes.
 [[nodiscard]] int worse(int a, int b);
 
-/// An option of a command: --name, or --name VALUE where `value` stands for something. A name of one letter
-/// has one dash.
+/// An option of a command: --name, or --name VALUE if `value` is not empty. Names of one letter have one
+/// dash.
 struct Option {
     const char *name = nullptr;
     const char *value =
         nullptr; ///< placeholder in the help; empty for a switch; "csv|text": one of these words
     Text description;
-    bool repeats = false; ///< may stand several times
-    /// What it has no effect without, and is refused: one of these, each an argument ("circular"), an option
-    /// ("extract") or an option with its value ("as=csv|as=siemens"). Empty: always has one.
+    bool repeats = false; ///< may be repeated
+    /// The option is refused unless one of these is given: an argument ("circular"), an option ("extract") or
+    /// an option with its value ("as=csv|as=siemens"). Empty: no condition.
     const char *goesWith = "";
-    bool mayBeEmpty = false; ///< "" says that there shall be none
+    bool mayBeEmpty = false; ///< "" is allowed and means none
 };
 
-/// The words that the value of an option has to be one of; none where anything may be given.
+/// The allowed words for the value of an option; empty if any value is allowed.
 [[nodiscard]] QStringList wordsOf(const Option &option);
 
-/// The option as it is typed: -o, --help.
+/// The option as typed: -o, --help.
 [[nodiscard]] QString dashed(const Option &option);
 
-/// What a command was called with.
+/// The arguments and options of a call.
 struct Invocation {
     Language language;
-    bool languageChosen = false; ///< by --language; else it is that of the locale
+    bool languageChosen = false; ///< by --language; otherwise from the locale
     std::map<QString, QString> options;
     QStringList arguments;
 
     [[nodiscard]] bool has(QLatin1StringView option) const;
     [[nodiscard]] std::optional<QString> value(QLatin1StringView option) const;
-    /// Of an option that may stand several times.
+    /// Values of a repeatable option.
     [[nodiscard]] QStringList values(QLatin1StringView option) const;
 };
 
-/// A command of the program; the help is made of these rows.
+/// A command of the program; the help is generated from it.
 struct Command {
     const char *name = nullptr;
-    const char *arguments = nullptr; ///< "FILE…"; empty: takes none
+    const char *arguments = nullptr; ///< "FILE…"; empty: none
     Text description;
     std::span<const Option> options;
     int (*run)(const Invocation &) = nullptr;
@@ -78,19 +78,19 @@ public:
     Message message;
 };
 
-/// The commands there are.
+/// All commands.
 [[nodiscard]] std::span<const Command> commands();
 
-/// The options that every command has.
+/// Options of every command.
 [[nodiscard]] std::span<const Option> commonOptions();
 
-/// Whether a command among the words draws figures or pages.
+/// True if one of the words is a command that draws figures or pages.
 [[nodiscard]] bool needsDrawing(const QStringList &words);
 
-/// Takes the words after the command's name apart. Throws UsageError.
+/// Parses the words after the command name. Throws UsageError.
 [[nodiscard]] Invocation parseArguments(const Command &command, const QStringList &words, Language language);
 
-/// The language asked for by --language anywhere among the words, if it is one.
+/// The language of --language anywhere among the words; null if missing or unknown.
 [[nodiscard]] std::optional<Language> chosenLanguage(const QStringList &words);
 
 } // namespace palmer

@@ -33,10 +33,10 @@ public:
     [[nodiscard]] QString text() const { return m_text; }
 
 private:
-    /// A word that stands already.
+    /// Processes a completed word.
     void read(const QString &word) {
         if (m_open) {
-            m_open = nullptr; // this was its value
+            m_open = nullptr; // this word is its value
             return;
         }
         const auto command = std::ranges::find_if(
@@ -88,21 +88,21 @@ private:
         }
     }
 
-    /// `before`: what stands before the value in the same word.
+    /// `before`: text before the value in the same word.
     void valuesOf(const Option &option, const QString &before) {
         for (const QString &word : wordsOf(option))
             add(before + word, {});
         const QLatin1StringView name(option.name);
         if (name == QLatin1StringView("edition") || name == QLatin1StringView("editions")) {
             for (const Edition *edition : editions())
-                add(before + QString::fromUtf8(edition->word).remove(u' '), {}); // blanks would part words
+                add(before + QString::fromUtf8(edition->word).remove(u' '), {}); // spaces would split words
         } else if (name == QLatin1StringView("set")) {
             for (const ImportKey &key : importKeys())
                 choices(key, before + QString::fromUtf8(key.key) + u'=');
         }
     }
 
-    /// The key alone, then its words.
+    /// Offers the key first, then its words.
     void choices(const ImportKey &key, const QString &typedKey) {
         if (!m_typed.startsWith(typedKey)) {
             add(typedKey, m_language.text(key.name));
@@ -125,7 +125,7 @@ private:
     const Language &m_language;
     QString m_typed;
     const Command *m_command = nullptr;
-    const Option *m_open = nullptr; ///< whose value comes next
+    const Option *m_open = nullptr; ///< option that expects the next value
     bool m_asksHelp = false;
     QString m_text;
 };

@@ -9,9 +9,8 @@
 
 namespace palmer {
 
-/// What may follow the words of a command line, the last of which is being typed: one a line, a tab and what
-/// it means. Nothing where any text or the name of a file may follow. For the shells
-/// (resources/linux/completions).
+/// Completions of the last word of a command line: one per line, followed by a tab and its meaning. Empty if
+/// any text or a file name may follow. For the shells (resources/linux/completions).
 [[nodiscard]] QString completion(const QStringList &words, const Language &language);
 
 } // namespace palmer

@@ -17,9 +17,9 @@ QString bare(const QString &word) {
     return result;
 }
 
-/// Whether the part stands in the designation as words and numbers of their own: "2006" does, "006" not.
+/// True if the part matches whole words and numbers of the designation: "2006" matches, "006" does not.
 bool isPartOf(const QString &part, const QString &designation) {
-    // Between the characters before and at `at`: blanks are gone, "ISO230" is a word and a number.
+    // At `at` between two characters; "ISO230" has a word and a number, as blanks are removed.
     const auto isBorder = [&designation](qsizetype at) {
         if (at <= 0 || at >= designation.size())
             return true;

@@ -10,15 +10,15 @@
 
 namespace palmer {
 
-/// The edition of this designation, as editionAsked(). Throws UsageError.
+/// Returns the edition with this designation, like editionAsked(). Throws UsageError.
 [[nodiscard]] const Edition *editionCalled(const QString &word, std::optional<Kind> kind = {});
 
-/// The edition that --edition asks for, null without the option: its designation, or as much of it as leaves
-/// no choice, in any case and with or without blanks ("2006", "iso230-4:2005", "VDI"). Throws UsageError with
-/// the editions that it may be, of the kind if there is one.
+/// The edition of --edition, null without the option: its designation or an unambiguous part of it, in any
+/// case, with or without blanks ("2006", "iso230-4:2005", "VDI"). Throws UsageError with the possible
+/// editions, of the given kind if any.
 [[nodiscard]] const Edition *editionAsked(const Invocation &invocation, std::optional<Kind> kind = {});
 
-/// Throws UsageError where no test of the document is of the kind of the edition: it would change nothing.
+/// Throws UsageError if no test has the kind of the edition, which would then have no effect.
 void demandTestOf(const Edition &edition, const Document &document);
 
 } // namespace palmer

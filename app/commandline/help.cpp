@@ -38,7 +38,7 @@ bool isCommandWith(const Command &command, const char *option) {
                                [&](const Option &own) { return std::string_view(own.name) == option; });
 }
 
-/// What a choice of the import can be.
+/// Possible values of a choice of the import.
 QString wordsOfKey(const ImportKey &key, const Language &language) {
     const std::string_view name = key.key;
     if (name == "columns")
@@ -62,7 +62,7 @@ QString wordsOfKey(const ImportKey &key, const Language &language) {
 } // namespace
 
 QString inColumns(const std::vector<HelpRow> &rows, int width) {
-    constexpr int margin = 2; // before and between the columns
+    constexpr int margin = 2; // before and between columns
     const int widest = width * 2 / 5;
     int left = 0;
     for (const HelpRow &row : rows) {

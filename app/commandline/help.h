@@ -9,33 +9,32 @@
 
 namespace palmer {
 
-/// A line of help: what is typed, and what it means.
+/// A line of help: what is typed, and its meaning.
 struct HelpRow {
     QString left;
     QString right;
 };
 
-/// The rows in two columns, at most `width` wide where no word is wider; what is typed stands alone above
-/// where it is long.
+/// The rows in two columns, at most `width` wide unless a word is wider; long left sides get their own line.
 [[nodiscard]] QString inColumns(const std::vector<HelpRow> &rows, int width);
 
-/// The rows of the commands, of options, of what all commands have, of the choices that --set takes.
+/// Rows of the commands, of options, of common options, and of the choices for --set.
 [[nodiscard]] std::vector<HelpRow> commandRows(const Language &language);
 [[nodiscard]] std::vector<HelpRow> optionRows(std::span<const Option> options, const Language &language);
 [[nodiscard]] std::vector<HelpRow> commonRows(const Command &command, const Language &language);
 [[nodiscard]] std::vector<HelpRow> versionRows(const Language &language);
 [[nodiscard]] std::vector<HelpRow> keyRows(const Language &language);
 
-/// What FILE may be, and what else the keys of --set may be.
+/// Describes the possible FILEs, and further keys of --set.
 [[nodiscard]] QString filesSentence(const Language &language);
 [[nodiscard]] QString fieldsSentence(const Language &language);
 
-/// Help of the whole program, of one command, and of the choices that --set takes (`--help KEYS`).
+/// Help of the program, of one command, and of the choices for --set (`--help KEYS`).
 [[nodiscard]] QString programHelp(const Language &language);
 [[nodiscard]] QString commandHelp(const Command &command, const Language &language);
 [[nodiscard]] QString keysHelp(const Language &language);
 
-/// Whether the command reads measurement files and takes choices for them.
+/// True if the command reads measurement files and accepts choices for them.
 [[nodiscard]] bool takesKeys(const Command &command);
 inline constexpr const char *keysWord = "KEYS";
 

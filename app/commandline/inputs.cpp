@@ -27,7 +27,7 @@ bool hasEnding(const QString &name, const char *ending) {
     return name.endsWith(QLatin1StringView(ending), Qt::CaseInsensitive);
 }
 
-/// A folder with all that is in it; names that begin with a point are hidden.
+/// Finds the files in a folder, recursively, except hidden ones.
 class FolderWalk {
 public:
     FolderWalk(const QString &folder, InFolders which)
@@ -41,7 +41,7 @@ public:
     [[nodiscard]] const QStringList &unreadable() const { return m_unreadable; }
 
 private:
-    /// `below`: the path from the first folder, with its slash.
+    /// `below`: path relative to the first folder, with a trailing slash.
     void walk(const fs::path &folder, const QString &below) {
         std::error_code error;
         fs::directory_iterator entries(folder, error);
@@ -131,7 +131,7 @@ int eachInput(const Invocation &invocation, const Inputs &inputs,
             return work(input);
         } catch (const Error &error) {
             printError(input.file, error, invocation.language);
-        } catch (const UsageError &error) { // that only shows with the file: --set
+        } catch (const UsageError &error) { // only detected with the file: --set
             printError(input.file + QStringLiteral(": ") + invocation.language.sentence(error.message));
             return {wrongUsage, {}};
         } catch (const std::bad_alloc &) {
@@ -168,7 +168,7 @@ int eachDocument(const Invocation &invocation, const Inputs &inputs,
         if (isToBePassedOver(input))
             return {done, {}};
         std::optional<Document> document = documentFrom(input.file, invocation);
-        if (!document) // questions about it are open
+        if (!document) // it has open questions
             return {cannotRead, {}};
         return work(input, std::move(*document));
     };
@@ -179,7 +179,7 @@ int jobsOf(const Invocation &invocation) {
     const auto given = invocation.value(QLatin1StringView(jobsName));
     if (!given)
         return defaultJobs();
-    constexpr long long most = 1'000'000; // more than are started
+    constexpr long long most = 1'000'000; // more than are ever started
     return std::min(static_cast<int>(wholeBetween(jobsName, *given, 1, most)), mostJobs);
 }
 

@@ -27,9 +27,9 @@ namespace palmer {
 
 namespace {
 
-constexpr std::int32_t atWork = -1; ///< in the place of a code: the input was begun
+constexpr std::int32_t atWork = -1; ///< in place of a code: the input was started
 
-/// Before the bytes of an answer, on the pipe to the parent.
+/// Header of an answer on the pipe to the parent.
 struct Answer {
     std::int32_t input = 0;
     std::int32_t code = 0;
@@ -44,7 +44,7 @@ struct Finished {
     QByteArray errors;
 };
 
-/// The number of the next input, shared by all processes.
+/// Number of the next input, shared by all processes.
 class SharedCounter {
 public:
     SharedCounter()
@@ -90,18 +90,18 @@ bool writeAll(int file, const QByteArray &bytes) {
     return true;
 }
 
-/// What was written into a file in memory, which is empty afterwards.
+/// Returns the content of a memory file and clears it.
 QByteArray taken(int file) {
     const off_t size = ::lseek(file, 0, SEEK_CUR);
     QByteArray bytes(std::max<off_t>(size, 0), Qt::Uninitialized);
     if (size > 0 && ::pread(file, bytes.data(), static_cast<std::size_t>(size), 0) != size)
         bytes.clear();
     if (::ftruncate(file, 0) != 0 || ::lseek(file, 0, SEEK_SET) != 0)
-        ::_exit(1); // never
+        ::_exit(1); // never happens
     return bytes;
 }
 
-/// The life of a process that works: input after input, each answer at once.
+/// Main loop of a worker process: processes inputs and sends each answer immediately.
 [[noreturn]] void serve(int pipe, SharedCounter &next, int count, const std::function<JobResult(int)> &work) {
     const int out = ::memfd_create("out", 0);
     const int errors = ::memfd_create("errors", 0);
@@ -122,15 +122,15 @@ QByteArray taken(int file) {
     ::_exit(0);
 }
 
-/// A process that works, seen from the parent.
+/// A worker process, as seen by the parent.
 struct Worker {
     pid_t process = -1;
     int pipe = -1;
-    QByteArray bytes;              ///< read and not yet an answer
-    std::optional<int> input = {}; ///< at work on it
+    QByteArray bytes;              ///< read, but not a complete answer yet
+    std::optional<int> input = {}; ///< being processed
 };
 
-/// The whole answers among the bytes that a worker has sent.
+/// Extracts the complete answers from the bytes of a worker.
 void takeAnswers(Worker &worker, std::map<int, std::optional<Finished>> &ended) {
     while (worker.bytes.size() >= qsizetype(sizeof(Answer))) {
         const Answer answer = answerOf(worker.bytes);
@@ -157,7 +157,7 @@ public:
         : m_count(count)
         , m_work(work) {}
 
-    /// Starts processes while there are inputs that nobody has taken; false: none works any more.
+    /// Starts processes while inputs are left; returns false if none is running.
     bool keepUp(int jobs) {
         while (std::cmp_less(m_workers.size(), jobs) && m_next.taken() < m_count) {
             if (!start())
@@ -166,13 +166,13 @@ public:
         return !m_workers.empty();
     }
 
-    /// Waits until one of them says something.
+    /// Waits for output of a worker.
     void listen(std::map<int, std::optional<Finished>> &ended) {
         std::vector<pollfd> pipes;
         for (const Worker &worker : m_workers)
             pipes.push_back({worker.pipe, POLLIN, 0});
         if (::poll(pipes.data(), pipes.size(), -1) < 0)
-            return; // a signal
+            return; // interrupted by a signal
         for (std::size_t i = pipes.size(); i-- > 0;) {
             if (pipes[i].revents == 0)
                 continue;
@@ -236,7 +236,7 @@ bool isTerminal() {
     return ::isatty(STDERR_FILENO) != 0;
 }
 
-/// "12 / 500" on a terminal, written over and over.
+/// Shows "12 / 500" on a terminal, overwriting the previous text.
 void showProgress(int done, int count) {
     if (isTerminal())
         std::fputs(("\r" + std::to_string(done) + " / " + std::to_string(count)).c_str(), stderr);
@@ -265,13 +265,13 @@ void eachJob(int count, int jobs, const Jobs &tell) {
         return;
     }
     Workers workers(count, tell.work);
-    std::map<int, std::optional<Finished>> ended; ///< and not yet heard; nothing: the process broke off
+    std::map<int, std::optional<Finished>> ended; ///< not reported yet; null: the process crashed
     bool hasPrinted = false;
     int next = 0;
     while (next < count) {
         if (workers.keepUp(jobs)) {
             workers.listen(ended);
-        } else if (!ended.contains(next)) { // no process can be had: it is done here
+        } else if (!ended.contains(next)) { // no process available: process it here
             tell.heard(next, tell.work(next));
             ++next;
         }

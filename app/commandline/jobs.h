@@ -7,28 +7,28 @@
 
 namespace palmer {
 
-/// What became of one input.
+/// Result of one input.
 struct JobResult {
     int code = 0;    ///< ExitCode
-    QByteArray rows; ///< for a summary of all
+    QByteArray rows; ///< for a common summary
 };
 
-/// How inputs are worked on and who hears of it.
+/// How inputs are processed, and callbacks for the results.
 struct Jobs {
-    std::function<JobResult(int)> work;                ///< on this input; prints what it has to say
-    std::function<void(int, const JobResult &)> heard; ///< input after input
-    /// Prints what to say of an input whose process ended before it had an answer (too little memory, say);
-    /// its code.
+    std::function<JobResult(int)> work;                ///< processes this input and prints its output
+    std::function<void(int, const JobResult &)> heard; ///< called in input order
+    /// Reports an input whose process ended before it answered (out of memory, for instance); returns its
+    /// code.
     std::function<int(int)> broken;
-    bool parted = false; ///< an empty line between what the inputs print on stdout
+    bool parted = false; ///< print an empty line between the outputs of the inputs
 };
 
-/// Works on inputs 0 … count − 1, `jobs` at a time, each in a process of its own, so that one that breaks off
-/// takes no other along; what they print comes out in the order of the inputs. How far it is stands on stderr
-/// where that is a terminal. One input alone is worked on in this process.
+/// Processes inputs 0 … count − 1, `jobs` at a time, each in its own process, so that a crash does not affect
+/// the others; output appears in input order. Progress is shown on stderr if it is a terminal. A single input
+/// is processed in this process.
 void eachJob(int count, int jobs, const Jobs &tell);
 
-/// As many as the machine has processors.
+/// Number of processors.
 [[nodiscard]] int defaultJobs();
 
 } // namespace palmer

@@ -29,7 +29,7 @@ void refuse(const char *option, const QString &given, const std::string &form) {
 }
 
 double numberGiven(const char *option, const QString &given) {
-    // "1,000" is a thousand to some and one to others; "0,125" is not.
+    // "1,000" can mean a thousand or one; "0,125" is unambiguous.
     static const QRegularExpression grouped(QStringLiteral("^[+-]?[1-9][0-9]{0,2}(,[0-9]{3})+$"));
     static const QRegularExpression power(QStringLiteral("^[^eE]+[eE][+-]?[0-9]{1,3}$"));
     if (grouped.match(given).hasMatch())
@@ -84,7 +84,7 @@ std::optional<long long> wholeGiven(const QString &given) {
     if (isNumber)
         return number;
     static const QRegularExpression power(QStringLiteral("^[0-9]+([.,][0-9]+)?[eE][+]?[0-9]{1,2}$"));
-    constexpr double exact = 9e15; // a double holds all whole numbers up to here
+    constexpr double exact = 9e15; // a double represents all integers up to here
     const double value =
         power.match(given).hasMatch() ? QString(given).replace(u',', u'.').toDouble(&isNumber) : 0;
     if (!isNumber || value > exact || value != std::floor(value))

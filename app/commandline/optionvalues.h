@@ -11,36 +11,35 @@
 
 namespace palmer {
 
-/// "--OPTION cannot be GIVEN; expected FORM": throws UsageError.
+/// Throws UsageError: "--OPTION cannot be GIVEN; expected FORM".
 [[noreturn]] void refuse(const char *option, const QString &given, const std::string &form);
 
-/// The number of an option, with a point or a comma, with a power of ten (1e3) or without; nothing without
-/// the option. Throws UsageError for what is no finite number, and for "1,000", which may be one or a
-/// thousand.
+/// The value of an option with a point or a comma, with or without a power of ten (1e3); null without the
+/// option. Throws UsageError if it is no finite number, and for "1,000", which may be one or a thousand.
 [[nodiscard]] std::optional<double> numberOf(const Invocation &invocation, const char *option);
 
-/// The number that is `given` to the option. Throws as numberOf().
+/// Parses the number `given` to the option. Throws like numberOf().
 [[nodiscard]] double numberGiven(const char *option, const QString &given);
 
-/// The same from `least` to `most`, and greater than a bound.
+/// The same, from `least` to `most`, or greater than a bound.
 [[nodiscard]] double numberBetween(const char *option, const QString &given, double least, double most);
 [[nodiscard]] double numberAbove(const char *option, const QString &given, double bound);
 
 /// "FROM:TO", ascending. Throws UsageError.
 [[nodiscard]] Interval intervalGiven(const char *option, const QString &given);
 
-/// A whole number, also with a power of ten (1e6); nothing for any other.
+/// Parses an integer, also with a power of ten (1e6); null for anything else.
 [[nodiscard]] std::optional<long long> wholeGiven(const QString &given);
 
-/// The same from `least` to `most`. Throws UsageError.
+/// The same, from `least` to `most`. Throws UsageError.
 [[nodiscard]] long long wholeBetween(const char *option, const QString &given, long long least,
                                      long long most);
 
-/// Index of the test that --test asks for, from 1, of `count`; without it the first. Throws UsageError where
+/// Index of the test chosen by --test (from 1) out of `count`; by default the first. Throws UsageError if
 /// there is none.
 [[nodiscard]] std::size_t testIndex(const Invocation &invocation, std::size_t count);
 
-/// --seed, a whole number that a test file can keep; nothing without it. Throws UsageError.
+/// Value of --seed, an integer that a test file can store; null without it. Throws UsageError.
 [[nodiscard]] std::optional<std::int64_t> seedOf(const Invocation &invocation);
 
 } // namespace palmer

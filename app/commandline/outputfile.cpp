@@ -15,7 +15,7 @@ namespace palmer {
 
 namespace {
 
-/// Endings that say what a file is: of what this program reads and writes, and of everybody's files.
+/// True for endings with a meaning: of formats of this program, and common ones.
 bool isKnown(const QString &ending) {
     static const QStringList known =
         importEndings() +
@@ -27,7 +27,7 @@ bool isKnown(const QString &ending) {
     return known.contains(ending);
 }
 
-/// The name under which the system knows it.
+/// Name of the file for the system.
 QString systemName(const QString &file, const char *standard) {
     return file == QLatin1StringView("-") ? QLatin1StringView(standard) : file;
 }

@@ -13,30 +13,30 @@
 
 namespace palmer {
 
-/// Of every command whose output has no ending of its own choice.
+/// For every command whose output has a fixed ending.
 constexpr Option forceOption{
     "force", "", REPORT_TEXT("report", "write even to a name with the ending of another kind of file")};
 
-/// Throws UsageError for an output that is an input of the same call, whatever its name, or that has the
-/// ending of another kind of file than `endings` (lower case, those of the command; "" and unknown ones are
-/// free), unless --force is given. To be asked before anything is read.
+/// Throws UsageError if the output is an input of the same call, under any name, or has the ending of another
+/// kind of file than `endings` (lower case; "" and unknown endings are allowed), unless --force is given.
+/// Must be called before anything is read.
 void demandOutput(const Invocation &invocation, const QString &file,
                   std::initializer_list<const char *> endings);
 
-/// Where the output of each of several inputs goes: into the folder `output`, under the path it was found
-/// under, with another ending. Throws UsageError where two would go into one file, or one over an input.
+/// Output files of several inputs: in the folder `output`, with the input's path and another ending. Throws
+/// UsageError if two outputs are the same file or one would overwrite an input.
 [[nodiscard]] QStringList outputsInFolder(const QString &output, const Inputs &inputs, const QString &ending);
 
-/// "report.pdf" → "report.fr.pdf". A folder or a device keeps its name: writing says what is wrong with it.
+/// "report.pdf" → "report.fr.pdf". Folders and devices keep their name: writing reports their error.
 [[nodiscard]] QString withLanguage(const QString &file, const QString &language);
 
-/// Makes the folder of a file that is to be written there. Throws Error(unwritable).
+/// Creates the folder of an output file. Throws Error(unwritable).
 void makeFolderOf(const QString &file);
 
-/// Writes to the file of that name, "-" is standard output. Throws Error(unwritable).
+/// Writes the file with that name; "-" is standard output. Throws Error(unwritable).
 void writeOutput(const QByteArray &bytes, const QString &file);
 
-/// The same of several files: none is written unless all can be. Throws UnsavedFile.
+/// The same for several files: writes all or none. Throws UnsavedFile.
 void writeOutputs(const std::vector<FileToSave> &outputs);
 
 } // namespace palmer

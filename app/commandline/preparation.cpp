@@ -18,7 +18,7 @@ namespace palmer {
 
 namespace {
 
-/// An instrument of this id takes the place of that in the file; tests that name none were made with it.
+/// Replaces the instrument with the same id; tests without instrument refer to the new one.
 void apply(Document &document, const Instrument &instrument) {
     const auto same = std::ranges::find(document.instruments, instrument.id, &Instrument::id);
     if (same != document.instruments.end() && !instrument.id.empty())
@@ -50,7 +50,7 @@ void apply(Document &document, const Declarations &declarations) {
         editTest(document, i, [&](Test &test) { applyDeclarations(test, declarations); });
 }
 
-/// Throws Error, whose place is that of the template: the name printed before is that of the file worked on.
+/// Throws Error with the place in the template, because messages begin with the name of the processed file.
 Template templateFrom(const QString &file) {
     try {
         return readTemplate(readBytes(file));

@@ -9,7 +9,7 @@
 
 namespace palmer {
 
-/// The options that change what is evaluated or printed, not the file: --template, --editions.
+/// Options that change what is evaluated or printed, not the file: --template, --editions.
 inline constexpr std::array preparationOptions{
     Option{
         "template", "FILE.palmer-template",
@@ -20,16 +20,16 @@ inline constexpr std::array preparationOptions{
     Option{"editions", "A,B", REPORT_TEXT("report", "editions to print side by side, without verdicts")},
 };
 
-/// The document with what --template, --editions and those of --set say that are paths of the test file.
-/// Throws UsageError for what cannot be, Error for a template that cannot be read.
+/// Applies --template, --editions and the paths of --set to the document. Throws UsageError for invalid
+/// values, Error for an unreadable template.
 [[nodiscard]] Document prepared(Document document, const Invocation &invocation);
 
-/// Whether the files of --template can be read; else one line says which cannot, however many files are to be
+/// True if the files of --template can be read; otherwise prints one error line, however many files are to be
 /// prepared.
 [[nodiscard]] bool canReadTemplates(const Invocation &invocation);
 
-/// Of --set what is a path of the test file and no choice of the import, in the order given. Throws
-/// UsageError for what is no key=value.
+/// The --set options that are paths of the test file and no choices of the import, in the given order. Throws
+/// UsageError without key=value.
 struct FieldSetting {
     QString path;
     QString value;

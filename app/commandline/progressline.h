@@ -9,8 +9,8 @@
 
 namespace palmer {
 
-/// How far a simulation is: a line on a terminal that is written over and over, and taken away at the end.
-/// Where stderr is no terminal nothing is written.
+/// Progress of a simulation as a line on a terminal that is overwritten and cleared at the end. Prints
+/// nothing if stderr is no terminal.
 class ProgressLine {
 public:
     explicit ProgressLine(const Language &language);

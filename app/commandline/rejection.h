@@ -6,8 +6,8 @@
 
 namespace palmer {
 
-/// Whether a test has a verdict other than "conforms"; where rejection has to be proven, only "does not
-/// conform". Tests as found do not count where there are others.
+/// True if a test has a verdict other than "conforms"; if rejection must be proven, only for "does not
+/// conform". Tests as found do not count if there are others.
 [[nodiscard]] bool hasRejection(const EvaluatedDocument &evaluated);
 
 } // namespace palmer

@@ -14,7 +14,7 @@ namespace palmer {
 
 namespace {
 
-/// A whole number of an option; `most` is said where it bounds.
+/// Integer value of an option; null without it. Error messages name `most` only if it is exceeded.
 std::optional<long long> wholeNumber(const Invocation &invocation, const char *option, long long least,
                                      long long most = std::numeric_limits<long long>::max()) {
     const auto text = invocation.value(QLatin1StringView(option));
@@ -83,7 +83,7 @@ EvaluatedDocument simulated(EvaluatedDocument evaluated, SimulateWhich which, in
     ProgressLine line(language);
     auto result = withSimulations(std::move(evaluated), which, threads, {},
                                   [&](std::size_t, const SimulationProgress &done) { line.show(done); });
-    return std::move(result).value(); // nothing stops it
+    return std::move(result).value(); // cannot be stopped
 }
 
 } // namespace palmer

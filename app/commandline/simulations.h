@@ -10,7 +10,7 @@
 
 namespace palmer {
 
-/// The options on the uncertainty: --uncertainty, --seed, --trials, --threads.
+/// Options for the uncertainty: --uncertainty, --seed, --trials, --threads.
 inline constexpr std::array simulationCommandOptions{
     Option{"uncertainty", "budget|monteCarlo",
            REPORT_TEXT("report", "how the uncertainty is found that decides, whatever the file says")},
@@ -20,7 +20,7 @@ inline constexpr std::array simulationCommandOptions{
     Option{"threads", "N", REPORT_TEXT("report", "threads of the simulation; the figures are the same")},
 };
 
-/// What those options ask for.
+/// Values of these options.
 struct SimulationChoices {
     std::optional<UncertaintyMethod> method;
     std::optional<long long> seed;
@@ -28,16 +28,16 @@ struct SimulationChoices {
     int threads = 0;
 };
 
-/// Throws UsageError for a word or number that cannot be.
+/// Throws UsageError for an invalid word or number.
 [[nodiscard]] SimulationChoices simulationChoices(const Invocation &invocation);
 
-/// Puts them on all tests of the document.
+/// Applies the choices to all tests of the document.
 void choose(Document &document, const SimulationChoices &choices);
 
-/// Throws UsageError where the choices change nothing of the document, which they were put on.
+/// Throws UsageError if the choices, already applied, have no effect on the document.
 void demandEffect(const SimulationChoices &choices, const Document &document);
 
-/// Runs the simulations; how far they are stands on stderr when that is a terminal.
+/// Runs the simulations; shows progress on stderr if it is a terminal.
 [[nodiscard]] EvaluatedDocument simulated(EvaluatedDocument evaluated, SimulateWhich which, int threads,
                                           const Language &language);
 

@@ -132,7 +132,7 @@ void printQuestion(const QString &file, const Question &question, const Language
             answers = question.proposal + (answers.empty() ? "" : ", " + answers);
     } else if (!question.proposal.empty()) {
         const std::string setting = question.id + '=' + question.proposal;
-        const bool hasBlank = setting.find(' ') != std::string::npos; // for the shell
+        const bool hasBlank = setting.find(' ') != std::string::npos; // quoted for the shell
         text += u' ' + language.sentence({REPORT_TEXT("report", "Proposed: --set %1."),
                                           {hasBlank ? '"' + setting + '"' : setting}});
     }
@@ -172,7 +172,7 @@ ImportOptions chosenOptions(const Invocation &invocation) {
             throw UsageError(
                 {REPORT_TEXT("report", "“%1” is no choice; expected key=value"), {setting.toStdString()}});
         const std::string key = setting.left(mark).toStdString();
-        if (findImportKey(key) || !beginsAsField(key)) // else it is a path of the test file
+        if (findImportKey(key) || !beginsAsField(key)) // otherwise it is a path of the test file
             chosen[setting.left(mark).toStdString()] = setting.mid(mark + 1).toStdString();
     }
     try {
@@ -230,7 +230,7 @@ std::vector<std::string> choicesWithoutEffect(const Imported &imported, const In
     for (const QString &setting : invocation.values(QLatin1StringView("set"))) {
         const std::string key = setting.section(u'=', 0, 0).toStdString();
         const ImportKey *known = findImportKey(key);
-        const bool isAnswer = known && known->words.size() == 1; // to a question that may not come
+        const bool isAnswer = known && known->words.size() == 1; // answers a question that may not arise
         if (known && !isAnswer &&
             std::ranges::find(imported.choices, key, &ImportChoice::key) == imported.choices.end())
             keys.push_back(key);
@@ -250,15 +250,14 @@ QByteArray bytesFrom(const QString &file) {
 
 namespace {
 
-/// Throws Error for a document without a test: nothing could be done with it, and silence would say that all
-/// is well.
+/// Throws Error for a document without tests, on which any command would silently succeed.
 Document withTests(Document document) {
     if (document.tests.empty())
         throw Error(Error::Kind::content, {REPORT_TEXT("report", "there is no test in the file"), {}});
     return document;
 }
 
-/// Throws UsageError for a choice of the import: it would do nothing to a test file.
+/// Throws UsageError for a choice of the import, which has no effect on a test file.
 void demandNoChoice(const Invocation &invocation) {
     if (invocation.has(QLatin1StringView("profile")))
         throw UsageError(

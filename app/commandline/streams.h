@@ -17,36 +17,36 @@
 
 namespace palmer {
 
-/// Writes to standard output (UTF-8, whatever the locale). Throws Error(unwritable) when it cannot.
+/// Writes to standard output, in UTF-8 under any locale. Throws Error(unwritable).
 void printOut(const QString &text);
 void printOut(const QByteArray &bytes);
 
-/// Of commands that print JSON.
+/// For commands that print JSON.
 inline constexpr Option jsonLinesOption{
     "json-lines", "", REPORT_TEXT("report", "as --json, always one object a line, of one file too")};
 
-/// What --json and --json-lines ask for; null: no JSON.
+/// The form chosen by --json or --json-lines; null: no JSON.
 [[nodiscard]] std::optional<JsonForm> jsonForm(const Invocation &invocation, bool several);
 
-/// The language of names in files for scripts: the same everywhere, unless they ask for another.
+/// Language of names in files for scripts: fixed unless --language is given.
 [[nodiscard]] Language namesLanguage(const Invocation &invocation);
 
-/// What to say where the memory does not suffice.
+/// Error for insufficient memory.
 [[nodiscard]] Error notEnoughMemory();
 
-/// One line on standard error: `palmer-cli: text`; control characters are shown as spaces.
+/// Prints one line on standard error: `palmer-cli: text`, with spaces for control characters.
 void printError(const QString &text);
 
-/// `palmer-cli: FILE: place: what is wrong`.
+/// Prints `palmer-cli: FILE: place: what is wrong`.
 void printError(const QString &file, const Error &error, const Language &language);
 
-/// `palmer-cli: FILE: line:column: remark`, one line each.
+/// Prints `palmer-cli: FILE: line:column: remark`, one line each.
 void printRemarks(const QString &file, const std::vector<Remark> &remarks, const Language &language);
 
-/// The bytes of a file, "-" is standard input. Throws Error.
+/// The bytes of a file; "-" is standard input. Throws Error.
 [[nodiscard]] QByteArray bytesFrom(const QString &file);
 
-/// The options of commands that read measurement files: the answers to questions about them.
+/// Options of commands that read measurement files: answers to questions about these.
 inline constexpr std::array foreignOptions{
     Option{"profile", "NAME", REPORT_TEXT("report", "the choices kept under this name")},
     Option{"set", "key=value",
@@ -60,25 +60,25 @@ inline constexpr std::array foreignOptions{
                        "take what is assumed where the file does not say it; doubts want an answer each")},
 };
 
-/// What --profile and --set choose. Throws UsageError, Error for a file of profiles that cannot be read.
+/// Choices by --profile and --set. Throws UsageError, or Error if the profiles cannot be read.
 [[nodiscard]] ImportOptions chosenOptions(const Invocation &invocation);
 
-/// The measurement of a file with its remarks printed. Questions that --set does not answer, and --accept
-/// does not because nothing is proposed or it is not there, are printed and nothing is returned.
+/// The measurement of a file; its remarks are printed. Null if questions remain that neither --set nor
+/// --accept answers (--accept only takes proposals); these are printed.
 [[nodiscard]] std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file,
                                                    const ImportOptions &options,
                                                    const Invocation &invocation);
 
-/// The keys of --set that are choices of the import and that this file does not have. What is only the answer
-/// to a question that may come is none of them.
+/// The keys of --set that are choices of the import but do not apply to this file. Keys that only answer a
+/// question that may not arise are not included.
 [[nodiscard]] std::vector<std::string> choicesWithoutEffect(const Imported &imported,
                                                             const Invocation &invocation);
 
-/// Throws UsageError: that choice has no effect.
+/// Throws UsageError: the choice has no effect.
 [[noreturn]] void refuseChoice(const std::string &key);
 
-/// The document of a file: a test file, that inside a report, or what an instrument's file or a table is
-/// imported as, as importedFrom has it; nothing for questions that were printed. Throws Error.
+/// The document of a file: a test file, the one inside a report, or the import of an instrument file or
+/// table, see importedFrom(); null after printing questions. Throws Error.
 [[nodiscard]] std::optional<Document> documentFrom(const QString &file, const Invocation &invocation);
 
 } // namespace palmer

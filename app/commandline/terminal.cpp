@@ -13,7 +13,7 @@ namespace palmer {
 
 namespace {
 
-constexpr int fewest = 40; ///< below them a table is no table
+constexpr int fewest = 40; ///< tables need at least this width
 constexpr int most = 1000;
 
 std::optional<int> found() {

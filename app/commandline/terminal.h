@@ -6,12 +6,11 @@
 
 namespace palmer {
 
-/// Columns of the terminal that is written to: those COLUMNS says, else those of the terminal on standard
-/// output; nothing where it goes into a file. Found once, at the first call: to be called before outputs are
-/// caught.
+/// Columns of the terminal: COLUMNS, otherwise those of the terminal on standard output; null if it is a
+/// file. Determined at the first call, which must precede any redirection of the output.
 [[nodiscard]] std::optional<int> terminalColumns();
 
-/// Columns for text and tables: those of the terminal, without one 100.
+/// Columns for text and tables: those of the terminal, otherwise 100.
 [[nodiscard]] int textColumns();
 
 } // namespace palmer

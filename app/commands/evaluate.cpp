@@ -44,7 +44,7 @@ constexpr std::array evaluateOptions{
     foreignOptions[2],
 };
 
-/// Cells and rows on their way from the process that made them.
+/// Separators of cells and rows sent by worker processes.
 constexpr QChar cellEnd(0x1F);
 constexpr QChar rowEnd(0x1E);
 
@@ -62,7 +62,7 @@ std::vector<QStringList> unpacked(const QByteArray &bytes) {
     return rows;
 }
 
-/// The form of the table asked for; null: none. Throws UsageError.
+/// The requested form of the table; null: none. Throws UsageError.
 std::optional<SummaryForm> tableForm(const Invocation &invocation) {
     const auto word = invocation.value(QLatin1StringView(tableOption));
     if (!word)
@@ -93,7 +93,7 @@ public:
         };
         if (!m_table)
             return eachDocument(m_invocation, m_inputs, work, m_json ? Between::nothing : Between::emptyLine);
-        std::vector<QStringList> rows; // of a table in columns: all widths have to be known
+        std::vector<QStringList> rows; // aligned columns need the widths of all rows
         const QStringList head = summaryHead(*m_table, m_invocation.language);
         if (*m_table == SummaryForm::csv)
             printOut(summaryCsv({head}));

@@ -36,7 +36,7 @@ QString inLines(const QString &text, int indent) {
     return result;
 }
 
-/// Name and result, formula, the formula with the numbers put in, what there is to know.
+/// Name and result, formula, formula with numbers, explanations.
 QString textOf(const Explanation &explained) {
     QString text = explained.symbol.plain() + QStringLiteral("  ") + explained.name + u'\n';
     if (!explained.source.isEmpty())
@@ -50,7 +50,7 @@ QString textOf(const Explanation &explained) {
     return text;
 }
 
-/// Ids of the parameters that are meant: by the id, by the symbol as it is printed, by the id in any case.
+/// Ids of the requested parameters: by id, by printed symbol, or by id in any case.
 std::vector<std::string> idsMeant(const TestEvaluation &evaluation, const std::optional<QString> &asked) {
     std::vector<std::string> all;
     std::array<std::vector<std::string>, 3> meant; ///< by id, by symbol, by id in any case
@@ -75,7 +75,7 @@ std::vector<std::string> idsMeant(const TestEvaluation &evaluation, const std::o
 struct Asked {
     std::optional<std::size_t> test; ///< index
     std::optional<QString> parameter;
-    bool typical = false; ///< values, instead of explanations
+    bool typical = false; ///< typical values instead of explanations
 };
 
 Asked askedOf(const Invocation &invocation, std::size_t tests) {
@@ -108,7 +108,7 @@ Asked askedOf(const Invocation &invocation, std::size_t tests) {
                       {asked.parameter.value_or(QString()).toStdString(), known}});
 }
 
-/// A value, its source and the options that take it.
+/// A value, its source and the options that apply it.
 QString textOf(const TypicalValue &value, std::size_t test) {
     QString text = value.value + u'\n' + inLines(value.source, 2);
     for (const auto &[field, stated] : value.fields)
@@ -117,7 +117,7 @@ QString textOf(const TypicalValue &value, std::size_t test) {
     return text;
 }
 
-/// What is said of one test.
+/// Output for one test.
 QString partOf(const EvaluatedDocument &evaluated, std::size_t test, const Asked &asked,
                const Language &language) {
     QString part;
@@ -156,7 +156,7 @@ int runExplain(const Invocation &invocation) {
     try {
         std::optional<Document> document = documentFrom(file, invocation);
         if (!document)
-            return cannotRead; // questions about it are open
+            return cannotRead; // it has open questions
         const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(std::move(*document)));
         const Asked asked = askedOf(invocation, evaluated.tests.size());
         const QString text = explanations(evaluated, asked, invocation.language);

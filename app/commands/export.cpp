@@ -18,7 +18,7 @@ namespace palmer {
 namespace {
 
 constexpr const char *tables = "as=linuxcnc|as=siemens|as=weihong|as=compensation-csv";
-constexpr const char *notJson = "as=csv|as=linuxcnc|as=siemens|as=weihong|as=compensation-csv"; // that is all
+constexpr const char *notJson = "as=csv|as=linuxcnc|as=siemens|as=weihong|as=compensation-csv";
 
 constexpr std::array exportOptions{
     Option{"as", "csv|json|linuxcnc|siemens|weihong|compensation-csv",
@@ -112,14 +112,14 @@ CompensationOptions compensationOptions(const Invocation &invocation) {
     return result;
 }
 
-/// A test with what it is evaluated from.
+/// A test with its evaluation and document.
 struct TestToCompensate {
     const Test &test;
     const TestEvaluation &evaluation;
     const Document &document;
 };
 
-/// E, M, B and what else the edition has, before and after.
+/// Prints E, M, B and other parameters of the edition before and after.
 void printPrediction(const Message &head, const TestToCompensate &of, const CompensationTable &table,
                      const Language &language) {
     Surroundings surroundings;
@@ -137,7 +137,7 @@ void printPrediction(const Message &head, const TestToCompensate &of, const Comp
     }
 }
 
-/// The table of a control beside the one that was written.
+/// Prints the comparison of a control's table with the written one.
 void printComparison(const FoundTable &found, const CompensationTable &written, const Language &language) {
     const bool linear = written.motion == Motion::linear;
     const Quantity position = linear ? Quantity::position : Quantity::angle;
@@ -195,7 +195,7 @@ void demandFormAndFiles(const Invocation &invocation) {
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("export")}});
 }
 
-/// An answer is owed where the sign was assumed, and nowhere else.
+/// Throws UsageError unless the sign is confirmed exactly if it was assumed.
 void demandSign(const Test &test, bool isConfirmed) {
     const ImportedFile *file = fileOfAssumedSign(test);
     if (isConfirmed && !file)
@@ -226,7 +226,7 @@ int runExport(const Invocation &invocation) {
     try {
         std::optional<Document> document = documentFrom(file, invocation);
         if (!document)
-            return cannotRead; // questions about it are open
+            return cannotRead; // it has open questions
         const EvaluatedDocument evaluated = evaluate(std::make_shared<const Document>(std::move(*document)));
         const std::optional<FoundTable> compared =
             compensation ? comparedTable(invocation) : std::optional<FoundTable>();
@@ -253,7 +253,7 @@ int runExport(const Invocation &invocation) {
         }
         if (compensation) {
             CompensationTable written = readCompensation(bytes, *compensation, table);
-            written.motion = made.motion; // which the files of some controls do not say
+            written.motion = made.motion; // not stated in the files of some controls
             printWhatItBrings(
                 {*evaluated.document->tests[index], *evaluated.tests[index], *evaluated.document}, written,
                 compensationRemarks(made, *compensation, table), compared, invocation.language);

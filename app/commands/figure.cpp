@@ -70,7 +70,7 @@ struct NamedFigure {
                       {Number{static_cast<double>(index + 1), Quantity::count}, word}});
 }
 
-/// The figure asked for; without a word that of the kind of test.
+/// The requested figure; by default the main one of the kind of test.
 NamedFigure figureOf(const EvaluatedDocument &evaluated, std::size_t index,
                      const std::optional<QString> &asked, const Language &language) {
     const Test &test = *evaluated.document->tests[index];
@@ -78,14 +78,14 @@ NamedFigure figureOf(const EvaluatedDocument &evaluated, std::size_t index,
     if (asked && *asked == QLatin1StringView(diagnosisWord)) {
         const auto diagnosed = diagnosedTest(evaluated, index);
         if (!diagnosed)
-            throwHasNoFigure(index, diagnosisWord); // no circle, or too few points of one
+            throwHasNoFigure(index, diagnosisWord); // no circle, or too few points
         CircleFigure figure = diagnosisFigure(*diagnosed, language);
         return {figure, figure.title};
     }
     if (asked && *asked == QLatin1StringView(budgetWord)) {
         BarFigure figure = budgetFigure(test, evaluation, language);
         if (figure.bars.empty())
-            throwHasNoFigure(index, budgetWord); // no budget is asked for
+            throwHasNoFigure(index, budgetWord); // no budget required
         return {figure, figure.title};
     }
     if (axisOf(test)) {
@@ -104,7 +104,7 @@ NamedFigure figureOf(const EvaluatedDocument &evaluated, std::size_t index,
         throwHasNoFigure(index, word);
     CircleFigure figure = circleFigure(test, evaluation, language, {.of = found->of});
     if (figure.traces.empty())
-        throwHasNoFigure(index, word); // that sense was not measured
+        throwHasNoFigure(index, word); // the sense was not measured
     return {figure, figure.title};
 }
 
@@ -126,7 +126,7 @@ bool isEnding(const QString &ending) {
                                [&](const char *known) { return ending == QLatin1StringView(known); });
 }
 
-/// The kind of picture: --as, or the ending of the file, which is no other.
+/// The picture format: --as, or the ending of the file, which must agree.
 QString endingOf(const Invocation &invocation, const QString &output, bool several) {
     const auto asked = invocation.value(QLatin1StringView(asOption));
     const QString ending = QFileInfo(output).suffix().toLower();

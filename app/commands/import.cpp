@@ -34,14 +34,15 @@ constexpr std::array importOptions{
     forceOption,
 };
 
-/// Of a long file beside its reading, of others when it is asked for.
+/// Hash of the bytes: of a long file computed in the background, otherwise on request.
 std::future<std::string> hashOf(const QByteArray &bytes) {
     constexpr qsizetype isLong = 1 << 20;
     return beside(bytes.size() > isLong, [bytes] { return sha256(bytes); });
 }
 
-/// Before a long file is read. What reading it takes and gives back – bytes, text, cells, readings, JSON – is
-/// used again instead of given back to the system, which clears each page anew, and is in large pages.
+/// To be called before a long file is read. Memory that is freed while reading (bytes, text, cells, readings,
+/// JSON) is reused instead of returned to the system, which would clear each page again, and uses large
+/// pages.
 void keepMemory([[maybe_unused]] qint64 fileSize) {
 #ifdef __GLIBC__
     constexpr qint64 isLong = 4 << 20;
@@ -51,11 +52,11 @@ void keepMemory([[maybe_unused]] qint64 fileSize) {
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
     const QByteArray room(std::min(8 * fileSize, mostAtOnce), Qt::Uninitialized);
-    inLargePages(room.constData(), static_cast<std::size_t>(room.size())); // for all that will stand there
+    inLargePages(room.constData(), static_cast<std::size_t>(room.size())); // for later allocations
 #endif
 }
 
-/// Temperatures belong to the tests of the other files, whatever their order.
+/// Temperatures belong to the tests of the other files in any order.
 bool needsTest(const Imported &imported) {
     return !imported.test;
 }
@@ -65,7 +66,7 @@ int runImport(const Invocation &invocation) {
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("import"), std::string("-o OUT.palmer")}});
-    demandOutput(invocation, *output, {"palmer", "json"}); // a test file is JSON
+    demandOutput(invocation, *output, {"palmer", "json"}); // test files are JSON
     const ImportOptions chosen = chosenOptions(invocation);
     const bool keep = invocation.has(QLatin1StringView("keep-original"));
     if (!canReadTemplates(invocation))
@@ -93,9 +94,9 @@ int runImport(const Invocation &invocation) {
         }
     }
     if (code != done)
-        return code; // nothing is written half
+        return code; // nothing incomplete is written
     std::vector<std::string> without = files.empty()
-                                           ? std::vector<std::string>() // of every file
+                                           ? std::vector<std::string>() // for all files
                                            : choicesWithoutEffect(files.front().imported, invocation);
     for (const Read &read : files) {
         const std::vector<std::string> more = choicesWithoutEffect(read.imported, invocation);

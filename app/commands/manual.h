@@ -8,7 +8,7 @@
 
 namespace palmer {
 
-/// The manual page of palmer-cli, section 1, made of the tables that --help is made of.
+/// The manual page of palmer-cli, section 1, generated from the same tables as --help.
 [[nodiscard]] QString manualPage(const Language &language);
 
 } // namespace palmer

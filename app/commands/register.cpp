@@ -57,7 +57,7 @@ constexpr std::array registerOptions{
 };
 // clang-format on
 
-/// A part of the command and the options it takes besides `register`.
+/// A subcommand and the options it takes besides `register`.
 struct Part {
     const char *name = nullptr;
     std::vector<const char *> options;
@@ -76,7 +76,7 @@ QString dateOption(const Invocation &invocation, const char *option) {
     return given;
 }
 
-/// The register named, or that of the user, which is made by its first scan.
+/// The named register, or the user's own, which the first scan creates.
 Register openRegisterFor(const Invocation &invocation, Register::Open open) {
     return Register(registerAddress(invocation), open);
 }
@@ -136,10 +136,10 @@ QStringList foldersOf(const Invocation &invocation) {
     return folders;
 }
 
-/// Scans again and again; what goes wrong with the register is said once, until it goes well again.
+/// Scans repeatedly; reports an error of the register once until it is resolved.
 [[noreturn]] void watch(const Invocation &invocation, const QStringList &folders) {
     constexpr std::chrono::milliseconds least = std::chrono::seconds(2);
-    constexpr int share = 10; // of the time at most a tenth; a share tells nothing of what others write
+    constexpr int share = 10; // scans take at most a tenth of the time; network shares do not report changes
     std::chrono::milliseconds pause = least;
     QString said;
     for (;;) {
@@ -235,7 +235,7 @@ public:
             list = machinesCalled(list, *called);
         if (m_csv)
             printOut(listedTestsCsvHead());
-        for (const ListedMachine &machine : list) // the memory is that of one machine
+        for (const ListedMachine &machine : list) // only one machine is held in memory
             print(database, machine);
         return done;
     }
@@ -263,7 +263,7 @@ private:
         }
     }
 
-    /// What is due is known with all tests of the machine.
+    /// Due dates depend on all tests of the machine.
     [[nodiscard]] TestFilter dueFilter() const {
         TestFilter all;
         all.machines = m_filter.machines;

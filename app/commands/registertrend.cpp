@@ -102,7 +102,7 @@ QByteArray picture(const ListedMachine &machine, const std::string &axis, const 
     return form == Form::png ? figureAsPng(figure) : figureAsPdf(figure, title);
 }
 
-/// Languages of --language, else that of the command.
+/// Languages of --language, otherwise the language of the command.
 QStringList reportLanguages(const Invocation &invocation) {
     const auto chosen = invocation.value(QLatin1StringView("language"));
     QStringList result = chosen ? chosen->split(u',') : QStringList{invocation.language.code()};
@@ -110,7 +110,7 @@ QStringList reportLanguages(const Invocation &invocation) {
     return result;
 }
 
-constexpr qsizetype longestNumber = 40; ///< has room in the head of the page
+constexpr qsizetype longestNumber = 40; ///< fits in the head of the page
 
 } // namespace
 

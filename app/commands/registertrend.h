@@ -14,10 +14,10 @@ int runRegisterTrend(const Invocation &invocation);
 /// `register report`: the history of a machine.
 int runRegisterReport(const Invocation &invocation);
 
-/// Throws Error where there is no register to ask: it is made by the first scan.
+/// Throws Error if there is no register; the first scan creates it.
 void demandRegister(const Invocation &invocation);
 
-/// --register, or the register of the user.
+/// Value of --register, or the register of the user.
 [[nodiscard]] QString registerAddress(const Invocation &invocation);
 
 } // namespace palmer

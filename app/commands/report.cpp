@@ -69,7 +69,7 @@ bool selfTest() {
     return std::ranges::all_of(validateAll(), &SetValidation::agrees);
 }
 
-/// A line for each picture of the laboratory that is none: the report is printed without it.
+/// Prints a line for each unreadable picture of the laboratory, without which the report is printed.
 void sayUnreadablePictures(const Document &document, const Input &input, const Language &language) {
     const Laboratory &laboratory = document.report.laboratory;
     const auto say = [&](const std::optional<std::string> &picture, const char *place) {
@@ -88,7 +88,7 @@ void sayUnreadablePictures(const Document &document, const Input &input, const L
     say(laboratory.mark, "report.laboratory.mark");
 }
 
-/// Composes and writes the reports of a document; each target by language.
+/// Composes and writes the reports of a document, one output per language.
 class Reports {
 public:
     explicit Reports(const Invocation &invocation)
@@ -111,9 +111,9 @@ public:
             demandOutput(invocation, *output, {"pdf"});
             m_outputs = {*output};
         }
-        m_selfTest = beside(true, selfTest); // once for all, beside the reading of a file
+        m_selfTest = beside(true, selfTest); // once for all, while the file is read
         if (m_inputs.several)
-            m_selfTest.wait(); // the processes that are split off find no thread
+            m_selfTest.wait(); // no thread may run when processes are forked
     }
 
     int run() {
@@ -126,7 +126,7 @@ public:
     }
 
 private:
-    /// Before the time is spent.
+    /// Warns before the time is spent.
     void warnOfLength(const Document &document) const {
         const auto &include = document.report.include;
         const int pages = pagesOfAllReadings(document);
@@ -147,8 +147,8 @@ private:
         const auto whole = std::make_shared<const Document>(std::move(document));
         const Originals originals =
             m_invocation.has(QLatin1StringView(originalsOption)) ? Originals::include : Originals::leaveOut;
-        // Written beside the evaluation, and packed as soon as it is: of 10⁶ readings each takes longer than
-        // all pages.
+        // Written during the evaluation and then compressed: for 10⁶ readings each takes longer than all
+        // pages.
         auto carried = beside(true, [&whole, originals] {
             const QByteArray file = attachedFile(*whole, originals);
             return std::pair(file, attachmentsOf(attachedFileName(*whole), file, {}));
@@ -172,7 +172,7 @@ private:
         std::vector<FileToSave> reports;
         for (const QString &name : languages) {
             const Report report = composeReport(evaluated, Language::fromName(name).value(), stated);
-            if (results.valid()) // once, for all languages
+            if (results.valid()) // once for all languages
                 std::ranges::move(attachmentsOf({}, {}, results.get()), std::back_inserter(attachments));
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);

@@ -63,7 +63,7 @@ constexpr std::array synthesizeOptions{
     forceOption,
 };
 
-/// The number of an option, between the bounds.
+/// The value of an option within bounds.
 double number(const Invocation &invocation, const char *option, double otherwise, double least, double most) {
     const auto given = invocation.value(QLatin1StringView(option));
     if (!given)
@@ -78,7 +78,7 @@ std::size_t count(const Invocation &invocation, const char *option, std::size_t 
 
 constexpr double smallest = 1e-3;
 constexpr double largest = 1e6;
-constexpr double micrometres = 1000; ///< of a millimetre
+constexpr double micrometres = 1000; ///< per millimetre
 
 SynthesizedNoise noise(const Invocation &invocation) {
     SynthesizedNoise result;
@@ -90,12 +90,12 @@ SynthesizedNoise noise(const Invocation &invocation) {
     return result;
 }
 
-/// What deviates a positioning test: its word after --source.
+/// A source of deviation of a positioning test, with its word for --source.
 struct PositioningKey {
     const char *id = nullptr;
     double PositioningSynthesis::*value = nullptr;
-    double base = 0; ///< base unit of one
-    double zero = 0; ///< added
+    double base = 0; ///< base units per unit of the option
+    double zero = 0; ///< offset
 };
 constexpr std::array positioningKeys{
     PositioningKey{"scale", &PositioningSynthesis::scale, 1e-6, 0},
@@ -120,7 +120,7 @@ constexpr const char *circularWord = "circular";
     refuse("source", given, "ID[:AXIS]=VALUE[@SHAPE]; ID: " + ids);
 }
 
-/// "backlash:X=6@10" taken apart.
+/// The parts of "backlash:X=6@10".
 struct GivenSource {
     QString whole;
     QString id;
@@ -199,7 +199,7 @@ CircularSynthesis circular(const Invocation &invocation) {
     CircularSynthesis asked;
     asked.plane = plane(invocation);
     asked.radius = number(invocation, "radius", asked.radius, smallest, largest);
-    constexpr long long most = 4'000'000; // a file takes 10⁷ readings, two senses
+    constexpr long long most = 4'000'000; // a file holds 10⁷ readings, in two senses
     asked.points = count(invocation, "points", asked.points, most);
     asked.pause = number(invocation, "pause", 0, 0, largest);
     const QString senses = invocation.value(QLatin1StringView("senses")).value_or(QStringLiteral("both"));
@@ -288,7 +288,7 @@ int write(const Document &document, const QByteArray &truth, const Invocation &i
     return done;
 }
 
-/// Throws UsageError for names of outputs that are those of other kinds of files, or of one file.
+/// Throws UsageError if outputs have endings of other kinds of files or are the same file.
 void demandOutputs(const Invocation &invocation, const QString &output) {
     demandOutput(invocation, output, {"palmer", "json"});
     const auto truth = invocation.value(QLatin1StringView(truthOption));
@@ -324,7 +324,7 @@ int runSynthesize(const Invocation &invocation) {
     for (std::size_t i = 0; i < all.size(); ++i) {
         CircularSynthesis one = asked;
         one.feed = all[i];
-        one.noise.seed += static_cast<long long>(i); // every test has noise of its own
+        one.noise.seed += static_cast<long long>(i); // independent noise for every test
         const std::string id = "made-" + std::to_string(i + 1);
         document.tests.push_back(madeTest(invocation.language, id.c_str(), synthesizeCircular(one)));
     }

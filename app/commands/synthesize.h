@@ -6,7 +6,7 @@
 
 namespace palmer {
 
-/// Makes a measurement with known truth.
+/// Creates a measurement with known truth.
 [[nodiscard]] Command synthesizeCommand();
 
 } // namespace palmer

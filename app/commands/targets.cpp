@@ -64,7 +64,7 @@ constexpr std::array targetsOptions{
     forceOption,
 };
 
-/// The number of an option, which has to be greater.
+/// The value of an option, which must be greater than a bound.
 std::optional<double> number(const Invocation &invocation, const char *option, double greaterThan) {
     const auto given = invocation.value(QLatin1StringView(option));
     return given ? std::optional(numberAbove(option, *given, greaterThan)) : std::nullopt;
@@ -75,7 +75,7 @@ std::optional<int> whole(const Invocation &invocation, const char *option, int l
     return given ? std::optional(static_cast<int>(wholeBetween(option, *given, least, most))) : std::nullopt;
 }
 
-/// The plan before the options change it: that of a test of the file, or a new one.
+/// The initial plan: that of a test of the file, or a new one.
 struct Begun {
     TargetRequest request;
     CycleProgram program;
@@ -83,7 +83,7 @@ struct Begun {
     bool isOfFile = false;
 };
 
-/// Null: the file raised questions, which were printed.
+/// Null if the file raised questions, which were printed.
 std::optional<Begun> begun(const Invocation &invocation) {
     Begun result;
     if (invocation.arguments.isEmpty()) {
@@ -113,7 +113,7 @@ std::optional<Dialect> dialect(const Invocation &invocation) {
         return std::nullopt;
     const auto found = std::ranges::find_if(
         dialects(), [&](const DialectName &each) { return *word == QLatin1StringView(each.word); });
-    return found->dialect; // parseArguments() has refused other words
+    return found->dialect; // parseArguments() has checked the word
 }
 
 std::optional<Interval> interval(const Invocation &invocation, const char *option) {
@@ -121,7 +121,7 @@ std::optional<Interval> interval(const Invocation &invocation, const char *optio
     return given ? std::optional(intervalGiven(option, *given)) : std::nullopt;
 }
 
-/// The measurement travel lies between the ends of the axis, with the approach distance on either side.
+/// The travel is between the ends of the axis, minus the approach distance on both sides.
 TargetRequest request(const Invocation &invocation, const Begun &begun, double approach) {
     TargetRequest result = begun.request;
     result.rule = begun.edition->targetRule;
@@ -190,7 +190,7 @@ CycleProgram program(const Invocation &invocation, CycleProgram result, double a
     return result;
 }
 
-/// The files to write: the plan, or the part program of each of its measurements.
+/// The files to write: the plan, or the part program of each measurement.
 std::vector<std::pair<QString, QByteArray>> filesOf(const Invocation &invocation, const QString &output,
                                                     std::span<const PlannedMeasurement> plans,
                                                     const CycleProgram &cycle, const Edition &edition) {

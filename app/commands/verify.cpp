@@ -94,7 +94,7 @@ int verify(const Invocation &invocation, const Input &input, int threads, bool s
         opened = openReport(reportFrom(input.file), threads, {},
                             [&](const SimulationProgress &progress) { line.show(progress); });
     }
-    const Verification verification = verifyReport(opened.value()); // nothing stops it
+    const Verification verification = verifyReport(opened.value()); // cannot be stopped
     if (const auto form = jsonForm(invocation, several))
         printOut(verificationJson(verification, input.shown, namesLanguage(invocation),
                                   *form == JsonForm::oneLine));

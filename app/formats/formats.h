@@ -10,12 +10,12 @@
 
 namespace palmer {
 
-/// What libqpdf, poppler and libzip do for the program. With what they need themselves they are thirty
-/// libraries, and to load them took a fifth of the start of the window. So the window is not linked with
-/// them: formatsmodule.cpp is, a library of its own, which loadedformats.cpp loads when the first of these
-/// functions is called. Command line and tests are linked with the functions themselves.
+/// Functions that use libqpdf, poppler and libzip. With their dependencies these are thirty libraries, whose
+/// loading took a fifth of the window's start time. Therefore the window is not linked with them:
+/// formatsmodule.cpp is a separate library that loadedformats.cpp loads on the first call. Command line and
+/// tests are linked directly.
 struct Formats {
-    const char *version; ///< of the program that the library belongs to
+    const char *version; ///< of the program the library belongs to
     decltype(&palmer::sha256) sha256;
     decltype(&palmer::openZip) openZip;
     decltype(&palmer::pdfParts) pdfParts;
@@ -25,5 +25,5 @@ struct Formats {
 
 } // namespace palmer
 
-/// The one name that the library is asked for.
+/// The only symbol resolved in the library.
 extern "C" const palmer::Formats *palmerFormats();

@@ -12,7 +12,7 @@ namespace palmer {
 
 namespace {
 
-/// Null where the library is missing, of another version, or lacks what it needs itself.
+/// Null if the library is missing, has another version or lacks its dependencies.
 const Formats *loaded() {
     static const Formats *const found = []() -> const Formats * {
         QLibrary library(QCoreApplication::applicationDirPath() + QStringLiteral("/" PALMER_FORMATS));
@@ -35,7 +35,7 @@ const Formats &formats(Error::Kind kind) {
 
 } // namespace
 
-/// The same, slower, without the library: a sum is asked for where nothing may fail.
+/// Falls back to a slower implementation without the library, because this must not fail.
 std::string sha256(QByteArrayView bytes) {
     if (const Formats *found = loaded())
         return found->sha256(bytes);
