@@ -94,7 +94,7 @@ bool hasEffect(const Option &option, const Invocation &invocation) {
            });
 }
 
-/// What the option goes with, as typed: "--as csv, --as siemens".
+/// The partners of an option, as typed: "--as csv, --as siemens".
 std::string partnersOf(const Command &command, const Option &option) {
     QStringList typed;
     for (const QString &partner : QString::fromUtf8(option.goesWith).split(u'|')) {

@@ -195,7 +195,7 @@ void demandFormAndFiles(const Invocation &invocation) {
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("export")}});
 }
 
-/// Throws UsageError unless the sign is confirmed exactly if it was assumed.
+/// Throws UsageError if an assumed sign is not confirmed, or if a known one is.
 void demandSign(const Test &test, bool isConfirmed) {
     const ImportedFile *file = fileOfAssumedSign(test);
     if (isConfirmed && !file)

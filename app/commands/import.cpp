@@ -40,9 +40,8 @@ std::future<std::string> hashOf(const QByteArray &bytes) {
     return beside(bytes.size() > isLong, [bytes] { return sha256(bytes); });
 }
 
-/// To be called before a long file is read. Memory that is freed while reading (bytes, text, cells, readings,
-/// JSON) is reused instead of returned to the system, which would clear each page again, and uses large
-/// pages.
+/// Called before a long file is read. Memory freed while reading (bytes, text, cells, readings, JSON) is
+/// reused instead of returned to the system, which would clear each page again, and uses large pages.
 void keepMemory([[maybe_unused]] qint64 fileSize) {
 #ifdef __GLIBC__
     constexpr qint64 isLong = 4 << 20;

@@ -121,7 +121,7 @@ std::optional<Interval> interval(const Invocation &invocation, const char *optio
     return given ? std::optional(intervalGiven(option, *given)) : std::nullopt;
 }
 
-/// The travel is between the ends of the axis, minus the approach distance on both sides.
+/// The travel lies within the range of the axis, leaving the approach distance at both ends.
 TargetRequest request(const Invocation &invocation, const Begun &begun, double approach) {
     TargetRequest result = begun.request;
     result.rule = begun.edition->targetRule;

@@ -63,8 +63,8 @@ inline constexpr std::size_t mostLinuxcncPoints = 256;
 [[nodiscard]] QByteArray writeCompensation(const CompensationTable &table, CompensationFormat format,
                                            const CompensationOptions &options);
 
-/// What the user must know before loading the table: required settings of the control, positions and
-/// directions that were not measured, and the origin of the sign.
+/// Remarks for the user before loading the table: required settings of the control, positions and directions
+/// that were not measured, and the origin of the sign.
 [[nodiscard]] std::vector<Message> compensationRemarks(const CompensationTable &table,
                                                        CompensationFormat format,
                                                        const CompensationOptions &options);

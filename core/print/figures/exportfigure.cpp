@@ -28,7 +28,7 @@ QRectF pageInPoints(const Figure &figure) {
 }
 
 /// Removes the creation date from a PDF of Qt, since the same figure must give the same bytes, and updates
-/// the offsets behind it.
+/// the offsets after it.
 QByteArray withoutDate(const QByteArray &pdf) {
     const qsizetype from = pdf.indexOf("/CreationDate (");
     const qsizetype table = pdf.lastIndexOf("\nxref\n");

@@ -10,7 +10,7 @@
 
 namespace palmer {
 
-/// What a figure is drawn on. Paper stays readable in black and white: dashes and markers repeat the
+/// Output medium of a figure. Paper stays readable in black and white: dashes and markers repeat the
 /// information of the colours.
 enum class Medium { screenLight, screenDark, paper };
 
@@ -50,7 +50,7 @@ enum class FigureRole {
     guardBand,     ///< outline of the band about a limit
     guardFill,
     synthetic, ///< computed from sources of a diagnosis
-    residual,  ///< thin, for overlapping lines
+    residual,  ///< width for overlapping lines
 };
 
 constexpr double pointsPerMillimetre = 72 / 25.4;

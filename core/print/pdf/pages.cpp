@@ -557,7 +557,7 @@ void fillSummary(std::vector<Block> &blocks, const Flow &flow, double bottom) {
         std::rotate(at(behind), at(first), at(taken));
 }
 
-/// If the results of one of several tests continue behind the page of its head, fills that page with as many
+/// If the results of one of several tests continue after the page of its head, fills that page with as many
 /// of its later sections as fit completely. Returns true if blocks were moved.
 bool fillResults(std::vector<Block> &blocks, const Flow &flow, double bottom) {
     const auto at = [&](std::size_t i) { return blocks.begin() + static_cast<std::ptrdiff_t>(i); };

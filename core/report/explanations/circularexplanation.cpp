@@ -26,7 +26,7 @@ constexpr int angleDecimals = 1; ///< of ruling points
 /// Explanation of one function of parameters.h. Placeholders in the formulas:
 ///   %s symbol of the parameter    [=]  the result with its unit
 ///   [+] [-] [r]  largest and smallest distance, radius of the circle, each from the nominal radius
-/// [C] the correction; the text in {} is omitted if nothing is corrected here
+///   [C] the correction; the text in {} is omitted if nothing is corrected here
 struct CircularRecipe {
     std::optional<double> (*function)(const CircularCase &, const EvaluatedPath *) = nullptr;
     const char *formula = nullptr;

@@ -686,7 +686,7 @@ void addLimitsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &p
         limits.add(table, part.number);
         addText(rules, decisionText(part), part.number);
     }
-    // The anchor lets the layout move this and the following sections behind the summary.
+    // The anchor lets the layout move this and the following sections after the summary.
     addHeading(blocks, write.text(REPORT_TEXT("report", "Limits and decision rule")), {},
                QStringLiteral("limits"));
     if (rules.empty()) {

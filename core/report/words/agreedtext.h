@@ -10,7 +10,7 @@
 
 namespace palmer {
 
-/// What the conditions of a test state about a point to be agreed ("warmUp", "feed", …), as the text of the
+/// Statement of the conditions of a test about a point to be agreed ("warmUp", "feed", …), as the text of the
 /// agreement: "2 000 mm/min". Empty if they state nothing or the point does not depend on them.
 [[nodiscard]] QString agreedTextFromConditions(const Test &test, std::string_view point,
                                                const Language &language);

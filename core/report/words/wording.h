@@ -86,7 +86,7 @@ struct RuleWords {
 /// Finest resolution of the instruments of the test, in mm or degrees; null if none is stated.
 [[nodiscard]] std::optional<double> finestResolution(const Document &document, const Test &test);
 
-/// "Not evaluable: A, R (one run in each direction)."; empty where every limit was evaluated.
+/// "Not evaluable: A, R (one run in each direction)."; empty if every limit was evaluated.
 [[nodiscard]] QString notEvaluableSentence(const TestEvaluation &evaluation, const Language &language);
 
 /// True if the report shows the parameter; those printed on request only if included.
