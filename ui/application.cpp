@@ -15,9 +15,9 @@ namespace {
 
 constexpr auto styleName = "fusion";
 constexpr auto scaleVariable = "QT_SCALE_FACTOR";
-constexpr double designed = 13;         ///< pixels of the font that the measures of the window are drawn for
-constexpr double roomUntil = 16.5;      ///< pixels of the largest font that fits into them
-constexpr QSizeF leastScreen(640, 440); ///< of a screen, enlarged
+constexpr double designed = 13;         ///< font size the layout is designed for, px
+constexpr double roomUntil = 16.5;      ///< smallest font size that needs scaling, px
+constexpr QSizeF leastScreen(640, 440); ///< smallest screen, in scaled pixels
 constexpr auto enlarged = "enlarged";
 
 } // namespace
@@ -32,7 +32,7 @@ double scaleForFont(double pixels, QSize screen) {
 }
 
 std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
-    const std::vector<char *> words(argv, argv + argc); // QApplication takes out those that it understands
+    const std::vector<char *> words(argv, argv + argc); // QApplication removes the arguments it knows
     auto application = std::make_unique<QApplication>(argc, argv);
     QApplication::setStyle(QLatin1StringView(styleName));
     QFont font = QApplication::font();
@@ -40,7 +40,7 @@ std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
         scaleForFont(QFontInfo(font).pixelSize(), QGuiApplication::primaryScreen()->availableSize());
     if (scale == 1)
         return application;
-    // The desktop's font is known when there is an application, its scale has to be told before.
+    // The desktop's font is known only once there is an application, but the scale must be set before.
     application.reset();
     argc = static_cast<int>(words.size());
     std::ranges::copy(words, argv);
@@ -49,7 +49,7 @@ std::unique_ptr<QApplication> makeApplication(int &argc, char **argv) {
     qputenv(scaleVariable, QByteArray::number(scale * (asked > 0 ? asked : 1)));
     application = std::make_unique<QApplication>(argc, argv);
     if (before.isEmpty())
-        qunsetenv(scaleVariable); // programs that are started from here have scales of their own
+        qunsetenv(scaleVariable); // child processes have their own scale
     else
         qputenv(scaleVariable, before);
     if (font.pointSizeF() > 0)

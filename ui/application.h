@@ -9,17 +9,16 @@ class QApplication;
 
 namespace palmer::ui {
 
-/// By how much the whole window is enlarged for fonts of that many pixels: by 1 for what desktops come with,
-/// in quarters for fonts that someone made larger, as long as a screen of that size has room for the window.
-/// Fields, rows and icons grow with the letters then.
+/// Scale factor of the window for a font size in pixels: 1 for default desktop fonts, otherwise in steps of
+/// 0.25, limited to what fits on a screen of that size. Fields, rows and icons then grow with the font.
 [[nodiscard]] double scaleForFont(double pixels, QSize screen);
 
-/// The application in the style of the program, enlarged as its font wants it. Nothing else of Qt may exist
-/// yet. `argc` and `argv` have to outlive it.
+/// Makes the application with the program's style, scaled for its font. No other Qt object may exist yet.
+/// `argc` and `argv` must outlive it.
 [[nodiscard]] std::unique_ptr<QApplication> makeApplication(int &argc, char **argv);
 
-/// Where the whole is enlarged, menus and tools have the font of the rest: those of the desktop come back
-/// with every change of the style. Nothing where it is not.
+/// If the window is scaled, gives menus and tools the font of the rest, as each style change restores the
+/// desktop's fonts. Otherwise does nothing.
 void useOneFont();
 
 } // namespace palmer::ui

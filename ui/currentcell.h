@@ -6,8 +6,8 @@
 
 namespace palmer::ui {
 
-/// Makes a cell the current one and alone selected. QAbstractItemView::setCurrentIndex goes by the keys that
-/// are held: during Ctrl+Z it would add to what is selected, which Delete then erases.
+/// Makes a cell current and the only selected one. QAbstractItemView::setCurrentIndex depends on the keys
+/// held: during Ctrl+Z it would extend the selection, which Delete then erases.
 inline void makeCurrent(QAbstractItemView &view, const QModelIndex &index) {
     view.selectionModel()->setCurrentIndex(index, QItemSelectionModel::ClearAndSelect);
 }

@@ -9,7 +9,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int besideWords = 4; ///< that styles leave within the field
+constexpr int besideWords = 4; ///< margin that styles leave within the field
 
 } // namespace
 

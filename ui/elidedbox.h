@@ -6,14 +6,14 @@
 
 namespace palmer::ui {
 
-/// A box whose chosen words end in "…" where they have no room; styles cut them off in a letter.
+/// A combo box whose text is elided with "…" if it does not fit; styles clip it mid-letter.
 class ElidedBox : public QComboBox {
     Q_OBJECT
 
 public:
     using QComboBox::QComboBox;
 
-    /// What is seen of the chosen words.
+    /// The visible part of the chosen text.
     [[nodiscard]] QString shownText() const;
 
 protected:

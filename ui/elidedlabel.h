@@ -7,18 +7,18 @@
 
 namespace palmer::ui {
 
-/// Whether a text of the window has a symbol in it whose index is to stand lower.
+/// True if a text contains a symbol with a subscript.
 [[nodiscard]] bool namesSymbol(const QString &text);
 
-/// A label on one line that ends in "…" where it has no room; the tool tip has all of it then. The indices of
-/// the symbols that labels name, E_VE and R_LSC, stand lower.
+/// A one-line label, elided with "…" if it does not fit; the tooltip then shows the whole text. Indices of
+/// symbols such as E_VE and R_LSC are subscripts.
 class ElidedLabel : public QLabel {
     Q_OBJECT
 
 public:
     explicit ElidedLabel(QWidget *parent = nullptr);
 
-    /// Of parts that stand between this, those that have no room are left out as a whole, from the last.
+    /// Text parts between this separator are left out whole, from the last, if they do not fit.
     void setSeparator(const QString &separator);
     [[nodiscard]] QString shownText() const;
 

@@ -21,7 +21,7 @@ QMessageBox *showError(QWidget *parent, const QString &what, const QString &why,
                                 QMessageBox::Ok, parent);
     box->setObjectName(QStringLiteral("errorBox"));
     box->setAttribute(Qt::WA_DeleteOnClose);
-    box->setTextFormat(Qt::PlainText); // names of files may look like marks
+    box->setTextFormat(Qt::PlainText); // file names may look like markup
     box->setInformativeText(capitalised(why));
     box->open();
     return box;

@@ -10,16 +10,15 @@ class Error;
 
 namespace palmer::ui {
 
-/// A text that begins a line: with a capital. What the core says stands elsewhere behind a colon.
+/// The text with a capital first letter. Texts of the core follow a colon elsewhere.
 [[nodiscard]] QString capitalised(QString text);
 
-/// Opens a box before the parent: what could not be done, and why. It returns at once; the box ("errorBox")
-/// goes when it is closed. Without a title, that of the parent's window.
+/// Opens a box for the parent that says what failed and why. Returns at once; the box ("errorBox") is deleted
+/// on closing. Without a title it has that of the parent's window.
 QMessageBox *showError(QWidget *parent, const QString &what, const QString &why,
                        QMessageBox::Icon icon = QMessageBox::Critical, const QString &title = {});
 
-/// The same with the sentence of the error in the language of the window, and the place in the file if it has
-/// one.
+/// The same with the error's message in the window's language, and its position in the file if known.
 QMessageBox *showError(QWidget *parent, const QString &what, const Error &error,
                        QMessageBox::Icon icon = QMessageBox::Critical, const QString &title = {});
 

@@ -15,10 +15,10 @@ namespace palmer::ui {
 namespace {
 
 constexpr double subscriptFactor = 0.72;
-constexpr double formulaSubscriptDrop = 0.16; ///< of the size of the font
+constexpr double formulaSubscriptDrop = 0.16; ///< of the font size
 constexpr QChar combiningMacron(u'\u0304');
 
-/// What is drawn in one go.
+/// Unit of drawing.
 struct FormulaPiece {
     QString text;
     QFont font;
@@ -141,7 +141,7 @@ double drawFormulaLines(QPainter *painter, const QRectF &area, const Formula &fo
     double y = area.top();
     for (std::size_t k = 0; k < parts.size(); ++k) {
         if (parts[k].breakBefore && x > area.left()) {
-            double ahead = parts[k].width; // up to the next place to break
+            double ahead = parts[k].width; // width up to the next possible break
             for (std::size_t next = k + 1; next < parts.size() && !parts[next].breakBefore; ++next)
                 ahead += parts[next].width;
             if (x + ahead > area.right()) {

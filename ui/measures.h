@@ -4,13 +4,11 @@
 
 namespace palmer::ui {
 
-// Of pages, forms and tables, in pixels of a screen of 96 dpi.
-
-// What pages, dialogs and the register have alike, pixels.
+// Sizes shared by pages, dialogs, forms, tables and the register, in pixels at 96 dpi.
 inline constexpr int pageMargin = 16;
 inline constexpr int pageBarHeight = 44;  ///< above a page
-inline constexpr int fieldHeight = 28;    ///< of one line
-inline constexpr int tableRowHeight = 26; ///< that is read and typed in
-inline constexpr int tablePadding = 6;    ///< left and right of the text of a quiet table
+inline constexpr int fieldHeight = 28;    ///< one line
+inline constexpr int tableRowHeight = 26; ///< in tables to read and type in
+inline constexpr int tablePadding = 6;    ///< left and right of the text in quiet tables
 
 } // namespace palmer::ui

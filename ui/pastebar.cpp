@@ -40,7 +40,7 @@ PasteBar::PasteBar(QWidget *parent)
     m_content->setObjectName(QStringLiteral("pasteContent"));
     m_undo->setObjectName(QStringLiteral("pasteUndo"));
     m_close->setObjectName(QStringLiteral("pasteClose"));
-    m_summary->setWordWrap(true); // beside the choices there is little room in a narrow window
+    m_summary->setWordWrap(true); // in a narrow window the choices leave it little width
     m_remarks->setWordWrap(true);
     m_remarks->setTextFormat(Qt::PlainText);
     m_remarks->setFont(themeFont(TextSize::small));
@@ -129,7 +129,7 @@ void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, cons
     auto content = static_cast<qsizetype>(choices.content);
     if (pasted.unit && choices.content != BlockContent::positions)
         content = QStringList{small, large}.indexOf(QString::fromUtf8(pasted.unit->sign));
-    m_content->setCurrentIndex(static_cast<int>(content)); // −1: in a unit that is none of the choices
+    m_content->setCurrentIndex(static_cast<int>(content)); // −1: a unit that is none of the choices
 }
 
 void PasteBar::summarise(const QString &pasted, const std::vector<Question> &questions) {
@@ -143,7 +143,7 @@ void PasteBar::say(const QString &pasted, const QStringList &remarks,
     for (QWidget *part : std::initializer_list<QWidget *>{m_guess, m_comma, m_point, m_content})
         part->hide();
     while (QLayoutItem *item = m_boxes->takeAt(0)) {
-        item->widget()->deleteLater(); // one of them may be what asked for this
+        item->widget()->deleteLater(); // the sender may be one of them
         delete item;
     }
     for (const ImportChoice &choice : choices)
@@ -151,7 +151,7 @@ void PasteBar::say(const QString &pasted, const QStringList &remarks,
     showRemarks(remarks, questions, canUndo);
 }
 
-/// The units of one kind.
+/// A box with the units of one kind.
 void PasteBar::addBox(const ImportChoice &choice) {
     const ImportKey &key = *findImportKey(choice.key);
     const Unit *now = unitOf(choice.value);
@@ -171,7 +171,7 @@ void PasteBar::addBox(const ImportChoice &choice) {
     m_boxes->addWidget(box);
 }
 
-/// An answer that no list has: it is typed.
+/// Asks for an answer that no list contains.
 void PasteBar::askFor(const QString &key) {
     const ImportKey *found = findImportKey(key.toStdString());
     auto *dialog = new QInputDialog(this);

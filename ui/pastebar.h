@@ -19,8 +19,8 @@ namespace palmer::ui {
 
 class RemarkList;
 
-/// What a paste did, and how it was understood: shown above the table until something else is done. Another
-/// choice pastes anew.
+/// Shows above the table what a paste did and how it was interpreted, until the next action. Choosing another
+/// interpretation pastes again.
 class PasteBar : public QFrame {
     Q_OBJECT
 
@@ -34,7 +34,7 @@ public:
              const std::vector<Question> &questions, bool canUndo);
 
 signals:
-    /// Another word for a choice, or the answer to a question.
+    /// Another value for a choice, or the answer to a question.
     void answered(const QString &key, const QString &word);
     void decimalMarkChosen(palmer::DecimalMark mark);
     void contentChosen(palmer::BlockContent content);
@@ -57,7 +57,7 @@ private:
     QToolButton *m_comma;
     QToolButton *m_point;
     QComboBox *m_content;
-    QHBoxLayout *m_boxes; ///< of other choices
+    QHBoxLayout *m_boxes; ///< for other choices
     RemarkList *m_questions;
     QToolButton *m_undo;
     QToolButton *m_close;

@@ -11,9 +11,9 @@
 
 namespace palmer::ui {
 
-/// Texts typed into cells that the document cannot take. They stay in red where they were typed, with the
-/// reason, until the cell is typed anew: nothing typed goes in silence. By test, so that another test in view
-/// takes none away.
+/// Texts typed into cells that the document cannot accept. They stay in their cells in red, with the reason,
+/// until the cell is typed again, so that no typing is lost silently. Kept by test, so that switching tests
+/// removes none.
 class RefusedTexts {
 public:
     struct Cell {
@@ -36,7 +36,7 @@ public:
         if (found != m_texts.end())
             found->second.erase(cell);
     }
-    /// Removes those of which `isGone(cell)` says that their cell is another now.
+    /// Removes the texts for which `isGone(cell)` is true: their cell no longer exists or changed.
     template <class Gone>
     void removeIf(const std::string &test, const Gone &isGone) {
         const auto found = m_texts.find(test);
@@ -44,7 +44,7 @@ public:
             std::erase_if(found->second, [&](const auto &entry) { return isGone(entry.first); });
     }
 
-    /// Null: none.
+    /// Null if there is none.
     [[nodiscard]] const Refused *find(const std::string &test, const Cell &cell) const {
         const auto found = m_texts.find(test);
         if (found == m_texts.end())
@@ -52,7 +52,7 @@ public:
         const auto refused = found->second.find(cell);
         return refused == found->second.end() ? nullptr : &refused->second;
     }
-    /// All of them, of all tests.
+    /// All refused texts of all tests.
     [[nodiscard]] QStringList texts() const {
         QStringList all;
         for (const auto &[test, cells] : m_texts) {

@@ -18,10 +18,10 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr std::size_t remarksShown = 200; ///< a file of a million broken cells has as many remarks
-constexpr std::size_t mostButtons = 3;    ///< more answers are a menu
+constexpr std::size_t remarksShown = 200; ///< a file with a million broken cells has as many remarks
+constexpr std::size_t mostButtons = 3;    ///< more answers go into a menu
 
-/// The mark before a remark: its shape says what its colour says.
+/// Mark in front of a remark: its shape carries the same meaning as its colour.
 class GradeIcon : public QWidget {
 public:
     GradeIcon(RemarkGrade grade, QWidget *parent)
@@ -67,7 +67,7 @@ struct Answer {
     QString name;
 };
 
-/// What can be said to a question, as it is shown; none where it is typed or pointed at.
+/// Displayed answers to a question; none if it is typed or chosen elsewhere.
 std::vector<Answer> answersTo(const Question &question) {
     std::vector<Answer> answers;
     for (const std::string &answer : question.answers)
@@ -99,7 +99,7 @@ void RemarkList::clear() {
     while (QLayoutItem *item = m_rows->takeAt(0)) {
         if (item->widget()) {
             item->widget()->hide();
-            item->widget()->deleteLater(); // one of them may be what asked for this
+            item->widget()->deleteLater(); // the sender may be one of them
         }
         delete item;
     }
@@ -184,7 +184,7 @@ void RemarkList::addQuestion(const Question &question) {
     addAnswers(*row, question, sentence);
 }
 
-/// The proposal as one click; the other answers beside it, or where they are given.
+/// Adds the proposal as a button and the other answers next to it, or a link to where they are given.
 void RemarkList::addAnswers(QHBoxLayout &row, const Question &question, const QString &sentence) {
     const QString id = QString::fromStdString(question.id);
     const QString proposal = QString::fromStdString(question.proposal);
@@ -217,7 +217,7 @@ void RemarkList::addAnswers(QHBoxLayout &row, const Question &question, const QS
     } else if (!answers.empty()) {
         QPushButton *button =
             addLink(row, proposal.isEmpty() ? tr("answer") : tr("another answer"), sentence);
-        button->setProperty("opens", true); // a menu: room for its mark
+        button->setProperty("opens", true); // for a menu: leaves space for its arrow
         button->setObjectName(QStringLiteral("other.") + id);
         auto *menu = new QMenu(button);
         menu->setObjectName(QStringLiteral("answers.") + id);

@@ -13,7 +13,7 @@ class QVBoxLayout;
 
 namespace palmer::ui {
 
-/// What has to be answered before a measurement comes in, and what was understood, assumed or ignored: first
+/// The questions to answer before an import is accepted, and what was understood, assumed or ignored: first
 /// why nothing can be read, then the questions, each with its answers, then the remarks.
 class RemarkList : public QWidget {
     Q_OBJECT
@@ -21,17 +21,17 @@ class RemarkList : public QWidget {
 public:
     explicit RemarkList(QWidget *parent);
 
-    /// `refusal`: why there is no measurement. `hasLine`: whether a line of the file can be shown.
+    /// `refusal`: why there is no measurement. `hasLine`: true if a line of the file can be shown.
     void showRemarks(const Imported &imported, const std::optional<QString> &refusal,
                      const std::function<bool(std::size_t line)> &hasLine);
 
-    /// Questions alone, as those of a paste.
+    /// Shows only questions, e.g. those of a paste.
     void showQuestions(const std::vector<Question> &questions);
 
 signals:
-    /// An answer to the question of that id.
+    /// The question with this ID was answered.
     void answered(const QString &id, const QString &word);
-    /// The question is answered elsewhere: in the box of the choice, above the columns.
+    /// The question is to be answered elsewhere: in the box above the columns.
     void answerWanted(const QString &id);
     void lineWanted(std::size_t line);
 
@@ -51,8 +51,8 @@ private:
     QVBoxLayout *m_rows;
 };
 
-/// Whether the question may be answered together with others: something is proposed, and no data would be
-/// left out unseen.
+/// True if the question may be answered together with others: it has a proposal, and confirming it leaves out
+/// no data.
 [[nodiscard]] bool canBeConfirmed(const Question &question);
 
 } // namespace palmer::ui

@@ -11,8 +11,8 @@
 
 namespace palmer::ui {
 
-/// Indices of the targets that rule a parameter of a test, each once; none where the test has no such
-/// parameter. `id` as in parameterId.
+/// Indices of the targets that determine a parameter of a test, without repetition; empty if the test has no
+/// such parameter. `id` as in parameterId.
 [[nodiscard]] inline std::vector<std::size_t> rulingTargets(const EvaluatedDocument &evaluated,
                                                             std::size_t test, const QString &id) {
     std::vector<std::size_t> targets;

@@ -33,7 +33,7 @@ bool read(QIODevice &device, QSettings::SettingsMap &settings) {
     const QJsonObject all = QJsonDocument::fromJson(device.readAll()).object();
     for (auto entry = all.begin(); entry != all.end(); ++entry)
         settings[entry.key()] = fromJson(entry.value());
-    return true; // of a damaged file the defaults are better than none at all
+    return true; // a damaged file gives the defaults instead of an error
 }
 
 bool write(QIODevice &device, const QSettings::SettingsMap &settings) {
@@ -41,7 +41,7 @@ bool write(QIODevice &device, const QSettings::SettingsMap &settings) {
     for (auto entry = settings.begin(); entry != settings.end(); ++entry)
         all[entry.key()] = asJson(entry.value());
     const QByteArray bytes = QJsonDocument(all).toJson();
-    // The device takes the place of the file when this says that all is there; it does not look itself.
+    // QSettings replaces the file if this returns true, and does not check whether all was written.
     auto *file = qobject_cast<QFileDevice *>(&device);
     return device.write(bytes) == bytes.size() && file && file->flush() && file->size() == bytes.size() &&
            ::fsync(file->handle()) == 0;

@@ -4,16 +4,16 @@
 
 namespace palmer::ui {
 
-/// Makes QSettings keep what the user has chosen as JSON, written whole or not at all: its own format loses
-/// everything where the disk is full and says nothing. Takes over what stands in the former format. To be
-/// called once, after the names of organisation and application are set and before the first QSettings.
+/// Makes QSettings store the user's settings as JSON, written completely or not at all: its own format
+/// silently loses everything if the disk is full. Imports settings in the former format. Call once, after
+/// setting the names of organisation and application and before using QSettings.
 void useSafeSettings();
 
-/// Whether a copy of unsaved changes is kept against a crash; if nothing was chosen, yes.
+/// True if unsaved changes are copied in case of a crash; default true.
 [[nodiscard]] bool keepsCopies();
 void setKeepsCopies(bool keeps);
 
-/// Whether the version before stays beside a file that is saved; if nothing was chosen, no.
+/// True if saving keeps the former version as a backup file; default false.
 [[nodiscard]] bool keepsBackups();
 void setKeepsBackups(bool keeps);
 

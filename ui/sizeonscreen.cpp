@@ -24,7 +24,7 @@ namespace {
 
 constexpr QLatin1StringView placeName("beyondTheScreen");
 
-/// Whether that is a row of buttons, and not what a dialog is about.
+/// True if the item is a row of buttons, not dialog content.
 bool isRowOfButtons(QLayoutItem &item) {
     if (qobject_cast<QDialogButtonBox *>(item.widget()))
         return true;
@@ -39,8 +39,8 @@ bool isRowOfButtons(QLayoutItem &item) {
     return false;
 }
 
-/// The buttons at the end of the column that a dialog is, out of it; null where it has none, or they are too
-/// wide themselves.
+/// Takes the button row at the end of a dialog's column out of its layout; null if there is none, or it is
+/// too wide itself.
 QLayoutItem *takeButtons(QLayout &whole, int room) {
     const auto *column = qobject_cast<QVBoxLayout *>(&whole);
     if (!column || column->count() < 2)
@@ -59,7 +59,7 @@ void scroll(QDialog &dialog, QLayout &whole, int room) {
     QScrollArea *area = scrolledPlace(&dialog);
     area->setObjectName(placeName);
     auto *inner = new QWidget(area->viewport());
-    inner->setLayout(&whole); // takes it and its widgets from the dialog
+    inner->setLayout(&whole); // takes the layout and its widgets from the dialog
     area->setWidget(inner);
     auto *column = new QVBoxLayout(&dialog);
     column->setContentsMargins(0, 0, 0, 0);
@@ -81,7 +81,7 @@ void scroll(QDialog &dialog, QLayout &whole, int room) {
     area->show();
     column->activate();
     dialog.resize(dialog.width() + area->verticalScrollBar()->sizeHint().width(), dialog.height());
-    orderTabs(dialog); // what has another parent has another place in the chain
+    orderTabs(dialog); // reparenting moved widgets in the tab order
     if (focused)
         focused->setFocus();
 }
@@ -91,12 +91,12 @@ public:
     using QObject::QObject;
 
     bool eventFilter(QObject *watched, QEvent *event) override {
-        // What a dialog needs may grow while it is open: its language, what was chosen.
+        // A dialog may grow while open, through its language or the user's choices.
         if (event->type() != QEvent::Show && event->type() != QEvent::LayoutRequest)
             return false;
         auto *dialog = qobject_cast<QDialog *>(watched);
         if (!dialog || !dialog->isWindow() || !dialog->isVisible() || !dialog->layout() ||
-            qobject_cast<QMessageBox *>(dialog)) // which has its own measures
+            qobject_cast<QMessageBox *>(dialog)) // message boxes size themselves
             return false;
         const QSize room = sizeOnScreen(*dialog, QSize(QWIDGETSIZE_MAX, QWIDGETSIZE_MAX));
         const QSize least = dialog->layout()->totalMinimumSize();
@@ -138,7 +138,7 @@ QScrollArea *scrolledPlace(QWidget *parent) {
     area->setWidgetResizable(true);
     area->setFrameShape(QFrame::NoFrame);
     area->setFocusPolicy(Qt::NoFocus);
-    // Qt does it for Tab, and not for all that Tab reaches; under the mouse nothing shall move.
+    // Qt scrolls only on Tab, and not to all widgets Tab reaches; nothing may move under the mouse.
     QObject::connect(qApp, &QApplication::focusChanged, area, [area](const QWidget *, QWidget *now) {
         if (now && area->widget() && area->widget()->isAncestorOf(now) &&
             QGuiApplication::mouseButtons() == Qt::NoButton)

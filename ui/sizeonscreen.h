@@ -10,18 +10,18 @@ class QScrollArea;
 
 namespace palmer::ui {
 
-/// The size wished for a window, or as much of it as its screen has room for beside panels and a title bar.
+/// Returns `wished`, limited to the available size of the window's screen, less a title bar.
 [[nodiscard]] QSize sizeOnScreen(const QWidget &window, QSize wished);
 
-/// Gives a window the size of another, a step beside it, within its screen; one that fills the screen has the
-/// size it would go back to. A window that is to fill the screen itself stays so.
+/// Gives a window the size of `first` and a position offset from it, within its screen; if `first` fills the
+/// screen, its normal size. A window that is maximised or full screen itself is unchanged.
 void placeBeside(const QWidget &first, QWidget &window);
 
-/// A place that asks for no room: what stands in it (setWidget) fills it, and is scrolled where the place is
-/// smaller than its least size.
+/// A scroll area without minimum size: its widget (setWidget) fills it and scrolls if the area is smaller
+/// than the widget's minimum size.
 [[nodiscard]] QScrollArea *scrolledPlace(QWidget *parent);
 
-/// Dialogs that need more room than their screen has are scrolled; their row of buttons stays in sight.
+/// Makes dialogs too large for their screen scroll, with their button row always visible.
 void keepDialogsOnScreen(QApplication &application);
 
 } // namespace palmer::ui

@@ -33,13 +33,13 @@ QString nameOf(QDialogButtonBox::StandardButton button) {
     }
 }
 
-constexpr int leastWidth = 380; ///< of a box
+constexpr int leastWidth = 380; ///< of a box, px
 
-/// Qt makes a box as narrow as its shortest text: a sentence took six lines, a name was cut off.
+/// Qt makes a box as narrow as its shortest text: a sentence took six lines and a name was cut off.
 void widen(QWidget &box) {
-    if (auto *grid = qobject_cast<QGridLayout *>(box.layout())) // of a message
+    if (auto *grid = qobject_cast<QGridLayout *>(box.layout())) // of a message box
         grid->addItem(new QSpacerItem(leastWidth, 0), grid->rowCount(), 0, 1, grid->columnCount());
-    else if (auto *typed = box.findChild<QLineEdit *>()) // the dialog has the width of its layout
+    else if (auto *typed = box.findChild<QLineEdit *>()) // the dialog takes the width of its layout
         typed->setMinimumWidth(leastWidth);
 }
 

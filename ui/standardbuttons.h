@@ -6,8 +6,8 @@ class QApplication;
 
 namespace palmer::ui {
 
-/// Gives the standard buttons of message boxes and of boxes that ask for a text our words, with a letter for
-/// the keyboard. Qt's own have none here, and its French says otherwise what Discard does.
+/// Gives the standard buttons of message boxes and input dialogs the program's texts, with mnemonics. Qt's
+/// own have none here, and its French text of Discard differs.
 void nameStandardButtons(QApplication &application);
 
 } // namespace palmer::ui

@@ -6,8 +6,8 @@
 
 namespace palmer::ui {
 
-/// A text that is a table of numbers: lines that are pasted take the place of what stands there, and what a
-/// program copies as HTML or RTF alone comes in as text.
+/// A text edit for a table of numbers: pasted lines replace the text, and HTML or RTF without plain text is
+/// pasted as text.
 class TableText : public QPlainTextEdit {
 public:
     using QPlainTextEdit::QPlainTextEdit;

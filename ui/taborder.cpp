@@ -33,7 +33,7 @@ private:
         if (auto *area = qobject_cast<QScrollArea *>(&widget); area && area->widget()) {
             const QWidget *before = m_last;
             through(*area->widget());
-            if (m_last != before) { // Tab goes to what is in it
+            if (m_last != before) { // Tab goes to its content
                 area->setFocusPolicy(Qt::NoFocus);
                 return;
             }
@@ -69,7 +69,7 @@ QWidget *previous(QWidget *widget) {
     return widget->previousInFocusChain();
 }
 
-/// What takes the focus next to the window, which is in the chain and takes none.
+/// The focusable neighbour of the window in the focus chain; the window itself takes no focus.
 QWidget *neighbour(QWidget &window, QWidget *(*step)(QWidget *)) {
     QWidget *widget = step(&window);
     while (widget != &window && widget->focusPolicy() == Qt::NoFocus)
@@ -77,13 +77,14 @@ QWidget *neighbour(QWidget &window, QWidget *(*step)(QWidget *)) {
     return widget;
 }
 
-/// The order may begin anywhere else in the chain: what stands before its first goes to the end.
+/// Rotates the focus chain to begin with `first`: widgets before it go to the end.
 void beginWith(QWidget &window, QWidget *first) {
     const QWidget *before = nullptr;
     for (QWidget *head = neighbour(window, next); head != first && head != before;
          head = neighbour(window, next)) {
         QWidget *last = neighbour(window, previous);
-        QWidget::setTabOrder(first, head); // for Qt `head` stands behind `last` already, but for the window
+        QWidget::setTabOrder(first, head); // for Qt `head` already follows `last`, apart from the window
+                                           // between
         QWidget::setTabOrder(last, head);
         before = head;
     }
@@ -98,7 +99,8 @@ public:
         if (event->type() != QEvent::Show || !watched->isWidgetType())
             return false;
         auto *dialog = qobject_cast<QDialog *>(watched);
-        const bool isOfQt = *watched->metaObject()->className() == 'Q'; // which knows its own order
+        const bool isOfQt = *watched->metaObject()->className() == 'Q'; // Qt's dialogs order their tabs
+                                                                        // themselves
         if (dialog && !isOfQt && dialog->isWindow() && dialog->layout() && !dialog->property(done).toBool()) {
             dialog->setProperty(done, true);
             orderTabs(*dialog);

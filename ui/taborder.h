@@ -7,11 +7,11 @@ class QWidget;
 
 namespace palmer::ui {
 
-/// Lets Tab walk what stands in the window in the order of its layouts, which is that of reading, and not in
-/// the order in which its parts were made. It has a layout; what stands in no layout keeps its place.
+/// Makes Tab follow the window's layouts, that is the reading order, instead of the order of creation. The
+/// window needs a layout; widgets in no layout keep their place.
 void orderTabs(QWidget &window);
 
-/// Does so for each dialog when it is shown first.
+/// Does this for each dialog when it is first shown.
 void orderTabsOfDialogs(QApplication &application);
 
 } // namespace palmer::ui

@@ -8,7 +8,7 @@
 
 namespace palmer::ui {
 
-/// What the window calls a test: its title, else its axis or plane, else its id.
+/// Displayed name of a test: its title, otherwise its axis or plane, otherwise its ID.
 [[nodiscard]] QString testName(const Test &test);
 
 } // namespace palmer::ui

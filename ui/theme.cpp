@@ -78,7 +78,7 @@ bool isWhole(double value) {
     return value == std::floor(value);
 }
 
-/// Read once in each colour: a list draws the same few for all its rows.
+/// Read once per colour, as lists draw the same few icons in all rows.
 void renderIcon(QPainter &painter, const QRectF &area, const QString &name, const QColor &colour) {
     static std::map<std::pair<QString, QRgb>, std::unique_ptr<QSvgRenderer>> known;
     auto &icon = known[{name, colour.rgb()}];
@@ -93,7 +93,7 @@ void renderIcon(QPainter &painter, const QRectF &area, const QString &name, cons
     icon->render(&painter, area);
 }
 
-/// Draws `:/icons/<name>.svg` anew for every size and colour; the picture is a few strokes.
+/// Draws `:/icons/<name>.svg` for every size and colour; it is only a few strokes.
 class LineIconEngine : public QIconEngine {
 public:
     LineIconEngine(QString name, QPalette::ColorRole role)
@@ -133,7 +133,7 @@ private:
     QPalette::ColorRole m_role;
 };
 
-/// The one style sheet; @names are filled in.
+/// The style sheet, with placeholders @name.
 constexpr auto styleSheet = R"(
 QMenuBar { background: @window; padding-left: 10px; }
 QMenuBar::item { background: transparent; padding: 5px 8px; border-radius: 4px; }
@@ -244,13 +244,13 @@ QString filledStyleSheet(const QPalette &palette) {
     const QColor base = palette.color(QPalette::Base);
     const QColor text = palette.color(QPalette::WindowText);
     const QColor accent = token(Token::accent, palette);
-    // Qt leaves room for two spaces behind the word of a tool button, and three pixels; less padding there
-    // puts icon and word in the middle.
+    // Qt adds two spaces and three pixels after the word of a tool button; less padding there centres icon
+    // and word.
     const int behind = 2 * QFontMetrics(QApplication::font()).horizontalAdvance(u' ') + 3;
     const std::array<std::pair<const char *, QString>, 20> values{{
         {"@afterWord", pixels(12 - behind)},
         {"@afterFocusedWord", pixels(11 - behind)},
-        // longer names first: one is the beginning of another
+        // longer names first, as one is a prefix of another
         {"@accentHover", mixed(accent, text, 0.85).name()},
         {"@accent", accent.name()},
         {"@onAccent", isDark(palette) ? QStringLiteral("#101316") : QStringLiteral("#ffffff")},
@@ -302,10 +302,10 @@ private:
 };
 
 constexpr auto themeKey = "window/theme";
-// Words of the settings, in the order of the enumeration; none may change.
+// Settings values in the order of the enumeration; never change them.
 constexpr std::array themeWords{"system", "light", "dark"};
 
-/// The colours of a palette of our own; the others follow from them.
+/// The colours of one of our palettes, from which the others are derived.
 struct Ground {
     QRgb window, base, text, disabled;
 };
@@ -317,7 +317,7 @@ QPalette paletteOf(const Ground &ground) {
     const QColor base = QColor::fromRgb(ground.base);
     const QColor text = QColor::fromRgb(ground.text);
     const QColor disabled = QColor::fromRgb(ground.disabled);
-    QPalette palette(window, window); // lights and shadows made from it
+    QPalette palette(window, window); // derives lights and shadows
     for (const QPalette::ColorRole role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText,
                                            QPalette::ToolTipText, QPalette::HighlightedText}) {
         palette.setColor(role, text);
@@ -418,7 +418,7 @@ void drawLineIcon(QPainter &painter, const QRect &area, const QString &name, con
         renderIcon(painter, square, name, colour);
         return;
     }
-    // Lists and tables draw the same few in each row.
+    // Cached, as lists and tables draw the same few marks in each row.
     const QString key = QStringLiteral("palmer-mark %1 %2 %3").arg(name, colour.name()).arg(ratio);
     QPixmap mark;
     if (!QPixmapCache::find(key, &mark)) {
@@ -437,7 +437,7 @@ void setStyled(QWidget &widget, const char *property, bool value) {
     if (widget.property(property).toBool() == value)
         return;
     widget.setProperty(property, value);
-    widget.style()->unpolish(&widget); // lets the rules be matched anew
+    widget.style()->unpolish(&widget); // matches the rules again
     widget.style()->polish(&widget);
 }
 

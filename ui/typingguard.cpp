@@ -12,7 +12,7 @@ namespace palmer::ui {
 
 namespace {
 
-/// The field of a cell that is being typed in, with its table.
+/// The editor of a cell, with its table.
 struct OpenEditor {
     QAbstractItemView *view = nullptr;
     QWidget *editor = nullptr;
@@ -35,7 +35,7 @@ void commit(const OpenEditor &open) {
     emit delegate->closeEditor(open.editor);
 }
 
-/// Whether a press there belongs to the typing: in the field, in its own menu, or to look further.
+/// True if a click there belongs to the typing: in the editor, its own menu or a scroll bar.
 bool belongsTo(const QWidget *pressed, const QWidget *editor) {
     for (const QWidget *part = pressed; part; part = part->parentWidget()) {
         if (part == editor)

@@ -6,13 +6,12 @@ class QApplication;
 
 namespace palmer::ui {
 
-/// Puts in what is being typed into a cell of a table, as leaving the cell does; a text that cannot be taken
-/// stays where it was typed, with the reason. Fields of forms take every letter as it is typed.
+/// Commits the text being typed into a table cell, as leaving the cell does; a text that cannot be accepted
+/// stays in the cell with the reason. Form fields commit every letter as it is typed.
 void commitTyping();
 
-/// From now on whatever the user does elsewhere comes after the typing: a shortcut, a press beside the cell
-/// and the closing of the window first do what commitTyping does. So nothing is saved, printed, exported or
-/// closed without a number that can be read on the screen.
+/// From now on a shortcut, a click outside the cell and closing the window call commitTyping first, so that
+/// nothing is saved, printed, exported or closed without a number visible on screen.
 void guardTyping(QApplication &application);
 
 } // namespace palmer::ui

@@ -11,9 +11,9 @@
 
 namespace palmer::ui {
 
-/// How a statement of a verdict is shown: a line icon, its colour, and the word that always goes with it.
+/// Display of a verdict: a line icon, its colour and the accompanying word.
 struct VerdictMark {
-    QString icon; ///< empty: nothing is to be decided
+    QString icon; ///< empty if nothing is to be decided
     Token colour = Token::secondaryText;
     QString word; ///< in the window's language
 
@@ -23,15 +23,15 @@ struct VerdictMark {
 /// The verdict on one result; empty without verdict.
 [[nodiscard]] VerdictMark verdictMark(std::optional<Verdict> verdict);
 
-// A verdict is two statements that do not depend on each other.
+// A verdict consists of two independent statements.
 
-/// The first: the limits. `anyLimit`: limits were agreed, though they may not hold for the test.
+/// The first: conformity with the limits. `anyLimit`: limits were agreed, even if none applies to the test.
 [[nodiscard]] VerdictMark limitsMark(std::optional<Verdict> verdict, bool anyLimit);
 
-/// The second: whether the test was carried out as its edition asks.
+/// The second: whether the test was carried out as its edition requires.
 [[nodiscard]] VerdictMark accordanceMark(Accordance accordance);
 
-/// The ground of a chip that says something in that colour.
+/// Background of a chip of that colour.
 [[nodiscard]] Token groundOf(Token colour);
 
 } // namespace palmer::ui

@@ -30,12 +30,12 @@ public:
             return false;
         if (event->type() == QEvent::Polish) {
             if (widget->focusPolicy() == Qt::WheelFocus)
-                widget->setFocusPolicy(Qt::StrongFocus); // else Qt gives it the focus before the wheel
+                widget->setFocusPolicy(Qt::StrongFocus); // otherwise Qt focuses it before the wheel event
             return false;
         }
         if (widget->hasFocus())
             return false;
-        event->ignore(); // goes on to the parent
+        event->ignore(); // passed on to the parent
         return true;
     }
 };

@@ -6,7 +6,7 @@ class QApplication;
 
 namespace palmer::ui {
 
-/// From now on the wheel changes no field that does not have the focus: it scrolls what the field stands in.
+/// From now on the wheel does not change unfocused fields but scrolls the area around them.
 void guardWheel(QApplication &application);
 
 } // namespace palmer::ui

@@ -20,11 +20,12 @@ constexpr auto settingsKey = "window/language";
 constexpr auto lengthsKey = "window/lengths";
 constexpr auto anglesKey = "window/angles";
 
-// Words of the settings, in the order of the enumerations; none may change.
+// Settings values in the order of the enumerations; never change them.
 constexpr std::array lengthWords{"micrometres", "millimetres", "inches"};
 constexpr std::array angleWords{"arcSeconds", "degrees"};
 
-/// Texts of Qt's file dialogs and message boxes that its French catalogue lacks or calls as we do not.
+/// Texts of Qt's file dialogs and message boxes that its French catalogue lacks or translates differently
+/// from ours.
 [[maybe_unused]] constexpr std::array textsOfQt{
     QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Drive"),
     QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Folder"),
@@ -45,7 +46,7 @@ Choice restored(const char *key, const Words &words) {
     return found == words.end() ? Choice{} : static_cast<Choice>(found - words.begin());
 }
 
-/// Texts shared with the report, which stand in its catalogue, whatever class asks for them.
+/// Texts shared with the report, looked up in its catalogue for every class.
 class SharedTexts : public QTranslator {
 public:
     QString translate(const char * /*context*/, const char *source, const char *comment,
@@ -66,15 +67,15 @@ void install(Language::Id id) {
     QLocale::setDefault(french ? QLocale(QLocale::French, QLocale::France)
                                : QLocale(QLocale::English, QLocale::UnitedKingdom));
     for (auto &translator : installed)
-        translator.reset(); // removes itself
-    // The one installed last is asked first: ours has what Qt's own lacks, and what it calls otherwise.
+        translator.reset(); // uninstalls itself
+    // The last installed is asked first: ours adds to Qt's texts and overrides some.
     const std::array names{QStringLiteral(":/translations/report_%1.qm").arg(current().code()),
                            QStringLiteral(":/translations/qtbase_%1.qm").arg(current().code()),
                            QStringLiteral(":/translations/ui_%1.qm").arg(current().code())};
     for (std::size_t i = 0; i < names.size(); ++i) {
         std::unique_ptr<QTranslator> translator =
             i == 0 ? std::make_unique<SharedTexts>() : std::make_unique<QTranslator>();
-        if (!translator->load(names[i])) // English is what Qt speaks itself
+        if (!translator->load(names[i])) // Qt's own texts are English
             continue;
         QCoreApplication::installTranslator(translator.get());
         installed[i] = std::move(translator);

@@ -8,22 +8,21 @@
 
 namespace palmer::ui {
 
-/// The language of the windows, which is not that of the reports. English before the first of the functions
-/// below was called.
+/// The language of the windows, not of the reports. English until one of the functions below is called.
 [[nodiscard]] const Language &windowLanguage();
 
-/// Lets all windows speak that language from now on: installs the texts of the program and those of Qt, sets
-/// the locale of new widgets and remembers the choice. Every widget gets QEvent::LanguageChange.
+/// Sets the language of all windows: installs the texts of the program and of Qt, sets the locale of new
+/// widgets and remembers the choice. Every widget gets QEvent::LanguageChange.
 void setWindowLanguage(Language::Id id);
 
-/// The text of a count with the digits of the count in groups: "1 000 001 lines".
+/// Returns a text with the digits of its count grouped: "1 000 001 lines".
 [[nodiscard]] QString withGroups(QString text, int count);
 
-/// The units numbers are shown and typed in, in all windows from now on; remembered. Data and reports stay as
-/// they are. Every widget gets QEvent::LanguageChange, as for another language.
+/// Sets the units in which all windows show and take numbers, and remembers them. Data and reports are
+/// unchanged. Every widget gets QEvent::LanguageChange.
 void setWindowUnits(const DisplayUnits &units);
 
-/// At start: language and units chosen last; else the language of the system.
+/// At start: restores language and units; without a stored language takes the system's.
 void restoreWindowLanguage();
 
 } // namespace palmer::ui

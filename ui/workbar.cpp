@@ -19,7 +19,7 @@ namespace palmer::ui {
 namespace {
 
 QString sizeText(long long bytes) {
-    constexpr double mebibyte = 1 << 20; // as file dialogs say sizes
+    constexpr double mebibyte = 1 << 20; // the unit of sizes in file dialogs
     return windowLanguage().number(static_cast<double>(bytes) / mebibyte, Quantity::count, 1);
 }
 
@@ -29,7 +29,7 @@ QString countText(long long count) {
 
 constexpr int showAfter = 300; ///< ms
 constexpr int lookEach = 100;  ///< ms
-constexpr int steps = 1000;    ///< of the bar
+constexpr int steps = 1000;    ///< of the bar's range
 constexpr int barWidth = 96;
 constexpr int workBarHeight = 4;
 
@@ -43,7 +43,7 @@ WorkBar::WorkBar(QWidget *parent)
     , m_later(new QTimer(this))
     , m_look(new QTimer(this)) {
     setObjectName(QStringLiteral("workBar"));
-    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred); // its parts stay together in an empty bar
+    setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred); // keeps its parts together in an empty bar
     m_bar->setTextVisible(false);
     m_bar->setFixedSize(barWidth, workBarHeight);
     m_count->setObjectName(QStringLiteral("workCount"));
@@ -51,7 +51,7 @@ WorkBar::WorkBar(QWidget *parent)
     m_count->setProperty("secondary", true);
     m_cancel->setObjectName(QStringLiteral("cancelWork"));
     m_cancel->setAutoDefault(false);
-    m_cancel->setProperty("link", true); // flat: it has room in a status bar
+    m_cancel->setProperty("link", true); // flat, to fit into a status bar
     auto *row = new QHBoxLayout(this);
     row->setContentsMargins(0, 0, 0, 0);
     row->setSpacing(8);
@@ -85,7 +85,7 @@ void WorkBar::end() {
     hide();
 }
 
-/// The bar runs to and fro while nothing is counted, and when all is read and not yet understood.
+/// The bar is indeterminate while nothing is counted, and when all is read but not yet interpreted.
 void WorkBar::showProgress() {
     const long long done = m_progress ? m_progress->done.load() : 0;
     const long long of = m_progress ? m_progress->of.load() : 0;
@@ -97,7 +97,8 @@ void WorkBar::showProgress() {
         text = tr("%1 of %2 MiB").arg(sizeText(done), sizeText(of));
     m_count->setVisible(!text.isEmpty());
     m_count->setText(text);
-    m_count->setMinimumWidth(std::max(m_count->minimumWidth(), m_count->sizeHint().width())); // never jumps
+    m_count->setMinimumWidth(std::max(m_count->minimumWidth(), m_count->sizeHint().width())); // the width
+                                                                                              // never shrinks
     const bool known = of > 0 && done < of;
     m_bar->setRange(0, known ? steps : 0);
     if (known)

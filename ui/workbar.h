@@ -14,16 +14,15 @@ class QTimer;
 
 namespace palmer::ui {
 
-/// The bar of what is being done beside the window, with how much of it is done and Cancel; what it is stands
-/// next to it. Appears only when that takes longer than one waits without asking: what is done before shall
-/// not blink.
+/// Progress bar of a background job with its count and Cancel; the job is named next to it. Appears after a
+/// delay, so that short jobs do not flash it.
 class WorkBar : public QWidget {
     Q_OBJECT
 
 public:
     explicit WorkBar(QWidget *parent = nullptr);
 
-    /// `text`: what is being done, for those who cannot see it. `progress`: null where nothing is counted.
+    /// `text`: the job, for screen readers. `progress`: null if nothing is counted.
     void begin(const QString &text, std::shared_ptr<const ReadProgress> progress = {});
     void end();
 

@@ -28,20 +28,20 @@ constexpr double scaleRoom = 44;
 constexpr double rightRoom = 14;
 constexpr double belowTitle = 4;
 constexpr double plotBottom = 22;
-constexpr double pointerReach = 12; ///< of the pointer, pixels
+constexpr double pointerReach = 12; ///< around the pointer, pixels
 constexpr double handleReach = 7;
 constexpr double ring = 5;
 constexpr double gripWidth = 7;
 constexpr double gripHeight = 16;
-constexpr double margin = 0.08; ///< of the values, above and below
+constexpr double margin = 0.08; ///< above and below the values, as a share of their range
 constexpr double mostAngleParts = 4;
 constexpr double mostValueParts = 5;
 constexpr double quarterTurn = 90;
-constexpr double nearTurn = 0.02;            ///< of the range
-constexpr double roundTo = 0.1;              ///< degrees a dragged handle is rounded to
-constexpr qsizetype pieceOfCurve = 48;       ///< lines drawn at once
+constexpr double nearTurn = 0.02;            ///< share of the range
+constexpr double roundTo = 0.1;              ///< rounding of a dragged handle, degrees
+constexpr qsizetype pieceOfCurve = 48;       ///< lines per drawing call
 constexpr double leastRange = 1;             ///< degrees
-constexpr std::size_t drawnAtOnce = 200'000; ///< points
+constexpr std::size_t drawnAtOnce = 200'000; ///< points; more are made in the background
 
 Medium mediumOf(const QWidget &widget) {
     return isDark(widget.palette()) ? Medium::screenDark : Medium::screenLight;
@@ -111,7 +111,7 @@ void ArcCurvesView::fitAxes() {
     Interval values = m_curves.deviations;
     if (!(angles.from < angles.to))
         angles = {0, 360};
-    // A full circle of points begins and ends a step beside its turn.
+    // A full circle of points begins and ends one step off the full turn.
     const double near = nearTurn * (angles.to - angles.from);
     if (const double quarter = std::floor(angles.from / quarterTurn) * quarterTurn;
         angles.from - quarter < near)
@@ -155,7 +155,7 @@ double ArcCurvesView::xOf(double angle) const {
     return plot().left() + (angle - m_angles.from) / (m_angles.to - m_angles.from) * plot().width();
 }
 
-/// Of a deviation in µm in the unit that is shown.
+/// Factor from µm to the displayed unit.
 double ArcCurvesView::valueScale() const {
     return unitScale(Quantity::micrometres, m_language.units());
 }
@@ -206,7 +206,7 @@ void ArcCurvesView::drawAxes(QPainter &painter) const {
         painter.setPen(secondary);
         painter.drawText(QRectF(0, y - 10, scaleRoom - 6, 20), Qt::AlignRight | Qt::AlignVCenter, tick.label);
     }
-    // Where the path crosses an axis of the machine its name stands beside the angle.
+    // Where the path crosses a machine axis, the axis name is shown next to the angle.
     double lastRight = -1;
     for (const Tick &tick : m_angles.ticks) {
         const double x = std::round(xOf(tick.value)) + 0.5;
@@ -230,7 +230,7 @@ void ArcCurvesView::drawAxes(QPainter &painter) const {
         painter.drawText(QPointF(begin, area.bottom() + metrics.ascent() + 5), text);
     }
     const QString title = tr("Δr %1, least squares centre").arg(m_language.unit(Quantity::deviation));
-    painter.setPen(secondary); // above the plot: curves and what is left out run through all of it
+    painter.setPen(secondary); // above the plot, whose full area curves and shading may cover
     painter.drawText(QPointF(area.left(), metrics.ascent()), title);
 }
 
@@ -247,7 +247,7 @@ void ArcCurvesView::drawCurves(QPainter &painter) const {
             chain.reserve(static_cast<qsizetype>(trace.points.size()));
             for (const TracePoint &point : trace.points)
                 chain << QPointF(xOf(point.angle), yOf(point.deviation));
-            // One path of thousands of peaks takes three times as long to fill as its pieces.
+            // Filling one path with thousands of peaks takes three times as long as its pieces.
             for (qsizetype i = 0; i + 1 < chain.size(); i += pieceOfCurve)
                 painter.drawPolyline(chain.constData() + i, static_cast<int>(std::min<qsizetype>(
                                                                 pieceOfCurve + 1, chain.size() - i)));
@@ -282,7 +282,7 @@ void ArcCurvesView::paintHovered(QPainter &painter) const {
     if (!place || place->run >= m_curves.profiles.size() ||
         place->target >= m_curves.profiles[place->run].angles.size())
         return;
-    const TracePoint at = m_curves.profiles[place->run][place->target]; // the whole arc: its own indices
+    const TracePoint at = m_curves.profiles[place->run][place->target]; // indexed within the whole arc
     painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(token(Token::accent, palette()), 2));
     painter.setBrush(Qt::NoBrush);
@@ -312,7 +312,7 @@ ArcCurvesView::Handle ArcCurvesView::handleAt(QPointF at) const {
 
 std::optional<ReadingPlace> ArcCurvesView::nearest(QPointF at) const {
     if (m_making.isBusy())
-        return std::nullopt; // the points are others
+        return std::nullopt; // the points are changing
     std::optional<ReadingPlace> found;
     double least = pointerReach;
     const double window = pointerReach * (m_angles.to - m_angles.from) / std::max(1.0, plot().width());
@@ -379,7 +379,7 @@ void ArcCurvesView::mouseReleaseEvent(QMouseEvent *event) {
         return;
     m_dragged = Handle::none;
     if (const auto wanted = m_preview)
-        emit rangeWanted(m_arc, *wanted); // the preview stays until that range is shown
+        emit rangeWanted(m_arc, *wanted); // the preview remains until the new range is shown
     update();
 }
 

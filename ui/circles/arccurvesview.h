@@ -16,28 +16,28 @@
 
 namespace palmer::ui {
 
-/// The arcs of a circular test unwrapped: radial deviation about the least squares centre over the angle. The
-/// evaluated range of the current arc has a handle at either end; what lies outside of it is shaded.
+/// The arcs of a circular test unwrapped: radial deviation from the least squares centre over the angle. The
+/// evaluated range of the current arc has a handle at each end; the part outside is shaded.
 class ArcCurvesView : public QWidget {
     Q_OBJECT
 
 public:
     explicit ArcCurvesView(Selection &selection, QWidget *parent = nullptr);
 
-    /// The curves of many points are made beside the window, which shows those of before until then.
+    /// Curves of many points are made in the background; until then the former ones are shown.
     void show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language);
     void clear();
     [[nodiscard]] bool isMaking() const { return m_making.isBusy(); }
     void setCurrentArc(std::size_t arc);
 
-    /// x of an angle (degrees) on the widget.
+    /// x coordinate in the widget of an angle (degrees).
     [[nodiscard]] double xOf(double angle) const;
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 110}; }
     [[nodiscard]] QSize sizeHint() const override { return {528, 164}; }
 
 signals:
-    /// The user drew a handle of the current arc: this range is to be evaluated (degrees).
+    /// The user dragged a handle of the current arc: the range to evaluate (degrees).
     void rangeWanted(std::size_t arc, const palmer::Interval &range);
 
 protected:
@@ -51,7 +51,7 @@ protected:
 private:
     enum class Handle { none, from, to };
 
-    /// The whole arcs and how far they reach.
+    /// The whole arcs and their extent.
     struct Curves {
         std::vector<PathProfile> profiles;
         Interval angles;
@@ -79,15 +79,15 @@ private:
     std::size_t m_test = 0;
     TestEvaluationPointer m_curvesOf;
     Language m_language{Language::Id::english};
-    const CircularMeasurement *m_measurement = nullptr; ///< of m_evaluated
+    const CircularMeasurement *m_measurement = nullptr; ///< owned by m_evaluated
     Curves m_curves;
     std::size_t m_arc = 0;
     FigureAxis m_angles;
     FigureAxis m_deviations;
-    double m_plotTop = 0; ///< below the title, with the font of the last drawing
-    QPixmap m_drawn;      ///< null: to be drawn
+    double m_plotTop = 0; ///< y below the title, with the font of the last drawing
+    QPixmap m_drawn;      ///< null if outdated
     Handle m_dragged = Handle::none;
-    std::optional<Interval> m_preview; ///< the range while a handle is dragged
+    std::optional<Interval> m_preview; ///< the range during a drag
     Background m_making;
 };
 

@@ -135,7 +135,7 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     connect(m_remarks, &RemarkList::answered, this, &ArcDialog::answer);
     connect(m_remarks, &RemarkList::answerWanted, m_content, [this] { m_content->setFocus(); });
     connect(m_confirmAll, &QPushButton::clicked, this, &ArcDialog::confirmAll);
-    // What was confirmed are the numbers as they were.
+    // Answers hold only for the numbers they were given for.
     connect(m_text, &QPlainTextEdit::textChanged, this, [this] { m_answers.clear(); });
     for (const QComboBox *box : m_choices)
         connect(box, &QComboBox::currentIndexChanged, this, [this] { m_answers.clear(); });
@@ -246,7 +246,7 @@ void ArcDialog::answer(const QString &id, const QString &word) {
     if (box == m_choices.end() || !choose(**box, word.toStdString()))
         m_answers[key] = word.toStdString();
     read();
-    // The button that was pressed goes, and those that come are shown in the next turn.
+    // The pressed button disappears, and new ones are shown only after the event.
     QTimer::singleShot(0, this, [this] {
         if (m_add->isEnabled())
             return m_add->setFocus();
@@ -258,7 +258,7 @@ void ArcDialog::answer(const QString &id, const QString &word) {
     });
 }
 
-/// An answer may raise the next question, which has to be read before it is confirmed: once is enough.
+/// Confirms only the current questions: an answer may raise another, which must be read first.
 void ArcDialog::confirmAll() {
     const std::vector<Question> asked = m_questions;
     for (const Question &question : asked) {

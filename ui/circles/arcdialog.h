@@ -21,21 +21,20 @@ namespace palmer::ui {
 
 class RemarkList;
 
-/// "New arc…": a table of points typed or pasted, what was understood of it beside it, and what the user may
-/// decide. Nothing is taken before it is accepted, and nothing is accepted before what was guessed, or looks
-/// wrong, is answered.
+/// "New arc…": a table of points typed or pasted and, next to it, how it was understood and what the user may
+/// decide. It can be accepted only once all guesses and doubts have been answered.
 class ArcDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// The points are read for this circle. `text`: what the table begins with.
+    /// The points are interpreted for this circle. `text`: initial text of the table.
     ArcDialog(CircularMeasurement circle, const Language &language, const QString &text,
               QWidget *parent = nullptr);
 
-    /// The paths as they were understood last.
+    /// The arcs as last interpreted.
     [[nodiscard]] const std::vector<Arc> &arcs() const { return m_arcs; }
 
-    /// Whether a text of the clipboard may be a table of points: lines of numbers.
+    /// True if a clipboard text may be a table of points: lines of numbers.
     [[nodiscard]] static bool looksLikePoints(const QString &text);
 
 private:
@@ -53,8 +52,8 @@ private:
     CircularMeasurement m_circle;
     Language m_language;
     std::vector<Arc> m_arcs;
-    std::vector<Question> m_questions; ///< that keep the arcs from being added
-    ImportOptions m_answers;           ///< beside the choices; they hold for the numbers as they were read
+    std::vector<Question> m_questions; ///< which prevent adding the arcs
+    ImportOptions m_answers;           ///< in addition to the choices, valid for the numbers as last read
     QPlainTextEdit *m_text;
     std::vector<QComboBox *> m_choices; ///< of the import, in the order of the form; each knows its key
     QComboBox *m_content = nullptr;

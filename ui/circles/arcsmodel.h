@@ -11,8 +11,8 @@
 
 namespace palmer::ui {
 
-/// The arcs of a circular test in the order of measurement: how many points, from where to where, what of it
-/// is left out, and its least squares radius.
+/// The arcs of a circular test in the order of measurement: number of points, start and end, the part left
+/// out and the least squares radius.
 class ArcsModel : public QAbstractTableModel {
     Q_OBJECT
 

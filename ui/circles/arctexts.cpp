@@ -12,7 +12,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr std::size_t sample = 1000; ///< points looked at
+constexpr std::size_t sample = 1000; ///< points examined
 
 QString circlesText(const char *text) {
     return QCoreApplication::translate("palmer::ui::CirclesPage", text);

@@ -11,18 +11,18 @@
 
 namespace palmer::ui {
 
-/// The points of an arc as columns show them, or the points as such.
+/// Units of the points of an arc: as columns of readings, or as coordinates.
 enum class PointUnit { deviations, coordinates, lengths };
 
-/// "anticlockwise, XY": the word for the sense of an arc, in the window's language, with its index.
+/// "anticlockwise, XY": the displayed sense of an arc, with its index.
 [[nodiscard]] QString senseWord(Sense sense);
 [[nodiscard]] QString arcName(const CircularMeasurement &measurement, std::size_t arc);
 
-/// The digits after the point that show every number of an arc as it was entered, up to `most`; of many
-/// points a sample is looked at.
+/// Number of decimals that shows every number of an arc as entered, at most `most`; of many points only a
+/// sample is examined.
 [[nodiscard]] int decimalsOf(std::span<const double> values, Quantity quantity, int most);
 
-/// "anticlockwise, point 1: 0.1° · −2.211 µm": what was read at a point.
+/// "anticlockwise, point 1: 0.1° · −2.211 µm": the reading at a point.
 [[nodiscard]] QString pointText(const CircularMeasurement &measurement, std::size_t arc, std::size_t point,
                                 const Language &language);
 

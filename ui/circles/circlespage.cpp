@@ -45,12 +45,12 @@ constexpr int labelHeight = 16;
 constexpr int headHeight = 26;
 constexpr int mostArcs = 4; ///< shown without scrolling
 constexpr int cellMargin = 16;
-constexpr int rowsLookedAt = 50; ///< for the width of a column
+constexpr int rowsLookedAt = 50; ///< to find the width of a column
 constexpr int leastHeightForPoints = 480;
 constexpr int angleWidth = 72;
-constexpr int reverseWidth = 36; ///< a mark alone: there is no room for words beside the range
+constexpr int reverseWidth = 36; ///< icon only: the range leaves no space for words
 
-/// The planes offered: right-handed first.
+/// Available planes, right-handed ones first.
 constexpr std::array<std::array<const char *, 2>, 6> planes{
     {{"X", "Y"}, {"Y", "Z"}, {"Z", "X"}, {"Y", "X"}, {"Z", "Y"}, {"X", "Z"}}};
 
@@ -133,7 +133,7 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     layout->addLayout(parameters);
     layout->addWidget(m_arcs);
     layout->addLayout(rangeRow);
-    auto *curves = new QGridLayout; // a reason comes and goes over them: nothing below moves
+    auto *curves = new QGridLayout; // the reason overlays the curves, so that nothing below moves
     curves->addWidget(m_curves, 0, 0);
     curves->addWidget(m_reason, 0, 0, Qt::AlignTop);
     m_reason->raise();
@@ -189,7 +189,7 @@ QComboBox *CirclesPage::addChoice(QHBoxLayout &row, int share, const char *name,
     return box;
 }
 
-/// Each visit of a number is a step of its own to undo.
+/// Each visit of a number field is a separate undo step.
 Field *CirclesPage::makeNumber(const char *name) {
     auto *field = new Field(Field::Kind::number, this);
     field->edit()->setObjectName(QLatin1StringView(name));
@@ -202,7 +202,7 @@ QString CirclesPage::stepOf(const Field *field) const {
     return QStringLiteral("circles/%1/%2/%3").arg(field->edit()->objectName()).arg(m_test).arg(m_visit);
 }
 
-/// A number above 0; `needed`: it cannot be left out.
+/// Accepts a number above 0; `needed`: it must not be empty.
 void CirclesPage::readPositive(Field *field, Quantity quantity, bool needed) {
     field->setReader([this, quantity, needed](const QString &typed) -> Field::Reading {
         const NumberEntry entry = enteredNumber(typed, quantity, m_language.units());
@@ -223,7 +223,7 @@ void CirclesPage::makeParameters(QVBoxLayout &rows) {
         row->setSpacing(fieldGap);
         rows.addLayout(row);
     }
-    // Each has the share of the row that its words take.
+    // The width shares follow the lengths of the labels.
     m_plane = addChoice(*test, 4, "plane", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Plane"));
     m_radius = makeNumber("nominalRadius");
     m_feed = makeNumber("contouringFeed");
@@ -276,7 +276,7 @@ void CirclesPage::makeParameters(QVBoxLayout &rows) {
     });
 }
 
-/// What is done to the current arc as a whole.
+/// Buttons for the current arc as a whole.
 void CirclesPage::makeArcButtons() {
     const auto button = [&](const char *name) {
         auto *made = new QPushButton(this);
@@ -357,7 +357,7 @@ void CirclesPage::makeRangeRow(QHBoxLayout &row) {
     row.addWidget(m_delete);
 }
 
-/// An end of the evaluated range lies on its side of the other.
+/// Reads an end of the evaluated range, which must be on its side of the other one.
 Field::Reading CirclesPage::readEnd(const Field *end, const QString &typed) const {
     const NumberEntry entry = enteredNumber(typed, Quantity::angle, m_language.units());
     if (entry.refusal)
@@ -374,7 +374,7 @@ Field::Reading CirclesPage::readEnd(const Field *end, const QString &typed) cons
 }
 
 void CirclesPage::typeRange(const Field *end) {
-    (end == m_from ? m_to : m_from)->reread(); // what it lacked may be this
+    (end == m_from ? m_to : m_from)->reread(); // this value may make it valid
     const auto number = [this](const Field *field) {
         return enteredNumber(field->valueText(), Quantity::angle, m_language.units()).value;
     };
@@ -388,7 +388,7 @@ void CirclesPage::typeRange(const Field *end) {
     showReason();
 }
 
-/// Why something here is red: an end of the range, or the point that was typed last.
+/// Shows why something is red here: an end of the range, or the last typed point.
 void CirclesPage::showReason() {
     QString reason = m_pointReason;
     for (const Field *end : {m_from, m_to, m_cutOff}) {
@@ -449,14 +449,14 @@ void CirclesPage::addArcs(const std::vector<Arc> &arcs) {
     const CircularMeasurement *shown = measurement();
     if (!shown || arcs.empty())
         return;
-    m_arc = shown->arcs.size(); // the first of the new ones
+    m_arc = shown->arcs.size(); // the first of the new arcs
     const QByteArray name =
         countedEdit(QT_TRANSLATE_N_NOOP("edits", "add %n arc(s)"), static_cast<int>(arcs.size()));
     edit(name.constData(),
          [&](CircularMeasurement &m) { m.arcs.insert(m.arcs.end(), arcs.begin(), arcs.end()); });
 }
 
-/// A point has to have a number: what is none stays in red and is not taken, and it is said why.
+/// A point needs a number: other text stays in red with the reason and is not accepted.
 void CirclesPage::typePoint(const QModelIndex &index, const QString &text) {
     const CircularMeasurement *shown = measurement();
     const auto place = m_pointsModel.placeAt(index);
@@ -514,7 +514,7 @@ void CirclesPage::makeTables() {
     m_points->setObjectName(QStringLiteral("points"));
     for (QTableView *table : {m_arcs, m_points}) {
         table->setHorizontalHeader(new QuietHeader(table));
-        table->setItemDelegate(new QuietDelegate(table)); // before the model, which tells of its current cell
+        table->setItemDelegate(new QuietDelegate(table)); // before the model, which reports its current cell
         table->setModel(table == m_arcs ? static_cast<QAbstractItemModel *>(&m_arcsModel) : &m_pointsModel);
         table->setShowGrid(false);
         table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -618,7 +618,7 @@ void CirclesPage::refresh() {
     if (!m_evaluated.isPending(m_test)) {
         m_curves->show(m_evaluated, m_test, m_language);
         m_curvesOf = id;
-    } else if (id != m_curvesOf) { // those of before stay until the new ones are there
+    } else if (id != m_curvesOf) { // same test: keep the former curves until the new ones are ready
         m_curves->clear();
         m_curvesOf.clear();
     }
@@ -671,7 +671,7 @@ void CirclesPage::fillRange() {
     m_delete->setEnabled(any);
 }
 
-/// Texts that are refused come back with what they were typed for.
+/// Keeps refused texts to restore them with the test or arc they were typed for.
 void CirclesPage::leaveFields(const std::vector<Field *> &fields) {
     for (Field *field : fields) {
         const bool ofArc = field == m_from || field == m_to || field == m_cutOff;
@@ -701,7 +701,7 @@ void CirclesPage::showHovered() {
     m_points->viewport()->update();
 }
 
-/// Every column as wide as its head and numbers; what is left is shared by all.
+/// Makes every column as wide as its header and numbers; the remaining width is distributed evenly.
 void CirclesPage::fitColumns() {
     const QFontMetrics metrics(font());
     const auto fit = [&](QTableView *table, int rows) {
@@ -729,7 +729,7 @@ void CirclesPage::fitColumns() {
     fit(m_points, rowsLookedAt);
 }
 
-/// What has no room goes, the table of the points first.
+/// Parts that do not fit are hidden, first the table of points.
 void CirclesPage::resizeEvent(QResizeEvent *event) {
     QWidget::resizeEvent(event);
     showParts();
@@ -747,14 +747,15 @@ void CirclesPage::showParts() {
     const bool points = any && height() >= leastHeightForPoints;
     QWidget *main = points ? m_points : any ? m_arcs : static_cast<QWidget *>(m_newArc);
     setFocusProxy(main);
-    if (m_points->hasFocus() && !points) // else the focus would leave the page, and its keys be dead
+    if (m_points->hasFocus() && !points) // otherwise the focus would leave the page and its shortcuts would
+                                         // not work
         main->setFocus();
     m_points->setVisible(points);
     m_curves->setVisible(any);
     m_emptyPlace->setVisible(!any);
 }
 
-/// The current cell follows the point chosen in figure or curve.
+/// The current cell follows the point chosen in the figure or curve.
 void CirclesPage::showCurrent() {
     if (!measurement())
         return;
@@ -769,11 +770,11 @@ void CirclesPage::showCurrent() {
 }
 
 bool CirclesPage::eventFilter(QObject *watched, QEvent *event) {
-    // By the kind of event first: the table that goes sends some, too.
+    // Check the kind of event first: a table being destroyed sends events too.
     if (event->type() == QEvent::Leave && watched == m_points->viewport())
         m_selection.setHovered({});
     else if (event->type() == QEvent::Resize && watched == m_points->viewport())
-        fitColumns(); // a table that comes into view has its width only then
+        fitColumns(); // a table gets its width only when it is shown
     return QWidget::eventFilter(watched, event);
 }
 
@@ -820,7 +821,7 @@ void CirclesPage::retranslate() {
     m_radius->setUnit(m_language.unit(Quantity::position));
     m_feed->setLabel(tr("Contouring feed"));
     m_feed->setUnit(m_language.unit(Quantity::feed));
-    m_feed->setPlaceholder(QStringLiteral("–")); // words have no room beside the unit
+    m_feed->setPlaceholder(QStringLiteral("–")); // words do not fit next to the unit
     m_reason->setFont(themeFont(TextSize::small));
     nameRange();
     m_newArcAction->setText(tr("Paste &or type an arc…"));

@@ -30,34 +30,34 @@ namespace palmer::ui {
 
 class ArcCurvesView;
 
-/// The page "Readings" of a circular test: its parameters, the arcs with their evaluated range, the unwrapped
-/// curve and the points. Arcs come as tables and go; parameters, sense, order and evaluated range are changed
-/// here, each as one step to undo.
+/// The page "Readings" of a circular test: parameters, arcs with their evaluated range, the unwrapped curve
+/// and the points. Arcs are added as tables and deleted; parameters, sense, order and evaluated range are
+/// edited here, each as one undo step.
 class CirclesPage : public QWidget {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(CirclesPage)
 
 public:
     CirclesPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
-    ~CirclesPage() override; ///< the tables go before the models they look at
+    ~CirclesPage() override; ///< destroys the tables before their models
 
-    /// Shows a circular test; nothing for any other.
+    /// Shows a circular test; empty for any other.
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
 
-    /// What can be done to arcs, for the menus of the window. Shortcuts work in the page.
+    /// Actions on arcs, for the window's menus. Shortcuts work on the page.
     [[nodiscard]] const QList<QAction *> &testActions() const { return m_testActions; }
 
-    /// What was typed here, for any test, and cannot be taken.
+    /// Texts typed here, for any test, that cannot be accepted.
     [[nodiscard]] QStringList refusedTexts() const;
 
-    /// Makes a point the current one, with the keyboard in its table where that has room.
+    /// Makes a point current and focuses it in its table, if that is visible.
     void showPoint(const ReadingPlace &point);
-    /// Takes back what was typed last for a point and cannot be taken; false: nothing was.
+    /// Undoes the last refused typing of a point. False if there is none.
     bool undoRefused();
-    /// Asks for the points of an arc, beginning with that text, and adds what is accepted.
+    /// Asks for the points of an arc, starting with that text, and adds those accepted.
     void askForArc(const QString &text);
-    /// Puts arcs behind the others, as one step.
+    /// Appends arcs as one undo step.
     void addArcs(const std::vector<Arc> &arcs);
 
 signals:
@@ -91,7 +91,7 @@ private:
     void showReason();
     void leaveFields(const std::vector<Field *> &fields);
     [[nodiscard]] QString shownArc() const;
-    [[nodiscard]] QString stepOf(const Field *field) const; ///< key of steps to undo that become one
+    [[nodiscard]] QString stepOf(const Field *field) const; ///< merge key of undo steps
     QWidget *labelled(QHBoxLayout &row, int share, const char *label, QWidget *field);
     QToolButton *addUnit(QButtonGroup &group, const char *segment, const char *name, PointUnit unit);
 
@@ -107,7 +107,7 @@ private:
     void showCurrent();
     void retranslate();
     [[nodiscard]] const CircularMeasurement *measurement() const;
-    /// Changes the test in view; `name` is a source of the context "edits".
+    /// Changes the test in view; `name` is a source text of the context "edits".
     void edit(const char *name, const std::function<void(CircularMeasurement &)> &change,
               const QString &mergeKey = {});
     void setRange(std::size_t arc, std::optional<Interval> range, const QString &mergeKey = {});
@@ -118,13 +118,13 @@ private:
     std::size_t m_test = 0;
     Language m_language{Language::Id::english};
     std::size_t m_arc = 0;          ///< the current one
-    std::string m_shownId;          ///< of the test
-    int m_visit = 0;                ///< counts the numbers the focus came to
-    std::vector<Field *> m_numbers; ///< and the text of an arc
+    std::string m_shownId;          ///< ID of the test
+    int m_visit = 0;                ///< counts how often a number field was focused
+    std::vector<Field *> m_numbers; ///< number fields, and the text field of an arc
     RefusedFields m_refused;
-    QPersistentModelIndex m_refusedPoint; ///< typed since the last step
-    QString m_pointReason;                ///< why the point typed last is not taken
-    std::string m_curvesOf;               ///< id of the test the curves show
+    QPersistentModelIndex m_refusedPoint; ///< refused since the last undo step
+    QString m_pointReason;                ///< why the last typed point was refused
+    std::string m_curvesOf;               ///< ID of the test in the curves
     bool m_filling = false;
     ArcsModel m_arcsModel;
     PointsModel m_pointsModel;
@@ -141,14 +141,14 @@ private:
     QLabel *m_rangeLabel = nullptr;
     Field *m_from = nullptr;
     Field *m_to = nullptr;
-    Field *m_cutOff = nullptr; ///< what the range leaves out
+    Field *m_cutOff = nullptr; ///< the part outside the range
     QPushButton *m_whole = nullptr;
     QPushButton *m_reverse = nullptr;
     QToolButton *m_earlier = nullptr;
     QToolButton *m_later = nullptr;
     QToolButton *m_delete = nullptr;
     QToolButton *m_newArc = nullptr;
-    QWidget *m_emptyPlace = nullptr; ///< in the place of the points
+    QWidget *m_emptyPlace = nullptr; ///< shown in place of the points
     QLabel *m_empty = nullptr;
     QPushButton *m_import = nullptr;
     QList<QAction *> m_testActions;
@@ -161,7 +161,7 @@ private:
     QToolButton *m_deviations = nullptr;
     QToolButton *m_coordinates = nullptr;
     QToolButton *m_lengths = nullptr;
-    bool m_following = false; ///< the selection of the window is what moves the current cell
+    bool m_following = false; ///< the selection is moving the current cell
 };
 
 } // namespace palmer::ui

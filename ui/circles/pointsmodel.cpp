@@ -16,7 +16,7 @@ namespace {
 
 constexpr int pointAngleDecimals = 4;
 constexpr int mostDeviationDecimals = 3;
-constexpr int lengthDecimals = 5; ///< mm, as fine as the deviations
+constexpr int lengthDecimals = 5; ///< mm, as fine as deviations
 
 } // namespace
 
@@ -26,7 +26,7 @@ bool PointsModel::hasSameCells(const CircularMeasurement *measurement) const {
            std::ranges::equal(measurement->arcs, m_measurement->arcs, {}, points, points);
 }
 
-/// A text goes when its point is another.
+/// Drops a refused text if its point has changed.
 void PointsModel::dropRefused(const CircularMeasurement *now) {
     const bool same = hasSameCells(now);
     m_refused.removeIf(m_id, [&](const RefusedTexts::Cell &cell) {
@@ -38,14 +38,14 @@ void PointsModel::dropRefused(const CircularMeasurement *now) {
     });
 }
 
-/// Where the cells stay the same only their data change: whoever types there goes on.
+/// If the cells stay the same, only their data change, so that an open editor stays open.
 void PointsModel::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
     const auto *measurement = measured<CircularMeasurement>(evaluated, test);
     const std::string id = measurement ? evaluated.document->tests[test]->id : std::string();
     const bool same = id == m_id && hasSameCells(measurement);
     if (id == m_id)
         dropRefused(measurement);
-    const std::shared_ptr<const Document> former = m_document; // owns what was shown until now
+    const std::shared_ptr<const Document> former = m_document; // keeps alive what was shown until now
     if (!same)
         beginResetModel();
     m_document = evaluated.document;
@@ -135,7 +135,7 @@ QString PointsModel::text(const Arc &arc, const ArcColumns &columns, std::size_t
     return {};
 }
 
-/// All its digits, as a field takes them.
+/// All digits, as the editor takes them.
 QString PointsModel::plainText(const QModelIndex &index, const ReadingPlace &place) const {
     if (const RefusedTexts::Refused *text = refused(index))
         return text->text;
@@ -150,7 +150,8 @@ QString PointsModel::plainText(const QModelIndex &index, const ReadingPlace &pla
 
 Qt::ItemFlags PointsModel::flags(const QModelIndex &index) const {
     const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-    const bool coordinate = m_unit == PointUnit::coordinates && !isAngle(index); // two make one point
+    const bool coordinate = m_unit == PointUnit::coordinates && !isAngle(index); // a point has two
+                                                                                 // coordinates
     return placeAt(index) && !coordinate ? flags | Qt::ItemIsEditable : flags;
 }
 

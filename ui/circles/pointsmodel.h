@@ -15,9 +15,9 @@
 
 namespace palmer::ui {
 
-/// The points of all arcs beside each other, in the order of measurement: number, and for each arc angle and
-/// what was read. Holds no texts: a cell is written when it is asked for, so that millions of points cost
-/// nothing. Shows a document, changes none: what is typed is told.
+/// The points of all arcs side by side in the order of measurement: number, then for each arc angle and
+/// reading. Holds no texts: cells are formatted on request, so that millions of points cost nothing. Never
+/// edits the document; typing is emitted as a signal.
 class PointsModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -34,23 +34,23 @@ public:
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
 
-    /// Whether a cell says the angle of its point, and not what was read there.
+    /// True if a cell shows the angle of its point, not its reading.
     [[nodiscard]] bool isAngle(const QModelIndex &index) const {
         return index.column() > 0 && (index.column() - 1) % columnsPerArc() == 0;
     }
     [[nodiscard]] PointUnit unit() const { return m_unit; }
 
-    /// Keeps a text in its cell that cannot be taken, with the reason, until the cell is typed anew.
+    /// Keeps a refused text in its cell with the reason until the cell is typed again.
     void refuse(const QModelIndex &index, const QString &text, const QString &reason);
     void accept(const QModelIndex &index);
     [[nodiscard]] const RefusedTexts &refusedTexts() const { return m_refused; }
 
-    /// The point of a cell; nothing in the column of numbers and below the end of an arc.
+    /// The point of a cell; null in the number column and below the end of an arc.
     [[nodiscard]] std::optional<ReadingPlace> placeAt(const QModelIndex &index) const;
     [[nodiscard]] QModelIndex indexOf(const ReadingPlace &place) const;
 
 signals:
-    /// A number was typed into a cell, as a text.
+    /// A text was typed into a cell.
     void typed(const QModelIndex &index, const QString &text);
 
 private:
@@ -77,7 +77,7 @@ private:
     PointUnit m_unit = PointUnit::deviations;
     std::vector<ArcColumns> m_arcs;
     int m_rows = 0;
-    std::string m_id; ///< of the test
+    std::string m_id; ///< ID of the test
     RefusedTexts m_refused;
 };
 

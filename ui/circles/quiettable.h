@@ -7,8 +7,7 @@
 
 namespace palmer::ui {
 
-/// A head without a look of its own: small words over their columns as the model aligns and colours them, a
-/// rule below.
+/// A plain header: small words over their columns, aligned and coloured by the model, with a rule below.
 class QuietHeader : public QHeaderView {
     Q_OBJECT
 
@@ -19,22 +18,22 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 };
 
-/// A cell of a quiet table: its text, a light rule below, and the ground of what is current, under the
-/// pointer or refused. What is being typed stays when other data arrive.
+/// A cell of a quiet table: its text, a light rule below, and a background if current, under the pointer or
+/// refused. Typing continues when other data arrive.
 class QuietDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
-    enum Role { refusedRole = Qt::UserRole + 20 }; ///< bool: the text was typed and cannot be taken
+    enum Role { refusedRole = Qt::UserRole + 20 }; ///< bool: the text was typed and refused
 
     void paint(QPainter *painter, const QStyleOptionViewItem &option,
                const QModelIndex &index) const override;
 
     void setEditorData(QWidget *editor, const QModelIndex &index) const override;
 
-    /// The cell that is pointed at, here or in a figure.
+    /// The cell pointed at, here or in a figure.
     void setHovered(const QModelIndex &index) { m_hovered = index; }
 
 private:

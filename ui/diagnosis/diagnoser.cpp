@@ -39,7 +39,7 @@ ShownDiagnosis diagnosed(const EvaluatedDocument &evaluated, std::size_t test, c
 } // namespace
 
 void Diagnoser::want(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
-    // Any test may belong to those at other feeds.
+    // Any test may be one of those at other feeds.
     std::vector<TestEvaluationPointer> of = evaluated.tests;
     of.insert(of.begin(), evaluated.tests[test]);
     if (of == m_of && language.code() == m_language)

@@ -15,32 +15,32 @@
 
 namespace palmer::ui {
 
-/// What the page "Diagnosis" shows of a circular test, in one language.
+/// The content of the page "Diagnosis" for a circular test, in one language.
 struct ShownDiagnosis {
     TestEvaluationPointer of;
-    std::optional<DiagnosedTest> test; ///< null: the circle gives no diagnosis
+    std::optional<DiagnosedTest> test; ///< null if the circle allows no diagnosis
     std::vector<std::size_t> prevailing;
-    LineFigure residual; ///< all points
+    LineFigure residual; ///< of all points
     LineFigure spectrum;
-    /// Tests of the plane at several feeds, the one shown among them; empty: there are none.
+    /// Tests of the plane at several feeds, including the one shown; empty if there are none.
     std::vector<DiagnosedTest> atFeeds;
-    Diagnosis together; ///< of those
+    Diagnosis together; ///< of atFeeds
     std::vector<PathProfile> paths;
 };
 
-/// Diagnoses the circle in view beside the window, and makes the path of the sources that are ticked.
+/// Diagnoses the circle in view in the background and makes the path of the ticked sources.
 class Diagnoser : public QObject {
     Q_OBJECT
 
 public:
     using QObject::QObject;
 
-    /// Begins a diagnosis unless it is there or under way; `changed` tells when it is there.
+    /// Starts a diagnosis unless it is ready or running; `changed` reports the result.
     void want(const EvaluatedDocument &evaluated, std::size_t test, const Language &language);
-    /// Makes the path of these sources; `traced` tells when it is there. None: an empty one at once.
+    /// Makes the path of these sources; `traced` reports the result, at once and empty if there are none.
     void trace(const std::vector<std::size_t> &chosen);
 
-    /// Of what was wanted last; null while it is computed.
+    /// Result of the last request; null while it is computed.
     [[nodiscard]] const ShownDiagnosis *shown() const { return m_shown.get(); }
     [[nodiscard]] bool isBusy() const { return m_lane.isBusy() || m_traces.isBusy(); }
 
@@ -49,7 +49,7 @@ signals:
     void traced(const palmer::ui::SyntheticPaths &paths);
 
 private:
-    std::vector<TestEvaluationPointer> m_of; ///< evaluations that the diagnosis is made from
+    std::vector<TestEvaluationPointer> m_of; ///< evaluations used for the diagnosis
     QString m_language;
     std::shared_ptr<const ShownDiagnosis> m_shown;
     Background m_lane;

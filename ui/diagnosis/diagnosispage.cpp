@@ -38,7 +38,7 @@ constexpr int chartHeight = 150;
 
 enum TableColumn { ticks, source, value, u, unit, bar, part, columns };
 
-/// A box in the middle of a cell.
+/// A checkbox in the middle of a cell.
 QCheckBox *tickBox(QTableWidget &table, int row) {
     auto *cell = new QWidget(&table);
     auto *box = new QCheckBox(cell);
@@ -140,7 +140,7 @@ QWidget *DiagnosisPage::makeBar() {
     m_summary->setProperty("secondary", true);
     m_summary->setFont(themeFont(TextSize::small));
     m_summary->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // what the words leave
+    m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // takes the remaining width
     m_circle = addSegment("first", "diagnosisOfCircle");
     m_feeds = addSegment("last", "diagnosisOfFeeds");
     m_circle->setChecked(true);
@@ -163,7 +163,7 @@ QWidget *DiagnosisPage::makeBar() {
     return area;
 }
 
-/// Charts of what is left, or of several feeds.
+/// Charts of the residual, or of several feeds.
 QWidget *DiagnosisPage::makeBelow() {
     auto *area = new QWidget(m_content);
     area->setMinimumHeight(chartHeight);
@@ -177,7 +177,7 @@ QWidget *DiagnosisPage::makeBelow() {
     m_chartNote = new ElidedLabel(area);
     m_chartNote->setObjectName(QStringLiteral("chartNote"));
     m_chartNote->setProperty("secondary", true);
-    m_chartNote->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // what the buttons leave
+    m_chartNote->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // takes the remaining width
     auto *bar = new QHBoxLayout(m_chartBar);
     bar->setContentsMargins(0, 4, 0, 0);
     bar->setSpacing(0);
@@ -236,7 +236,7 @@ void DiagnosisPage::want() {
     const ShownDiagnosis *before = m_diagnoser.shown();
     m_diagnoser.want(m_evaluated, m_test, m_language);
     if (!before || m_diagnoser.shown() != before)
-        refresh(); // it is being computed
+        refresh(); // show that it is being computed
 }
 
 bool DiagnosisPage::isOfFeeds() const {
@@ -280,7 +280,7 @@ QString DiagnosisPage::idOf(std::size_t place) const {
     return QString::fromStdString(sourceId(diagnosis()->sources[place]));
 }
 
-/// Centre and radius are those of the circle the path is drawn about.
+/// Centre and radius are not drawn: they define the circle about which the path is drawn.
 bool DiagnosisPage::canBeTraced(const DiagnosisRow &row) const {
     return !isOfFeeds() && (row.kind == DiagnosisRowKind::source || row.kind == DiagnosisRowKind::sum);
 }
@@ -344,7 +344,7 @@ void DiagnosisPage::fillTable() {
                      false);
     m_table->setHead(part, QString(), true);
     m_table->setColumnHidden(ticks, isOfFeeds());
-    m_table->item(0, ticks)->setText(QStringLiteral("      ")); // the room of a box
+    m_table->item(0, ticks)->setText(QStringLiteral("      ")); // as wide as a checkbox
     m_table->fit(TableColumn::bar, leastBar, {source});
     const int row = std::max(0, m_table->rowOf(m_current));
     m_table->setCurrentCell(row, source);
@@ -373,7 +373,7 @@ void DiagnosisPage::showRow(int at) {
         fillChart();
 }
 
-/// What the program of the instrument says, with our sign convention.
+/// Values stated by the instrument's program, converted to our sign convention.
 QStringList DiagnosisPage::statedTexts() const {
     QStringList texts;
     const DiagnosedTest &test = *m_diagnoser.shown()->test;

@@ -23,26 +23,26 @@ class FeedsView;
 class LineChart;
 class RowTable;
 
-/// The page "Diagnosis" of a circular test: what the circle says about the machine, an interpretation.
-/// Sources by their part of G(b) with what to look at; those that are ticked are traced over the measured
-/// path; what none explains as a curve and as a spectrum. Where tests of the plane have several feeds, a
-/// second view shows what they say together. Diagnoses only while it is in view.
+/// The page "Diagnosis" of a circular test: an interpretation of the circle as machine errors. Sources by
+/// their part of G(b), with what to check; ticked ones are drawn over the measured path; the residual as a
+/// curve and a spectrum. If tests of the plane have several feeds, a second view shows their joint diagnosis.
+/// Diagnoses only while in view.
 class DiagnosisPage : public QWidget {
     Q_OBJECT
 
 public:
     explicit DiagnosisPage(QWidget *parent = nullptr);
 
-    /// Shows a circular test; nothing for any other.
+    /// Shows a circular test; empty for any other.
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
 
-    /// Names of the sources that are traced.
+    /// Names of the drawn sources.
     [[nodiscard]] QStringList tracedNames() const;
     [[nodiscard]] bool isBusy() const { return m_diagnoser.isBusy(); }
 
 signals:
-    /// What to draw over the measured path: nothing while the page is out of view.
+    /// Paths to draw over the measured one; none while the page is out of view.
     void pathsWanted(const palmer::ui::SyntheticPaths &paths);
 
 protected:
@@ -68,7 +68,7 @@ private:
     [[nodiscard]] bool isTicked(const DiagnosisRow &row) const;
     [[nodiscard]] bool canBeTraced(const DiagnosisRow &row) const;
     [[nodiscard]] bool isOfFeeds() const;
-    [[nodiscard]] const Diagnosis *diagnosis() const; ///< of the view
+    [[nodiscard]] const Diagnosis *diagnosis() const; ///< of the current view
     [[nodiscard]] QString idOf(std::size_t place) const;
     [[nodiscard]] std::optional<std::size_t> currentRow() const;
 
@@ -79,10 +79,10 @@ private:
     Diagnoser m_diagnoser;
     std::vector<DiagnosisRow> m_rows;
     std::optional<std::set<QString>>
-        m_ticked;      ///< ids of sources; null: nobody has chosen, those that prevail
-    QString m_current; ///< id of the source in view
+        m_ticked;      ///< source IDs; null: the prevailing ones, as the user has not chosen
+    QString m_current; ///< ID of the source in view
 
-    QLabel *m_nature = nullptr; ///< what all of it is
+    QLabel *m_nature = nullptr; ///< says that all of it is an interpretation
     QLabel *m_summary = nullptr;
     QToolButton *m_circle = nullptr;
     QToolButton *m_feeds = nullptr;

@@ -54,7 +54,7 @@ void FeedsView::makeWhole() {
         return;
     const double before = m_whole ? m_whole->figureRadius : 0;
     m_whole = feedsFigure(m_tests, m_paths, m_language, options);
-    if (before > 0) { // the same place stays in the middle
+    if (before > 0) { // keeps the same point in the middle
         m_view.x *= m_whole->figureRadius / before;
         m_view.y *= m_whole->figureRadius / before;
     }
@@ -84,7 +84,7 @@ void FeedsView::zoom(double factor, const QPointF &about) {
     CircleView wanted = m_view;
     wanted.zoom = m_view.zoom / factor;
     const double zoomed = CircleCanvas::within(wanted, *m_whole).zoom;
-    const double shrink = m_view.zoom / zoomed; // what is under the pointer stays there
+    const double shrink = m_view.zoom / zoomed; // keeps the point under the pointer in place
     setView({at.x() + (m_view.x - at.x()) * shrink, at.y() + (m_view.y - at.y()) * shrink, zoomed});
 }
 
@@ -177,7 +177,7 @@ void FeedsView::focusOutEvent(QFocusEvent *event) {
     update();
 }
 
-/// Below the circles, side by side.
+/// Draws the legend below the circles, side by side.
 void FeedsView::drawKey(QPainter &painter, const std::vector<CircleLegendEntry> &entries,
                         Medium medium) const {
     painter.setFont(themeFont(TextSize::tiny));
@@ -187,7 +187,7 @@ void FeedsView::drawKey(QPainter &painter, const std::vector<CircleLegendEntry> 
         painter.setPen(layerPen(entries[i].layer, medium));
         painter.drawLine(place.topLeft() + QPointF(2, 3), place.topRight() + QPointF(-4, 3));
         painter.setPen(palette().color(QPalette::Text));
-        // The unit stands once where it has no room each time.
+        // Without space for all units, only the first entry has one.
         const QString text = i > 0 && painter.fontMetrics().horizontalAdvance(entries[i].text) > part - 4
                                  ? entries[i].text.section(u'\u00A0', 0, 0)
                                  : entries[i].text;

@@ -14,18 +14,17 @@
 
 namespace palmer::ui {
 
-/// The circles of several feeds over one another, as large as there is room: zooms and pans as the figure of
-/// a test does.
+/// The circles of several feeds, superimposed in the available space; zooms and pans like a test's figure.
 class FeedsView : public QWidget {
     Q_OBJECT
 
 public:
     explicit FeedsView(QWidget *parent = nullptr);
 
-    /// Both spans have to live until other ones are shown; empty: nothing.
+    /// Both spans must stay alive until others are shown; empty spans show nothing.
     void show(std::span<const DiagnosedTest> tests, std::span<const PathProfile> paths,
               const Language &language);
-    /// As it is drawn.
+    /// The figure as drawn.
     [[nodiscard]] CircleFigure figure();
     [[nodiscard]] const CircleView &view() const { return m_view; }
     void setView(const CircleView &view);
@@ -56,11 +55,11 @@ private:
     std::span<const DiagnosedTest> m_tests;
     std::span<const PathProfile> m_paths;
     Language m_language{Language::Id::english};
-    std::optional<CircleFigure> m_whole; ///< for the size of the widget; null: to be made
+    std::optional<CircleFigure> m_whole; ///< for the widget's size; null if outdated
     CircleView m_view;
     FigureTransform m_transform;
-    std::optional<QPointF> m_drag; ///< where the pointer was
-    QPixmap m_drawn;               ///< null: to be drawn
+    std::optional<QPointF> m_drag; ///< last position of the pointer
+    QPixmap m_drawn;               ///< null if outdated
 };
 
 } // namespace palmer::ui

@@ -6,7 +6,7 @@ class QWidget;
 
 namespace palmer::ui {
 
-/// Opens what the program is, its version and its licence, above the window `parent`.
+/// Shows the program's description, version and licence in a box above the window `parent`.
 void showAbout(QWidget *parent);
 
 } // namespace palmer::ui

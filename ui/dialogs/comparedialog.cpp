@@ -44,11 +44,11 @@ constexpr int cellMargin = 6;
 
 constexpr int symbolRole = Qt::UserRole + 1;
 constexpr int nameColumn = 1;
-constexpr int nameLetters = 32; ///< of a line of a name
+constexpr int nameLetters = 32; ///< per line of a name
 constexpr int differsRole = Qt::UserRole + 2;
 
-/// Symbols with their subscripts, names in as many lines as they take; what differs from the first column in
-/// bold on a ground of its own.
+/// Draws symbols with subscripts and names in as many lines as needed; values that differ from the first
+/// column are bold on a coloured background.
 class ComparedDelegate : public QuietDelegate {
 public:
     using QuietDelegate::QuietDelegate;
@@ -106,12 +106,12 @@ QTableWidgetItem *cell(const QString &text, bool number) {
     return item;
 }
 
-/// A dash where there is none.
+/// Shows a dash if empty.
 QTableWidgetItem *numberCell(const QString &number) {
     return cell(number.isEmpty() ? QStringLiteral("–") : number, true);
 }
 
-/// A value; `first`: what it is compared with.
+/// A value cell; `first`: the value it is compared with.
 QTableWidgetItem *valueCell(const QString &value, const QString &first) {
     QTableWidgetItem *item = numberCell(value);
     if (value.isEmpty() || first.isEmpty() || value == first)
@@ -123,7 +123,7 @@ QTableWidgetItem *valueCell(const QString &value, const QString &first) {
     return item;
 }
 
-/// The numbers of the reasons of a row, "1, 3"; a reason that is new is added.
+/// The footnote numbers of a row's reasons, "1, 3"; new reasons are appended to `footnotes`.
 QString notesOf(const ComparisonRow &row, QStringList &footnotes) {
     std::vector<qsizetype> numbers;
     for (const QString &reason : row.reasons) {
@@ -149,7 +149,7 @@ int columnContents(const QTableWidget &table, int column) {
     return widest;
 }
 
-/// As wide as the names where there is room; they break into lines where there is none.
+/// Makes the column as wide as the names if there is space; otherwise they wrap.
 void fitNames(QTableWidget &table) {
     if (table.columnCount() <= nameColumn)
         return;
@@ -163,8 +163,8 @@ void fitNames(QTableWidget &table) {
     table.setColumnWidth(nameColumn, std::clamp(table.viewport()->width() - others, least, wanted));
 }
 
-/// Fills a table; `differences`: a column beside every value but the first; else the numbers of the reasons
-/// at the end. Returns the reasons in the order of their numbers.
+/// Fills a table; `differences`: a column after every value but the first; otherwise the footnote numbers at
+/// the end. Returns the footnotes in order.
 QStringList fill(QTableWidget &table, const ResultComparison &comparison, const QStringList &heads,
                  bool differences) {
     QStringList footnotes;
@@ -195,15 +195,15 @@ QStringList fill(QTableWidget &table, const ResultComparison &comparison, const 
             table.setItem(r, column, notes);
         }
     }
-    table.horizontalHeader()->setStretchLastSection(false); // its own width
+    table.horizontalHeader()->setStretchLastSection(false); // keeps its own width
     table.resizeColumnsToContents();
     fitNames(table);
-    table.horizontalHeader()->setStretchLastSection(!differences); // the rules end where the table does
+    table.horizontalHeader()->setStretchLastSection(!differences); // ends the rules with the table
     table.resizeRowsToContents();
     return footnotes;
 }
 
-/// The tests of a test file, or the one of a file of measurements; its guesses go into `guesses`.
+/// The tests of a test file, or the one of a measurement file; its assumptions are appended to `guesses`.
 Document readTests(const QString &path, std::vector<Message> &guesses) {
     const QByteArray bytes = readBytes(path);
     if (isTestFile(bytes, path))
@@ -329,7 +329,7 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
         table->viewport()->installEventFilter(this);
 }
 
-/// The tests of a document that can be compared with the one in view; those of its own axis are chosen.
+/// Adds the tests of a document comparable with the one in view; those of its own axis are preselected.
 void CompareDialog::offer(const EvaluatedDocument &evaluated, const QString &file) {
     if (m_offers.empty())
         return;
@@ -357,7 +357,7 @@ void CompareDialog::fillLists() {
         auto *item = new QListWidgetItem(QString::fromStdString(m_editions[i].first), m_editionList);
         item->setCheckState(m_editions[i].second ? Qt::Checked : Qt::Unchecked);
         if (i == 0)
-            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable); // what the others are compared with
+            item->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable); // the reference of the comparison
     }
     m_testList->clear();
     for (std::size_t i = 0; i < m_offers.size(); ++i) {

@@ -17,15 +17,15 @@ namespace palmer::ui {
 
 class ComparisonView;
 
-/// "Compare…": the test in view under several editions with the reason of each difference, and beside other
-/// tests of this or other files: as found and as left, this year and the last.
+/// "Compare…": the test in view under several editions, with the reason of each difference, and next to other
+/// tests of this or other files, e.g. as found and as left, or this year and the last.
 class CompareDialog : public QDialog {
     Q_OBJECT
 
 public:
     CompareDialog(const EvaluatedDocument &evaluated, std::size_t test, QWidget *parent = nullptr);
 
-    /// Offers the tests of another file; false, and a message, when it cannot be read.
+    /// Adds the tests of another file; on failure shows a message and returns false.
     bool addFile(const QString &path);
 
 protected:
@@ -48,9 +48,9 @@ private:
 
     EvaluatedDocument m_evaluated;
     std::size_t m_test;
-    std::vector<std::pair<std::string, bool>> m_editions; ///< word, whether it is shown
+    std::vector<std::pair<std::string, bool>> m_editions; ///< edition, and whether it is shown
     std::vector<Offer> m_offers;                          ///< the first is the test in view
-    std::vector<std::pair<QString, Message>> m_guesses;   ///< file, what its import assumed
+    std::vector<std::pair<QString, Message>> m_guesses;   ///< file, and an assumption of its import
     ResultComparison m_ofEditions;
     ResultComparison m_ofTests;
 

@@ -25,7 +25,7 @@ constexpr qsizetype markersOfPath = 8;
 struct LineStyle {
     Token colour = Token::up;
     Qt::PenStyle dashes = Qt::SolidLine;
-    int corners = 0; ///< of the marker; 0: a disc
+    int corners = 0; ///< of the marker; 0: a circle
 };
 constexpr std::array styles{
     LineStyle{Token::up, Qt::SolidLine, 0},       LineStyle{Token::down, Qt::DashLine, 4},
@@ -47,7 +47,7 @@ void drawMarker(QPainter &painter, const QPointF &at, int corners) {
     painter.drawPolygon(shape);
 }
 
-/// With a marker at every point, or in the middle of every so many.
+/// Draws a line with a marker at every `step`-th point, starting in the middle of the first step.
 void drawLine(QPainter &painter, const QPolygonF &points, const QPen &pen, int corners, qsizetype step) {
     painter.setPen(pen);
     painter.setBrush(Qt::NoBrush);
@@ -111,14 +111,14 @@ void ComparisonView::paintEvent(QPaintEvent *) {
     for (const ComparisonCurve &curve : m_figure.curves) {
         const LineStyle &style = styles.at(curve.test % styles.size());
         const QColor colour = token(style.colour, palette());
-        // Of circles both senses of a test have its colour, the clockwise path a light line.
+        // Both senses of a circular test have its colour, the clockwise path a light line.
         const QPen pen(colour, curve.sense == Sense::clockwise ? lightLine : heavyLine,
                        curve.sense ? Qt::SolidLine : style.dashes);
         for (const auto &line : curve.lines) {
             QPolygonF points;
             for (const FigurePoint &point : line)
                 points << place(point.x, point.y);
-            // Of a path a few markers tell whose it is.
+            // A few markers identify a path.
             const qsizetype step = curve.sense ? std::max<qsizetype>(1, points.size() / markersOfPath) : 1;
             drawLine(painter, points, pen, style.corners, step);
         }

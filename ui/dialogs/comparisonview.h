@@ -8,7 +8,7 @@
 
 namespace palmer::ui {
 
-/// The mean deviations, or the paths, of several tests over one another. Lines differ by colour, dashes and
+/// The mean deviations, or the paths, of several tests superimposed. Lines differ by colour, dashes and
 /// markers.
 class ComparisonView : public QWidget {
     Q_OBJECT

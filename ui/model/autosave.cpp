@@ -41,14 +41,14 @@ Autosave::Autosave(DocumentModel &model, QObject *parent)
 Autosave::~Autosave() {
     discard();
     m_writer.wait();
-    m_lock.reset(); // takes its file along
+    m_lock.reset(); // removes its file too
 }
 
 void Autosave::follow() {
     if (!m_model.isModified())
         discard();
     else if (!m_timer.isActive())
-        m_timer.start(); // not anew: who types on and on is saved all the same
+        m_timer.start(); // not restarted, or continuous typing would delay the copy forever
 }
 
 void Autosave::write() {
@@ -57,7 +57,7 @@ void Autosave::write() {
         QDir().mkpath(folder());
         m_lock = std::make_unique<QLockFile>(recoveryLock(m_file));
         m_lock->setStaleLockTime(0);
-        m_lock->tryLock(0); // of a name of its own; where it fails, so will the copy
+        m_lock->tryLock(0); // its name is unique; if locking fails, so will writing the copy
     }
     m_writer.cancel();
     m_writer.start(
@@ -86,7 +86,7 @@ void Autosave::finish(const DocumentPointer &document, const std::optional<Error
 
 bool Autosave::flush() {
     m_timer.stop();
-    m_writer.wait(); // what is being written is no longer the latest
+    m_writer.wait(); // the copy in progress is outdated
     write();
     m_writer.wait();
     return m_kept;
@@ -95,7 +95,7 @@ bool Autosave::flush() {
 void Autosave::discard() {
     m_timer.stop();
     m_writer.cancel();
-    if (m_lock) // behind what is being written: one thread does both, and nobody waits for it
+    if (m_lock) // on the writer's thread, after any write in progress, without waiting
         m_writer.start([file = m_file](const Background::Job &) { QFile::remove(file); }, [] {});
 }
 

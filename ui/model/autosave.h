@@ -16,37 +16,37 @@
 
 namespace palmer::ui {
 
-/// Keeps a copy of a document with unsaved changes, also of one that never had a file: written at most a few
-/// seconds after the first change, on a thread of its own, and gone when the document is saved, undone to
-/// what the file says, or closed. After a crash the copy is found by abandonedRecoveries.
+/// Keeps a recovery copy of a document with unsaved changes, even if it was never saved: written on a
+/// background thread at most a few seconds after the first change and removed when the document is saved,
+/// undone to the saved state or closed. After a crash abandonedRecoveries finds the copy.
 class Autosave : public QObject {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(Autosave)
 
 public:
-    /// Folder of all copies of this user; made when needed.
+    /// Folder of this user's recovery copies.
     [[nodiscard]] static QString folder();
 
     explicit Autosave(DocumentModel &model, QObject *parent = nullptr);
-    ~Autosave() override; ///< leaves no copy: who destroys a window knows what it holds
+    ~Autosave() override; ///< removes the copy: the owner of a window decides about its changes
 
-    /// Time from a change to its copy, ms.
+    /// Delay from a change to its copy, ms.
     void setDelay(int milliseconds) { m_timer.setInterval(milliseconds); }
 
-    /// What the file was when it was read or saved last: it stands in the copies, so that another one found
-    /// in its place after a crash is not overwritten in silence.
+    /// State of the file when last read or saved. It is stored in the copies, so that a file changed since is
+    /// not silently overwritten after a crash.
     void setFileState(const FileState &state) { m_fileState = state; }
 
-    /// Writes a copy now, of a document without changes too; true: it is on the disk.
+    /// Writes a copy now, even without changes. True if it is on disk.
     bool flush();
 
-    /// The document was saved or given up: the copy goes.
+    /// Removes the copy: the document was saved or discarded.
     void discard();
 
 signals:
-    /// A copy of this document is on the disk.
+    /// A copy of this document is on disk.
     void saved(const palmer::ui::DocumentPointer &document);
-    /// The copy could not be written; told once, until it works again.
+    /// The copy could not be written; emitted once until writing succeeds again.
     void failed(const palmer::Error &error);
 
 private:
@@ -60,7 +60,7 @@ private:
     QString m_file;
     FileState m_fileState;
     std::unique_ptr<QLockFile> m_lock;
-    std::atomic<bool> m_kept = false; ///< the latest copy is on the disk
+    std::atomic<bool> m_kept = false; ///< the latest copy is on disk
     bool m_failing = false;
 };
 

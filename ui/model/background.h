@@ -12,17 +12,16 @@
 
 namespace palmer::ui {
 
-/// A lane of work beside the window: its jobs run one after another on a thread of their own, what they tell
-/// is heard on the thread of the window. A job that was cancelled before it began is left out, one that runs
-/// is asked to stop, and of neither anything is heard any more: where only the latest counts, cancel before
-/// starting. The end of the lane cancels and waits.
+/// A queue of background jobs: they run one after another on a thread of their own, and their callbacks run
+/// on the window's thread. cancel() skips jobs not yet started, asks the running one to stop and drops their
+/// callbacks; if only the latest job matters, cancel before starting it. The destructor cancels and waits.
 class Background {
 public:
-    /// What a job knows of its lane.
+    /// A job's access to its queue.
     class Job {
     public:
         [[nodiscard]] const std::stop_token &stop() const { return m_stop; }
-        /// Calls `hear` on the thread of the window, unless the job is cancelled before.
+        /// Calls `hear` on the window's thread unless the job is cancelled first.
         void tell(std::function<void()> hear) const;
 
     private:
@@ -38,24 +37,23 @@ public:
     Background();
     ~Background();
 
-    /// Does `work(const Job &)` and then `hear(result)` on the thread of the window; `hear()` where there is
-    /// no result.
+    /// Runs `work(const Job &)`, then `hear(result)` on the window's thread; `hear()` if there is no result.
     template <class Work, class Hear>
     void start(Work work, Hear hear);
 
-    /// Nothing is heard any more of what was started. Returns at once.
+    /// Discards pending jobs and callbacks. Returns at once.
     void cancel();
 
-    /// Something was started that is neither cancelled nor heard.
+    /// True while a job that was not cancelled has yet to call back.
     [[nodiscard]] bool isBusy() const { return m_open > 0; }
 
-    /// Until all jobs have ended; what they tell is heard later.
+    /// Waits until all jobs have ended; their callbacks run later.
     void wait() { m_thread.waitForDone(); }
 
 private:
     Q_DISABLE_COPY_MOVE(Background)
 
-    QObject m_place; ///< where jobs are heard
+    QObject m_place; ///< context object of the callbacks
     QThreadPool m_thread;
     std::stop_source m_stop;
     int m_open = 0;

@@ -25,13 +25,13 @@ QString textOfCell(const QTextTableCell &cell) {
     return lines.join(u' ').simplified();
 }
 
-/// One empty line apart.
+/// Adds an empty line unless there is one.
 void addGap(QStringList &lines) {
     if (!lines.isEmpty() && !lines.last().isEmpty())
         lines << QString();
 }
 
-/// A cell that spans several stands in the first of them.
+/// A merged cell is written in its first position.
 void addTable(QStringList &lines, const QTextTable &table) {
     addGap(lines);
     for (int row = 0; row < table.rows(); ++row) {

@@ -8,11 +8,10 @@ class QMimeData;
 
 namespace palmer::ui {
 
-/// What was copied, as lines of cells parted by tabs: plain text, or what a program copies as HTML or RTF
-/// alone.
+/// Copied data as lines of tab-separated cells: plain text, or the text of HTML or RTF if there is no other.
 [[nodiscard]] QString copiedText(const QMimeData &copied);
 
-/// That of the clipboard.
+/// Returns copiedText of the clipboard.
 [[nodiscard]] QString clipboardText();
 
 } // namespace palmer::ui

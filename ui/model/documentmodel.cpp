@@ -22,12 +22,12 @@ namespace palmer::ui {
 namespace {
 
 constexpr int mostSteps = 1000;
-constexpr std::size_t mostReadings = 6'000'000; ///< of large tests, in all steps together: about 100 MB
+constexpr std::size_t mostReadings = 6'000'000; ///< in large tests, over all steps: about 100 MB
 
 constexpr int untilRest = 1000;             ///< ms without a change
 constexpr std::size_t muchMemory = 100'000; ///< readings
 
-/// What an edit of 10⁶ readings took for a moment stays with the allocator otherwise.
+/// Otherwise the allocator keeps the temporary memory of an edit of 10⁶ readings.
 void giveMemoryBack() {
 #ifdef __GLIBC__
     malloc_trim(0);
@@ -53,7 +53,7 @@ DocumentModel::DocumentModel(QObject *parent)
 }
 
 DocumentModel::~DocumentModel() {
-    m_stack->disconnect(); // its destructor clears it, which emits, and nobody finds a model any more
+    m_stack->disconnect(); // its destructor clears it and would signal a destroyed model
 }
 
 bool DocumentModel::isModified() const {
@@ -80,15 +80,15 @@ void DocumentModel::edit(const char *text, const std::function<void(Document &)>
     boundSteps();
 }
 
-/// A QUndoStack forgets its first steps by their number alone: it is filled anew with those that stay.
+/// Limits the steps by memory. QUndoStack limits only their number, so it is refilled with the steps to keep.
 void DocumentModel::boundSteps() {
-    int first = m_stack->count() - 1; // the last one stays whatever it keeps
+    int first = m_stack->count() - 1; // the last step is kept whatever its size
     std::size_t readings = first < 0 ? 0 : keptAt(*m_stack, first).readings();
     while (first > 0 && readings + keptAt(*m_stack, first - 1).readings() <= mostReadings)
         readings += keptAt(*m_stack, --first).readings();
     if (first <= 0)
         return;
-    const QSignalBlocker quiet(m_stack); // what is undone next, and whether anything is to be saved, stays
+    const QSignalBlocker quiet(m_stack); // neither the next undo step nor the modified state changes
     const int clean = m_stack->cleanIndex() - first;
     std::vector<EditCommand *> kept;
     for (int i = first; i < m_stack->count(); ++i)

@@ -16,8 +16,8 @@ namespace palmer::ui {
 
 using DocumentPointer = std::shared_ptr<const Document>;
 
-/// The document of one window, the file it belongs to and its undo stack. `edit` is the one door: nothing
-/// else changes a document that is shown.
+/// The document of a window, its file and its undo stack. Changes to a document that is shown are made only
+/// with `edit`.
 class DocumentModel : public QObject {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(DocumentModel)
@@ -26,29 +26,29 @@ public:
     explicit DocumentModel(QObject *parent = nullptr);
     ~DocumentModel() override;
 
-    /// Never null; empty before anything was opened.
+    /// Never null; an empty document until one is opened.
     [[nodiscard]] const DocumentPointer &document() const { return m_document; }
-    /// Absolute path of the file; empty when the document has none yet.
+    /// Absolute path of the file; empty if the document has none yet.
     [[nodiscard]] QString path() const { return m_path; }
     [[nodiscard]] bool isModified() const;
     [[nodiscard]] QUndoStack *undoStack() { return m_stack; }
 
-    /// Puts another document in place, as opened from `path` (empty: from no file of the user's). Nothing of
-    /// the former can be undone. `modified`: the file, if there is one, does not say the same.
+    /// Replaces the document by one opened from `path` (empty: not from a user file) and clears the undo
+    /// stack. `modified`: it differs from the file, or there is no file.
     void setDocument(Document document, const QString &path, bool modified = false);
 
-    /// Lets `change` alter a copy of the document and makes it the current one, as one step to undo. `text`
-    /// names the step, as editName reads it. A change that changes nothing is dropped; steps in succession
-    /// with the same `mergeKey` (not empty) become one.
+    /// Applies `change` to a copy of the document and makes it the current one, as one undo step. `text`
+    /// names the step for editName. A change without effect is dropped; successive steps with the same
+    /// non-empty `mergeKey` are merged.
     void edit(const char *text, const std::function<void(Document &)> &change, const QString &mergeKey = {});
 
-    /// Writes the file and takes its path. Throws Error and changes nothing when that fails.
+    /// Writes the file and adopts its path. Throws Error and changes nothing on failure.
     void save(const QString &path);
 
 signals:
-    /// The document is another one: edited, undone, redone or replaced.
+    /// The document was edited, undone, redone or replaced.
     void changed();
-    /// Path or modified mark are others.
+    /// The path or the modified flag changed.
     void fileChanged();
 
 private:
@@ -59,7 +59,7 @@ private:
     DocumentPointer m_document;
     QString m_path;
     QUndoStack *m_stack;
-    QTimer *m_rest; ///< since the last change
+    QTimer *m_rest; ///< fires when no change has been made for a while
 };
 
 } // namespace palmer::ui

@@ -9,7 +9,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr int mergeable = 1;
-constexpr std::size_t largeTest = 2000; ///< readings; a step of less needs no thrift
+constexpr std::size_t largeTest = 2000; ///< readings; smaller tests are kept whole
 
 } // namespace
 
@@ -37,7 +37,7 @@ void EditCommand::redo() {
     if (m_new)
         m_model.put(std::exchange(m_new, nullptr));
     else if (!std::exchange(m_done, false))
-        undo(); // to the other end again
+        undo(); // swaps back to the other end
 }
 
 int EditCommand::id() const {

@@ -9,11 +9,11 @@
 
 namespace palmer::ui {
 
-/// The one step of the undo stack: the document at its other end, kept beside the current one.
+/// The only command of the undo stack: keeps the document at the other end of the step.
 class EditCommand : public QUndoCommand {
 public:
     EditCommand(DocumentModel &model, const char *text, DocumentPointer after, QString mergeKey);
-    /// A step that is done already, for a stack that is made anew.
+    /// A step already done, for refilling a stack.
     EditCommand(DocumentModel &model, const QString &text, KeptDocument before);
 
     void undo() override;
@@ -25,8 +25,8 @@ public:
 
 private:
     DocumentModel &m_model;
-    KeptDocument m_kept;   ///< the document before a step that is done, after one that was undone
-    DocumentPointer m_new; ///< the document after it until it is done for the first time
+    KeptDocument m_kept;   ///< the document before a step that is done, or after one that was undone
+    DocumentPointer m_new; ///< the document after the step, until it is first done
     bool m_done = false;
     QString m_mergeKey;
 };

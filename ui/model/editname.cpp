@@ -9,7 +9,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr char separator = '\x1f'; // ASCII's unit separator: in no text
+constexpr char separator = '\x1f'; // ASCII unit separator, which no text contains
 
 } // namespace
 

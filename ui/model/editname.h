@@ -8,25 +8,24 @@
 
 namespace palmer::ui {
 
-/// The name of a step that changes one field, for DocumentModel::edit: the label as context and source, so
-/// that the step is called in whatever language the window speaks when it is shown.
+/// Name of a step that changes one field, for DocumentModel::edit. It holds the label with its translation
+/// context, so that it is shown in the current language of the window.
 [[nodiscard]] QByteArray changeOf(const char *context, const char *label, const QString &argument = {});
 
-/// The name of a step that did something so many times: `source` is a counted text of the context "edits",
-/// "clear %n reading(s)".
+/// Name of a step with a count: `source` is a plural text of the context "edits", e.g. "clear %n reading(s)".
 [[nodiscard]] QByteArray countedEdit(const char *source, int count);
 
-/// The field a step changed: context and source of its label, and what stands for %1 in it.
+/// The field a step changed: context and source text of its label, and the argument for %1.
 struct EditPlace {
     QString context;
     QByteArray label;
     QString argument;
 };
 
-/// Where a step was made, from its name (its source); null for steps that are no change of one field.
+/// Returns the field a step changed, from the step's source name; null if it did not change a single field.
 [[nodiscard]] std::optional<EditPlace> editPlace(const QString &source);
 
-/// The name of a step (its source) in the language of the window.
+/// Name of a step, from its source name, in the language of the window.
 [[nodiscard]] QString editName(const QString &source);
 
 } // namespace palmer::ui

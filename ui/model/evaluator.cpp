@@ -51,7 +51,7 @@ void Evaluator::setSimulation(std::size_t test, const TestSimulation &simulation
     putSimulations();
 }
 
-/// As with edits: what takes long is done on the worker. What an edit supersedes there is put anew after it.
+/// As with edits, long computations run on the worker. If an edit supersedes one, it is repeated afterwards.
 void Evaluator::putSimulations() {
     while (!m_simulations.empty() && !isBusy()) {
         const auto &[test, simulation] = m_simulations.front();
@@ -113,7 +113,7 @@ void Evaluator::take(EvaluatedDocument evaluated) {
     m_awaiting = {};
     emit busyChanged(false);
     emit this->evaluated(m_current);
-    putSimulations(); // that ended while this was computed
+    putSimulations(); // simulations that ended meanwhile
 }
 
 } // namespace palmer::ui

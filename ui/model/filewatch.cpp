@@ -40,7 +40,7 @@ bool FileWatch::isChanged() {
     now = stateOfFile(m_path, true);
     if (!now.isSameContent(m_known))
         return true;
-    m_known.modified = now.modified; // touched, no more
+    m_known.modified = now.modified; // only touched
     return false;
 }
 
@@ -48,7 +48,7 @@ void FileWatch::look() {
     if (m_path.isEmpty())
         return;
     if (!m_watcher.files().contains(m_path) && QFile::exists(m_path))
-        m_watcher.addPath(m_path); // replaced files are dropped
+        m_watcher.addPath(m_path); // a replaced file is no longer watched
     if (!isChanged())
         return;
     const FileState now = stateOfFile(m_path, true);

@@ -10,27 +10,26 @@
 
 namespace palmer::ui {
 
-/// Notices when another program changes the file of a document. What counts is the content: a file that was
-/// touched, or written anew with the same bytes, has not changed.
+/// Notices when another program changes a document's file. Only the content counts: a file that was touched
+/// or rewritten with the same bytes is unchanged.
 class FileWatch : public QObject {
     Q_OBJECT
 
 public:
     explicit FileWatch(QObject *parent = nullptr);
 
-    /// Takes the file as it is now for known; an empty path watches nothing.
+    /// Takes the current state of the file as known; an empty path stops watching.
     void watch(const QString &path);
-    /// Takes what the file once was for known, which it may be no longer.
+    /// Takes `known`, which may be an earlier state of the file, as known.
     void watch(const QString &path, const FileState &known);
 
-    /// The state that is known.
     [[nodiscard]] const FileState &known() const { return m_known; }
 
-    /// Whether the file is another than the one known, or gone. Looks at the disk.
+    /// True if the file differs from the known state or is gone. Reads the disk.
     [[nodiscard]] bool isChanged();
 
 signals:
-    /// Told once for every state of the file that is not known.
+    /// Emitted once for every unknown state of the file.
     void changed();
 
 private:
@@ -39,7 +38,7 @@ private:
     QFileSystemWatcher m_watcher;
     QString m_path;
     FileState m_known;
-    FileState m_told; ///< the state told last
+    FileState m_told; ///< the state last reported
 };
 
 } // namespace palmer::ui

@@ -9,7 +9,7 @@
 
 namespace palmer::ui {
 
-/// The pages of the middle of the window: three of the report, the rest of a test.
+/// The pages in the middle of the window: the first three belong to the report, the others to a test.
 enum class Page {
     identification,
     machine,
@@ -19,18 +19,18 @@ enum class Page {
     agreedPoints,
     limits,
     uncertainty,
-    diagnosis ///< of circles: an interpretation
+    diagnosis ///< circular tests only: interpretation
 };
 
-/// Where that of which a finding speaks is shown and will be edited.
-/// That a test names no instrument is mended on its page of conditions, once the document has instruments.
+/// Returns the page that shows and edits the subject of a finding.
+/// Missing instruments of a test are added on its conditions page once the document has instruments.
 [[nodiscard]] Page pageOf(const Finding &finding, const Document &document);
 
-/// The field of its page that a finding speaks of, by the last part of its path; a point to be agreed by all
-/// of it.
+/// The field of its page that a finding refers to: the last part of its path, or the whole path of a point to
+/// be agreed.
 [[nodiscard]] QString fieldOf(const Finding &finding);
 
-/// Number of what is not there on a page, statements, declarations or points: what badges count and F8 walks.
+/// Number of statements, declarations or points missing on a page, as counted by badges and visited by F8.
 [[nodiscard]] int countMissing(const EvaluatedDocument &evaluated, std::size_t test, Page page);
 
 } // namespace palmer::ui

@@ -14,41 +14,41 @@ namespace palmer::ui {
 
 using palmer::ReadingPlace;
 
-/// What the user points at in one window: shared by its pages, figure and results, so that a choice made in
-/// one shows in the others. Not part of the document, and nothing of it can be undone. Setting what is set
-/// already emits nothing. Indices from 0; whoever shows them checks that they exist.
+/// What the user points at in one window, shared by its pages, figure and results so that a choice in one
+/// shows in the others. It is not part of the document and not undoable. Setting the current value again
+/// emits nothing. Indices count from 0; views check that they exist.
 class Selection : public QObject {
     Q_OBJECT
 
 public:
     using QObject::QObject;
 
-    /// Index of the test in view. Choosing another one forgets target, readings and parameter.
+    /// Index of the test in view. Choosing another one clears target, readings and parameter.
     [[nodiscard]] std::size_t test() const { return m_test; }
     void setTest(std::size_t test);
 
-    /// The page of the middle that is in view.
+    /// The page in view in the middle of the window.
     [[nodiscard]] Page page() const { return m_page; }
     void setPage(Page page);
 
-    /// The target in view; a current reading makes its target the current one.
+    /// The current target; making a reading current makes its target current.
     [[nodiscard]] std::optional<std::size_t> target() const { return m_target; }
     void setTarget(std::optional<std::size_t> target);
 
-    /// The current cell of the table of readings.
+    /// The current cell of the readings table.
     [[nodiscard]] std::optional<ReadingPlace> reading() const { return m_reading; }
     void setReading(std::optional<ReadingPlace> reading);
 
-    /// The reading under the pointer, in figure or table.
+    /// The reading under the pointer, in the figure or table.
     [[nodiscard]] std::optional<ReadingPlace> hovered() const { return m_hovered; }
     void setHovered(std::optional<ReadingPlace> reading);
 
-    /// The parameter that is explained, as in parameterId ("A", "G(b)_XY"); empty: none.
+    /// ID of the parameter being explained, as in parameterId ("A", "G(b)_XY"); empty if none.
     [[nodiscard]] QString parameter() const { return m_parameter; }
     void setParameter(const QString &id);
 
-    /// The statement to bring into view on the page, by the id of its finding; empty: none. Set again, it is
-    /// told again.
+    /// ID of the finding whose statement is to be brought into view; empty if none. Setting it again emits
+    /// again.
     [[nodiscard]] QString field() const { return m_field; }
     void setField(const QString &id);
 

@@ -14,26 +14,26 @@ namespace palmer::ui {
 
 class Evaluator;
 
-/// Runs Monte Carlo simulations on a thread of its own and hands their results to the evaluator, test by
-/// test. One run at a time; starting another stops the one before.
+/// Runs Monte Carlo simulations in the background and hands the results to the evaluator test by test.
+/// Starting a run stops the one before.
 class Simulator : public QObject {
     Q_OBJECT
 
 public:
     explicit Simulator(Evaluator &evaluator, QObject *parent = nullptr);
 
-    /// Simulates these tests of `evaluated`, under the editions they are evaluated under, in order.
+    /// Simulates these tests of `evaluated` in order, each under the edition it is evaluated under.
     void start(const EvaluatedDocument &evaluated, std::vector<std::size_t> tests);
-    /// Simulates the tests for whose report it is due. False: there are none.
+    /// Simulates the tests whose report requires it. False if there are none.
     bool startMissing(const EvaluatedDocument &evaluated);
-    /// Stops within the time of one circle fit; what was finished stays.
+    /// Stops within the time of one circle fit; finished tests are kept.
     void cancel();
 
     [[nodiscard]] bool isRunning() const { return m_lane.isBusy(); }
-    /// The test that is being simulated.
+    /// The test being simulated.
     [[nodiscard]] std::size_t test() const { return m_test; }
     [[nodiscard]] const SimulationProgress &progress() const { return m_progress; }
-    /// Seconds left by the pace so far; null where the number of trials is open or nothing was done yet.
+    /// Seconds left at the pace so far; null if the number of trials is open or none is done yet.
     [[nodiscard]] std::optional<double> secondsLeft() const;
 
 signals:

@@ -10,22 +10,22 @@
 
 namespace palmer::ui {
 
-/// A template of the user's own and the file it stands in.
+/// A user template and its file.
 struct StoredTemplate {
     QString path;
     Template content;
 };
 
-// The templates of the user: one file each in the folder "templates" below the program's data folder
+// The user's templates: one file each in the folder "templates" of the program's data folder
 // (QStandardPaths::AppDataLocation), in the format of templatefile.h.
 
-/// All of them by name. Files that cannot be read are left out and told in `unreadable`.
+/// All templates, sorted by name. Files that cannot be read are skipped and listed in `unreadable`.
 [[nodiscard]] std::vector<StoredTemplate> storedTemplates(QStringList *unreadable = nullptr);
 
-/// Keeps a template; one of the same name and kind is replaced. Throws Error(unwritable).
+/// Stores a template, replacing one of the same name and kind. Throws Error(unwritable).
 void storeTemplate(const Template &content);
 
-/// Reads a template file of anywhere. Throws Error.
+/// Reads a template file from any folder. Throws Error.
 [[nodiscard]] Template openTemplate(const QString &path);
 
 void removeTemplate(const StoredTemplate &stored);

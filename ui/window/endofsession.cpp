@@ -15,7 +15,7 @@ namespace palmer::ui {
 
 namespace {
 
-// A signal may come anywhere: all that its handler may do is to write into a pipe.
+// A signal may come at any time: its handler may only write to a pipe.
 std::array<int, 2> &signalPipe() {
     static std::array<int, 2> pipe{-1, -1};
     return pipe;
@@ -35,7 +35,7 @@ void endBySignal() {
         return;
     keepCopiesOfAllWindows();
     std::signal(number, SIG_DFL);
-    std::raise(number); // no window is destroyed, which would discard its copy
+    std::raise(number); // destroying a window would discard its copy
 }
 
 } // namespace

@@ -6,12 +6,12 @@
 
 namespace palmer::ui {
 
-/// Has every window put what is not saved into its recovery copy before the program is ended from outside:
-/// by a signal (SIGTERM, SIGINT, SIGHUP), after which the program ends by that signal, or by the end of the
-/// session. The next start offers the copies. To be called once.
+/// Makes every window write its unsaved changes to its recovery copy before the program is ended from
+/// outside, by a signal (SIGTERM, SIGINT, SIGHUP) or by the end of the session. After a signal the program
+/// ends by that signal. The next start offers the copies. Call once.
 void keepCopiesAtEnd(QGuiApplication &application);
 
-/// The same, now.
+/// Writes the recovery copies of all windows now.
 void keepCopiesOfAllWindows();
 
 } // namespace palmer::ui

@@ -11,17 +11,17 @@ class QWidget;
 
 namespace palmer::ui {
 
-/// What is written of a test for other programs.
+/// Export formats for other programs.
 enum class ExportForm { csvWithPoint, csvWithComma, json };
 
-/// Readings and results of a test as CSV, or of all tests as JSON; names in the language of the window.
+/// Readings and results of a test as CSV, or of all tests as JSON, with names in the window's language.
 [[nodiscard]] QByteArray exportedReadings(const EvaluatedDocument &evaluated, std::size_t test,
                                           ExportForm form, const QString &fileName);
-/// The points of the figure of a test.
+/// The points of a test's figure.
 [[nodiscard]] QByteArray exportedFigure(const EvaluatedDocument &evaluated, std::size_t test,
                                         ExportForm form);
 
-// Ask where to, write, and say in one sentence why that fails. The form is a choice of the file dialog.
+// Ask for the file, write it and report a failure in one sentence. The format is chosen in the file dialog.
 void askExportOfReadings(QWidget *window, const EvaluatedDocument &evaluated, std::size_t test,
                          const QString &fileName);
 void askExportOfFigure(QWidget *window, const EvaluatedDocument &evaluated, std::size_t test);

@@ -27,7 +27,7 @@ std::optional<FileLock::Holder> FileLock::take(const QString &path) {
     if (name.isEmpty() || !file.exists())
         return std::nullopt;
     auto lock = std::make_unique<QLockFile>(name);
-    lock->setStaleLockTime(0); // only what a program that is gone has left behind is taken over
+    lock->setStaleLockTime(0); // takes over only locks whose process has ended
     if (lock->tryLock(0)) {
         m_lock = std::move(lock);
         return std::nullopt;
@@ -35,7 +35,7 @@ std::optional<FileLock::Holder> FileLock::take(const QString &path) {
     Holder holder;
     if (lock->error() != QLockFile::LockFailedError ||
         !lock->getLockInfo(&holder.process, &holder.host, &holder.program))
-        return std::nullopt; // a folder that nobody may write to
+        return std::nullopt; // no write permission in the folder
     return holder;
 }
 

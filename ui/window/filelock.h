@@ -9,27 +9,29 @@
 
 namespace palmer::ui {
 
-/// Neither the program nor anybody may write to the file, or to its folder. False where there is no file.
+/// True if neither the program nor any other user may write to the file or its folder. False if there is no
+/// file.
 [[nodiscard]] bool mayNotBeWritten(const QString &path);
 
-/// Marks a file as open for other programs and other machines, as long as this lives: a file beside it,
-/// `.~lock.NAME#`, that says process, program and host.
+/// Marks a file as open to other programs and machines for the lifetime of this object, with a file
+/// `.~lock.NAME#` in the same folder that names process, program and host.
 class FileLock {
 public:
-    /// Who has the file open already.
+    /// Owner of the lock.
     struct Holder {
         qint64 process = 0;
         QString host;
         QString program;
     };
 
-    /// Marks that file and no other. Null, too, for an empty path, where there is no file and in a folder
-    /// that nobody may write to; a mark that a program of this machine has left behind is taken over.
+    /// Releases the former file and marks this one. Returns the owner if it is locked already; null if it was
+    /// locked now, and also for an empty path, a missing file or a folder without write permission. A stale
+    /// lock of this machine is taken over.
     [[nodiscard]] std::optional<Holder> take(const QString &path);
     void release();
 
 private:
-    std::unique_ptr<QLockFile> m_lock; ///< null where there is none, or another has it
+    std::unique_ptr<QLockFile> m_lock; ///< null if there is no lock or another process owns it
 };
 
 } // namespace palmer::ui

@@ -29,7 +29,7 @@ LanguageSwitch::LanguageSwitch(Names names, QWidget *parent)
     m_english->setObjectName(QStringLiteral("english"));
     m_french->setProperty("segment", QStringLiteral("first"));
     m_english->setProperty("segment", QStringLiteral("last"));
-    // Names of languages are the same in every language.
+    // Language names are not translated.
     m_french->setText(names == Names::codes ? QStringLiteral("FR") : QStringLiteral("Français"));
     m_english->setText(names == Names::codes ? QStringLiteral("EN") : QStringLiteral("English"));
     m_french->setAccessibleName(QStringLiteral("Français"));

@@ -8,7 +8,8 @@ class QToolButton;
 
 namespace palmer::ui {
 
-/// Two buttons that choose the language of the windows, "FR | EN", or in full on the welcome page.
+/// Two buttons that choose the language of the windows: "FR
+/// EN", or the full names on the welcome page.
 class LanguageSwitch : public QWidget {
     Q_OBJECT
 

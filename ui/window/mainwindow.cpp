@@ -80,18 +80,18 @@ namespace {
 constexpr int toolBarHeight = 44;
 constexpr int statusHeight = 27;
 constexpr int iconsOnlyBelow = 1180;
-/// Of the height: below it the table needs the room of the tools, which are all in the menus as well.
+/// Height below which the table needs the space of the toolbar, whose tools are all in the menus as well.
 constexpr int noToolsBelow = 430;
-constexpr QSize leastSize(320, 240); ///< below the least of its parts these are scrolled
+constexpr QSize leastSize(320, 240); ///< below the minimum size of its parts, they scroll
 
-/// In the toolbar; `none` is a line between.
+/// In the toolbar; `none` is a separator.
 constexpr std::array tools{WindowAction::newTest, WindowAction::open,   WindowAction::save,
                            WindowAction::none,    WindowAction::undo,   WindowAction::redo,
                            WindowAction::none,    WindowAction::import, WindowAction::plan,
                            WindowAction::report};
 
-/// Whether a file is no test file; of what cannot be read opening says why. Large ones are looked into while
-/// they are read.
+/// True if a file is not a test file; for unreadable ones opening reports the error. Large files are checked
+/// while being read.
 bool isMeasurement(const QString &path) {
     if (isExample(path) || isTestFileName(path) || isLargeFile(QFileInfo(path).size()))
         return false;
@@ -102,8 +102,8 @@ bool isMeasurement(const QString &path) {
     }
 }
 
-/// The name a file that has none yet is saved under: the number of its report, else machine and axes, else
-/// its title; without what no file may be called.
+/// Proposed file name for an unsaved document: its report number, otherwise machine and axes, otherwise its
+/// title, without characters forbidden in file names.
 QString proposedName(const Document &document) {
     QStringList parts{QString::fromStdString(document.report.number)};
     if (parts.first().isEmpty()) {
@@ -173,7 +173,7 @@ void MainWindow::makeToolBar() {
     m_toolBar->setContextMenuPolicy(Qt::PreventContextMenu);
     m_toolBar->setFixedHeight(toolBarHeight);
     m_toolBar->setIconSize(QSize(16, 16));
-    setContextMenuPolicy(Qt::PreventContextMenu); // nobody shall hide the toolbar by chance
+    setContextMenuPolicy(Qt::PreventContextMenu); // no context menu, which could hide the toolbar by accident
     for (const WindowAction tool : tools) {
         if (tool == WindowAction::none) {
             m_toolBar->addSeparator();
@@ -219,7 +219,7 @@ void MainWindow::makeStatusBar() {
     m_work = new WorkBar(this);
     statusBar()->addPermanentWidget(m_state);
     statusBar()->addPermanentWidget(m_work);
-    m_work->hide(); // the status bar has shown it
+    m_work->hide(); // adding it to the status bar has shown it
 }
 
 void MainWindow::connectParts() {
@@ -258,11 +258,11 @@ void MainWindow::connectParts() {
     connect(&m_evaluator, &Evaluator::awaiting, this,
             [this](const EvaluatedDocument &awaiting) { workplace().show(awaiting); });
     connect(&m_evaluator, &Evaluator::busyChanged, this, &MainWindow::showState);
-    for (const WindowMenu filled : {WindowMenu::edit, WindowMenu::test}) // to show what can be done
+    for (const WindowMenu filled : {WindowMenu::edit, WindowMenu::test}) // the workplace enables the actions
         connect(menu(filled), &QMenu::aboutToShow, this, [this] { workplace(); });
 }
 
-/// Made when it is needed first: who starts the program does not wait for pages that are out of view.
+/// Made on first use, so that the start does not wait for pages out of view.
 Workplace &MainWindow::workplace() {
     if (m_workplace)
         return *m_workplace;
@@ -291,7 +291,8 @@ Workplace &MainWindow::workplace() {
     return *m_workplace;
 }
 
-/// While a large file is read beside the window: not when it comes, which is work enough for one turn.
+/// Makes the pages while a large file is read in the background, as taking it over is enough work for one
+/// event.
 void MainWindow::makePagesMeanwhile() {
     QTimer::singleShot(0, this, [this] { workplace(); });
 }
@@ -332,7 +333,7 @@ void MainWindow::importFiles(const QStringList &paths) {
     importNext();
 }
 
-/// The assistant is asked for one file after the other, however they came.
+/// Opens the assistant for one file at a time.
 void MainWindow::importNext() {
     while (!m_assistant && m_importing.isEmpty() && !m_toImport.isEmpty()) {
         const QString path = m_toImport.takeFirst();
@@ -344,7 +345,7 @@ void MainWindow::importNext() {
     }
 }
 
-/// `size`: by which it is read at once or beside the window.
+/// `size` decides whether to read at once or in the background.
 void MainWindow::readToImport(const std::function<QByteArray(const std::stop_token &)> &bytes,
                               const QString &name, qint64 size) {
     using Outcome = std::variant<MeasurementFile, Error>;
@@ -377,18 +378,18 @@ void MainWindow::readToImport(const std::function<QByteArray(const std::stop_tok
     showReading();
 }
 
-/// Says what is being read, with a bar and Cancel where it takes long.
+/// Shows what is being read, with a progress bar and Cancel if it takes long.
 void MainWindow::showReading() {
     showState();
     if (m_reading.isEmpty() && m_importing.isEmpty()) {
         m_work->end();
-        m_progress = std::make_shared<ReadProgress>(); // what was cancelled may still write to the other
+        m_progress = std::make_shared<ReadProgress>(); // cancelled jobs may still write to the former one
     } else {
         m_work->begin(m_state->text(), m_progress);
     }
 }
 
-/// Nothing that is being read comes any more.
+/// Cancels files that are still being read.
 void MainWindow::cancelReading() {
     m_reader.cancel();
     m_reading.clear();
@@ -460,7 +461,8 @@ void MainWindow::openFile(const QString &path, std::optional<std::size_t> test) 
 void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
     struct Measurement {};
     using Outcome = std::variant<std::monostate, Document, OpenedReport, Measurement, Error>;
-    const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // simulations
+    const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // reports repeat
+                                                                                            // simulations
     const bool beside = mayTakeLong || isLargeFile(QFileInfo(path).size());
     const auto progress = beside ? m_progress : std::make_shared<ReadProgress>();
     const auto open = [path, progress](const std::stop_token &stop) -> Outcome {
@@ -490,7 +492,8 @@ void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
             window = takeReport(*report, path);
         else if (std::holds_alternative<Measurement>(outcome))
             importFiles({path});
-        else if (auto *document = std::get_if<Document>(&outcome)) // other names: to be saved under another
+        else if (auto *document = std::get_if<Document>(&outcome)) // foreign file names: to be saved under
+                                                                   // another
             window = take(std::move(*document), isUtf8FileName(path) ? path : QString());
         if (window && test)
             window->workplace().showTest(*test);
@@ -526,9 +529,9 @@ MainWindow *MainWindow::take(Document document, const QString &path, bool modifi
     m_rememberNext = !isExample(path);
     const bool wasWelcome = m_stack->currentWidget() == m_welcome;
     workplace();
-    m_stack->setCurrentWidget(m_place); // has its size before it is filled
+    m_stack->setCurrentWidget(m_place); // sized before it is filled
     if (wasWelcome)
-        m_workplace->setFocus(); // and not a button that comes next
+        m_workplace->setFocus(); // and not to the next button
     m_model.setDocument(std::move(document), isExample(path) ? QString() : path, modified);
     watchFile();
     showState();
@@ -545,7 +548,7 @@ MainWindow *MainWindow::takeReport(const OpenedReport &report, const QString &pa
             window->m_reportBar->showProblem(error.message);
         }
     };
-    QMetaObject::invokeMethod(window, verify, Qt::QueuedConnection); // the document is seen before
+    QMetaObject::invokeMethod(window, verify, Qt::QueuedConnection); // show the document first
     return window;
 }
 
@@ -595,7 +598,7 @@ void MainWindow::addTest(Kind kind) {
     workplace().beginTyping();
 }
 
-/// A drift test of the axis in view: what it gives is for the tests of that axis.
+/// A drift test of the axis in view, as its result is used by the tests of that axis.
 void MainWindow::addDriftTest() {
     const Test *like = currentTest();
     const Axis *tested = like ? axisOf(*like) : nullptr;
@@ -647,14 +650,14 @@ void MainWindow::deleteTest() {
 }
 
 void MainWindow::openRecovery(const Recovery &recovery) {
-    // The same file, opened as it was saved, gives way.
+    // Replace the same file opened as saved.
     if (m_open && !m_model.isModified() && m_model.path() == recovery.origin.path)
         m_open = false;
     MainWindow *window = take(*recovery.document, recovery.origin.path, true);
     window->watchFile(knownFile(recovery.origin));
     if (window->m_watch.isChanged())
         window->fileChangedOutside();
-    if (window->m_autosave.flush()) // a copy of its own before that one goes
+    if (window->m_autosave.flush()) // its own copy first, then remove the recovered one
         discardRecovery(recovery.file);
 }
 
@@ -666,7 +669,7 @@ void MainWindow::watchFile(const std::optional<FileState> &known) {
     m_autosave.setFileState(m_watch.known());
     m_outsideAsked = false;
     m_fileGone = false;
-    if (isReadOnly()) // said before anything is typed, not when it is to be saved
+    if (isReadOnly()) // warn before anything is typed, not on saving
         m_notice->show(tr("%1 is read-only: changes can be saved under another name.")
                            .arg(QFileInfo(m_model.path()).fileName()),
                        {{QStringLiteral("saveElsewhere"), tr("Save &as…"), [this] { saveAs(); }},
@@ -693,7 +696,7 @@ void MainWindow::keepCopy() {
     commitTyping();
     if (isUnsaved())
         m_autosave.flush();
-    m_lock.release(); // no destructor will; the next saving locks again
+    m_lock.release(); // destructors will not run; the next save locks again
 }
 
 void MainWindow::offerRecoveries() {
@@ -816,7 +819,7 @@ QString MainWindow::notTaken(const QStringList &refused) {
         .arg(quoted.join(QStringLiteral(", ")));
 }
 
-/// Texts that could not be taken go with the window: only when the user says so.
+/// Asks before closing discards texts that could not be accepted.
 bool MainWindow::mayForget(const QStringList &refused) {
     QMessageBox box(QMessageBox::Question, tr("Close"), tr("Close without what could not be taken?"),
                     QMessageBox::Discard | QMessageBox::Cancel, this);
@@ -861,7 +864,7 @@ bool MainWindow::mayClose() {
 void MainWindow::setEdition(std::size_t test, const QString &edition) {
     m_model.edit(QT_TRANSLATE_NOOP("edits", "set the edition of the test"), [&](Document &document) {
         auto changed = std::make_shared<Test>(*document.tests[test]);
-        // A limit that names no edition was agreed for the one the test had: it must not pass to another.
+        // A limit without edition was agreed for the test's former edition and must not pass to another.
         for (auto &[id, limit] : changed->limits) {
             if (limit.value && !limit.edition)
                 limit.edition = changed->edition;
@@ -873,7 +876,7 @@ void MainWindow::setEdition(std::size_t test, const QString &edition) {
 }
 
 void MainWindow::step(bool forward) {
-    // What is no step yet, for it cannot be taken, goes before what came earlier elsewhere.
+    // Typing that is not yet an undo step, as it was refused, is undone before earlier steps elsewhere.
     if (!forward && workplace().undoTyping())
         return;
     QUndoStack *stack = m_model.undoStack();
@@ -888,7 +891,7 @@ void MainWindow::step(bool forward) {
     workplace().showChange(*before, *m_model.document(), name);
 }
 
-/// Closes all windows; where several have changes, one question asks about all of them.
+/// Closes all windows; if several have changes, asks once for all of them.
 void MainWindow::quit() {
     QList<MainWindow *> unsaved;
     for (QWidget *widget : QApplication::topLevelWidgets()) {
@@ -1057,7 +1060,8 @@ void MainWindow::showCompensation() {
     dialog->open();
 }
 
-/// What has the focus decides where the help opens: a field, the edition of a result, else the workflow.
+/// The focused widget decides where the help opens: at a field, at the edition of a result or at the
+/// workflow.
 void MainWindow::showHelp() {
     const QWidget *focused = QApplication::focusWidget();
     const QString topic = focused ? focused->property("helpTopic").toString() : QString();
@@ -1084,7 +1088,7 @@ void MainWindow::showHelpPage(const QString &id, const QString &anchor) {
 void MainWindow::showFeed() {
     auto *dialog = new FeedDialog(this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
-    // Of the test at hand the diameter is known; its feed may be the specified one.
+    // Prefilled from the current test: its diameter, and its feed, which may be the specified one.
     const auto *measurement =
         m_open ? measured<CircularMeasurement>(*m_model.document(), testInView()) : nullptr;
     if (measurement && measurement->nominalRadius > 0) {
@@ -1095,7 +1099,7 @@ void MainWindow::showFeed() {
 }
 
 void MainWindow::showShortcuts() {
-    workplace(); // its actions have some, too
+    workplace(); // its actions have shortcuts too
     auto *dialog = new ShortcutsDialog(*menuBar(), this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->show();

@@ -48,7 +48,7 @@ class ReportBar;
 class WelcomePage;
 class Workplace;
 
-/// One window, one file. Builds the parts and connects them; computes nothing.
+/// A window with one file. Builds and connects the parts; computes nothing.
 class MainWindow : public QMainWindow {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(MainWindow)
@@ -57,37 +57,37 @@ public:
     explicit MainWindow(QWidget *parent = nullptr);
     ~MainWindow() override;
 
-    /// Opens a test file: here when nothing is open, else in another window; a file that is open already is
-    /// brought to the front. What cannot be opened is said in one sentence, and nothing changes.
-    /// A report (PDF) opens as a copy of the test file inside it, with a bar that says whether it follows.
-    /// A file that is no test file is a measurement: it goes to the import assistant, several one after the
-    /// other. `test`: of a test file the one that is brought into view, from 0; null: the first of a file
-    /// that was not open.
+    /// Opens a test file, in this window if nothing is open, otherwise in another one; a file already open is
+    /// brought to the front. A failure is reported in one sentence and changes nothing.
+    /// A report (PDF) opens as a copy of the test file inside it, with a bar that shows whether the report
+    /// agrees with it.
+    /// Any other file is a measurement and goes to the import assistant, several one after another. `test`:
+    /// index from 0 of the test to bring into view; null: the first one, if the file was not open.
     void openFile(const QString &path, std::optional<std::size_t> test = std::nullopt);
 
-    /// Shows measurement files in the import assistant, one after the other; what is accepted goes into the
-    /// open document as one step to undo, or makes a new one. A file that cannot be read is refused with one
-    /// sentence.
+    /// Shows measurement files in the import assistant, one after another; accepted data go into the open
+    /// document as one undo step, or into a new one. A file that cannot be read is refused with one sentence.
     void importFiles(const QStringList &paths);
-    /// The same for the text on the clipboard, as a spreadsheet puts it there.
+    /// Imports the text on the clipboard, as copied from a spreadsheet.
     void importClipboard();
 
-    /// Saves under that path; false, and a message, when that fails.
+    /// Saves under that path; on failure shows a message and returns false.
     bool saveTo(const QString &path);
 
-    /// Opens what was found after a crash, with unsaved changes; its copy goes when this window has one.
+    /// Opens a recovered document with its unsaved changes; its copy is removed once this window has written
+    /// one.
     void openRecovery(const Recovery &recovery);
-    /// Asks what becomes of copies that a crash has left; nothing where there are none.
+    /// Asks what to do with the copies left by a crash, if any.
     void offerRecoveries();
 
-    /// Puts what is not saved into a copy at once, before the program is ended from outside.
+    /// Writes unsaved changes to a copy at once, before the program is ended from outside.
     void keepCopy();
 
     [[nodiscard]] Autosave &autosave() { return m_autosave; }
     [[nodiscard]] DocumentModel &model() { return m_model; }
     [[nodiscard]] Evaluator &evaluator() { return m_evaluator; }
     Workplace &workplace();
-    /// Whether a document is open, and not the welcome page.
+    /// True if a document is open, not the welcome page.
     [[nodiscard]] bool hasDocument() const;
 
 protected:
@@ -124,22 +124,22 @@ private:
     bool save();
     bool saveAs();
     bool mayClose();
-    /// Whether closing would lose something: changes, or a file that is on no disk as it is here.
+    /// True if closing would lose changes, or a document that no file on disk agrees with.
     [[nodiscard]] bool isUnsaved() const;
-    /// Takes the file as it is, or as it was, for what this document was read from.
+    /// Records the state of the file, now or as `known`, as the one this document was read from.
     void watchFile(const std::optional<FileState> &known = {});
-    /// Marks the file as open here for other programs and other machines, and says where it is open already.
+    /// Locks the file for other programs and machines, or reports where it is already open.
     void lockFile();
-    /// Neither the program nor anybody may write to the file, or to its folder.
+    /// True if neither the program nor any other user may write to the file or its folder.
     [[nodiscard]] bool isReadOnly() const;
     bool mayForget(const QStringList &refused);
     [[nodiscard]] static QString notTaken(const QStringList &refused);
     void read(const QString &path, std::optional<std::size_t> test);
-    /// Opens what a report was made from, and verifies the report.
+    /// Opens the test file inside a report and verifies the report.
     MainWindow *takeReport(const OpenedReport &report, const QString &path);
     MainWindow *take(Document document, const QString &path, bool modified = false,
                      const QString &reportPath = {});
-    /// `ofThisFile`: the statements of the test in view may be taken over.
+    /// `ofThisFile`: the statements of the test in view may be copied.
     [[nodiscard]] std::optional<Test> askForTest(Kind kind, bool ofThisFile);
     void newFile(Kind kind);
     void addTest(Kind kind);
@@ -152,18 +152,18 @@ private:
     void fileChangedOutside();
     void reload();
     void showError(const QString &title, const QString &fileName, const Error &error);
-    /// Undoes or redoes a step and brings what it changed into view.
+    /// Undoes or redoes a step and brings its change into view.
     void step(bool forward);
     static void quit();
     void fillRecentMenu();
     void fillExamplesMenu();
     void showUndo();
     void enableActions();
-    [[nodiscard]] bool hasTools() const; ///< whether there is something for them, and room
+    [[nodiscard]] bool hasTools() const; ///< true if there are tools to show and room for them
     void showState();
     void remember();
     void setEdition(std::size_t test, const QString &edition);
-    [[nodiscard]] QString editionInView() const; ///< the word of the edition that the results are of
+    [[nodiscard]] QString editionInView() const; ///< word of the edition that the results are based on
     void showPageOf(Page page);
     void exportReadings();
     void exportFigure();
@@ -186,28 +186,28 @@ private:
     QStringList m_reading; ///< files being read
     std::shared_ptr<ReadProgress> m_progress = std::make_shared<ReadProgress>();
     Background m_reader;
-    DocumentPointer m_verified; ///< what a report that was opened holds; null: none was
-    QString m_reportPath;       ///< of the report that the document was opened from; empty: it was not
+    DocumentPointer m_verified; ///< the document in an opened report; null if none was opened
+    QString m_reportPath;       ///< report that the document was opened from; empty if none
     bool m_open = false;
     bool m_rememberNext = false;
-    QStringList m_toImport; ///< measurement files that wait for the assistant
-    QString m_importing;    ///< the one that is being read for it; empty: none
+    QStringList m_toImport; ///< measurement files waiting for the assistant
+    QString m_importing;    ///< the file being read for the assistant; empty if none
     QPointer<ImportAssistant> m_assistant;
     QString m_savedAt;
     QPointer<HelpWindow> m_help;
     QString m_autosavedAt;
-    bool m_discarded = false;    ///< the user said that all changes may go
-    bool m_outsideAsked = false; ///< the user knows that the file is another
-    bool m_fileGone = false;     ///< the file is no longer there
+    bool m_discarded = false;    ///< the user agreed to discard all changes
+    bool m_outsideAsked = false; ///< the user knows that the file has changed
+    bool m_fileGone = false;     ///< the file no longer exists
 
-    /// Made first: whatever moves to another parent costs all styles below it anew.
+    /// Made first: reparenting a widget recomputes all styles below it.
     QWidget *m_centre = nullptr;
     NoticeBar *m_notice = nullptr;
     ReportBar *m_reportBar = nullptr;
     WorkBar *m_work = nullptr;
     QStackedWidget *m_stack = nullptr;
     WelcomePage *m_welcome = nullptr;
-    QScrollArea *m_place = nullptr; ///< of the workplace
+    QScrollArea *m_place = nullptr; ///< holds the workplace
     Workplace *m_workplace = nullptr;
     QToolBar *m_toolBar = nullptr;
     QLabel *m_content = nullptr;

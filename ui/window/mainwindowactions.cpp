@@ -49,7 +49,7 @@ void showAngles(AngleDisplay angles) {
     setWindowUnits({windowLanguage().units().lengths, angles});
 }
 
-/// The tooltip of an action: its name and its shortcut.
+/// Tooltip of an action: its name and shortcut.
 QString hint(const QAction &action) {
     QString text = action.text();
     text.remove(u'&');
@@ -61,14 +61,15 @@ QString hint(const QAction &action) {
 
 } // namespace
 
-/// One line of a menu, an action; without a name a line between, or a menu in the menu.
+/// A menu entry: an action, or if unnamed a separator or a submenu.
 struct MainWindow::MenuRow {
     struct More {
         const char *icon = nullptr;
-        const char *iconText = nullptr; ///< beside the icon on a button; null: the text
+        const char *iconText = nullptr; ///< next to the icon on a button; null: the text
         QList<QKeySequence> keys = {};
         bool (*possible)(const WindowSituation &) = nullptr; ///< null: always
-        bool checkable = false;                              ///< those that stand together exclude each other
+        bool checkable = false;                              ///< adjacent checkable actions exclude each
+                                                             ///< other
         QAction::MenuRole role = QAction::TextHeuristicRole;
         WindowMenu opens = WindowMenu::none;
     };
@@ -81,7 +82,7 @@ struct MainWindow::MenuRow {
     More more;
 };
 
-/// All menus, in the order of reading.
+/// All menus, in display order.
 const std::vector<MainWindow::MenuRow> &MainWindow::menuRows() {
     using W = MainWindow;
     using A = WindowAction;
@@ -168,7 +169,7 @@ const std::vector<MainWindow::MenuRow> &MainWindow::menuRows() {
         row(M::test, A::deleteTest, "deleteTest", QT_TR_NOOP("Delete the t&est"),
             [](W &w) { w.deleteTest(); }, {.possible = hasTest}),
         lineIn(M::test),
-        // what is done to readings and to circles comes with the workplace
+        // the workplace inserts the actions on readings and circles here
         lineIn(M::test, A::afterReadings),
         lineIn(M::test, A::afterCircles),
         row(M::test, A::previousTest, "previousTest", QT_TR_NOOP("&Previous test"),
@@ -272,7 +273,7 @@ void MainWindow::makeMenus() {
     const auto menuOf = [this](WindowMenu menu) -> QMenu *& {
         return m_menus.at(static_cast<std::size_t>(menu));
     };
-    QActionGroup *group = nullptr; // those that can be checked and stand together exclude each other
+    QActionGroup *group = nullptr; // adjacent checkable actions exclude each other
     const QMenu *groupedIn = nullptr;
     for (const MenuRow &row : menuRows()) {
         QMenu *menu = menuOf(row.menu);
@@ -303,7 +304,7 @@ QAction *MainWindow::addAction(QMenu &menu, const MenuRow &row) {
     made->setMenuRole(row.more.role);
     menu.addAction(made);
     connect(made, &QAction::triggered, this, [this, run = row.run] {
-        commitTyping(); // before what the action does
+        commitTyping(); // before the action runs
         run(*this);
     });
     return made;
@@ -337,7 +338,7 @@ void MainWindow::enableActions() {
     }
 }
 
-/// Undo and redo say what they do.
+/// Undo and redo name their step.
 void MainWindow::showUndo() {
     const QUndoStack *stack = m_model.undoStack();
     QAction *undo = action(WindowAction::undo);

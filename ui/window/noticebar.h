@@ -10,7 +10,7 @@ class QLabel;
 
 namespace palmer::ui {
 
-/// A line above the workplace that says something and offers answers, and stops nobody from working on.
+/// A non-modal bar above the workplace with a sentence and buttons for answers.
 class NoticeBar : public QFrame {
     Q_OBJECT
 
@@ -23,7 +23,7 @@ public:
         std::function<void()> action;
     };
 
-    /// Shows a sentence; every answer closes the bar. A further notice takes the place of the former.
+    /// Shows a sentence; every answer closes the bar. A new notice replaces the former.
     void show(const QString &sentence, const QList<Answer> &answers);
 
     [[nodiscard]] QString sentence() const;

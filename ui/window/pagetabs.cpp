@@ -13,8 +13,8 @@ namespace {
 
 constexpr int tabHeight = 40;
 constexpr int lowTabHeight = 28;
-constexpr int padding = 4; ///< the line reaches this far beyond the word
-constexpr int space = 10;  ///< between two tabs: six with their counts stand beside each other
+constexpr int padding = 4; ///< by which the line extends beyond the word
+constexpr int space = 10;  ///< between two tabs: six with their counts fit in a row
 constexpr int badgeSize = 20;
 constexpr int badgeGap = 6;
 
@@ -37,7 +37,7 @@ void PageTabs::setCount(int tab, int count) {
     if (tabData(tab).toInt() == count)
         return;
     setTabData(tab, count);
-    setTabText(tab, tabText(tab)); // its width has changed
+    setTabText(tab, tabText(tab)); // updates its width
     updateGeometry();
     update();
 }
@@ -50,7 +50,7 @@ void PageTabs::setLow(bool low) {
     if (std::exchange(m_low, low) == low)
         return;
     if (count() > 0)
-        setTabText(0, tabText(0)); // their size has changed
+        setTabText(0, tabText(0)); // updates the sizes
     updateGeometry();
 }
 
@@ -81,14 +81,13 @@ void PageTabs::paintEvent(QPaintEvent *) {
                                           : token(Token::secondaryText, palette()));
         const QString shown = QString(tabText(tab)).remove(u'&');
         const int width = painter.fontMetrics().horizontalAdvance(shown);
-        // In the middle of the room of the bold word, so that gaps are even; the first at the edge of the
-        // page.
+        // Centred in the width of the bold word, so that gaps are even; the first is at the edge of the page.
         const int slack = tab == 0 ? 0 : (bold.horizontalAdvance(shown) - width) / 2;
         const QRect word = area.adjusted(padding + slack, 0, -padding, 0);
         painter.drawText(word, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextShowMnemonic, tabText(tab));
         if (count(tab) > 0) {
             const QRect badge(word.left() + width + badgeGap, area.center().y() - badgeSize / 2 + 1,
-                              badgeSize, badgeSize); // nearer to its word than to the next
+                              badgeSize, badgeSize); // closer to its word than to the next
             painter.setPen(Qt::NoPen);
             painter.setBrush(token(Token::unsureGround, palette()));
             painter.drawRoundedRect(badge, badgeSize / 2.0, badgeSize / 2.0);

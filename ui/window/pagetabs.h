@@ -6,8 +6,8 @@
 
 namespace palmer::ui {
 
-/// The tabs of a test: plain words, a line in the accent below the current one, and after a word the number
-/// of statements that its page lacks.
+/// The tabs of a test: plain words, the current one underlined in the accent colour, each followed by the
+/// number of statements missing on its page.
 class PageTabs : public QTabBar {
     Q_OBJECT
 
@@ -18,7 +18,7 @@ public:
     void setCount(int tab, int count);
     [[nodiscard]] int count(int tab) const;
     using QTabBar::count;
-    /// For windows in which each row of a table counts.
+    /// Lower tabs for windows in which each table row counts.
     void setLow(bool low);
 
 protected:

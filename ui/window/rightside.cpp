@@ -22,8 +22,8 @@ namespace {
 
 enum Tab { pageTab, figureTab, resultsTab, findingsTab, tabs };
 
-constexpr int markAfter = 150; ///< ms: what is computed faster shall not blink
-constexpr int markBelow = 36;  ///< the head of the figure
+constexpr int markAfter = 150; ///< ms: no mark for shorter computations, which would flash
+constexpr int markBelow = 36;  ///< the figure's header
 
 } // namespace
 
@@ -149,7 +149,8 @@ void RightSide::arrange() {
     for (std::size_t i = 0; i < widgets.size(); ++i) {
         const bool chosen = !m_tabbed || m_tabs->currentIndex() == figureTab + static_cast<int>(i);
         const bool visible = m_maximised ? i == 0 : chosen && (i != 1 || m_hasResults);
-        if (widgets[i]->isHidden() == visible) // to show it again would polish all below it, at the start too
+        if (widgets[i]->isHidden() == visible) // showing it again would polish all widgets below it, even at
+                                               // startup
             widgets[i]->setVisible(visible);
     }
     setMaximumHeight(leavesToPage() ? m_tabs->sizeHint().height() : QWIDGETSIZE_MAX);

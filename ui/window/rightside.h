@@ -16,9 +16,9 @@ class PageTabs;
 class ResultsPanel;
 class Selection;
 
-/// Figure, results and findings: below one another, the figure taking what is left; in a narrow window one
-/// at a time behind tabs. Where that is so low that table and figure find no room below one another, the page
-/// of the test is one of the tabs, too, which then stand at the bottom.
+/// Figure, results and findings in a column, the figure taking the remaining height; in a narrow window one
+/// at a time behind tabs. In a window too low for table and figure in a column, the page of the test is one
+/// of the tabs too, which are then at the bottom.
 class RightSide : public QWidget {
     Q_OBJECT
 
@@ -31,27 +31,27 @@ public:
     [[nodiscard]] ResultsPanel *results() const { return m_results; }
     [[nodiscard]] FindingsPanel *findings() const { return m_findings; }
 
-    /// A drift test has no results: no empty table for it.
+    /// A drift test has no results and shows no empty table.
     void setHasResults(bool has);
     void setTabbed(bool tabbed);
     [[nodiscard]] bool isTabbed() const { return m_tabbed; }
-    /// The page takes turns with what is here; begins with the page.
+    /// Makes the page one of the tabs, and the current one.
     void setTakingTurns(bool takesTurns);
-    /// For windows in which each row of a table counts.
+    /// Lower tabs for windows in which each table row counts.
     void setLow(bool low);
     [[nodiscard]] bool isTakingTurns() const { return m_takesTurns; }
-    /// It is the turn of the page: nothing but the tabs is here.
+    /// True if the page is shown and only the tab bar remains here.
     [[nodiscard]] bool leavesToPage() const;
-    /// Gives the turn to a part, where they take turns: figure, results or findings; null: the page.
+    /// If the page is one of the tabs, shows a part (figure, results or findings) or, if null, the page.
     void turnTo(const QWidget *part);
-    /// The figure alone.
+    /// Shows only the figure.
     void setMaximised(bool maximised);
-    /// Marks what is shown as of before an edit; a mark that would go at once does not come.
+    /// Marks the figure as outdated while computing, after a delay so that the mark does not flash.
     void setComputing(bool computing);
     [[nodiscard]] bool isComputing() const { return m_computing; }
 
 signals:
-    /// Another has its turn.
+    /// The current tab changed while the page is one of the tabs.
     void turned();
 
 protected:

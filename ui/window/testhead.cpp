@@ -28,7 +28,7 @@ QString headText(const char *text) {
     return QCoreApplication::translate("palmer::ui::TestHead", text);
 }
 
-// What the tests of one kind have of their own.
+// Words specific to the kind of test.
 
 QStringList ownWords(const PositioningMeasurement &measurement) {
     if (!measurement.cycle)
@@ -56,7 +56,7 @@ QString testSummary(const Test &test) {
     const auto addAxis = [&](const Axis &axis) {
         const QString name = headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "Axis %1"))
                                  .arg(QString::fromStdString(axis.name));
-        if (!axis.name.empty() && name != testName(test)) // which is above
+        if (!axis.name.empty() && name != testName(test)) // shown above
             parts += name;
         parts += axis.motion == Motion::linear
                      ? headText(QT_TRANSLATE_NOOP("palmer::ui::TestHead", "linear"))

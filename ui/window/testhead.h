@@ -12,8 +12,8 @@ class QPushButton;
 
 namespace palmer::ui {
 
-/// The head of a test: title, axis and cycle, and the edition it is shown under. Another edition is a view;
-/// then a button makes it the edition of the test.
+/// Header of a test: title, axis and cycle, and the edition it is shown under. Another edition is only a
+/// view; a button makes it the edition of the test.
 class TestHead : public QWidget {
     Q_OBJECT
 
@@ -21,9 +21,9 @@ public:
     explicit TestHead(QWidget *parent = nullptr);
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
-    /// The page of the report in view instead of a test: a title alone.
+    /// Shows only titles, if a page of the report is in view.
     void showTitle(const QString &title, const QString &subtitle);
-    /// The title alone, where every row of the page counts.
+    /// Shows only the title, if every row of the page counts.
     void setLow(bool low);
 
 signals:

@@ -18,8 +18,8 @@ public:
     using QSplitterHandle::QSplitterHandle;
 
 protected:
-    // The splitter makes the handle a few pixels wider than its line; here it becomes grabWidth, over its
-    // neighbours, and paints its line only.
+    // The splitter makes the handle a few pixels wider than its line; here it is widened to grabWidth, over
+    // its neighbours, and paints only its line.
     void resizeEvent(QResizeEvent *) override { widen(); }
     void moveEvent(QMoveEvent *) override { widen(); }
 
@@ -54,7 +54,7 @@ private:
             wide.setRect(now.x(), now.center().y() - (grabWidth - 1) / 2, now.width(), grabWidth);
         if (wide.size() != now.size())
             setGeometry(wide);
-        setMask(line()); // the neighbours show through where it only listens
+        setMask(line()); // only the line is painted
     }
 
     int m_offset = 0;

@@ -6,7 +6,7 @@
 
 namespace palmer::ui {
 
-/// A splitter whose handle is a line of 1 px that is grabbed on 8.
+/// A splitter whose handle is a line 1 px wide with a grab area of 8 px.
 class ThinSplitter : public QSplitter {
     Q_OBJECT
 

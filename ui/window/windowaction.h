@@ -6,12 +6,12 @@
 
 namespace palmer::ui {
 
-/// The menus of the window; `bar` holds those that are always in sight.
+/// Menus of the window; `bar` holds the permanent ones.
 enum class WindowMenu { none, bar, file, recent, examples, exports, edit, test, view, units, tools, help };
 inline constexpr std::size_t windowMenus = static_cast<std::size_t>(WindowMenu::help) + 1;
 
-/// What its menus offer; the table that says how is in mainwindowactions.cpp. `afterReadings` and
-/// `afterCircles` are lines behind what pages bring with them.
+/// Actions of the menus, described by the table in mainwindowactions.cpp. `afterReadings` and `afterCircles`
+/// are the separators after actions inserted by pages.
 enum class WindowAction {
     none,
     newTest,
@@ -74,15 +74,15 @@ enum class WindowAction {
 };
 inline constexpr std::size_t windowActions = static_cast<std::size_t>(WindowAction::aboutQt) + 1;
 
-/// What the window holds, as far as it decides which actions can be taken.
+/// State of the window that decides which actions are enabled.
 struct WindowSituation {
-    bool open = false;              ///< a document
-    std::size_t tests = 0;          ///< of it
-    std::size_t test = 0;           ///< in view
-    bool hasResults = false;        ///< the test in view, and they are of it as it is
-    bool hasEdition = false;        ///< the test in view, evaluated
-    bool hasTargets = false;        ///< the test in view
-    bool underOtherEdition = false; ///< the test in view is shown as another edition sees it
+    bool open = false;              ///< a document is open
+    std::size_t tests = 0;          ///< number of tests in it
+    std::size_t test = 0;           ///< index of the test in view
+    bool hasResults = false;        ///< the test in view has up-to-date results
+    bool hasEdition = false;        ///< the test in view is evaluated under an edition
+    bool hasTargets = false;        ///< the test in view has targets
+    bool underOtherEdition = false; ///< the test in view is shown under another edition than its own
     bool canUndo = false;
     bool canRedo = false;
 };

@@ -58,39 +58,40 @@ constexpr int rightWidth = 496;
 constexpr int leastRightWidth = 380;
 constexpr int railBelow = 1180;
 constexpr int stackedBelow = 1000;
-/// Under the table of a low window the figure would leave two rows: there it stays beside a narrower centre.
+/// In a low window the figure below the table would leave two rows: it then stays next to a narrower centre.
 constexpr int narrowCentreWidth = 528;
 constexpr int narrowRightWidth = 366;
-constexpr int besideFrom = narrowCentreWidth + narrowRightWidth + 50; ///< with the rail
+constexpr int besideFrom = narrowCentreWidth + narrowRightWidth + 50; ///< with the collapsed navigation
 constexpr int stackedFrom = 1200 - 99;                                ///< of the height
 constexpr int wideFrom = 1580;
 constexpr int leastFindings = 3;
-constexpr int heightOfAFinding = 80; ///< of a wide window for one more
-constexpr int wideShare = 42;        ///< per cent of the right side in a wide window
-// Heights of the workplace; menu, toolbar and status bar take 99 of the window's.
+constexpr int heightOfAFinding = 80; ///< a wide window shows one more finding per so many pixels
+constexpr int wideShare = 42;        ///< right side of a wide window, per cent
+// Heights of the workplace; menu, toolbar and status bar take 99 px of the window's height.
 constexpr int foldBelow = 760 - 99;
 constexpr int noCardBelow = 640 - 99;
 constexpr int noKeysBelow = 740 - 99;
-/// Below it a page with six rows of its table and the least figure find no room under one another.
+/// Below this height, a page with six table rows and the smallest figure do not fit in a column.
 constexpr int turnsBelow = 690 - 99;
 constexpr int lowTabsBelow = 400;
-constexpr QSize least(NavigationList::railWidth + 1 + centreWidth, 280); ///< in which they take turns
+constexpr QSize least(NavigationList::railWidth + 1 + centreWidth, 280); ///< with the page as a tab
 
 constexpr std::array testPages{Page::readings, Page::conditions,  Page::agreedPoints,
                                Page::limits,   Page::uncertainty, Page::diagnosis};
 
 /// How the tests of a kind are shown.
 struct KindView {
-    const char *sizes = nullptr; ///< whose widths they share, a word of the settings
-    int pages = 0;               ///< how many of testPages they have
-    int more = 0;                ///< by which their page is wider: their results need less
+    const char *sizes = nullptr; ///< settings key of the widths they share
+    int pages = 0;               ///< number of testPages they have
+    int more = 0;                ///< px by which their page is wider, as their results need less
 };
-/// In the order of the kinds.
+/// In the order of Kind.
 constexpr std::array kindViews{KindView{"positioning", 5}, KindView{"circular", 6, 28},
                                KindView{"positioning", 1}};
 static_assert(kindViews.size() == allKinds.size());
 
-/// What of a pane the keyboard is for: its table, else what is no button, else its first button.
+/// The widget of a pane that takes the keyboard: its table, otherwise a widget that is not a button,
+/// otherwise its first button.
 QWidget *mainPart(QWidget *pane) {
     const auto takesKeys = [](const QWidget *widget) {
         return widget->isVisible() && widget->isEnabled() && (widget->focusPolicy() & Qt::TabFocus) != 0;
@@ -110,7 +111,7 @@ QWidget *mainPart(QWidget *pane) {
     return best;
 }
 
-/// The first reading that differs in value, or in being set aside; null where targets or runs differ.
+/// The first reading that differs in value or exclusion; null if targets or runs differ.
 std::optional<ReadingPlace> changedReading(const PositioningMeasurement &was,
                                            const PositioningMeasurement &is) {
     if (was.targets.size() != is.targets.size() || was.runs.size() != is.runs.size())
@@ -128,7 +129,7 @@ std::optional<ReadingPlace> changedReading(const PositioningMeasurement &was,
     return std::nullopt;
 }
 
-/// The target whose position is another; null where their number or none differs.
+/// The first target whose position differs; null if their number differs or none does.
 std::optional<std::size_t> changedTarget(const PositioningMeasurement &was,
                                          const PositioningMeasurement &is) {
     if (was.targets.size() != is.targets.size())
@@ -138,7 +139,7 @@ std::optional<std::size_t> changedTarget(const PositioningMeasurement &was,
                                    : std::optional(static_cast<std::size_t>(now - is.targets.begin()));
 }
 
-/// The first point of the arcs that differs; null where arcs or their points are others.
+/// The first arc point that differs; null if the number of arcs or points differs.
 std::optional<ReadingPlace> changedPoint(const CircularMeasurement &was, const CircularMeasurement &is) {
     if (was.arcs.size() != is.arcs.size())
         return std::nullopt;
@@ -157,7 +158,7 @@ std::optional<ReadingPlace> changedPoint(const CircularMeasurement &was, const C
     return std::nullopt;
 }
 
-/// The point whose agreement is another.
+/// The first point whose agreement differs.
 std::optional<QString> changedAgreement(const Test &before, const Test &after) {
     const auto differs = [](const std::vector<AgreedPoint> &all, const AgreedPoint &one) {
         return std::ranges::find(all, one) == all.end();
@@ -172,7 +173,7 @@ std::optional<QString> changedAgreement(const Test &before, const Test &after) {
     return std::nullopt;
 }
 
-/// The page whose labels are of that context.
+/// The page whose labels have that translation context.
 std::optional<Page> pageOfContext(const QString &context) {
     static const std::map<QString, Page> pages{
         {QStringLiteral("palmer::ui::ConditionsPage"), Page::conditions},
@@ -238,7 +239,7 @@ void Workplace::makePages(QWidget *centre) {
     m_pages = new QStackedWidget(centre);
     m_readingPages = new QStackedWidget(m_pages);
     m_readings = new ReadingsPage(m_model, m_selection, m_readingPages);
-    m_circlesPlace = new QScrollArea(m_readingPages); // on low screens the page is higher than its place
+    m_circlesPlace = new QScrollArea(m_readingPages); // on low screens the page is higher than its space
     m_circlesPlace->setWidgetResizable(true);
     m_circlesPlace->setFrameShape(QFrame::NoFrame);
     m_circlesPlace->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -248,7 +249,7 @@ void Workplace::makePages(QWidget *centre) {
     m_circles->setProperty("ground", QStringLiteral("base"));
     m_circlesPlace->setWidget(m_circles);
     m_circlesPlace->setFocusProxy(m_circles);
-    m_readingPages->addWidget(m_readings); // in the order of the kinds
+    m_readingPages->addWidget(m_readings); // in the order of Kind
     m_drift = new DriftPage(m_model, m_selection, m_readingPages);
     m_readingPages->addWidget(m_circlesPlace);
     m_readingPages->addWidget(m_drift);
@@ -264,8 +265,8 @@ void Workplace::makePages(QWidget *centre) {
         m_pages->addWidget(page);
 }
 
-// Every part is made with the parent it keeps: to move one later costs the styles of all below it anew. A
-// splitter takes the widgets made with it as parent.
+// Every part is made with its final parent: reparenting recomputes all styles below it. A splitter adopts
+// widgets made with it as parent.
 QWidget *Workplace::makeCentre() {
     auto *centre = new QWidget(m_inner);
     centre->setObjectName(QStringLiteral("centre"));
@@ -315,7 +316,7 @@ void Workplace::connectParts() {
         if (tab >= 0)
             showPage(testPages.at(static_cast<std::size_t>(tab)));
     });
-    // When the tab has the focus that the click gives it.
+    // Queued: the tab first gets the focus from the click.
     connect(
         m_tabs, &QTabBar::tabBarClicked, this,
         [this](int tab) {
@@ -334,7 +335,7 @@ void Workplace::connectParts() {
     connect(&m_selection, &Selection::pageChanged, this, [this] { presentPage(); });
     connect(&m_selection, &Selection::parameterChanged, this, [this] {
         if (!m_selection.parameter().isEmpty())
-            m_right->turnTo(nullptr); // which explains it
+            m_right->turnTo(nullptr); // the page explains the parameter
         presentCard();
     });
     connect(&m_selection, &Selection::readingChanged, this, [this] { presentStatus(); });
@@ -385,14 +386,14 @@ void Workplace::showPage(Page page) {
     commitTyping();
     m_right->turnTo(nullptr);
     m_selection.setPage(page);
-    presentPage(); // also where it was the page already and only a tab moved
+    presentPage(); // needed even if the page is the same and only a tab changed
 }
 
 void Workplace::showTest(std::size_t test) {
     if (test >= m_evaluated.tests.size())
         return;
     const bool fromReport = isReportPage();
-    commitTyping(); // while the test it belongs to is in view
+    commitTyping(); // while its test is still in view
     m_right->turnTo(nullptr);
     m_selection.setTest(test);
     if (fromReport)
@@ -449,7 +450,7 @@ void Workplace::showChange(const Document &before, const Document &after, const 
     const auto [was, is] =
         std::ranges::mismatch(before.tests, after.tests,
                               [](const TestPointer &a, const TestPointer &b) { return a == b || *a == *b; });
-    if (before.tests.size() < after.tests.size()) { // the first that came
+    if (before.tests.size() < after.tests.size()) { // show the first added test
         showTest(static_cast<std::size_t>(is - after.tests.begin()));
         return showPage(Page::readings);
     }
@@ -542,7 +543,7 @@ void Workplace::presentTest() {
     presentStatus();
 }
 
-/// Results stay together with the data they were computed from, until there are newer ones.
+/// Results are shown with the data they were computed from until there are newer ones.
 void Workplace::presentResults() {
     std::size_t test = m_selection.test();
     const std::string &id = m_evaluated.document->tests[test]->id;
@@ -553,7 +554,7 @@ void Workplace::presentResults() {
         return;
     m_resultsOf = id;
     if (pending)
-        test = m_evaluated.tests.size(); // nothing to show yet
+        test = m_evaluated.tests.size(); // no results yet
     m_target->show(m_evaluated, test);
     m_keys->show(m_evaluated, test);
     m_explanation->show(m_evaluated, test);
@@ -592,7 +593,7 @@ void Workplace::presentPage() {
 void Workplace::presentCard() {
     const bool explains = !m_selection.parameter().isEmpty();
     const bool wanted = explains || (m_selection.page() == Page::readings && traitsOf(kind()).hasTargets);
-    // One height for both, so that nothing above moves when a result is explained.
+    // The same height for both, so that nothing above moves when a result is explained.
     const bool stacked = m_right->isTabbed();
     const bool hasRoom = height() >= (stacked ? stackedFrom : noCardBelow);
     const bool hasRoomForKeys = height() >= (stacked ? stackedFrom : noKeysBelow);
@@ -621,7 +622,7 @@ void Workplace::presentStatusOf(const DriftMeasurement &measurement) {
 void Workplace::presentStatusOf(const PositioningMeasurement &measurement) {
     const auto targetCount = static_cast<int>(measurement.targets.size());
     const QString targets = withGroups(tr("%n target(s)", nullptr, targetCount), targetCount);
-    // As the table counts them: a run is one way and back.
+    // As counted by the table: a run goes one way and back.
     const auto up =
         static_cast<int>(std::ranges::count(measurement.runs, Direction::positive, &Run::approach));
     const auto down = static_cast<int>(measurement.runs.size()) - up;
@@ -666,7 +667,7 @@ void Workplace::presentStatusOf(const CircularMeasurement &measurement) {
     if (!exists)
         return emit hintChanged({});
     const QString read = pointText(measurement, place->run, place->target, windowLanguage());
-    const QString drawn = m_figure->deviationText(*place); // about another centre it is another number
+    const QString drawn = m_figure->deviationText(*place); // relative to another centre the number differs
     emit hintChanged(drawn.isEmpty() ? read : tr("%1 · in the figure %2").arg(read, drawn));
 }
 
@@ -707,7 +708,7 @@ std::map<Page, QStringList> Workplace::missingFields() const {
 }
 
 bool Workplace::showNextMissingHere(const std::map<Page, QStringList> &missing, bool forward) {
-    if (Form *form = formInView()) // field by field: several may be missing under one name
+    if (Form *form = formInView()) // field by field, as several may be missing under one name
         return form->focusNextRequired(forward);
     const auto here = missing.find(m_selection.page());
     if (here == missing.end())
@@ -726,11 +727,11 @@ bool Workplace::showNextMissing(bool forward) {
     const std::map<Page, QStringList> missing = missingFields();
     if (missing.empty())
         return false;
-    // First on the page in view, so that the walk does not jump to and fro.
+    // First on the page in view, so that the focus does not jump between pages.
     const Page page = m_selection.page();
     if (showNextMissingHere(missing, forward))
         return true;
-    // Then on the next page that misses something, round and round.
+    // Then on the next page that lacks something, cyclically.
     auto next = forward ? missing.upper_bound(page) : missing.lower_bound(page);
     if (forward && next == missing.end())
         next = missing.begin();
@@ -773,18 +774,18 @@ void Workplace::setFigureMaximised(bool maximised) {
     presentCard();
 }
 
-/// The page, unless the figure is alone or something else has its turn.
+/// Shows the page unless the figure is maximised or another tab is chosen.
 void Workplace::presentTurn() {
     const bool page = !m_maximised && (!m_right->isTakingTurns() || m_right->leavesToPage());
     if (const QWidget *focused = window()->focusWidget();
         !page && !m_maximised && focused && m_centre->isAncestorOf(focused))
-        m_right->setFocus(); // else it would go to what comes next to what is hidden
+        m_right->setFocus(); // otherwise it would go to the neighbour of the hidden widget
     m_centre->setVisible(page);
     if (m_right->leavesToPage())
         restoreSizes();
 }
 
-/// That of the smallest arrangement: the one of now gives way before.
+/// Minimum size of the smallest arrangement, not of the current one.
 QSize Workplace::minimumSizeHint() const {
     const QSize now = QWidget::minimumSizeHint();
     return m_right->isTakingTurns() ? now : now.boundedTo(least);
@@ -824,15 +825,15 @@ void Workplace::arrange() {
     }
     m_tabs->setLow(turns && height() < lowTabsBelow);
     m_right->setLow(turns && height() < lowTabsBelow);
-    restoreSizes(); // where they are others now: stacked, wide
+    restoreSizes(); // if they differ now: stacked, wide
     m_findings->setFolded(!stacked && height() < foldBelow);
-    // By the size of the window alone: nothing moves when their number changes.
+    // By window size only, so that nothing moves when the number of findings changes.
     m_findings->setRows(width() < wideFrom ? leastFindings
                                            : std::clamp(height() / heightOfAFinding - 6, leastFindings, 8));
     presentCard();
 }
 
-/// Whether the figure goes under the centre.
+/// True if the figure goes below the centre.
 bool Workplace::wantsStack() const {
     const bool beside = width() >= besideFrom && height() < stackedFrom;
     return width() < stackedBelow && !beside;
@@ -857,7 +858,7 @@ QString Workplace::sizesKey() const {
 
 void Workplace::restoreSizes() {
     if (m_right->isTakingTurns()) {
-        m_inner->setSizes({m_inner->height(), 0}); // nothing but the tabs beside the page
+        m_inner->setSizes({m_inner->height(), 0}); // only the tab bar below the page
         return;
     }
     const QString key = sizesKey();
@@ -878,7 +879,7 @@ void Workplace::restoreSizes() {
     } else if (stacked) {
         m_inner->setSizes({m_inner->height() * 3 / 5, m_inner->height() * 2 / 5});
     } else {
-        const int whole = width() - m_side->width(); // what both will share
+        const int whole = width() - m_side->width(); // shared by both
         const int right = wide ? whole * wideShare / 100 : rightWidth;
         m_inner->setSizes({std::max(m_centre->minimumWidth(), whole - right), right});
     }

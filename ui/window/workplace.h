@@ -44,8 +44,8 @@ class TargetCard;
 class TestHead;
 class UncertaintyPage;
 
-/// A window with a document open: navigation, the pages of a test with the detail card below, and at the
-/// right figure, results and findings. Arranges them for the width and height there is.
+/// A window with an open document: navigation, the pages of a test with the detail card below, and on the
+/// right figure, results and findings. Arranges them for the available size.
 class Workplace : public QWidget {
     Q_OBJECT
 
@@ -54,43 +54,43 @@ public:
 
     [[nodiscard]] Selection &selection() { return m_selection; }
     [[nodiscard]] ReadingsPage &readings() { return *m_readings; }
-    /// What was typed anywhere and cannot be taken: shown in red, in no document.
+    /// Texts typed anywhere that cannot be accepted: shown in red and not part of the document.
     [[nodiscard]] QStringList refusedTexts() const;
-    /// Takes back what stands refused in the field or table that has the focus; false: nothing does.
+    /// Undoes refused typing in the focused field or table. False if there is none.
     bool undoTyping();
     [[nodiscard]] CirclesPage &circles() { return *m_circles; }
 
-    /// Shows the document, keeping what is chosen where it still exists. Of a test that is pending the pages
-    /// show what is edited; figure and results stay those of before, marked as being computed.
+    /// Shows the document, keeping the selection if it still exists. For a pending test the pages show the
+    /// edited data; figure and results stay the former ones, marked as being computed.
     void show(const EvaluatedDocument &evaluated);
 
-    /// Brings a page of the report, or of the current test, into view.
+    /// Brings a page of the report or of the current test into view.
     void showPage(Page page);
     void showTest(std::size_t test);
-    /// Puts the keyboard into the page in view, on its first field.
+    /// Sets the focus to the first field of the page in view.
     void focusPage();
-    /// Puts the keyboard into the next pane, or the one before: navigation, tabs, page, figure, results,
-    /// findings, round and round.
+    /// Moves the focus to the next or previous pane, cyclically: navigation, tabs, page, figure, results,
+    /// findings.
     void focusNextPane(bool forward);
-    /// Brings what a step changed into view, with the keyboard on it; `edit`: the name of the step.
+    /// Brings the change of a step into view and focuses it; `edit`: name of the step.
     void showChange(const Document &before, const Document &after, const QString &edit);
 
-    /// What the button "+ Test" offers, and the menu of a test in the navigation.
+    /// Actions of the button "+ Test" and of a test's context menu in the navigation.
     void setTestActions(const QList<QAction *> &add, const QList<QAction *> &change);
 
-    /// Puts the keyboard on the first reading that is missing.
+    /// Focuses the first missing reading.
     void beginTyping();
 
     void setFigureMaximised(bool maximised);
     [[nodiscard]] bool isFigureMaximised() const { return m_maximised; }
 
-    /// Walks the missing statements of the current test; false where none is missing.
+    /// Moves through the missing statements of the current test. False if none is missing.
     bool showNextMissing(bool forward);
 
 signals:
     void viewChosen(std::size_t test, const QString &edition);
     void editionSet(std::size_t test, const QString &edition);
-    /// What the status bar says of the current test, and of what is pointed at.
+    /// Status bar texts on the current test and on what the pointer is at.
     void contentChanged(const QString &text);
     void hintChanged(const QString &text);
 
@@ -131,7 +131,7 @@ private:
     [[nodiscard]] QString sizesKey() const;
     [[nodiscard]] QString navigationKey() const;
     [[nodiscard]] bool isReportPage() const;
-    [[nodiscard]] Form *formInView() const; ///< null on pages that are none
+    [[nodiscard]] Form *formInView() const; ///< null if the page is not a form
 
     DocumentModel &m_model;
     Evaluator &m_evaluator;
@@ -147,7 +147,7 @@ private:
     TestHead *m_head = nullptr;
     PageTabs *m_tabs = nullptr;
     QStackedWidget *m_pages = nullptr;
-    QStackedWidget *m_readingPages = nullptr; ///< by the kind of test
+    QStackedWidget *m_readingPages = nullptr; ///< one per kind of test
     ReadingsPage *m_readings = nullptr;
     QScrollArea *m_circlesPlace = nullptr;
     CirclesPage *m_circles = nullptr;
@@ -165,11 +165,11 @@ private:
     QWidget *m_centre = nullptr;
     RightSide *m_right = nullptr;
     FigureView *m_figure = nullptr;
-    QPointer<FigureView> m_detachedFigure; ///< in a window of its own, while it is open
+    QPointer<FigureView> m_detachedFigure; ///< in its own window, while open
     ResultsPanel *m_results = nullptr;
     FindingsPanel *m_findings = nullptr;
-    std::string m_resultsOf; ///< id of the test the results of which are shown
-    QString m_sizesOf;       ///< the kind of test whose sizes are shown
+    std::string m_resultsOf; ///< ID of the test whose results are shown
+    QString m_sizesOf;       ///< kind of test whose sizes are shown
     bool m_maximised = false;
 };
 
