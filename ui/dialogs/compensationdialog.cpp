@@ -220,7 +220,7 @@ CompensationFormat CompensationDialog::format() const {
     return formats.at(static_cast<std::size_t>(std::max(m_format->choice(), 0)));
 }
 
-/// What a format cannot say is not asked.
+/// Options for a format, without those it does not support.
 CompensationOptions CompensationDialog::optionsFor(CompensationFormat kind) const {
     const bool csv = kind == CompensationFormat::csv;
     const bool siemens = kind == CompensationFormat::siemens;
@@ -275,7 +275,7 @@ void CompensationDialog::compute() {
     showPrediction();
 }
 
-/// What has to be known of the table, and of the one it is compared with.
+/// Notes on the table and on the one compared with it.
 QString CompensationDialog::notes() const {
     const Language &language = windowLanguage();
     QStringList lines{
@@ -366,7 +366,7 @@ void CompensationDialog::chooseFile() {
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     const auto kind = format();
     if (kind == CompensationFormat::weihong)
-        dialog->selectFile(QStringLiteral("axeserr.dat")); // the control knows no other name
+        dialog->selectFile(QStringLiteral("axeserr.dat")); // the control requires this name
     dialog->setDefaultSuffix(kind == CompensationFormat::csv       ? QStringLiteral("csv")
                              : kind == CompensationFormat::siemens ? QStringLiteral("mpf")
                              : kind == CompensationFormat::weihong ? QStringLiteral("dat")

@@ -22,9 +22,9 @@ namespace palmer::ui {
 class Field;
 class LineView;
 
-/// "Compensation table…": the table that takes out the systematic deviations of an axis, for a control. Shows
-/// what is written, and what the axis would be with it, read back from what is written: means over those
-/// measured, and A, E, M, B. A table found in a control can be set beside it. Changes no document.
+/// "Compensation table…": a table for a control that compensates the systematic deviations of an axis. Shows
+/// the table and the predicted result of using it, computed from the table as written: mean deviations over
+/// the measured ones, and A, E, M, B. A table of a control can be compared with it. Changes no document.
 class CompensationDialog : public QDialog {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(CompensationDialog)
@@ -32,18 +32,19 @@ class CompensationDialog : public QDialog {
 public:
     /// `test` is the index of a positioning test.
     CompensationDialog(EvaluatedDocument evaluated, std::size_t test, QWidget *parent = nullptr);
-    /// What is being typed is taken when the focus goes: here, not when half of the dialog is gone.
+    /// Hides first, so that a focused field commits its text while the dialog still exists.
     ~CompensationDialog() override { hide(); }
 
-    [[nodiscard]] const QByteArray &written() const { return m_written; } ///< empty: there is no table
+    [[nodiscard]] const QByteArray &written() const { return m_written; } ///< empty if there is no table
     [[nodiscard]] CompensationFormat format() const;
-    /// Writes the table; false, and a message, when that fails.
+    /// Writes the table; on failure shows a message and returns false.
     bool saveTo(const QString &path);
-    /// Sets a table of a control beside the one that is written; false, and a message, when it is none.
+    /// Compares a control's table with the written one; if it cannot be read, shows a message and returns
+    /// false.
     bool compareWith(const QString &path);
 
 signals:
-    /// The user says that the deviations are actual − target, or takes it back.
+    /// The user confirms that the deviations are actual − target, or withdraws this.
     void signConfirmed(bool confirmed);
 
 protected:
@@ -71,23 +72,23 @@ private:
     std::size_t m_test;
     CompensationOptions m_options;
     QByteArray m_written;
-    std::vector<Message> m_remarks; ///< of what is written
+    std::vector<Message> m_remarks; ///< on the written table
     std::optional<FoundTable> m_compared;
     QString m_comparedName;
     TableDifference m_difference;
-    std::optional<TestEvaluation> m_before; ///< under an edition that has E, M and B
+    std::optional<TestEvaluation> m_before; ///< evaluated under an edition with E, M and B
     std::optional<TestEvaluation> m_after;
     std::optional<TestEvaluation> m_withCompared;
     std::optional<Error> m_refusal;
     std::vector<NumberField> m_numbers;
 
     Field *m_format;
-    QCheckBox *m_signConfirmed; ///< where the file of the readings does not say the sign
+    QCheckBox *m_signConfirmed; ///< shown if the readings' file does not define the sign
     QCheckBox *m_perDirection;
     Field *m_sign;
     QCheckBox *m_incremental;
     Field *m_encoder;
-    Field *m_reference = nullptr; ///< made with its row
+    Field *m_reference = nullptr; ///< made with its form row
     Field *m_mark;
     QLabel *m_reason;
     QLabel *m_tableTitle;

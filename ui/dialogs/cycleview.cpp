@@ -17,12 +17,12 @@ namespace {
 
 constexpr double side = 24;
 constexpr double titleRoom = 34;
-constexpr double foot = 46; ///< for the axis
+constexpr double foot = 46; ///< px below, for the axis
 constexpr double tickDistance = 70;
 constexpr double arrowRadius = 2.6;
-constexpr std::size_t mostDots = 4000; ///< beyond, they run into one another
+constexpr std::size_t mostDots = 4000; ///< more would overlap
 
-/// In the standard cycle a pass a row, in the step cycle a stop a row.
+/// Row of each move: one per pass in the standard cycle, one per stop in the step cycle.
 std::vector<double> rowsOf(const std::vector<Move> &path) {
     std::vector<double> rows;
     rows.reserve(path.size());
@@ -40,7 +40,7 @@ QColor colourOf(Direction direction, const QPalette &palette) {
     return token(direction == Direction::positive ? Token::up : Token::down, palette);
 }
 
-/// The axis under the cycle: where it moves, with its name and unit. `x`: the place of a position.
+/// Draws the axis below the cycle: its range with name and unit. `x` maps a position to the widget.
 void drawAxis(QPainter &painter, const CycleProgram &program, double from, double to, double top,
               const QPalette &palette, const auto &x) {
     const Language &language = windowLanguage();
@@ -63,7 +63,7 @@ void drawAxis(QPainter &painter, const CycleProgram &program, double from, doubl
         QStringLiteral("%1 (%2)").arg(QString::fromStdString(program.axis), language.unit(quantity)));
 }
 
-/// Of the way to where a move leads; dotted where the axis turns there without rest.
+/// Pen of the line to the end of a move; dotted if the axis reverses there without stopping.
 QPen penOf(const Move &move, const QPalette &palette) {
     if (!move.stop)
         return {token(Token::secondaryText, palette), 1, Qt::DotLine};
@@ -125,7 +125,7 @@ void CycleView::paintEvent(QPaintEvent *) {
             continue;
         const QPointF at(x(path[i].position), y(rows[i]));
         painter.setBrush(colourOf(path[i].stop->approach, palette()));
-        // A triangle that points where the axis goes: no meaning by colour alone.
+        // A triangle in the direction of motion, so that colour is not the only sign.
         const double tip =
             path[i].stop->approach == Direction::positive ? arrowRadius * 1.5 : -arrowRadius * 1.5;
         painter.drawPolygon(QPolygonF({at + QPointF(tip, 0), at + QPointF(-tip / 2, -arrowRadius * 1.2),

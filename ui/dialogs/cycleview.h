@@ -8,9 +8,8 @@
 
 namespace palmer::ui {
 
-/// A picture of the measuring cycle over its axis: positions from left to right, time from top to bottom. A
-/// dot wherever the axis rests and a reading is taken; both directions in their colours and with their
-/// arrows.
+/// Diagram of the measuring cycle over its axis: positions from left to right, time from top to bottom. A dot
+/// wherever the axis stops for a reading; each direction in its colour with arrows.
 class CycleView : public QWidget {
     Q_OBJECT
 

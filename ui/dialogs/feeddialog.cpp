@@ -41,7 +41,7 @@ FeedDialog::FeedDialog(QWidget *parent)
     m_feed->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_feed->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_formula->setProperty("secondary", true);
-    m_buttons->button(QDialogButtonBox::Close)->setAutoDefault(false); // Enter is for the fields
+    m_buttons->button(QDialogButtonBox::Close)->setAutoDefault(false); // Enter belongs to the fields
 
     auto *result = new QHBoxLayout;
     result->addWidget(m_feedLabel);

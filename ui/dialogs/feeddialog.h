@@ -16,18 +16,18 @@ namespace palmer::ui {
 
 class Field;
 
-/// "Contouring feed…": the feed for a circle of another diameter (ISO 230-4, annex C), computed while one
-/// types. Begins with the example of the annex. Changes no document.
+/// "Contouring feed…": the feed for a circle of another diameter (ISO 230-4, annex C), computed during
+/// typing. Starts with the example of the annex. Changes no document.
 class FeedDialog : public QDialog {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(FeedDialog)
 
 public:
     explicit FeedDialog(QWidget *parent = nullptr);
-    /// What is being typed is taken when the focus goes: here, not when half of the dialog is gone.
+    /// Hides first, so that a focused field commits its text while the dialog still exists.
     ~FeedDialog() override { hide(); }
 
-    /// Shows these numbers; where one is not above 0 what is shown stays.
+    /// Shows these numbers, except those not above 0.
     void setNumbers(const iso230_4::ContouringFeed &numbers);
 
 protected:

@@ -11,7 +11,7 @@
 
 namespace palmer::ui {
 
-/// Puts the labels of a form on the middle of their fields, however these are made up.
+/// Centres the labels of a form vertically on their fields, whatever these consist of.
 inline void alignLabels(QFormLayout &form) {
     form.setVerticalSpacing(8);
     form.setHorizontalSpacing(12);
@@ -22,7 +22,7 @@ inline void alignLabels(QFormLayout &form) {
     }
 }
 
-/// Shows a button as the one to press. A box of buttons has given it its look before.
+/// Styles a button as the primary one, over the style from its button box.
 inline void makePrimary(QPushButton &button) {
     button.setProperty("primary", true);
     button.setDefault(true);

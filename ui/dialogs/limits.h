@@ -4,6 +4,6 @@
 
 namespace palmer::ui {
 
-inline constexpr int mostRuns = 1000; ///< each way, that a dialog takes
+inline constexpr int mostRuns = 1000; ///< each way, accepted by a dialog
 
 } // namespace palmer::ui

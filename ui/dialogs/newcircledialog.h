@@ -16,18 +16,18 @@ namespace palmer::ui {
 
 class StatementsBox;
 
-/// Asks what a new circular test begins with; its arcs are typed or pasted in the page.
+/// Asks for the parameters of a new circular test; its arcs are typed or pasted on the page.
 class NewCircleDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `like`: the test the values of which are proposed, if it is a circular one; null: none.
+    /// `like`: a test whose values are proposed if it is circular; may be null.
     explicit NewCircleDialog(Language language, const Test *like = nullptr, QWidget *parent = nullptr);
 
-    /// What was asked for; complete once the dialog is accepted.
+    /// The values entered; complete once the dialog is accepted.
     [[nodiscard]] NewCircularTest wanted() const;
 
-    /// Offers to take over what is stated of a test of the same file, chosen from the start.
+    /// Offers to copy the statements of a test of the same file; initially checked.
     void offerStatementsOf(const Test &test);
     [[nodiscard]] bool takesStatements() const;
 

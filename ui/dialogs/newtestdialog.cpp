@@ -42,8 +42,8 @@ constexpr double resolution = 0.001;
 constexpr int dialogWidth = 460;
 constexpr int runsWidth = 64;
 constexpr std::size_t fewestTargets = 2;
-constexpr std::size_t mostReadings = 1'000'000; ///< places of a new test
-constexpr quint32 mostProposedSeed = 1'000'000; ///< short enough to be read out
+constexpr std::size_t mostReadings = 1'000'000; ///< of a new test
+constexpr quint32 mostProposedSeed = 1'000'000; ///< short enough to read out
 
 } // namespace
 
@@ -98,7 +98,7 @@ NewTestDialog::NewTestDialog(Language language, const Test *like, QWidget *paren
     resize(dialogWidth, sizeHint().height());
 }
 
-/// With what can be chosen, and what is proposed.
+/// Fills the choices and the proposed values.
 void NewTestDialog::fillFields(const Test *like) {
     m_motion->addItem(tr("linear"), static_cast<int>(Motion::linear));
     m_motion->addItem(tr("rotary"), static_cast<int>(Motion::rotary));
@@ -125,7 +125,7 @@ void NewTestDialog::fillFields(const Test *like) {
         m_edition->setCurrentIndex(m_edition->findData(QString::fromStdString(like->edition)));
     m_name->setText(QStringLiteral("X"));
     const auto *tested = like ? std::get_if<PositioningMeasurement>(&like->measurement) : nullptr;
-    if (tested && (tested->axis.name == "X" || tested->axis.name == "Y")) // the next in turn
+    if (tested && (tested->axis.name == "X" || tested->axis.name == "Y")) // propose the next axis
         m_name->setText(QChar(char16_t(tested->axis.name[0] + 1)));
     m_name->selectAll();
     m_travel->setText(m_language.number(proposedTravel, Quantity::position));
@@ -133,7 +133,7 @@ void NewTestDialog::fillFields(const Test *like) {
 
 void NewTestDialog::makeForm() {
     m_form = new QFormLayout;
-    // What stands beside a field is no field of its own: the label belongs to the field.
+    // The widget next to a field is not a field itself: the label belongs to the field.
     const auto addRow = [&](const QString &text, QWidget *field, QWidget *beside) {
         auto *label = new QLabel(text, this);
         label->setBuddy(field);
@@ -232,7 +232,7 @@ TargetRequest NewTestDialog::request() const {
     return result;
 }
 
-/// After the rule of the edition; with the number the user has chosen, if the rule can have it.
+/// Targets by the edition's rule, with the number chosen by the user if the rule allows it.
 TargetPlan NewTestDialog::planned() const {
     TargetRequest asked = request();
     TargetPlan plan = planTargets(asked);
@@ -241,19 +241,19 @@ TargetPlan NewTestDialog::planned() const {
         return plan;
     constexpr double metre = 1000;
     asked.axisTravel.reset();
-    asked.perMetre = (static_cast<double>(wanted) - 0.5) * metre / asked.travel; // rounded up
+    asked.perMetre = (static_cast<double>(wanted) - 0.5) * metre / asked.travel; // is rounded up
     plan = planTargets(asked);
     return plan.targets.size() == wanted ? plan : TargetPlan{};
 }
 
-/// Fills what nobody has typed; a field that was typed in is never written.
+/// Fills fields that were not edited; edited ones are never overwritten.
 void NewTestDialog::propose() {
     const Axis asked = axis();
     const Quantity quantity = positionQuantity(asked);
     const double travel = asked.travel.value_or(0);
     for (QLabel *unit : m_units)
         unit->setText(m_language.unit(quantity));
-    // Every target is approached from its own side: the axis needs room beyond the first and the last.
+    // Targets are approached from both sides, so the axis needs travel beyond the first and last.
     const double room = travel > 2 * CycleProgram().approach ? CycleProgram().approach : 0;
     if (!m_first->isModified())
         m_first->setText(m_language.number(room, quantity));
@@ -268,7 +268,7 @@ void NewTestDialog::propose() {
     if (!m_listed && count) {
         std::vector<double> proposed = plan.targets;
         m_choice = {TargetChoiceKind::free, plan.interval, std::nullopt, static_cast<long long>(m_seed)};
-        if (proposed.empty()) { // a number the rule does not have
+        if (proposed.empty()) { // the rule does not give that number
             m_choice = {};
             const TargetRequest ends = request();
             proposed = evenTargets(ends.from, ends.from + ends.travel, *count, resolution);
@@ -281,7 +281,7 @@ void NewTestDialog::propose() {
     check();
 }
 
-/// Ctrl+Z brings back a list that was typed, whatever was proposed since.
+/// Writes a proposal so that Ctrl+Z restores a typed list, whatever was proposed since.
 void NewTestDialog::writeTargets(const QString &text) {
     const QSignalBlocker blocker(m_list);
     QTextCursor cursor(m_list->document());
@@ -313,7 +313,7 @@ void NewTestDialog::showRead() {
     m_read->setVisible(read.has_value());
 }
 
-/// What is wrong first, and at which field.
+/// The first problem and its field.
 NewTestDialog::Problem NewTestDialog::problem() const {
     const auto count = [this](std::size_t number) {
         return m_language.number(static_cast<double>(number), Quantity::count);
@@ -350,7 +350,7 @@ NewTestDialog::Problem NewTestDialog::problem() const {
     return {};
 }
 
-/// The sentence stands below its field.
+/// Shows the message below its field.
 void NewTestDialog::check() {
     const Problem found = problem();
     showRead();

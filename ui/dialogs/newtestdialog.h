@@ -24,26 +24,26 @@ namespace palmer::ui {
 class PasteBar;
 class StatementsBox;
 
-/// Asks what a new positioning test begins with. Targets are proposed after the rule of the edition, with a
-/// random part of their own in every new test; they may be typed or pasted as a list, which then is what
-/// counts. What is typed stays as it is typed; a number that cannot be is said below its field.
+/// Asks for the parameters of a new positioning test. Targets are proposed by the edition's rule, with a new
+/// random part for every test; a list typed or pasted takes precedence. Typed text is left as it is; an
+/// invalid number is reported below its field.
 class NewTestDialog : public QDialog {
     Q_OBJECT
 
 public:
-    /// `like`: the test the edition of which is proposed, and the axis after its own; null: none.
+    /// `like`: a test whose edition is proposed, and the axis following its own; may be null.
     explicit NewTestDialog(Language language, const Test *like = nullptr, QWidget *parent = nullptr);
 
-    /// What was asked for; complete once the dialog is accepted.
+    /// The values entered; complete once the dialog is accepted.
     [[nodiscard]] NewPositioningTest wanted() const;
 
-    /// Offers to take over what is stated of a test of the same file, chosen from the start.
+    /// Offers to copy the statements of a test of the same file; initially checked.
     void offerStatementsOf(const Test &test);
     [[nodiscard]] bool takesStatements() const;
 
 private:
     struct Problem {
-        QWidget *field = nullptr; ///< null: none
+        QWidget *field = nullptr; ///< null if there is no problem
         QString sentence;
     };
 
@@ -54,7 +54,7 @@ private:
     void writeTargets(const QString &text);
     void check();
     [[nodiscard]] Problem problem() const;
-    /// A whole number from least to most; null where the field says none.
+    /// An integer from `least` to `most`; null if the field has none.
     [[nodiscard]] std::optional<std::size_t> whole(const QLineEdit *field, std::size_t least,
                                                    std::size_t most) const;
     [[nodiscard]] Axis axis() const;
@@ -66,10 +66,10 @@ private:
     [[nodiscard]] TargetPlan planned() const;
 
     Language m_language;
-    bool m_proposed = false; ///< what stands in the list was proposed, not typed
+    bool m_proposed = false; ///< the list was proposed, not typed
     bool m_listed = false;   ///< the list was typed, not proposed
-    std::uint64_t m_seed;    ///< of the random part
-    TargetChoice m_choice;   ///< of the targets proposed last
+    std::uint64_t m_seed;    ///< for the random part
+    TargetChoice m_choice;   ///< of the last proposed targets
     QLineEdit *m_name;
     QComboBox *m_motion;
     QLineEdit *m_travel;
@@ -87,7 +87,7 @@ private:
     QLabel *m_problem;
     std::array<QLabel *, 4> m_units{};
     QFormLayout *m_form = nullptr;
-    const QWidget *m_problemAt = nullptr; ///< the field the sentence stands below
+    const QWidget *m_problemAt = nullptr; ///< the field above the message
     QPushButton *m_create;
 };
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int sheetMargin = 16;
 constexpr int numberHeight = 20;
-constexpr std::size_t mostPictures = 12; ///< kept; a page of 1 000 × 1 400 takes 5.6 MB
+constexpr std::size_t mostPictures = 12; ///< cached; a page of 1 000 × 1 400 takes 5.6 MB
 
 } // namespace
 
@@ -80,7 +80,7 @@ const QPixmap &PageColumn::picture(int page) {
     }
     if (const auto found = m_pictures.find(page); found != m_pictures.end())
         return found->second;
-    if (!m_numbered && m_pictures.size() >= mostPictures) // the farthest away goes
+    if (!m_numbered && m_pictures.size() >= mostPictures) // remove the most distant page
         m_pictures.erase(page - m_pictures.begin()->first > m_pictures.rbegin()->first - page
                              ? m_pictures.begin()
                              : std::prev(m_pictures.end()));

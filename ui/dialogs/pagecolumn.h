@@ -9,8 +9,7 @@
 
 namespace palmer::ui {
 
-/// Printed pages below one another, as they come out of the printer, in any size. Only what is in sight is
-/// drawn.
+/// Printed pages in a column, as they will be printed, at any scale. Only visible pages are drawn.
 class PageColumn : public QWidget {
     Q_OBJECT
 
@@ -18,16 +17,16 @@ public:
     explicit PageColumn(QWidget *parent = nullptr);
 
     void setPages(const Pages &pages);
-    /// Pixels a point; keeps what was drawn where it is the same.
+    /// Pixels per point; keeps drawn pages if unchanged.
     void setScale(double scale);
     [[nodiscard]] double scale() const { return m_scale; }
-    /// Writes the number below each page and frames the current one: the pages in small.
+    /// Thumbnail mode: numbers below the pages and a frame around the current one.
     void setNumbered(bool numbered) { m_numbered = numbered; }
     void setCurrent(int page);
 
     [[nodiscard]] int count() const { return static_cast<int>(m_pages.size()); }
     [[nodiscard]] QRect pageRect(int page) const;
-    /// The page at a height; the nearest where there is none.
+    /// The page at a height, or the nearest.
     [[nodiscard]] int pageAt(int y) const;
     [[nodiscard]] QSize sizeHint() const override;
 

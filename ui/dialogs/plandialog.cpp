@@ -129,7 +129,7 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     right->addWidget(m_targets);
     auto *body = new QHBoxLayout;
     body->setSpacing(16);
-    auto *place = new QScrollArea(this); // on low screens the fields are higher than their place
+    auto *place = new QScrollArea(this); // on low screens the fields are higher than the dialog
     place->setFrameShape(QFrame::NoFrame);
     place->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     place->setFocusPolicy(Qt::NoFocus);
@@ -140,8 +140,7 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     body->addLayout(right, 1);
 
     auto *program = makeButtons();
-    auto *decision =
-        new QHBoxLayout; // a row of its own: both have no room beside each other on small screens
+    auto *decision = new QHBoxLayout; // a separate row, as both do not fit in one on small screens
     decision->addStretch();
     for (QPushButton *button : {m_fill, m_make, m_close})
         decision->addWidget(button);
@@ -162,7 +161,7 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     retranslate();
 }
 
-/// The fields that are no numbers.
+/// The choice fields.
 void PlanDialog::makeChoices(QWidget *parent) {
     const auto made = [&](Field::Kind kind, const char *name, const std::function<void()> &take) {
         auto *field = new Field(kind, parent);
@@ -177,7 +176,7 @@ void PlanDialog::makeChoices(QWidget *parent) {
         made(Field::Kind::text, "axis", [this] { m_program.axis = m_axis->text().trimmed().toStdString(); });
     m_motion = made(Field::Kind::choice, "motion", [this] {
         m_request.motion = m_motion->choice() == 0 ? Motion::linear : Motion::rotary;
-        m_request.axisTravel.reset(); // was in the other unit
+        m_request.axisTravel.reset(); // it was in the other unit
         m_request.axisRange.reset();
         m_request.zone.reset();
     });
@@ -188,7 +187,7 @@ void PlanDialog::makeChoices(QWidget *parent) {
                    [this] { m_program.cycle = m_cycle->choice() == 0 ? Cycle::standard : Cycle::step; });
 }
 
-/// The button that draws other random parts, on the line of the field beside it.
+/// The button that draws new random parts, in the row of the field next to it.
 QWidget *PlanDialog::makeReseed(QWidget *parent) {
     m_reseed->setObjectName(QStringLiteral("reseed"));
     m_reseed->setAutoDefault(false);
@@ -272,7 +271,7 @@ QWidget *PlanDialog::makeFields() {
     return fields;
 }
 
-/// Program, print and test.
+/// Buttons for program, print and test.
 QHBoxLayout *PlanDialog::makeButtons() {
     auto *program = new QHBoxLayout;
     m_dialect->setObjectName(QStringLiteral("dialect"));
@@ -323,7 +322,7 @@ Field *PlanDialog::addNumber(const char *name, const char *label, bool whole,
         return refusal.isEmpty() ? Field::Reading{shown(entry.value), {}} : Field::Reading{{}, refusal};
     });
     connect(field, &Field::entered, this, [this, field, quantity, set] {
-        if (field->isRefused()) // what was there before the typing holds
+        if (field->isRefused()) // keep the value from before the typing
             set(enteredNumber(field->valueText(), quantity(), windowLanguage().units()).value);
         replan();
     });
@@ -380,7 +379,7 @@ void PlanDialog::showFields() {
     showWhyNoProgram();
 }
 
-/// Whether the control chosen can be told the cycle, and if not, why.
+/// Shows why the chosen control's program cannot describe the cycle, if so.
 void PlanDialog::showWhyNoProgram() {
     QString reason;
     bool possible = !m_plan.targets.empty();
@@ -435,7 +434,7 @@ QString PlanDialog::summary() const {
     return text;
 }
 
-/// Whether the test in view can take the plan: a positioning test without readings.
+/// True if the test in view can take the plan: a positioning test without readings.
 bool PlanDialog::canFill() const {
     const auto *measurement = measured<PositioningMeasurement>(*m_model.document(), m_test);
     return measurement && !hasReadings(*measurement);

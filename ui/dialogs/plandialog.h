@@ -22,31 +22,31 @@ namespace palmer::ui {
 class CycleView;
 class DocumentModel;
 
-/// "Plan…": the targets of a positioning test, chosen after the rule of an edition, with a picture of the
-/// measuring cycle. The plan is put into the test or a new one, printed with an empty table, or written as a
-/// part program.
+/// "Plan…": targets of a positioning test chosen by the rule of an edition, with a diagram of the measuring
+/// cycle. The plan goes into the test or a new one, is printed with an empty table, or is written as a part
+/// program.
 class PlanDialog : public QDialog {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(PlanDialog)
 
 public:
-    /// Begins with what the test at that index states, if it is a positioning test.
+    /// Starts with the statements of the test at that index if it is a positioning test.
     PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent = nullptr);
-    /// What is being typed is taken when the focus goes: here, not when half of the dialog is gone.
+    /// Hides first, so that a focused field commits its text while the dialog still exists.
     ~PlanDialog() override { hide(); }
 
     [[nodiscard]] const TargetPlan &plan() const { return m_plan; }
     [[nodiscard]] const CycleProgram &program() const { return m_program; }
 
-    /// Writes the part program of the dialect chosen, of a long axis that of its zone beside it; false, and a
-    /// message, when that fails.
+    /// Writes the part program in the chosen dialect, for a long axis also that of its zone; on failure shows
+    /// a message and returns false.
     bool saveProgram(const QString &path);
-    /// Writes the plan as a PDF; likewise.
+    /// Writes the plan as a PDF; on failure shows a message and returns false.
     bool savePlan(const QString &path);
     bool printOn(QPrinter &printer);
 
 signals:
-    /// A test was made of the plan; its index.
+    /// A test was made from the plan; its index.
     void testMade(std::size_t test);
 
 protected:
@@ -57,7 +57,7 @@ private:
     [[nodiscard]] QWidget *makeReseed(QWidget *parent);
     [[nodiscard]] QWidget *makeFields();
     [[nodiscard]] QHBoxLayout *makeButtons();
-    /// `set` takes the number, or says why not.
+    /// `set` accepts the number, or returns why not.
     Field *addNumber(const char *name, const char *label, bool whole, std::function<Quantity()> quantity,
                      std::function<std::optional<double>()> get,
                      const std::function<QString(const std::optional<double> &)> &set);
@@ -88,14 +88,14 @@ private:
     DocumentModel &m_model;
     std::size_t m_test;
     TargetRequest m_request;
-    std::vector<PlannedMeasurement> m_plans; ///< the travel, and of a long axis its zone
+    std::vector<PlannedMeasurement> m_plans; ///< of the travel and, for a long axis, of its zone
     TargetPlan m_plan;                       ///< of the travel
     CycleProgram m_program;
-    std::optional<int> m_runs; ///< chosen by the user; null: as the standard asks
+    std::optional<int> m_runs; ///< chosen by the user; null: as the standard requires
     std::string m_edition;
 
     std::vector<Entry> m_entries;
-    Field *m_perMetre = nullptr; ///< of lengths alone
+    Field *m_perMetre = nullptr; ///< linear axes only
     Field *m_axis = nullptr;
     Field *m_motion = nullptr;
     Field *m_rule = nullptr;

@@ -12,8 +12,8 @@ class QPushButton;
 
 namespace palmer::ui {
 
-/// After a crash: which documents had changes that were not saved, and what to do with them; which copies
-/// cannot be read, and why. Leaving it decides nothing; the copies are offered again at the next start.
+/// After a crash: which documents had unsaved changes and what to do with them; which copies cannot be read,
+/// and why. Closing it decides nothing; the copies are offered again at the next start.
 class RecoveryDialog : public QDialog {
     Q_OBJECT
 
@@ -21,7 +21,7 @@ public:
     explicit RecoveryDialog(std::vector<Recovery> recoveries, QWidget *parent = nullptr);
 
 signals:
-    /// These are to be opened, each in a window with unsaved changes; whoever opens one discards its copy.
+    /// Emitted for each copy to open as a window with unsaved changes; the receiver discards the copy.
     void recovered(const palmer::Recovery &recovery);
 
 private:

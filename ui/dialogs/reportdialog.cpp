@@ -48,11 +48,11 @@ namespace palmer::ui {
 namespace {
 
 constexpr int headHeight = 44;
-constexpr int sideWidth = 340; ///< the longest choice beside a scroll bar
+constexpr int sideWidth = 340; ///< fits the longest choice and a scroll bar
 constexpr int smallWidth = 132;
 constexpr double smallestScale = 0.25;
 constexpr double largestScale = 6;
-constexpr double screenPointsPerInch = 96.0 / 72.0; ///< pixels a point at 100 %
+constexpr double screenPointsPerInch = 96.0 / 72.0; ///< pixels per point at 100 %
 
 enum LanguageButton { frenchOnly, englishOnly, bothLanguages };
 
@@ -65,7 +65,7 @@ bool holds(const std::vector<Word> &list, Word word) {
     return std::ranges::find(list, word) != list.end();
 }
 
-/// Puts a word into a list or takes it out, keeping the order of the others.
+/// Adds a value to a list or removes it, keeping the order of the others.
 template <typename Word>
 void put(std::vector<Word> &list, Word word, bool in) {
     if (in && !holds(list, word))
@@ -190,7 +190,7 @@ QWidget *ReportDialog::makeSide() {
     auto *whole = new QVBoxLayout(side);
     whole->setContentsMargins(16, 12, 16, 12);
     whole->setSpacing(8);
-    auto *place = new QScrollArea(side); // on low screens the choices are higher than their place
+    auto *place = new QScrollArea(side); // on low screens the choices are higher than the dialog
     place->setFrameShape(QFrame::NoFrame);
     place->setWidgetResizable(true);
     place->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -287,7 +287,7 @@ void ReportDialog::makeSimulation(QVBoxLayout &whole) {
     whole.addWidget(m_simulation);
 }
 
-/// What goes into the file, and what is missing.
+/// What the file will contain, and what is missing.
 void ReportDialog::makeNotes(QVBoxLayout &whole) {
     m_originals = new QCheckBox(this);
     m_originals->setObjectName(QStringLiteral("withOriginals"));
@@ -378,13 +378,13 @@ void ReportDialog::change(const std::function<void(ReportHead &)> &change) {
     m_model.edit(
         QT_TRANSLATE_NOOP("edits", "choose what the report has"),
         [&](Document &document) { change(document.report); }, QStringLiteral("report.form"));
-    showDocument(); // the buttons too, where nothing has changed
+    showDocument(); // updates the buttons even if nothing changed
 }
 
 void ReportDialog::showDocument() {
-    // What is printed is the file's: views under another edition stay in the window.
+    // Prints the file's own editions: views under another edition belong to the window.
     m_evaluated = evaluate(m_model.document(), &m_evaluator.current());
-    // The budget is printed beside a simulation, which runs while the pages can be looked at.
+    // The budget is printed with a simulation, which runs while the pages can be viewed.
     if (m_simulated != m_model.document() && !m_simulator.isRunning()) {
         m_simulated = m_model.document();
         m_simulator.startMissing(m_evaluated);
@@ -398,7 +398,7 @@ void ReportDialog::showDocument() {
     ReportOptions options{QStringLiteral("Palmer " PALMER_VERSION), {}, originals, {}};
     for (const ReportLanguage language : head.languages) {
         m_reports.push_back(composeReport(m_evaluated, Language(idOf(language)), options));
-        options.testFile = m_reports.back().testFile; // in each language the same
+        options.testFile = m_reports.back().testFile; // the same in each language
         Pages pages = layoutPages(m_reports.back());
         std::ranges::move(pages, std::back_inserter(m_pages));
     }
@@ -441,7 +441,7 @@ void ReportDialog::showDocument() {
     followScroll();
 }
 
-/// What printing all readings costs, before it is chosen.
+/// Shows how many pages all readings would add, before that is chosen.
 void ReportDialog::showLength() {
     const int pages = pagesOfAllReadings(*m_model.document());
     m_allReadings->setText(pages > 0 ? tr("All readings (about %n more page(s))", nullptr, pages)
@@ -505,7 +505,7 @@ void ReportDialog::choosePdf() {
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setNameFilter(tr("PDF files (*.pdf)"));
     dialog.setDefaultSuffix(QStringLiteral("pdf"));
-    // The names that are written are others where there are two languages: they are asked about here.
+    // With two languages other file names are written, which are checked here.
     dialog.setOption(QFileDialog::DontConfirmOverwrite);
     const QFileInfo file(m_model.path());
     if (!m_model.path().isEmpty()) {
@@ -559,7 +559,7 @@ void ReportDialog::refuse(const QString &file, const QString &why) {
 QStringList ReportDialog::saveTo(const QString &path) {
     QStringList files = filesOf(path);
     std::vector<FileToSave> reports;
-    QString file; // at hand
+    QString file; // being written
     try {
         std::vector<PdfAttachment> attachments;
         if (!m_reports.empty())
@@ -586,7 +586,7 @@ QStringList ReportDialog::saveTo(const QString &path) {
     return files;
 }
 
-/// Ways to what was saved last; nothing: the pages are others by now.
+/// Shows buttons to open what was last saved; none once the pages have changed.
 void ReportDialog::showSaved(const QStringList &files) {
     m_saved = files;
     m_open->setVisible(!files.isEmpty());

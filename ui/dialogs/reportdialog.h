@@ -28,23 +28,22 @@ namespace palmer::ui {
 
 class PageColumn;
 
-/// "Report…": the pages that will be printed, and beside them what the report shall have: languages, paper,
-/// sections, signatures. These are part of the document; choosing them is an edit of it. Saves a PDF for each
-/// language, prints.
+/// "Report…": the pages to print and, next to them, the choices for the report: languages, paper, sections,
+/// signatures. These belong to the document; choosing them edits it. Saves a PDF in each language, prints.
 class ReportDialog : public QDialog {
     Q_OBJECT
 
 public:
     ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *parent = nullptr);
 
-    /// Writes a PDF; of two languages NAME.fr.pdf and NAME.en.pdf. Returns the files written; none, and a
-    /// message, when that fails.
+    /// Writes a PDF, or NAME.fr.pdf and NAME.en.pdf for two languages. Returns the files written; on failure
+    /// shows a message and returns none.
     QStringList saveTo(const QString &path);
     /// Prints the pages as shown.
     bool printOn(QPrinter &printer);
 
     [[nodiscard]] int pageCount() const;
-    /// A simulation that belongs on the pages is still running.
+    /// True while a simulation needed for the pages is running.
     [[nodiscard]] bool isSimulating() const { return m_simulator.isRunning(); }
 
 protected:
@@ -53,7 +52,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
 private:
-    /// A box that stands for a word in a list of the report head.
+    /// A checkbox for a value in a list of the report head.
     struct Choice {
         QCheckBox *box = nullptr;
         const char *text = nullptr;
@@ -77,9 +76,9 @@ private:
     void setScale(double scale);
     void fitWidth();
     void choosePdf();
-    /// The files that saving under that path writes.
+    /// The files written when saving to that path.
     [[nodiscard]] QStringList filesOf(const QString &path) const;
-    /// Asks before files that are there are replaced.
+    /// Asks before replacing existing files.
     [[nodiscard]] bool mayReplace(const QStringList &files);
     void refuse(const QString &file, const QString &why);
     void showSaved(const QStringList &files);
@@ -89,7 +88,7 @@ private:
     DocumentModel &m_model;
     Evaluator &m_evaluator;
     Simulator m_simulator;
-    std::shared_ptr<const Document> m_simulated; ///< cancelled or not: not begun again
+    std::shared_ptr<const Document> m_simulated; ///< last simulated, or cancelled: not started again
     EvaluatedDocument m_evaluated;
     std::vector<Report> m_reports;
     Pages m_pages;
@@ -97,7 +96,7 @@ private:
 
     QLabel *m_title = nullptr;
     QLabel *m_summary = nullptr;
-    QPushButton *m_open = nullptr; ///< what was saved last
+    QPushButton *m_open = nullptr; ///< opens the last saved file
     QPushButton *m_openFolder = nullptr;
     QStringList m_saved;
     QToolButton *m_previous = nullptr;

@@ -21,7 +21,7 @@ namespace palmer::ui {
 
 namespace {
 
-/// The words of a choice, the chosen one kept.
+/// Sets the texts of a box and its current index.
 void setWords(QComboBox &box, const QStringList &words, int chosen) {
     const QSignalBlocker blocker(&box);
     box.clear();

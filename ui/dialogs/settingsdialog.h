@@ -13,8 +13,8 @@ class QLabel;
 
 namespace palmer::ui {
 
-/// What holds for all windows: their language, their look, the units they show, how changes are kept,
-/// what the register is made of. Each choice holds at once.
+/// Settings for all windows: language, theme, displayed units, how changes are kept and the folders of the
+/// register. Each choice takes effect at once.
 class SettingsDialog : public QDialog {
     Q_OBJECT
 
@@ -36,7 +36,7 @@ private:
     QCheckBox *m_autosave;
     QCheckBox *m_backup;
     QDialogButtonBox *m_buttons;
-    std::vector<QLabel *> m_labels; ///< of the choices, in their order
+    std::vector<QLabel *> m_labels; ///< of the choices, in order
 };
 
 } // namespace palmer::ui

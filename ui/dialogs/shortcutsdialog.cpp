@@ -35,12 +35,12 @@ QString key(QKeyCombination keys) {
     return QKeySequence(keys).toString(QKeySequence::NativeText);
 }
 
-/// Without what it would do just now: "Undo: entry of a reading".
+/// Command without its current object, as in "Undo: entry of a reading".
 QString commandOf(const QAction &action) {
     return plain(action.text()).section(u':', 0, 0).trimmed();
 }
 
-/// The actions with a shortcut, those of the menus below included.
+/// Lists the actions with a shortcut, including those of submenus.
 void listActions(QTreeWidgetItem &group, const QMenu &menu) {
     for (const QAction *action : menu.actions()) {
         if (action->menu())

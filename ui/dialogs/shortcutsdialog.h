@@ -9,8 +9,7 @@ class QTreeWidget;
 
 namespace palmer::ui {
 
-/// All shortcuts of a window: those of its menus, read from them, and the keys of the table of readings where
-/// it has one.
+/// All shortcuts of a window: those read from its menus, and the keys of the readings table if it has one.
 class ShortcutsDialog : public QDialog {
     Q_OBJECT
 

@@ -6,15 +6,14 @@
 
 namespace palmer::ui {
 
-/// Offers to take over what is stated of another test of the file (see takeStatements); hidden until there is
-/// one.
+/// Offers to copy the statements of another test of the file (see takeStatements); hidden until there is one.
 class StatementsBox : public QCheckBox {
     Q_OBJECT
 
 public:
     explicit StatementsBox(QWidget *parent);
 
-    /// Shows itself, chosen, with the name of the test.
+    /// Shows the box, checked, with the name of the test.
     void offer(const QString &test);
 };
 

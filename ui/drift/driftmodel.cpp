@@ -12,7 +12,7 @@ namespace palmer::ui {
 
 namespace {
 
-/// As many digits as the reading with the most, within reason.
+/// Decimals of the reading with the most, up to a limit.
 int commonDecimals(const std::vector<double> &values, Quantity quantity) {
     constexpr int most = 4;
     constexpr std::size_t lookedAt = 2000;
@@ -30,7 +30,7 @@ void DriftModel::show(const EvaluatedDocument &evaluated, std::size_t test, cons
     const bool same = measurement && m_measurement && id == m_id;
     if (id == m_id)
         dropRefused(measurement);
-    const std::shared_ptr<const Document> former = m_document; // owns what was shown until now
+    const std::shared_ptr<const Document> former = m_document; // keeps alive what was shown until now
     const int rows = m_rows;
     const int wanted = measurement ? static_cast<int>(measurement->times.size()) + 1 : 0;
     if (!same) {
@@ -49,7 +49,7 @@ void DriftModel::show(const EvaluatedDocument &evaluated, std::size_t test, cons
         endResetModel();
         return;
     }
-    // Whoever types there goes on: an editor does not outlive a reset.
+    // No reset, which would close an open editor.
     emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
     emit dataChanged(index(0, 0), index(m_rows - 1, columns - 1));
     if (wanted > rows) {
@@ -59,7 +59,7 @@ void DriftModel::show(const EvaluatedDocument &evaluated, std::size_t test, cons
     }
 }
 
-/// A text goes when its reading is another; those of the new one stay with it.
+/// Drops refused texts whose reading has changed; those of the new reading stay.
 void DriftModel::dropRefused(const DriftMeasurement *now) {
     m_refused.removeIf(m_id, [&](const RefusedTexts::Cell &cell) {
         const auto number = [&cell](const DriftMeasurement &measurement) -> std::optional<double> {

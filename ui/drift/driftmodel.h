@@ -18,9 +18,9 @@
 
 namespace palmer::ui {
 
-/// The readings of a drift test in the order of the file: time and deviation. The row below the last takes a
-/// new reading, which is one as soon as both its numbers are there. What cannot be taken stays in its cell,
-/// and half a reading in its row, until it is put right: also while other tests are in view.
+/// The readings of a drift test in file order: time and deviation. The row after the last takes a new
+/// reading, which is added once both numbers are there. Refused texts and half readings stay in their cells
+/// until corrected, even while other tests are in view.
 class DriftModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -30,16 +30,16 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     void show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language);
-    /// How readings are put into the document: from this row on.
+    /// Callback that writes readings to the document from this row on.
     void setWriter(std::function<void(std::size_t row, const std::vector<DriftReading> &readings)> write) {
         m_write = std::move(write);
     }
     [[nodiscard]] std::size_t readings() const;
-    /// What was typed and is in no document: refused texts, and halves of new readings.
+    /// Texts typed that are not in the document: refused ones and half readings.
     [[nodiscard]] QStringList unfinishedTexts() const;
-    /// Takes back the text that was refused last, if no step came since; false: none was.
+    /// Undoes the last refused text if no undo step followed. False if there is none.
     bool undoRefused();
-    /// A step was taken: what was refused before it stays.
+    /// An undo step followed: texts refused before can no longer be undone.
     void keepRefused() { m_lastRefused = QPersistentModelIndex(); }
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
@@ -50,7 +50,7 @@ public:
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
 
 signals:
-    /// What was typed cannot be taken: why not. Empty: it can.
+    /// Why the typed text was refused; empty if it was accepted.
     void refusedText(const QString &reason);
 
 private:
@@ -61,14 +61,14 @@ private:
 
     std::shared_ptr<const Document> m_document; ///< owns the measurement
     const DriftMeasurement *m_measurement = nullptr;
-    int m_rows = 0; ///< one for each reading, and one for the next
+    int m_rows = 0; ///< one per reading and one for the next
     Language m_language{Language::Id::english};
     struct NewReading {
         std::array<std::optional<double>, columns> numbers; ///< s; mm or degrees
         std::array<QString, columns> texts;                 ///< as typed
     };
-    std::string m_id;                               ///< of the test
-    std::map<std::string, NewReading> m_beginnings; ///< of readings that are being added, by test
+    std::string m_id;                               ///< ID of the test
+    std::map<std::string, NewReading> m_beginnings; ///< incomplete new readings by test
     RefusedTexts m_refused;
     QPersistentModelIndex m_lastRefused;
     std::function<void(std::size_t, const std::vector<DriftReading> &)> m_write;

@@ -262,13 +262,13 @@ void DriftPage::removeRows() {
         return;
     m_model.edit(QT_TRANSLATE_NOOP("edits", "remove readings"), [&](Document &document) {
         editTest(document, m_test, [&](Test &changed) {
-            for (const int row : rows) // from the last, so that the others keep their places
+            for (const int row : rows) // from the last, so that the others keep their row numbers
                 removeDriftReadings(changed, static_cast<std::size_t>(row), 1);
         });
     });
 }
 
-/// Enter goes from the time to the deviation, and from there to the next reading.
+/// Enter moves from the time to the deviation, then to the next reading.
 void DriftPage::goOn() {
     const QModelIndex current = m_table->currentIndex();
     if (current.data(QuietDelegate::refusedRole).toBool())
@@ -292,7 +292,7 @@ bool DriftPage::eventFilter(QObject *watched, QEvent *event) {
         const bool pastes = key->matches(QKeySequence::Paste);
         const bool removes = key->matches(QKeySequence::Delete);
         if (pastes || removes) {
-            // The window's shortcuts of the same keys are for the readings of other tests.
+            // The window's shortcuts with these keys are for other kinds of test.
             if (event->type() == QEvent::ShortcutOverride)
                 event->accept();
             else if (pastes)

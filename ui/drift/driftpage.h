@@ -16,24 +16,24 @@ namespace palmer::ui {
 
 class TablePaste;
 
-/// The page of a drift test: E_VE, which tests take it, and the readings, typed or pasted. Its curve is the
-/// figure beside it.
+/// The page of a drift test: E_VE, the tests that use it, and the readings, typed or pasted. The figure next
+/// to it shows its curve.
 class DriftPage : public QWidget {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(DriftPage)
 
 public:
     DriftPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
-    ~DriftPage() override; ///< the table goes before the model it looks at
+    ~DriftPage() override; ///< destroys the table before its model
 
-    /// Shows a drift test; nothing for any other.
+    /// Shows a drift test; empty for any other.
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
 
-    /// What was typed and is in no document.
+    /// Texts typed that are not in the document.
     [[nodiscard]] QStringList refusedTexts() const { return m_readings.unfinishedTexts(); }
 
-    /// Takes back what was typed last and cannot be taken; false: nothing was.
+    /// Undoes the last refused typing. False if there is none.
     bool undoRefused() { return m_readings.undoRefused(); }
 
 protected:

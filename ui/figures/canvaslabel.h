@@ -11,7 +11,8 @@ class QPainter;
 
 namespace palmer::ui {
 
-/// A short text in a frame beside a place of a canvas, on the side where there is room, always within it.
+/// Paints a short framed text next to a point of a canvas, on the side with space and always within the
+/// canvas.
 void paintCanvasLabel(QPainter &painter, const QWidget &canvas, QPointF beside, const QString &text,
                       const QColor &colour);
 

@@ -29,10 +29,9 @@ constexpr int angleDecimals = 2;
 constexpr int deviationDecimals = 2;
 constexpr int timeDecimals = 2;
 constexpr int centreFlags = Qt::AlignLeft | Qt::AlignTop | Qt::TextWordWrap;
-constexpr std::size_t circleAtOnce = 200'000; ///< points
+constexpr std::size_t circleAtOnce = 200'000; ///< points; more are made in the background
 
-/// The points of a path, of which there are some, whose angle is no further than `window` from the direction;
-/// degrees.
+/// Visits the points of a non-empty path at most `window` degrees from the direction.
 template <class Visit>
 void visitNear(const PathProfile &profile, double direction, double window, const Visit &visit) {
     const auto &angles = profile.angles;
@@ -99,7 +98,7 @@ void CircleCanvas::show(const EvaluatedDocument &evaluated, std::size_t test,
                    });
 }
 
-/// What was asked for is shown, with other profiles where there are.
+/// Shows the last request, with new profiles if given.
 void CircleCanvas::take(std::optional<std::vector<PathProfile>> profiles) {
     const TestPointer &test = m_asked.evaluated.document->tests[m_asked.test];
     if (profiles)
@@ -169,7 +168,7 @@ void CircleCanvas::drawAnew() {
         const double before = m_figure ? m_figure->figureRadius : 0;
         CircleFigureOptions options = m_content.options;
         options.size = wanted;
-        options.pointStep = millimetresPerPixel / ratio; // one step a pixel of the device
+        options.pointStep = millimetresPerPixel / ratio; // one step per device pixel
         m_figure = circleFigure(*m_evaluated.document->tests[m_test], *m_profilesOf, m_profiles, m_language,
                                 options);
         if (before > 0) {
@@ -184,7 +183,7 @@ void CircleCanvas::drawAnew() {
     if (m_figure->view != m_view)
         m_figure = withView(std::move(*m_figure), m_profiles, m_view, m_language);
     m_shown = withoutHidden(*m_figure);
-    // The toggles beside the figure name the paths.
+    // The buttons next to the figure name the paths.
     std::erase_if(m_shown.legend, [](const CircleLegendEntry &entry) {
         return entry.sample == CircleLegendSample::counterclockwise ||
                entry.sample == CircleLegendSample::clockwise ||
@@ -279,7 +278,7 @@ std::optional<CircleCanvas::ProfilePoint> CircleCanvas::find(const ReadingPlace 
     return std::nullopt;
 }
 
-/// The point of the path nearest to the angle: about another centre the angle of a point is a little another.
+/// The point of the path closest to the angle, as angles differ slightly about another centre.
 std::optional<CircleCanvas::ProfilePoint> CircleCanvas::pointOf(const RulingPoint &ruling) const {
     for (std::size_t k = 0; k < m_profiles.size(); ++k) {
         const PathProfile &profile = m_profiles[k];
@@ -353,13 +352,13 @@ void CircleCanvas::paintEvent(QPaintEvent *) {
 
 QRect CircleCanvas::centreBox() const {
     constexpr int left = 6;
-    constexpr int least = 56; // the longest word has that room
+    constexpr int least = 56; // fits the longest word
     const int room = std::min(std::max(width() * 3 / 10, 100), static_cast<int>(m_leftOfSenses) - 2 * left);
     return QFontMetrics(themeFont(TextSize::tiny))
         .boundingRect(QRect(left, 4, std::max(room, least), height()), centreFlags, m_shown.centre);
 }
 
-/// In the corner that circles leave free, whatever room the head has: numbers mean nothing without it.
+/// In a corner free of circles, always shown: without it the numbers have no meaning.
 void CircleCanvas::paintCentre(QPainter &painter) const {
     painter.setFont(themeFont(TextSize::tiny));
     const QRect text = centreBox();
@@ -406,7 +405,7 @@ void CircleCanvas::zoom(double factor, QPointF about) {
         return;
     const QPointF at = m_transform.toData(about);
     const double zoomed = std::clamp(m_view.zoom / factor, 1.0, deepestCircleZoom);
-    const double shrink = m_view.zoom / zoomed; // what is under the pointer stays there
+    const double shrink = m_view.zoom / zoomed; // keeps the point under the pointer in place
     setView({at.x() + (m_view.x - at.x()) * shrink, at.y() + (m_view.y - at.y()) * shrink, zoomed});
 }
 
@@ -463,7 +462,7 @@ void CircleCanvas::wheelEvent(QWheelEvent *event) {
     const double steps = event->angleDelta().y() / 120.0;
     if (steps != 0)
         zoom(std::pow(zoomStep, -steps), event->position());
-    event->accept(); // also where it can zoom no further: what the figure stands in never scrolls
+    event->accept(); // even at the zoom limit, so that the area around the figure never scrolls
 }
 
 void CircleCanvas::keyPressEvent(QKeyEvent *event) {

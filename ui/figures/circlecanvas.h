@@ -18,58 +18,58 @@
 
 namespace palmer::ui {
 
-/// Paths to be drawn over the measured ones: what sources of a diagnosis make.
+/// Paths of diagnosed sources, to be drawn over the measured ones.
 struct SyntheticPaths {
-    TestEvaluationPointer of;                         ///< whose paths they are
+    TestEvaluationPointer of;                         ///< evaluation they belong to
     std::shared_ptr<const std::vector<Points>> paths; ///< see profilesOfPaths; null: none
 
     bool operator==(const SyntheticPaths &) const = default;
 };
 
-/// What of a circle figure is shown, whatever the test.
+/// What to show of a circle figure, for any test.
 struct CircleCanvasContent {
-    CircleFigureOptions options; ///< size: that of the canvas counts
+    CircleFigureOptions options; ///< the canvas replaces the size
     bool counterclockwise = true;
     bool clockwise = true;
-    SyntheticPaths synthetic = {}; ///< of another evaluation: not shown
+    SyntheticPaths synthetic = {}; ///< not shown if they belong to another evaluation
 
     bool operator==(const CircleCanvasContent &) const = default;
 };
 
-/// The surface of a circle figure: zoom, pan, reads angle, deviation and time of the point under the pointer.
-/// A point is named by a ReadingPlace: its arc and its index there. The points about the centre are computed
-/// once per evaluation; every view bins what is in it anew, so that millions of points stay fluid.
+/// Canvas of a circle figure: zooms, pans and reads angle, deviation and time of the point under the pointer.
+/// A ReadingPlace identifies a point by its arc and index. The points about the centre are computed once per
+/// evaluation; each view is binned again, so that millions of points stay responsive.
 class CircleCanvas : public QWidget {
     Q_OBJECT
 
 public:
     explicit CircleCanvas(Selection &selection, QWidget *parent = nullptr);
 
-    /// Profiles of many points are made beside the window, which shows the figure of before until then.
+    /// Profiles of many points are made in the background; until then the former figure is shown.
     void show(const EvaluatedDocument &evaluated, std::size_t test, const CircleCanvasContent &content,
               const Language &language);
-    /// Whether what was asked for last is not shown yet.
+    /// True if the last request is not shown yet.
     [[nodiscard]] bool isMaking() const { return m_making.isBusy(); }
     void clear();
-    /// What the explanation of the chosen parameter says ("G = 20,42 µm"), and the points that rule it.
+    /// Label explaining the chosen parameter ("G = 20,42 µm"), and the points that determine it.
     void setMarking(const QString &label, const std::vector<RulingPoint> &points);
 
-    /// The figure for paper: the same content and view in the size of a page; nothing without a test.
+    /// The same content and view in page size, for paper; null without a test.
     [[nodiscard]] std::optional<CircleFigure> paperFigure() const;
     [[nodiscard]] const CircleView &view() const { return m_view; }
     void setView(const CircleView &view);
-    /// The sentence about which centre it is drawn.
+    /// Area of the text that names the centre.
     [[nodiscard]] QRect centreBox() const;
     void fit() { setView({}); }
-    /// In by so many steps of the wheel about the middle, out where negative.
+    /// Zooms in about the middle by so many wheel steps, or out if negative.
     void zoomBy(int steps);
-    /// The view nearest to one that shows nothing beyond the figure and zooms no deeper than makes sense.
+    /// The nearest view that shows nothing outside the figure and is within the zoom limit.
     [[nodiscard]] static CircleView within(CircleView view, const CircleFigure &figure);
-    /// Where a point stands on the canvas; nothing where it is out of view.
+    /// Position of a point on the canvas; null if out of view.
     [[nodiscard]] std::optional<QPointF> placeOf(const ReadingPlace &point);
-    /// "XY 12,30°  −2,21 µm  0,39 s" of a point; empty where it is not shown.
+    /// Text of a point, "XY 12,30°  −2,21 µm  0,39 s"; empty if not shown.
     [[nodiscard]] QString readOut(const ReadingPlace &point) const;
-    /// "−2,21 µm": the deviation of it; empty where it is not shown.
+    /// Text of its deviation, "−2,21 µm"; empty if not shown.
     [[nodiscard]] QString deviationText(const ReadingPlace &point) const;
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {140, 140}; }
@@ -77,7 +77,7 @@ public:
 
 signals:
     void pressed();
-    /// The figure that had to be waited for is shown.
+    /// A figure made in the background is now shown.
     void made();
 
 protected:
@@ -92,13 +92,13 @@ protected:
     void leaveEvent(QEvent *event) override;
 
 private:
-    /// A point of a profile: indices of both.
+    /// A point by the indices of its profile and within it.
     struct ProfilePoint {
         std::size_t profile = 0;
         std::size_t point = 0;
     };
 
-    /// What is to be shown.
+    /// A request.
     struct Asked {
         EvaluatedDocument evaluated;
         std::size_t test = 0;
@@ -127,17 +127,17 @@ private:
     std::size_t m_test = 0;
     CircleCanvasContent m_content;
     Language m_language{Language::Id::english};
-    TestEvaluationPointer m_profilesOf; ///< the evaluation the profiles were made from
+    TestEvaluationPointer m_profilesOf; ///< the evaluation of the profiles
     std::vector<PathProfile> m_profiles;
-    std::optional<CircleFigure> m_figure; ///< in the view painted last; null: to be made
-    CircleFigure m_shown;                 ///< what of it is not hidden
+    std::optional<CircleFigure> m_figure; ///< in the last painted view; null if outdated
+    CircleFigure m_shown;                 ///< m_figure without hidden parts
     CircleView m_view;
     QString m_markingLabel;
     std::vector<RulingPoint> m_ruling;
-    QPixmap m_drawn; ///< null: to be drawn
+    QPixmap m_drawn; ///< null if outdated
     FigureTransform m_transform;
-    double m_leftOfSenses = 0;     ///< of m_drawn
-    std::optional<QPointF> m_drag; ///< where the pointer was
+    double m_leftOfSenses = 0;     ///< x in m_drawn
+    std::optional<QPointF> m_drag; ///< last position of the pointer
     bool m_dragged = false;
     Background m_making;
 };

@@ -22,7 +22,7 @@ namespace palmer::ui {
 
 namespace {
 
-/// The line a path is drawn with, before its name.
+/// The line style of a path, as an icon for its button.
 class TraceIcon : public QIconEngine {
 public:
     TraceIcon(Sense sense, bool repetition, const QWidget *owner)
@@ -137,7 +137,7 @@ void CircleFigureView::show(const EvaluatedDocument &evaluated, std::size_t test
         for (CircleCanvas *canvas : m_canvases)
             canvas->clear();
         m_choice->setCurrentIndex(0);
-        fit(); // zoom belongs to a test
+        fit(); // each test has its own zoom
     }
     refresh();
 }
@@ -189,7 +189,7 @@ QString CircleFigureView::deviationText(const ReadingPlace &point) const {
     return m_evaluated.tests.empty() ? QString() : m_current->deviationText(point);
 }
 
-/// Combined; G(b) and G side by side; each figure of the standard by itself.
+/// Offers: combined; G(b) and G side by side; each figure of the standard.
 void CircleFigureView::fillChoice() {
     const QSignalBlocker blocker(m_choice);
     const QVariant before = m_choice->currentData();
@@ -203,7 +203,7 @@ void CircleFigureView::fillChoice() {
     for (std::size_t i = 0; measurement && i < m_separate.size(); ++i) {
         const CircleFigureOptions &one = m_separate[i];
         if (one.of == CircleOf::both)
-            continue; // the combined one
+            continue; // same as combined
         const Sense sense = one.of == CircleOf::clockwise ? Sense::clockwise : Sense::counterclockwise;
         const QString symbol =
             one.subject == CircleSubject::radialDeviation ? QStringLiteral("F") : QStringLiteral("G");
@@ -261,11 +261,11 @@ void CircleFigureView::refresh() {
     fitNames();
     if (!m_current->isVisibleTo(this))
         m_current = m_canvases.front();
-    if (!m_current->isMaking()) // else when it is made
+    if (!m_current->isMaking()) // otherwise emitted when it is made
         emit figureChanged();
 }
 
-/// Without room for the words the letters of the figure name the paths.
+/// Without space for the words, buttons show the letters of the paths in the figure.
 void CircleFigureView::fitNames() {
     const auto *measurement = measured<CircularMeasurement>(m_evaluated, m_test);
     const auto letters = [&](Sense sense) {

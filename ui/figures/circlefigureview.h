@@ -20,15 +20,15 @@ class QToolButton;
 
 namespace palmer::ui {
 
-/// The figures of a circular test: which of them is shown (combined, one of those of the standard, or G(b)
-/// and both G side by side), what of it, and the surface.
+/// The figures of a circular test: the choice of figure (combined, one of the standard's, or G(b) and both G
+/// side by side), what it shows, and its canvases.
 class CircleFigureView : public QWidget {
     Q_OBJECT
 
 public:
     explicit CircleFigureView(Selection &selection, QWidget *parent = nullptr);
 
-    /// `test` is a circular one.
+    /// Precondition: `test` is circular.
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
     void setContacts(bool shown);
@@ -36,19 +36,19 @@ public:
     void setMarking(const QString &label, const std::vector<RulingPoint> &points);
     void clear();
     void fit();
-    /// All surfaces alike: they are compared with one another.
+    /// Zooms all canvases together, so that they stay comparable.
     void zoomBy(int steps);
 
-    /// The figure that is copied and saved: of several that used last. Nothing without a test.
-    /// Says for those who cannot see it what the current figure shows.
+    /// Sets the accessible description of the current figure.
     void describe(const QString &content);
+    /// The figure to copy and save, of several the one used last; null without a test.
     [[nodiscard]] std::optional<CircleFigure> paperFigure() const;
-    /// Of a point in the figure used last.
+    /// Deviation of a point in the figure used last.
     [[nodiscard]] QString deviationText(const ReadingPlace &point) const;
     [[nodiscard]] CircleCanvas *canvas() const { return m_canvases.front(); }
 
 signals:
-    /// Another figure is shown, or other paths of it.
+    /// Another figure is shown, or other paths in it.
     void figureChanged();
 
 protected:
@@ -68,7 +68,7 @@ private:
     Language m_language{Language::Id::english};
     bool m_contacts = true;
     SyntheticPaths m_synthetic;
-    std::vector<CircleFigureOptions> m_separate; ///< those of the standard that the test has
+    std::vector<CircleFigureOptions> m_separate; ///< figures of the standard available for the test
     QComboBox *m_choice;
     QToolButton *m_counterclockwise;
     QToolButton *m_clockwise;

@@ -20,7 +20,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr double markWidth = 18;
-constexpr double leastRange = 1e-3; ///< of the whole range
+constexpr double leastRange = 1e-3; ///< share of the whole range
 
 Interval within(const Interval &wanted, const FigureAxis &whole) {
     const double all = whole.to - whole.from;
@@ -176,7 +176,7 @@ void FigureCanvas::paintMarking(QPainter &painter) const {
         const QPointF lower = m_transform.map(dimension.lowerPosition, dimension.lower);
         const QPointF upper = m_transform.map(dimension.upperPosition, dimension.upper);
         const bool oneTarget = dimension.lowerPosition == dimension.upperPosition;
-        // At a single target beside it, else at the edge, with leaders from both ends.
+        // Next to a single target, otherwise at the edge with leaders from both ends.
         const double x =
             oneTarget ? std::max(plot.left() + 6, lower.x() - markWidth / 2 - 4) : plot.right() - 10;
         painter.save();
@@ -190,7 +190,7 @@ void FigureCanvas::paintMarking(QPainter &painter) const {
             painter.drawLine(QPointF(x - 4, y), QPointF(x + 4, y));
         painter.restore();
         beside = QPointF(x, std::clamp((lower.y() + upper.y()) / 2, plot.top() + 12, plot.bottom() - 12));
-        if (x > plot.center().x()) // the label keeps out of the targets' way
+        if (x > plot.center().x()) // keeps the label away from the targets
             beside.rx() -=
                 28 + QFontMetrics(themeFont(TextSize::tiny)).horizontalAdvance(m_marking.label) + 12;
     }
@@ -265,7 +265,7 @@ void FigureCanvas::wheelEvent(QWheelEvent *event) {
     const double steps = event->angleDelta().y() / 120.0;
     if (steps != 0)
         zoom(std::pow(zoomStep, -steps), event->position());
-    event->accept(); // also where it can zoom no further: what the figure stands in never scrolls
+    event->accept(); // even at the zoom limit, so that the area around the figure never scrolls
 }
 
 void FigureCanvas::keyPressEvent(QKeyEvent *event) {

@@ -16,42 +16,41 @@
 
 namespace palmer::ui {
 
-/// What an explanation marks in the figure.
+/// Marks for an explanation in the figure.
 struct FigureMarking {
-    std::vector<double> positions;      ///< of the ruling targets
-    std::optional<Dimension> dimension; ///< what is measured between them
+    std::vector<double> positions;      ///< of the targets that determine the parameter
+    std::optional<Dimension> dimension; ///< the distance between them
     QString label;                      ///< "R = 10,26 µm"
 };
 
-/// Ranges of x and y to zoom to: never beyond the whole, never so deep that the numbers of the axes say
-/// nothing.
+/// Limits zoom ranges of x and y to the whole figure, and to a depth at which axis numbers still differ.
 [[nodiscard]] std::array<Interval, 2> rangesWithin(const CurveFigure &whole, const Interval &x,
                                                    const Interval &y);
 
-/// The surface of a figure. The figure itself is drawn once for a size, range and theme; what moves with the
-/// pointer lies over it.
+/// Canvas of a figure. The figure is drawn once per size, range and theme; whatever follows the pointer is
+/// painted over it.
 class FigureCanvas : public QWidget {
     Q_OBJECT
 
 public:
     explicit FigureCanvas(Selection &selection, QWidget *parent = nullptr);
 
-    /// `readings`: what the pointer finds.
+    /// `readings`: those the pointer can find.
     void setFigure(const CurveFigure &figure, FigureReadings readings);
     void setMarking(const FigureMarking &marking);
-    /// What the label beside the ring says; asked for when the pointer moves to another reading.
+    /// Label next to the ring, requested when the pointer moves to another reading.
     void setHoverLabel(const QString &label);
     void clear();
-    /// In by so many steps of the wheel about the middle, out where negative.
+    /// Zooms in about the middle by so many wheel steps, or out if negative.
     void zoomBy(int steps);
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 160}; }
     [[nodiscard]] QSize sizeHint() const override { return {480, 270}; }
-    /// Where a reading stands on the canvas; nothing where it is out of view.
+    /// Position of a reading on the canvas; null if out of view.
     [[nodiscard]] std::optional<QPointF> placeOf(const ReadingPlace &reading);
 
 signals:
-    /// The user zooms or pans: show these ranges.
+    /// The user zooms or pans to these ranges.
     void rangesWanted(const palmer::Interval &x, const palmer::Interval &y);
     void fitWanted();
 
@@ -72,7 +71,7 @@ private:
     void pan(QPointF by);
     [[nodiscard]] QPointF shown(const FigureReading &reading) const;
     [[nodiscard]] std::optional<FigureReading> nearest(QPointF at) const;
-    /// In view and at this place.
+    /// Position of the reading at `place`; null if out of view.
     [[nodiscard]] std::optional<QPointF> shownAt(const ReadingPlace &place) const;
     void paintMarking(QPainter &painter) const;
     void paintHover(QPainter &painter) const;
@@ -82,9 +81,9 @@ private:
     FigureReadings m_readings;
     FigureMarking m_marking;
     QString m_hoverLabel;
-    QPixmap m_drawn; ///< null: to be drawn
+    QPixmap m_drawn; ///< null if outdated
     FigureTransform m_transform;
-    std::optional<QPointF> m_drag; ///< where the pointer was
+    std::optional<QPointF> m_drag; ///< last position of the pointer
     bool m_dragged = false;
 };
 

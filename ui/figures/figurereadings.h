@@ -13,7 +13,7 @@
 
 namespace palmer::ui {
 
-/// A reading that the pointer can find in a figure, in the units of its axes.
+/// A reading the pointer can find in a figure, in the units of its axes.
 struct FigureReading {
     double x = 0;
     double y = 0;
@@ -21,17 +21,17 @@ struct FigureReading {
     ReadingPlace place;
 };
 
-/// The readings that the pointer finds in a figure: its marks, or, where it has none, the points of its
-/// curves up and down, which are those of the only run, and of drift. Nothing is copied of the figure, which
-/// may hold a million.
+/// The readings the pointer can find in a figure: its marks or, without marks, the points of its up and down
+/// curves, which are then those of a single run or of drift. Refers to the figure without copying, as it may
+/// hold a million points.
 class FigureReadings {
 public:
-    /// None.
+    /// No readings.
     FigureReadings() = default;
-    /// Of a drift test.
+    /// Readings of a drift test's figure.
     explicit FigureReadings(std::shared_ptr<const CurveFigure> figure)
         : m_figure(std::move(figure)) {}
-    /// Of a figure made of the measurement.
+    /// Readings of a figure of the measurement.
     FigureReadings(std::shared_ptr<const CurveFigure> figure, const PositioningMeasurement &measurement);
 
     /// Calls `visit` with each FigureReading.
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    /// Of the k-th run of its direction, from 1; 0 where there is none.
+    /// Place in the `run`-th run of its direction, counted from 1; run index 0 if there is none.
     [[nodiscard]] ReadingPlace place(CurveRole role, int run, int target) const {
         const std::vector<std::size_t> &runs = m_runs[role == CurveRole::up ? 0 : 1];
         const auto k = static_cast<std::size_t>(run) - 1;
@@ -59,7 +59,7 @@ private:
     }
 
     std::shared_ptr<const CurveFigure> m_figure;
-    std::array<std::vector<std::size_t>, 2> m_runs; ///< indices in the measurement, of ↑ and of ↓
+    std::array<std::vector<std::size_t>, 2> m_runs; ///< indices in the measurement of the runs ↑ and ↓
 };
 
 } // namespace palmer::ui

@@ -41,7 +41,7 @@ namespace palmer::ui {
 
 namespace {
 
-/// How many readings the targets have in a direction: "5", while they come in "1 … 2".
+/// Number of readings per target in a direction: "5", or "1 … 2" during entry.
 QString countText(const PositioningResults &results, DirectionStatistics TargetStatistics::*direction) {
     const auto count = [direction](const TargetStatistics &target) { return (target.*direction).n; };
     const auto [least, most] = std::ranges::minmax_element(results.targets, {}, count);
@@ -53,9 +53,9 @@ QString countText(const PositioningResults &results, DirectionStatistics TargetS
 
 constexpr int tightWidth = 520;
 constexpr int clipboardDotsPerInch = 200;
-constexpr std::size_t drawnAtOnce = 50'000; ///< readings; figures of more are made on a thread
+constexpr std::size_t drawnAtOnce = 50'000; ///< readings; figures of more are made in the background
 
-// What the pointer finds in the curves of a test.
+// Readings the pointer can find in a test's curves.
 
 FigureReadings readingsIn(std::shared_ptr<const CurveFigure> figure,
                           const PositioningMeasurement &measurement) {
@@ -66,7 +66,7 @@ FigureReadings readingsIn(std::shared_ptr<const CurveFigure> figure, const auto 
     return FigureReadings(std::move(figure));
 }
 
-// What a figure of curves says of a reading.
+// Label of a reading in a figure of curves.
 
 QString labelOf(const PositioningMeasurement &measurement, const ReadingPlace &place,
                 const Language &language) {
@@ -86,7 +86,7 @@ QString labelOf(const auto & /*measurement*/, const ReadingPlace & /*place*/, co
     return {};
 }
 
-/// The figure in these ranges, or whole; no more of it than a screen resolves.
+/// The figure in these ranges, or whole; large ones are thinned to what a screen resolves.
 CurveFigure figureIn(const CurveFigure &whole, const std::optional<std::array<Interval, 2>> &ranges,
                      const Language &language) {
     const bool isLarge = !isOrdinary(whole);
@@ -96,7 +96,7 @@ CurveFigure figureIn(const CurveFigure &whole, const std::optional<std::array<In
     return isLarge ? thinned(figure) : figure;
 }
 
-/// What the pointer finds stays.
+/// Hides the marks; the pointer still finds the readings.
 CurveFigure withoutReadings(CurveFigure figure) {
     figure.readings = {};
     std::erase_if(figure.legend,
@@ -161,7 +161,7 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     retranslate();
 }
 
-/// In a narrow panel the buttons leave the title its room.
+/// In a narrow panel the buttons shrink to leave space for the title.
 void FigureView::resizeEvent(QResizeEvent *event) {
     QWidget::resizeEvent(event);
     const bool tight = width() < tightWidth;
@@ -178,7 +178,7 @@ void FigureView::show(const EvaluatedDocument &evaluated, std::size_t test) {
     m_evaluated = evaluated;
     m_test = test;
     if (other)
-        forget(); // zoom belongs to a test
+        forget(); // each test has its own zoom
     retranslate();
 }
 
@@ -219,7 +219,7 @@ void FigureView::refresh() {
         return refreshCurves();
     forget();
     if (circular) {
-        m_circles->show(m_evaluated, m_test); // figureChanged: refreshCircles
+        m_circles->show(m_evaluated, m_test); // emits figureChanged, which calls refreshCircles
         mark();
         return;
     }
@@ -235,7 +235,7 @@ void FigureView::forget() {
     m_canvas->clear();
 }
 
-/// Of a large test beside the window, which shows what was before until then.
+/// Large tests are drawn in the background; until then the former figure is shown.
 void FigureView::refreshCurves() {
     m_circles->clear();
     const TestPointer test = m_evaluated.document->tests[m_test];
@@ -250,12 +250,12 @@ void FigureView::refreshCurves() {
                    [this, zoomed = zoomedRanges()](Content content) {
                        const auto now = zoomedRanges();
                        take(std::move(content));
-                       if (now && now != zoomed) // zoomed meanwhile
+                       if (now && now != zoomed) // the user zoomed meanwhile
                            showRanges((*now)[0], (*now)[1]);
                    });
 }
 
-/// The figure, as much of it as the screen resolves, and what the pointer finds in it.
+/// Makes the figure as far as the screen resolves it, and the readings the pointer can find.
 FigureView::Content FigureView::contentOf(const Test &test, const TestEvaluation &evaluation,
                                           const Language &language, bool marks,
                                           const std::optional<std::array<Interval, 2>> &zoomed) {
@@ -320,14 +320,14 @@ void FigureView::showTitle(const CircularMeasurement &measurement, const Circula
     m_title->setText(figure->title);
     m_circles->describe(figureSentence(*figure, m_language));
     QStringList note;
-    if (isCorrectedTo20(measurement.conditions.common)) // first: what has no room is left out
+    if (isCorrectedTo20(measurement.conditions.common)) // put first, as the last parts are elided
         note << tr("at 20 °C");
     if (measurement.feed)
         note << QStringLiteral("F ") + m_language.quantity(*measurement.feed, Quantity::feed);
     m_note->setText(note.join(QStringLiteral(" · ")));
 }
 
-/// For those who cannot see it: the content, then the keys.
+/// Sets the accessible description: the content, then the keys.
 void FigureView::describe() {
     m_canvas->setAccessibleName(m_whole->title);
     m_canvas->setAccessibleDescription(m_sentence + QStringLiteral(". ") +
@@ -335,7 +335,7 @@ void FigureView::describe() {
                                           "zooms"));
 }
 
-/// What is zoomed to; nothing where the whole is shown.
+/// The zoomed ranges; null if the whole is shown.
 std::optional<std::array<Interval, 2>> FigureView::zoomedRanges() const {
     if (!m_whole || !m_shown ||
         (m_shown->x.from == m_whole->x.from && m_shown->x.to == m_whole->x.to &&
@@ -376,7 +376,7 @@ void FigureView::showRanges(const Interval &x, const Interval &y) {
         return;
     const std::array<Interval, 2> ranges = rangesWithin(*m_whole, x, y);
     const bool atOnce = readingsOf(*shownTest()) <= drawnAtOnce;
-    // Of a larger test at once what is drawn already, then what belongs to the range.
+    // A larger test shows at once what is already drawn, then what the range contains.
     m_shown = atOnce ? figureIn(*m_whole, ranges, m_language)
                      : withRanges(*m_shown, ranges[0], ranges[1], m_language);
     m_canvas->setFigure(*m_shown, m_readings);
@@ -476,7 +476,7 @@ void FigureView::askWhereToSave() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters(filters);
-    // The dialog adds it before it asks whether a file may be replaced.
+    // The suffix must be set before the dialog asks about replacing a file.
     const auto followFilter = [=] {
         const auto chosen = std::max<qsizetype>(0, filters.indexOf(dialog->selectedNameFilter()));
         dialog->setDefaultSuffix(QLatin1StringView(suffixes.at(static_cast<std::size_t>(chosen))));

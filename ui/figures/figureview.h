@@ -25,7 +25,7 @@ struct SyntheticPaths;
 class ZoomButtons;
 
 /// The figure of the test in view: reads values under the pointer, zooms, pans, copies and saves. Follows the
-/// theme; what leaves it is white.
+/// theme on screen; copies and files are white.
 class FigureView : public QWidget {
     Q_OBJECT
 
@@ -35,27 +35,27 @@ public:
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
 
-    /// The figure of a positioning test as it is shown, with the ranges zoomed to; nothing for other tests.
+    /// The figure of a positioning test as shown, with the zoomed ranges; null for other tests.
     [[nodiscard]] std::optional<CurveFigure> figure() const;
-    /// What a figure of circles says of a point, about its own centre; empty where it does not show it.
+    /// Deviation of a point in a circle figure, relative to its centre; empty if not shown.
     [[nodiscard]] QString deviationText(const ReadingPlace &point) const;
-    /// Draws these over the paths of the circular test they belong to.
+    /// Draws these over the paths of their circular test.
     void setSynthetic(const SyntheticPaths &paths);
     void fit();
-    /// In by so many steps of the wheel about the middle, out where negative.
+    /// Zooms in about the middle by so many wheel steps, or out if negative.
     void zoomBy(int steps);
-    /// Makes it a window of its own, which goes away when it is closed.
+    /// Makes it a separate window, deleted when closed.
     void standAlone();
-    /// Puts the figure on the clipboard, as vectors (SVG, PDF) and as a picture.
+    /// Copies the figure to the clipboard, as vectors (SVG, PDF) and as a bitmap.
     void copy();
-    /// Writes the figure; the kind follows the suffix (pdf, svg, png). False: it could not be written.
+    /// Writes the figure in the format of the suffix (pdf, svg, png). False on failure.
     bool saveTo(const QString &path);
 
 signals:
-    /// The user wants it in a window of its own, or as large as the window.
+    /// The user wants the figure in a separate window, or maximised.
     void detachWanted();
     void maximiseWanted();
-    /// What was done and cannot be seen, for the status bar.
+    /// Status bar message about an action without visible effect.
     void said(const QString &text);
 
 protected:
@@ -68,12 +68,12 @@ private:
         QString title;
     };
 
-    /// A figure of curves, made without the window.
+    /// A figure of curves, made independently of the window.
     struct Content {
-        std::shared_ptr<const CurveFigure> whole; ///< with the ranges that show everything
+        std::shared_ptr<const CurveFigure> whole; ///< at full range
         FigureReadings readings;
         CurveFigure shown;
-        QString sentence; ///< what it shows, in words
+        QString sentence; ///< the figure described in words
     };
 
     static Content contentOf(const Test &test, const TestEvaluation &evaluation, const Language &language,
@@ -83,16 +83,16 @@ private:
     void refreshCircles();
     void forget();
     void take(Content content);
-    /// Title and note: each kind has its own.
+    /// Titles and notes by kind of test.
     void showTitle();
     void showTitle(const PositioningMeasurement &measurement, const PositioningResults &results);
     void showTitle(const DriftMeasurement &drift, const DriftResults &results);
     void showTitle(const CircularMeasurement &measurement, const CircularResults &results);
-    [[nodiscard]] const Test *shownTest() const; ///< null: none
+    [[nodiscard]] const Test *shownTest() const; ///< may be null
     [[nodiscard]] bool showsCircles() const;
     void describe();
     [[nodiscard]] std::optional<std::array<Interval, 2>> zoomedRanges() const;
-    /// What is copied and saved: the figure in view, for paper.
+    /// The current figure on paper, to be copied or saved.
     [[nodiscard]] std::optional<Leaving> leaving() const;
     void showRanges(const Interval &x, const Interval &y);
     void mark();
@@ -104,7 +104,7 @@ private:
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
     Language m_language{Language::Id::english};
-    std::shared_ptr<const CurveFigure> m_whole; ///< with the ranges that show everything; null: none
+    std::shared_ptr<const CurveFigure> m_whole; ///< at full range; may be null
     std::optional<CurveFigure> m_shown;
     FigureReadings m_readings;
     QString m_sentence;
@@ -119,8 +119,8 @@ private:
     QToolButton *m_save;
     QToolButton *m_detach;
     QToolButton *m_maximise;
-    Background m_making;  ///< of the figure of a large test
-    Background m_zooming; ///< of what of it belongs to the ranges in view
+    Background m_making;  ///< makes the figure of a large test
+    Background m_zooming; ///< makes the part of it in the zoomed ranges
 };
 
 } // namespace palmer::ui

@@ -26,14 +26,14 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double chartReach = 16; ///< of the pointer, pixels
+constexpr double chartReach = 16; ///< around the pointer, pixels
 constexpr double chartRingRadius = 5;
 constexpr double deepestChartZoom = 2000; ///< times
-constexpr double ticksOfWidth = 90;       ///< pixels a tick of x needs
+constexpr double ticksOfWidth = 90;       ///< pixels per tick of x
 constexpr double ticksOfHeight = 28;
-constexpr std::size_t fewPoints = 12; ///< that are marked one by one
+constexpr std::size_t fewPoints = 12; ///< up to which each point is marked
 constexpr double markerSize = 4;
-constexpr std::size_t leastParts = 200; ///< of a line that is drawn
+constexpr std::size_t leastParts = 200; ///< of a drawn line
 
 Medium mediumOf(const QPalette &palette) {
     return isDark(palette) ? Medium::screenDark : Medium::screenLight;
@@ -55,7 +55,7 @@ LineChart::LineChart(QWidget *parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     chart()->legend()->hide();
-    chart()->setMargins({0, 8, 16, 0}); // half of the last labels
+    chart()->setMargins({0, 8, 16, 0}); // for half of the last labels
     chart()->layout()->setContentsMargins(0, 0, 0, 0);
     chart()->setBackgroundRoundness(0);
     m_x = new QCategoryAxis(this);
@@ -81,7 +81,7 @@ QRectF LineChart::whole() const {
     return {QPointF(m_figure.x.from, m_figure.y.from), QPointF(m_figure.x.to, m_figure.y.to)};
 }
 
-/// Series, colours and axes anew: what a figure or a palette changes.
+/// Builds series, colours and axes for a new figure or palette.
 void LineChart::build() {
     const Medium medium = mediumOf(palette());
     const QColor text = figureColor(FigureRole::text, medium);
@@ -103,7 +103,8 @@ void LineChart::build() {
     for (QCategoryAxis *axis : {m_x, m_y}) {
         axis->setVisible(!m_figure.lines.empty());
         axis->setLabelsFont(themeFont(TextSize::tiny));
-        axis->setTruncateLabels(false); // "…" says nothing: in a low chart some are left out
+        axis->setTruncateLabels(false); // an elided number is useless; a low chart leaves out some labels
+                                        // instead
         axis->setLabelsColor(text);
         axis->setTitleFont(themeFont(TextSize::tiny));
         axis->setTitleBrush(text);
@@ -325,11 +326,11 @@ void LineChart::wheelEvent(QWheelEvent *event) {
     const double steps = event->angleDelta().y() / 120.0;
     if (steps != 0)
         zoom(std::pow(zoomStep, -steps), event->position());
-    event->accept(); // also where it can zoom no further: what the chart stands in never scrolls
+    event->accept(); // even at the zoom limit, so that the area around the chart never scrolls
 }
 
 void LineChart::keyPressEvent(QKeyEvent *event) {
-    constexpr double pan = 0.1; // of what is in view
+    constexpr double pan = 0.1; // share of the view
     const auto move = [&](double x, double y) {
         setRange(m_range.translated(x * pan * m_range.width(), y * pan * m_range.height()));
     };

@@ -14,29 +14,29 @@ class QCategoryAxis;
 
 namespace palmer::ui {
 
-/// A line figure as a chart to look into: drag or wheel zooms, a double click or 0 shows the whole, the point
-/// under the pointer is named. Of long lines the extremes of what is in view are drawn.
+/// A line figure as an interactive chart: dragging or the wheel zooms, a double click or 0 shows the whole,
+/// and the point under the pointer is labelled. Long lines are drawn as the extremes within the view.
 class LineChart : public QChartView {
     Q_OBJECT
 
 public:
     explicit LineChart(QWidget *parent = nullptr);
 
-    /// `empty`: the words that stand in the place of a figure without lines.
+    /// `empty`: text shown if the figure has no lines.
     void setFigure(const LineFigure &figure, const Language &language, const QString &empty = {});
     [[nodiscard]] const LineFigure &figure() const { return m_figure; }
 
     using ReadOut = std::function<QString(const FigureLine &, const QPointF &)>;
-    /// What is said of a point; without: both its numbers.
+    /// Label of a point; by default both its numbers.
     void setReadOut(ReadOut readOut) { m_readOut = std::move(readOut); }
 
-    /// What is in view, in the units of the axes.
+    /// The range in view, in the units of the axes.
     [[nodiscard]] QRectF range() const { return m_range; }
     void setRange(const QRectF &range);
     void fit();
-    /// In by so many steps of the wheel about the middle, out where negative.
+    /// Zooms in about the middle by so many wheel steps, or out if negative.
     void zoomBy(int steps);
-    /// The words of the point nearest to a place of the widget; empty where none is near.
+    /// Label of the point nearest to a widget position; empty if none is near.
     [[nodiscard]] QString readOutAt(const QPointF &place) const;
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {200, 110}; }
@@ -56,7 +56,7 @@ protected:
     void focusOutEvent(QFocusEvent *event) override;
 
 private:
-    /// A point of the figure: indices of line and point.
+    /// A point by the indices of its line and within it.
     struct Place {
         std::size_t line = 0;
         std::size_t point = 0;

@@ -8,7 +8,7 @@
 
 namespace palmer::ui {
 
-/// A line figure on the screen, in its theme.
+/// Shows a line figure in the window's theme.
 class LineView : public QWidget {
     Q_OBJECT
 

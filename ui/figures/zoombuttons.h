@@ -8,7 +8,7 @@ class QToolButton;
 
 namespace palmer::ui {
 
-/// Out, in and the whole, beside a figure that can be zoomed: what wheel and keys do, to be seen.
+/// Buttons next to a figure for zooming out and in and showing the whole, as wheel and keys do.
 class ZoomButtons : public QWidget {
     Q_OBJECT
 
@@ -16,7 +16,7 @@ public:
     explicit ZoomButtons(QWidget *parent = nullptr);
 
 signals:
-    /// In by so many steps of the wheel, out where negative.
+    /// Zoom in by so many wheel steps, or out if negative.
     void zoomWanted(int steps);
     void fitWanted();
 

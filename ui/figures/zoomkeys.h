@@ -8,16 +8,17 @@
 
 namespace palmer::ui {
 
-inline constexpr double zoomStep = 1.25; ///< of a step of the wheel, and of a key
+inline constexpr double zoomStep = 1.25; ///< factor per wheel step or key
 
-/// How a figure is zoomed and moved.
+/// Callbacks to zoom and move a figure.
 struct ZoomMoves {
-    std::function<void(int steps)> zoom; ///< in about the middle, out where negative
+    std::function<void(int steps)> zoom; ///< about the middle: in, or out if negative
     std::function<void(QPointF by)> pan; ///< pixels
     std::function<void()> fit;
 };
 
-/// The keys that all figures share: plus and minus zoom, arrows move, 0 shows the whole. False for any other.
+/// Handles the keys shared by all figures: plus and minus zoom, arrows move, 0 shows the whole. False for any
+/// other key.
 [[nodiscard]] inline bool takeZoomKey(const QKeyEvent &event, const ZoomMoves &moves) {
     constexpr double panStep = 40;
     switch (event.key()) {
