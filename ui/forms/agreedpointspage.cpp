@@ -42,7 +42,7 @@ constexpr const char *agreedPointsContext = "palmer::ui::AgreedPointsPage";
 
 } // namespace
 
-/// The text of an agreement. Undo and redo are the window's.
+/// Text of an agreement. Undo and redo are left to the window.
 class AgreementEdit : public QLineEdit {
 public:
     using QLineEdit::QLineEdit;
@@ -57,7 +57,7 @@ protected:
 
     void focusOutEvent(QFocusEvent *event) override {
         QLineEdit::focusOutEvent(event);
-        setCursorPosition(0); // of a text longer than the field its beginning
+        setCursorPosition(0); // shows the beginning of a long text
     }
 
     bool event(QEvent *event) override {
@@ -156,7 +156,7 @@ void AgreedPointsPage::addRow(const AgreementPoint &point, const Test &test) {
     row.name->setBuddy(row.text);
     row.text->begun = [this] { ++m_visit; };
     row.text->setProperty("helpTopic", QStringLiteral("agreedPoints"));
-    row.text->setMaxLength(std::numeric_limits<int>::max()); // nothing is cut in silence
+    row.text->setMaxLength(std::numeric_limits<int>::max()); // never truncated silently
     row.refusal->setObjectName(QStringLiteral("refusal.") + QString::fromLatin1(point.point));
     row.refusal->setWordWrap(true);
     row.refusal->hide();
@@ -195,7 +195,7 @@ void AgreedPointsPage::addRow(const AgreementPoint &point, const Test &test) {
     m_rows.push_back(row);
 }
 
-/// The states to choose from, one of them.
+/// Exclusive buttons for the states.
 QHBoxLayout *AgreedPointsPage::makeStates(const Row &row) {
     const AgreementPoint &point = *row.point;
     const std::array places{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("middle"),
@@ -262,7 +262,7 @@ const AgreedPoint *AgreedPointsPage::agreed(const AgreementPoint &point) const {
     return found == points.end() ? nullptr : &*found;
 }
 
-/// A point that is not declared has no entry in the file: its text goes, too.
+/// A point that is not declared has no entry in the file, so its text is removed too.
 void AgreedPointsPage::setState(const AgreementPoint &point, std::optional<AgreementState> state) {
     const AgreedPoint *before = agreed(point);
     m_model.edit(QT_TRANSLATE_NOOP("edits", "change a point to agree"),
@@ -270,10 +270,10 @@ void AgreedPointsPage::setState(const AgreementPoint &point, std::optional<Agree
                      editTest(document, m_test,
                               [&](Test &test) { setAgreedPoint(test, point.point, state, text); });
                  });
-    refresh(); // the button is checked as the document says, whatever was clicked
+    refresh(); // sets the buttons to the document's state, whatever was clicked
 }
 
-/// A text longer than a test file holds is refused with a sentence; the one before is kept.
+/// Refuses a text longer than a test file allows, with a message; the former text is kept.
 bool AgreedPointsPage::refuses(const Row &row, const QString &text) {
     const std::size_t length = lengthOf(text);
     const bool tooLong = length > mostOfText;
@@ -291,7 +291,8 @@ bool AgreedPointsPage::refuses(const Row &row, const QString &text) {
     return tooLong;
 }
 
-/// A text for what was not declared or not agreed is its agreement; taken away again, nothing is declared.
+/// A text entered for a point not declared or not agreed makes it agreed; removing it makes the point
+/// undeclared.
 void AgreedPointsPage::setText(const AgreementPoint &point, const QString &text) {
     const AgreedPoint *before = agreed(point);
     std::optional<AgreementState> state = before ? std::optional(before->state) : std::nullopt;
@@ -347,7 +348,7 @@ void AgreedPointsPage::setLanguage(const Language &language) {
     refresh();
 }
 
-/// `agreed`: what is declared of the point; null: nothing.
+/// `agreed`: the declaration of the point; null if there is none.
 void AgreedPointsPage::refreshRow(const Row &row, const Test &test, const AgreedPoint *agreed, bool settled) {
     const QString letter = QString::fromUtf8(row.point->letter);
     row.letter->setContent(
@@ -399,7 +400,7 @@ void AgreedPointsPage::refresh() {
     const Test &test = *m_evaluated.document->tests[m_test];
     build(*edition, test);
     int open = 0;
-    int others = 0; // that do not apply: folded away
+    int others = 0; // inapplicable points, folded
     for (const Row &row : m_rows) {
         const AgreedPoint *agreed = agreedPoint(test, row.point->point);
         const bool applies = roleOf(*row.point, test) != PointRole::notApplicable;

@@ -33,9 +33,9 @@ public:
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
-    /// Moves the focus to the text of a point, by the id of its finding ("agreedPoints.…").
+    /// Focuses the text of a point by the ID of its finding ("agreedPoints.…").
     bool focusField(const QString &id);
-    /// Numbers typed here, for any test, that cannot be taken.
+    /// Numbers typed here, for any test, that cannot be accepted.
     [[nodiscard]] QStringList refusedTexts() const;
 
 protected:
@@ -52,9 +52,9 @@ private:
         QToolButton *notApplicable = nullptr;
         QToolButton *notDeclared = nullptr;
         AgreementEdit *text = nullptr;
-        QPushButton *take = nullptr; ///< what the conditions say
-        QLabel *refusal = nullptr;   ///< of a text that is too long
-        Field *value = nullptr;      ///< the number that was agreed; null where words alone agree
+        QPushButton *take = nullptr; ///< copies the statement of the conditions
+        QLabel *refusal = nullptr;   ///< shown for a text that is too long
+        Field *value = nullptr;      ///< the agreed number; null for points agreed only in words
     };
 
     void build(const Edition &edition, const Test &test);
@@ -82,9 +82,9 @@ private:
     QPushButton *m_others = nullptr; ///< shows the points that do not apply
     bool m_showsAll = false;
     RefusedFields m_refused;
-    QString m_of; ///< id of the test the fields show
+    QString m_of; ///< ID of the test in the fields
     std::vector<Row> m_rows;
-    int m_visit = 0; ///< counts the texts the focus came to
+    int m_visit = 0; ///< counts how often a text was focused
 };
 
 } // namespace palmer::ui

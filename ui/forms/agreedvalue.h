@@ -10,10 +10,10 @@
 
 namespace palmer::ui {
 
-/// The number that was agreed on a point; to state one is to agree.
+/// The number agreed for a point; setting it declares the point agreed.
 [[nodiscard]] Member<std::optional<double>> agreedValue(const char *point);
 
-/// What the number of a point is in this test; null for points that are agreed in words alone.
+/// The quantity of a point's number in this test; null for points agreed only in words.
 [[nodiscard]] std::optional<Quantity> agreedQuantity(std::string_view point, const Test &test);
 
 } // namespace palmer::ui

@@ -40,7 +40,7 @@ void ColumnsLayout::addItem(QLayoutItem *item) {
     m_cells.push_back({std::unique_ptr<QLayoutItem>(item), column, 1});
 }
 
-/// Where a column begins.
+/// x coordinate of the left edge of a column.
 int ColumnsLayout::edge(int column, int width) const {
     return column * (width + m_gap) / columns;
 }

@@ -8,15 +8,16 @@
 
 namespace palmer::ui {
 
-/// A row of a form on twelve columns, which are the same in all rows of one width, whatever stands in them.
+/// A form row of twelve columns, which have the same positions in all rows of a width, whatever their
+/// content.
 class ColumnsLayout : public QLayout {
 public:
     static constexpr int columns = 12;
 
-    /// `gap`: between two columns.
+    /// `gap`: width between two columns, pixels.
     explicit ColumnsLayout(int gap);
 
-    /// Puts a widget over the next columns. Aligned, it keeps its size in them.
+    /// Adds a widget over the next columns. An aligned widget keeps its size.
     void add(QWidget *widget, int span, Qt::Alignment alignment = {});
 
     [[nodiscard]] int count() const override { return static_cast<int>(m_cells.size()); }

@@ -30,7 +30,7 @@ constexpr const char *conditionsContext = "palmer::ui::ConditionsPage";
 constexpr std::array kinds{SensorMeasures::air, SensorMeasures::machine, SensorMeasures::instrument,
                            SensorMeasures::notStated};
 
-/// A part of what positioning and circular tests state alike.
+/// A member of the conditions shared by positioning and circular tests.
 template <auto part, auto member>
 auto commonPart() {
     return ofTest([](auto &test) {
@@ -47,7 +47,7 @@ auto coordinate() {
     });
 }
 
-/// A member of a positioning test, or of a part of it.
+/// A member of a positioning test or of a part of it.
 template <auto... members>
 auto positioning() {
     return ofMeasurement<PositioningMeasurement, members...>();
@@ -58,7 +58,7 @@ auto circular() {
     return ofMeasurement<CircularMeasurement, members...>();
 }
 
-/// A sensor's member; what is said first makes the sensor.
+/// A member of a sensor; the first statement creates the sensor.
 template <auto member>
 auto ofSensor(SensorMeasures what, std::size_t ordinal) {
     using T = std::remove_cvref_t<decltype(std::declval<Sensor &>().*member)>;
@@ -76,7 +76,7 @@ auto ofSensor(SensorMeasures what, std::size_t ordinal) {
                      }};
 }
 
-/// Start or end, which a series says where nothing else does.
+/// Start or end temperature, taken from a series if not stated.
 Member<std::optional<double>> startOf(SensorMeasures what, std::size_t ordinal) {
     auto member = ofSensor<&Sensor::start>(what, ordinal);
     member.read = [what, ordinal](const FormSource &source) {
@@ -124,7 +124,7 @@ SensorLabels labelsOf(SensorMeasures what, bool another) {
                                   QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Instrument, end")};
 }
 
-/// Faces of the polygon: a whole number.
+/// Number of faces of the polygon, an integer.
 Member<std::optional<double>> faces() {
     const auto member = positioning<&PositioningMeasurement::targetChoice, &TargetChoice::faces>();
     return {[member](const FormSource &source) -> std::optional<double> {
@@ -140,7 +140,7 @@ Member<std::optional<double>> faces() {
 
 /// A requirement that only a declaration can meet.
 struct Declaration {
-    const char *id = nullptr;  ///< of its row
+    const char *id = nullptr;  ///< of its requirement
     const char *key = nullptr; ///< of its field
 };
 constexpr std::array declarations{Declaration{"soak", "stabilised"}, Declaration{"shielded", "shielded"},
@@ -151,7 +151,7 @@ std::optional<bool> declared(const Test &test, const Declaration &declaration) {
     return std::get<std::optional<bool>>(fieldValue(test, declaration.key));
 }
 
-/// The clause of the edition that asks for it; empty where its text was not read.
+/// The clause of the edition that requires it; empty if the clause is unknown.
 std::string clauseOf(const Edition &edition, std::string_view id) {
     const auto in = [id](const auto &rows) -> std::string {
         for (const auto &row : rows) {
@@ -243,7 +243,7 @@ void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal) {
         ->setLabelArgument(argument);
     addText({"sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Sensor position")},
             ofSensor<&Sensor::position>(what, ordinal),
-            what == SensorMeasures::air && ordinal == 0 ? 6 : 3); // the others have something beside them
+            what == SensorMeasures::air && ordinal == 0 ? 6 : 3); // the others have something next to them
     m_lastSensors[what] = start;
 }
 
@@ -281,7 +281,7 @@ void ConditionsPage::addTemperatures(const Conditions &conditions) {
     addThings(FieldForm::Section::room);
 }
 
-/// With room for its words, and its size beside it.
+/// Adds the correction wide enough for its texts, with its size next to it.
 void ConditionsPage::addCorrection() {
     beginColumns();
     addThing("correctionTo20", 5);
@@ -291,12 +291,12 @@ void ConditionsPage::addCorrection() {
     m_correction->setProperty("secondary", true);
     m_correction->setWordWrap(true);
     m_correction->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_correction->setContentsMargins(0, Field::headHeight, 0, 0); // beside the field, not its label
+    m_correction->setContentsMargins(0, Field::headHeight, 0, 0); // level with the field, not its label
     addWidget(m_correction, 7);
 }
 
 void ConditionsPage::addSensorButtons() {
-    beginRow(); // buttons are as wide as their words
+    beginRow(); // buttons are as wide as their texts
     const auto addOne = [this](const char *text, SensorMeasures what, const QString &name) {
         addButton(text, [this, what] {
             edit(QT_TRANSLATE_NOOP("edits", "add a sensor"), [&](Document &document) {
@@ -304,7 +304,7 @@ void ConditionsPage::addSensorButtons() {
                     Conditions &kept = *conditionsOf(changed);
                     Sensor sensor;
                     sensor.measures = what;
-                    // The first row stands there without a sensor.
+                    // The first row is shown even without a sensor.
                     const std::size_t rows = shownSensors(kept, what) + 1;
                     while (countSensors(kept, what) < rows)
                         kept.sensors.push_back(sensor);
@@ -322,7 +322,7 @@ void ConditionsPage::addSensorButtons() {
     addWidget(new QWidget(body()));
 }
 
-/// Of linear and rotary axes: what a laser and a drift of the room ask for.
+/// Linear and rotary axes alike: statements needed for a laser and for room temperature drift.
 void ConditionsPage::addAir(const PositioningMeasurement & /*measurement*/) {
     addThings(FieldForm::Section::air);
     beginColumns();
@@ -408,7 +408,7 @@ void ConditionsPage::addDeclarations(const Edition *edition) {
             ofTest([](auto &test) { return &test.declaredAccordance.text; }), 12);
 }
 
-/// Those of one clause beside its number, two in a row: their labels are long.
+/// The declarations of one clause next to its number, two per row because of their long labels.
 void ConditionsPage::addDeclarationsOf(const Edition *edition, const std::string &clause) {
     constexpr int inRow = 2;
     int count = 0;
@@ -534,7 +534,7 @@ void ConditionsPage::addTargets(const PositioningMeasurement &measurement) {
     }
 }
 
-/// Which instruments of the file the test was made with.
+/// Checkboxes for the instruments used in the test.
 void ConditionsPage::addInstruments() {
     const auto &instruments = evaluated().document->instruments;
     if (instruments.empty())
@@ -558,7 +558,7 @@ void ConditionsPage::addInstruments() {
     sectionNeeds("instruments");
 }
 
-/// Of each kind its first sensor.
+/// The first sensor of each kind.
 QString ConditionsPage::temperatureSummary() const {
     const Test *shown = shownTest();
     const Conditions *conditions = shown ? conditionsOf(*shown) : nullptr;
@@ -583,7 +583,7 @@ QString ConditionsPage::temperatureSummary() const {
     return parts.join(QStringLiteral(" · "));
 }
 
-/// What does not apply by name, the rest as a number.
+/// Lists declarations that do not apply by name and counts the others.
 QString ConditionsPage::declarationSummary() const {
     const Test *shown = shownTest();
     QStringList parts;

@@ -11,14 +11,14 @@ class QLabel;
 
 namespace palmer::ui {
 
-/// Under which conditions a test was made: temperatures, cycle, positions, the axis and its targets.
+/// The conditions of a test: temperatures, cycle, positions, the axis and its targets.
 class ConditionsPage : public Form {
     Q_OBJECT
 
 public:
     ConditionsPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
 
-    /// Of the instruments the first box, too.
+    /// As Form; for the instruments focuses the first checkbox.
     bool focusField(const QString &id) override;
 
 protected:
@@ -31,7 +31,7 @@ private:
     void addSensorButtons();
     template <class Measurement>
     void addFields(const Measurement &measurement);
-    // What tests of one kind state.
+    // Statements specific to a kind of test.
     void addAir(const PositioningMeasurement &measurement);
     void addAir(const CircularMeasurement & /*measurement*/) {}
     void addCycle(const PositioningMeasurement &measurement);
@@ -45,7 +45,8 @@ private:
     void addSensor(SensorMeasures what, std::size_t ordinal);
     void addWarmUp();
     void addSpecifiedBy(int width);
-    /// What only a declaration can meet, by clause of the edition, and a button that says yes to the rest.
+    /// Requirements that only a declaration can meet, by clause of the edition, with a button that answers
+    /// the rest with yes.
     void addDeclarations(const Edition *edition);
     void addDeclarationsOf(const Edition *edition, const std::string &clause);
     [[nodiscard]] QString temperatureSummary() const;
@@ -55,10 +56,10 @@ private:
     void addTargets(const PositioningMeasurement &measurement);
     void addInstruments();
 
-    QString m_built; ///< for what kind of test there are fields
+    QString m_built; ///< the kind of test the fields were built for
     std::vector<QCheckBox *> m_instruments;
-    QLabel *m_correction = nullptr;                  ///< how large the correction to 20 °C is
-    std::map<SensorMeasures, Field *> m_lastSensors; ///< the first field of the last sensor of a kind
+    QLabel *m_correction = nullptr;                  ///< size of the correction to 20 °C
+    std::map<SensorMeasures, Field *> m_lastSensors; ///< the first field of the last sensor of each kind
 };
 
 } // namespace palmer::ui

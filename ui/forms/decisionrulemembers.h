@@ -8,7 +8,7 @@
 
 namespace palmer::ui {
 
-// The decision rule of a test as the pages of limits and of uncertainty show it.
+// The decision rule of a test, as members for the pages of limits and uncertainty.
 
 /// The rule by its index: simple acceptance, ISO 14253-1, rejection proven.
 [[nodiscard]] inline Member<int> decisionRuleMember() {
@@ -17,7 +17,7 @@ namespace palmer::ui {
                           {Rule::simpleAcceptance, Rule::iso14253_1, Rule::rejectionProven});
 }
 
-/// How many times U a value keeps from its limit; emptied it is that of a new rule.
+/// Guard band as a multiple of U; if emptied, the default of a new rule.
 [[nodiscard]] inline Member<std::optional<double>> guardFactorMember() {
     Member<double> guard = ofTest([](auto &test) { return &test.decisionRule.guardFactor; });
     return converted<std::optional<double>, double>(

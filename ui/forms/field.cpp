@@ -34,7 +34,7 @@ constexpr int margin = 8;
 constexpr int iconSize = 12;
 constexpr qsizetype longestToolTip = 1000;
 
-/// The bar at the left of a field that is required and empty.
+/// Bar on the left of a field that is required and empty.
 class RequiredBar : public QWidget {
 public:
     using QWidget::QWidget;
@@ -45,7 +45,7 @@ protected:
     }
 };
 
-/// The mark before the reason of a refusal.
+/// Icon in front of the reason for a refusal.
 class RefusedMark : public QWidget {
 public:
     explicit RefusedMark(QWidget *parent)
@@ -60,7 +60,7 @@ protected:
     }
 };
 
-/// Of a long text as much as tells which it is.
+/// Beginning of a long text, enough to recognise it.
 QString beginningOf(const QString &text) {
     constexpr qsizetype enough = 60;
     return text.size() <= enough ? text : text.first(enough).trimmed() + u'…';
@@ -84,12 +84,12 @@ Field::Field(Kind kind, QWidget *parent)
         edit = m_lines = new QPlainTextEdit(this);
         m_lines->setFixedHeight(linesHeight);
         m_lines->setTabChangesFocus(true);
-        m_lines->setUndoRedoEnabled(false); // the window undoes
+        m_lines->setUndoRedoEnabled(false); // undo is left to the window
         connect(m_lines, &QPlainTextEdit::textChanged, this, &Field::typed);
     } else {
         edit = m_line = new QLineEdit(this);
         m_line->setFixedHeight(fieldHeight);
-        m_line->setMaxLength(std::numeric_limits<int>::max()); // nothing is cut in silence
+        m_line->setMaxLength(std::numeric_limits<int>::max()); // never truncated silently
         m_line->setAlignment((kind == Kind::number ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
         connect(m_line, &QLineEdit::textEdited, this, &Field::typed);
         connect(m_line, &QLineEdit::returnPressed, this, &Field::finish);
@@ -219,7 +219,7 @@ void Field::setText(const QString &text) {
 
 void Field::show(const QString &value, bool required) {
     bool kept = isRefused() ? value == m_shown : m_isTyped && read(text()).canonical == value;
-    // What nothing is taken for stands there when the field is left: now something is about to be typed.
+    // The value of an emptied field is shown only on leaving it, as the user is about to type.
     if (!kept && m_isTyped && !m_choice && text().isEmpty()) {
         if (!m_ofNothing)
             m_ofNothing = value;
@@ -295,10 +295,10 @@ void Field::typed() {
     emit entered();
 }
 
-/// Leaves the field: what was read is written as the field writes it.
+/// On leaving the field, replaces a valid text by its canonical form.
 void Field::finish() {
     if (m_line)
-        m_line->setCursorPosition(0); // of a text longer than the field its beginning
+        m_line->setCursorPosition(0); // shows the beginning of a long text
     if (!m_isTyped || isRefused())
         return;
     const QString canonical = text().isEmpty() && m_ofNothing ? *m_ofNothing : read(text()).canonical;
@@ -315,7 +315,7 @@ bool Field::undoRefused() {
     return true;
 }
 
-/// Esc: back to what was there when the focus came.
+/// Esc: restores the text from when the field was focused.
 void Field::restore() {
     setText(m_atFocus);
     typed();
@@ -331,8 +331,7 @@ void Field::placeParts() {
     m_unit->setGeometry(shown->width() - unitWidth - margin + 4, 0, unitWidth, height);
     m_bar->setGeometry(1, 1, barWidth, height - 2);
     m_bar->setVisible(m_required);
-    // Where label and word have no room beside each other, the mark stands alone; the bar and the placeholder
-    // say the same.
+    // If label and word do not fit side by side, only the dot is shown; bar and placeholder say the same.
     const QString mark = QStringLiteral("● ") + tr("required");
     const int needed = m_label->fontMetrics().horizontalAdvance(m_label->text()) +
                        m_mark->fontMetrics().horizontalAdvance(mark) + margin;
@@ -341,8 +340,8 @@ void Field::placeParts() {
     m_unit->setVisible(unitWidth > 0);
 }
 
-/// Puts the reason into the gap below the field: as long as it has to be, so that nothing is moved by a text
-/// that is not finished yet.
+/// Places the reason in the gap below the field, only as long as needed, so that unfinished typing moves
+/// nothing.
 void Field::placeReason() {
     if (!m_reasonRow)
         return;
@@ -353,7 +352,7 @@ void Field::placeReason() {
     const QSize size = m_reasonRow->layout()->sizeHint();
     const QPoint below = edit()->geometry().bottomLeft() + QPoint(0, 1);
     QWidget *around = parentWidget() ? parentWidget() : this;
-    // What surrounds it alone may end with it, as the row of a table.
+    // The immediate parent may end with the field, as a table row does.
     while (!around->isWindow() && around->parentWidget() &&
            mapTo(around, below).y() + size.height() > around->height() &&
            !qobject_cast<QAbstractScrollArea *>(around->parentWidget()->parentWidget()))
@@ -368,7 +367,7 @@ void Field::placeReason() {
     m_reasonRow->raise();
 }
 
-/// Why the text in the field is no value, and what stays in its place.
+/// Why the text is invalid, and which value is kept instead.
 QString Field::refusalText() const {
     const QString reason = capitalised(m_refusal);
     if (m_shown.isEmpty())
@@ -377,7 +376,7 @@ QString Field::refusalText() const {
     return tr("%1; %2 kept.").arg(reason, beginningOf(kept));
 }
 
-/// For who hears the field.
+/// Accessible description.
 QString Field::description() const {
     if (isRefused())
         return m_reason->text();
@@ -424,7 +423,7 @@ bool Field::eventFilter(QObject *watched, QEvent *event) {
         finish();
     } else if (event->type() == QEvent::ShortcutOverride) {
         const auto *key = static_cast<QKeyEvent *>(event);
-        // Undo and redo are the window's: one stack for everything.
+        // Undo and redo belong to the window, which has one stack.
         if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
             event->ignore();
             return true;

@@ -16,80 +16,79 @@ class QPlainTextEdit;
 
 namespace palmer::ui {
 
-/// A field of a form: label above, unit inside at the right, and where something required is missing a mark
-/// and a bar. Empty means not stated. What is typed is read at once: what can be read is told by entered(),
-/// what cannot stays in red with a short reason in the gap below, which moves nothing, and the value before
-/// it is kept.
+/// A form field: label above, unit inside on the right, and a mark and a bar if it is required and empty.
+/// Empty means not stated. Typing is read at once: valid text emits entered(); invalid text stays in red with
+/// a short reason in the gap below, which moves nothing, and the former value is kept.
 class Field : public QWidget {
     Q_OBJECT
 
 public:
     enum class Kind { text, longText, number, choice };
 
-    /// What a text typed says: as the field writes it, or why it is refused ("not a number").
+    /// The value of a typed text in canonical form, or why it is refused ("not a number").
     struct Reading {
         QString canonical;
         QString refusal;
     };
     using Reader = std::function<Reading(const QString &)>;
 
-    static constexpr int headHeight = 20; ///< of the label and the gap below it, pixels
+    static constexpr int headHeight = 20; ///< height of the label and the gap below it, pixels
 
     explicit Field(Kind kind, QWidget *parent = nullptr);
     ~Field() override;
     Q_DISABLE_COPY_MOVE(Field)
 
     void setLabel(const QString &label);
-    /// What is shown in the place of the label, which stays the name of the field: the head of a column.
+    /// Displayed in place of the label, as a column heading; the label remains the field's name.
     void setHeading(const QString &heading);
-    /// Stands for %1 in the label.
+    /// Replaces %1 in the label.
     void setLabelArgument(const QString &argument);
     [[nodiscard]] QString labelArgument() const { return m_labelArgument; }
     void setUnit(const QString &unit);
-    /// What an empty field shows in grey, if not that nothing is stated: what is taken in its place.
+    /// Grey text of an empty field: the value used instead, by default that nothing is stated.
     void setPlaceholder(const QString &text);
-    /// How texts are read; without one, every text is as it stands.
+    /// Callback that reads texts; without it every text is accepted as typed.
     void setReader(Reader reader);
-    /// Characters a text may have; more are refused with a sentence. Without it what a test file holds of a
-    /// text of its kind.
+    /// Maximum length of a text in characters; longer ones are refused with a message. By default the maximum
+    /// of a test file for that kind of text.
     void setMost(std::size_t characters) { m_most = characters; }
-    /// The words of a choice; `none`: the first of them says that nothing is stated.
+    /// Texts of a choice; `none`: the first one means not stated.
     void setChoices(const QStringList &words, bool none);
 
-    /// Shows a value; `required`: it is missing and the report needs it. What is being typed and says the
-    /// same stays as it is typed; what was refused stays until the value changes.
+    /// Shows a value; `required`: it is missing and needed for the report. Typed text with the same value
+    /// stays as typed; a refused text stays until the value changes.
     void show(const QString &value, bool required);
     void showChoice(int index, bool required);
     void setRequired(bool required);
-    /// Forgets what was typed and refused: another test, another document.
+    /// Discards typed and refused text, for another test or document.
     void forget();
-    /// Puts a text back that was refused; nothing where it can be read by now.
+    /// Restores a refused text; does nothing if it can be read now.
     void refuse(const QString &text);
-    /// Reads a refused text again: what it depends on has changed.
+    /// Reads a refused text again after something it depends on has changed.
     void reread();
-    /// Without label and reason, for a place that has both: the label is still its accessible name.
+    /// Hides label and reason, for use where both are shown elsewhere; the label remains the accessible name.
     void setBare();
-    /// Without label alone: the row above has it, of a table of fields.
+    /// Hides only the label, as in a table of fields with a header row.
     void hideLabel();
 
-    /// The part that takes the focus.
+    /// The widget that takes the focus.
     [[nodiscard]] QWidget *edit() const;
-    /// What is in the field; empty for a choice that states nothing.
+    /// Text in the field; empty for a choice that states nothing.
     [[nodiscard]] QString text() const;
-    /// The text that is the value: what is in the field, or what was there before it was refused.
+    /// Text of the value: the text in the field, or the one before it was refused.
     [[nodiscard]] QString valueText() const { return isRefused() ? m_atFocus : text(); }
     [[nodiscard]] int choice() const;
     [[nodiscard]] bool isRequired() const { return m_required; }
     [[nodiscard]] bool isRefused() const { return !m_refusal.isEmpty(); }
-    /// The sentence below a refused text.
+    /// The message below a refused text.
     [[nodiscard]] QString refusal() const;
-    /// Back to what was there before a text was typed that is refused; false: none is.
+    /// Restores the text from before a refused one was typed. False if none is refused.
     bool undoRefused();
 
 signals:
-    /// A text was typed, which valueText() tells where it can be read; or a word was chosen.
+    /// A text was typed (see valueText() if it is valid), or a choice was made.
     void entered();
-    /// The focus came: what is typed from now on is a step of its own.
+    /// The field was focused: typing from now on is a new undo step.
     void begun();
 
 protected:
@@ -116,15 +115,15 @@ private:
     Kind m_kind;
     Reader m_reader;
     std::size_t m_most;
-    std::optional<QString> m_ofNothing; ///< what an emptied field is taken for, until it is left
+    std::optional<QString> m_ofNothing; ///< the value of the emptied field, until it is left
     bool m_bare = false;
     bool m_labelHidden = false;
     bool m_required = false;
-    bool m_none = false;    ///< the first choice states nothing
+    bool m_none = false;    ///< the first choice means not stated
     bool m_isTyped = false; ///< since the field was shown or left
-    QString m_shown;        ///< the value as it was shown last
-    QString m_atFocus;      ///< the value when the focus came
-    QString m_refusal;      ///< why the text in the field is no value; empty: it is one
+    QString m_shown;        ///< the value last shown
+    QString m_atFocus;      ///< the value when the field was focused
+    QString m_refusal;      ///< why the text is invalid; empty if valid
     QString m_labelSource;
     QString m_labelArgument;
     QString m_heading;
@@ -136,7 +135,7 @@ private:
     QComboBox *m_choice = nullptr;
     QLabel *m_unit;
     QWidget *m_bar;
-    QPointer<QWidget> m_reasonRow; ///< over what surrounds the field, as a child of it
+    QPointer<QWidget> m_reasonRow; ///< child of a surrounding widget, painted over it
     QLabel *m_reason = nullptr;
 };
 

@@ -34,9 +34,9 @@ namespace {
 constexpr int fieldGap = 12;
 constexpr int sectionGap = 18;
 constexpr int barHeight = 28;
-constexpr int mostWidth = 720; ///< of the fields: wider they are no easier to read
+constexpr int mostWidth = 720; ///< of the fields; wider ones are no easier to read
 
-/// Takes a widget out of the page at once; it may be in one of its own signals.
+/// Removes a widget from the page at once, even from within one of its signals.
 void dispose(QWidget *widget) {
     widget->hide();
     widget->setParent(nullptr);
@@ -61,7 +61,7 @@ Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent
     auto *content = new QWidget(m_scroll);
     content->setProperty("ground", QStringLiteral("base"));
     content->setMaximumWidth(mostWidth + 2 * pageMargin);
-    m_scroll->viewport()->setBackgroundRole(QPalette::Base); // beside the fields, which do not fill it
+    m_scroll->viewport()->setBackgroundRole(QPalette::Base); // the fields do not fill the view
     m_body = new QVBoxLayout(content);
     m_body->setContentsMargins(pageMargin, 8, pageMargin, pageMargin);
     m_body->setSpacing(fieldGap);
@@ -75,7 +75,7 @@ Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent
     layout->setSpacing(0);
     m_bar->setContentsMargins(pageMargin, 8, pageMargin, 4);
     m_bar->setSpacing(8);
-    m_bar->addStrut(barHeight); // the fields stay where they are when nothing is missing any more
+    m_bar->addStrut(barHeight); // keeps the fields in place when the chip disappears
     m_bar->addWidget(m_chip);
     m_bar->addStretch();
     m_bar->addWidget(m_next);
@@ -159,7 +159,7 @@ void Form::addWidget(QWidget *widget, int weight) {
     else
         m_row->addWidget(widget, 0, m_column);
     if (body()->isVisible())
-        widget->show(); // the layout would do so later, after the focus was to come here
+        widget->show(); // the layout would do this only after the focus was set
     if (!m_columns)
         m_row->setColumnStretch(m_column++, weight);
 }
@@ -183,7 +183,7 @@ void Form::addToPlace(QLayout *row) {
         m_body->addLayout(row);
         return;
     }
-    if (!section->content) { // after all that stands in its head, in the order of Tab
+    if (!section->content) { // after all widgets in its head, for the tab order
         section->content = new QWidget(page());
         auto *rows = new QVBoxLayout(section->content);
         rows->setContentsMargins(0, 0, 0, 0);
@@ -240,7 +240,7 @@ Field *Form::addNumber(const Topic &topic, Quantity quantity, Member<Amount> mem
     Field *field = add(Field::Kind::number, topic, m_language.unit(quantity), weight);
     last().quantity = quantity;
     const auto shown = [this, quantity, allowed](const Amount &value) {
-        // Years and seeds are names more than numbers: no groups.
+        // Years and seeds are identifiers: no digit groups.
         const bool whole = allowed == Allowed::whole || allowed == Allowed::counting;
         return value && whole ? QString::number(*value, 'f', 0) : stated(value, quantity, m_language);
     };
@@ -438,10 +438,10 @@ void Form::commit(const Field *field) {
         std::ranges::find_if(m_entries, [&](const Entry &candidate) { return candidate.field == field; });
     if (entry == m_entries.end() || !m_evaluated.document)
         return;
-    // The edit shows the page anew, which may remove the field.
+    // The edit refreshes the page, which may delete the field.
     const Change change = entry->change();
     const QByteArray name = changeOf(m_context, entry->label, field->labelArgument());
-    QString key; // words are chosen one by one, texts grow letter by letter
+    QString key; // choices are separate steps; typing is merged
     if (!entry->choice)
         key = QStringLiteral("%1/%2/%3/%4")
                   .arg(objectName(), field->edit()->objectName())
@@ -462,7 +462,7 @@ void Form::show(const EvaluatedDocument &evaluated, std::size_t test) {
         m_chosen.clear();
         m_isFoldDue = true;
     }
-    // Pages out of view cost nothing while something else is typed.
+    // Pages out of view cost nothing while the user types elsewhere.
     m_isStale = parentWidget() && !isVisibleTo(window());
     if (!m_isStale)
         refresh();
@@ -502,7 +502,7 @@ bool Form::isMissingHere(const char *key) const {
         return false;
     const TestEvaluation &evaluation = *m_evaluated.tests[m_test];
     return std::ranges::any_of(evaluation.findings, [&](const Finding &finding) {
-        // The form knows the last part of the path of a field: which object it stands in is that of its page.
+        // A field has only the last part of its path; its page determines the object.
         const auto names = [key](const std::string &path) { return path.substr(path.rfind('.') + 1) == key; };
         return finding.missing && std::ranges::any_of(finding.keys, names) &&
                pageOf(finding, *m_evaluated.document) == m_page;
@@ -519,7 +519,7 @@ void Form::removeItems(QLayout &layout) {
     }
 }
 
-/// What is refused stays to be put right when the fields come back.
+/// Keeps refused texts for when the fields come back.
 void Form::keepRefused() {
     for (const Entry &entry : m_entries)
         m_refused.keep(m_of, *entry.field);
@@ -540,7 +540,7 @@ void Form::clear() {
     m_focused =
         focused && page()->isAncestorOf(focused) && focused->hasFocus() ? focused->objectName() : QString();
     if (std::ranges::none_of(m_entries, [&](const Entry &entry) { return entry.field->edit() == focused; }))
-        startOver(); // other fields come
+        startOver(); // the fields are replaced
     for (const Section &section : m_sections) {
         if (section.head)
             m_folded[section.title] = section.head->isFolded();
@@ -635,7 +635,7 @@ int Form::countMissingIn(const Section &section) const {
     return static_cast<int>(missing + others);
 }
 
-/// Something is stated in it, and all that must be.
+/// True if something is stated and nothing required is missing.
 bool Form::isComplete(const Section &section) const {
     const auto fields = fieldsOf(section);
     return countMissingIn(section) == 0 &&
@@ -643,7 +643,7 @@ bool Form::isComplete(const Section &section) const {
            std::ranges::any_of(fields, [](const Entry &entry) { return !entry.field->text().isEmpty(); });
 }
 
-/// With their units, of yes and no with the question.
+/// Values with units; yes/no answers with their question.
 QString Form::valuesOf(const Section &section) const {
     QStringList values;
     for (const Entry &entry : fieldsOf(section)) {
@@ -668,8 +668,8 @@ void Form::fold(const Section &section, bool folded) {
         widget->setVisible(!folded);
 }
 
-/// When the page came into view, or another test. While it is looked at nothing moves under the user's hands,
-/// and where the keyboard is, never.
+/// Folds complete sections when the page comes into view or shows another test. In view, nothing moves while
+/// the user works, and the focused section never folds.
 void Form::foldComplete() {
     if (!m_isFoldDue || !isVisible() || m_test >= m_evaluated.tests.size() || m_evaluated.isPending(m_test))
         return;
@@ -741,7 +741,7 @@ void Form::chainAfter(QWidget *before) {
     chainFields();
 }
 
-/// Tab walks the bar, then the fields as they stand, whenever they were made.
+/// Tab follows the bar, then the fields in their displayed order, whenever they were made.
 void Form::chainFields() {
     QWidget *last = m_next;
     const auto chain = [&last](QWidget *widget) {
@@ -780,7 +780,7 @@ void Form::focusFirst() {
     }
     Field &field = *m_entries.front().field;
     showPart(field);
-    field.edit()->setFocus(Qt::TabFocusReason); // selects what is in it, to be typed over
+    field.edit()->setFocus(Qt::TabFocusReason); // selects the content, to be replaced by typing
 }
 
 bool Form::focusNextRequired(bool forward) {
@@ -809,7 +809,7 @@ bool Form::focusNextRequired(bool forward) {
 void Form::showPart(QWidget &part) {
     unfoldAround(part);
     m_scroll->ensureWidgetVisible(&part);
-    // Again when a page that was built just now has its places.
+    // Repeated once a page just built has its layout.
     QTimer::singleShot(0, &part, [this, shown = &part] { m_scroll->ensureWidgetVisible(shown); });
 }
 

@@ -33,52 +33,53 @@ class ColumnsLayout;
 class DocumentModel;
 class SectionHead;
 
-// What is stated, as fields show it; empty for what is not.
+// Statements as shown in fields; empty if not stated.
 [[nodiscard]] QString stated(const std::string &text);
 [[nodiscard]] QString stated(const std::optional<double> &value, Quantity quantity, const Language &language);
 [[nodiscard]] QString statedDate(const std::optional<std::string> &date, const Language &language);
 
-/// A page of fields in sections, filled from the document without signals. What is typed changes the document
-/// at once, as one step to undo for every visit of a field. Texts of labels are sources of the context given.
+/// A page of fields in sections, filled from the document without signals. Typing changes the document at
+/// once, as one undo step per visit of a field. Label texts are sources of the given context.
 class Form : public QWidget {
     Q_OBJECT
 
 public:
-    /// `context`: of the labels, the name of the page's class. `page`: whose missing statements are marked.
+    /// `context`: translation context of the labels, the class name of the page. `page`: the one whose
+    /// missing statements are marked.
     Form(const char *context, Page page, DocumentModel &model, QWidget *parent = nullptr);
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
-    /// Moves the focus to the field of a finding; false: it has none here.
+    /// Focuses the field of a finding. False if it has none here.
     virtual bool focusField(const QString &id);
-    /// The same by the label of the field, as in EditPlace.
+    /// The same by the field's label, as in EditPlace.
     bool focusLabel(const QByteArray &label, const QString &argument);
-    /// Moves the focus to the first field, as Tab does; nothing on a page without fields.
+    /// Focuses the first field, as Tab does; does nothing on a page without fields.
     void focusFirst();
-    /// Moves the focus to the next field that is required and empty, or the one before; false: there is none
-    /// between the field the focus came to last and the end of the page (or its beginning).
+    /// Focuses the next or previous field that is required and empty. False if there is none from the last
+    /// focused field to the end (or beginning) of the page.
     virtual bool focusNextRequired(bool forward);
-    /// The walk begins at the first field again.
+    /// Makes focusNextRequired start at the first field again.
     void startOver() { m_place.reset(); }
-    /// Puts the page behind that widget in the order of Tab.
+    /// Places the page after that widget in the tab order.
     void chainAfter(QWidget *before);
-    /// What was typed here, for any test, and cannot be taken.
+    /// Texts typed here, for any test, that cannot be accepted.
     [[nodiscard]] QStringList refusedTexts() const;
-    /// Moves the focus to fields that are chosen while the page is in view.
+    /// Focuses fields that are chosen while the page is in view.
     void follow(Selection &selection);
 
 signals:
-    /// The next missing statement is asked for.
+    /// The user asked for the next missing statement.
     void nextWanted();
 
 protected:
     using Amount = std::optional<double>;
     using Moment = std::optional<std::string>;
-    /// What the file format demands of a number.
+    /// Range of a number in the file format.
     enum class Allowed { any, notNegative, positive, whole, counting, celsius, coefficient };
 
-    /// The StatedThing that a field shows. Its name is the label unless another is given; its key is the id
-    /// of the findings that say it is missing (empty: never asked for).
+    /// The StatedThing shown by a field. Its name is the label unless another is given; its key is the ID of
+    /// the findings that report it as missing (empty: never required).
     struct Topic {
         // NOLINTNEXTLINE(google-explicit-constructor): as it is written in the pages
         Topic(const char *thing);
@@ -91,35 +92,35 @@ protected:
     };
 
     // Building, in the constructor or in prepare(). Labels are marked for translation with QT_TRANSLATE_NOOP
-    // of the context.
+    // in the context.
     void addSection(const char *title, const QString &argument = {});
-    /// A section that is folded where all that it must state is stated, when the page comes into view: never
-    /// while it is looked at. `summary`: what the folded one says in a line; without it the values in it.
+    /// A section that is folded if complete when the page comes into view, but never while in view.
+    /// `summary`: text of the folded section in one line; by default its values.
     void addFoldingSection(const char *title, std::function<QString()> summary = {});
-    /// The section added last is not complete while that is missing, for which it has no field.
+    /// The last section is incomplete while the statement `key`, for which it has no field, is missing.
     void sectionNeeds(const char *key) { m_sections.back().needs.push_back(key); }
-    /// A button at the right of the title added last.
+    /// Adds a button on the right of the last title.
     QPushButton *addSectionButton(const char *text, std::function<void()> pressed);
-    /// Something else at the right of the title added last.
+    /// Adds a widget on the right of the last title.
     void addToSection(QWidget *widget, int stretch = 0);
-    /// Begins a row; its fields share the width by their weights.
+    /// Begins a row whose fields share the width by weight.
     void beginRow();
-    /// Begins a row of twelve columns, which are the same in all of them; a weight is a number of columns.
+    /// Begins a row of twelve columns, aligned in all rows; weights are numbers of columns.
     void beginColumns();
     Field *addText(const Topic &topic, Member<std::string> member, int weight = 1,
                    Field::Kind kind = Field::Kind::text);
     Field *addLongText(const Topic &topic, Member<std::string> member, int weight = 1);
-    /// `unit`: empty takes that of the quantity.
+    /// `unit`: if empty, that of the quantity.
     Field *addNumber(const Topic &topic, Quantity quantity, Member<Amount> member, int weight = 1,
                      Allowed allowed = Allowed::any);
     Field *addInterval(const Topic &topic, Quantity quantity, Member<std::optional<Interval>> member,
                        int weight = 1);
     Field *addDate(const Topic &topic, Member<Moment> member, int weight = 1);
     Field *addTime(const Topic &topic, Member<Moment> member, int weight = 1);
-    /// `none`: the first word says that nothing is stated.
+    /// `none`: the first choice means not stated.
     Field *addChoice(const Topic &topic, const std::vector<const char *> &words, Member<int> member,
                      bool none, int weight = 1);
-    /// Among the words of the thing; its first one may say nothing.
+    /// A choice among the values of the thing; the first may mean not stated.
     template <class Enumeration>
     Field *addWords(const char *thing, Member<Enumeration> member, int weight = 1) {
         return addWordsOf(thing,
@@ -129,39 +130,39 @@ protected:
                               [](const std::size_t &place) { return static_cast<Enumeration>(place); }),
                           weight);
     }
-    /// What the test in view or its conditions say under the key of the thing; null: tests of its kind have
-    /// no such key.
+    /// The statement of the test in view or its conditions under the thing's key; null if its kind of test
+    /// has no such key.
     Field *addThing(const char *thing, int weight = 1);
-    /// All things of a section in rows of twelve columns, of the first of which so many are taken.
+    /// All things of a section in rows of twelve columns; in the first row `taken` columns are occupied.
     void addThings(FieldForm::Section section, int taken = 12);
     Field *addYesNo(const Topic &topic, Member<std::optional<bool>> member, int weight = 1);
-    /// A button below the rows, or in one.
+    /// A button below the rows or within a row.
     QPushButton *addButton(const char *text, std::function<void()> pressed, int weight = 1);
     void addWidget(QWidget *widget, int weight = 1);
     void addStretch();
     void showPart(QWidget &part); ///< scrolls to it
-    /// Brings a field into view and the focus to it.
+    /// Brings a field into view and focuses it.
     void focusPart(Field &field);
-    void addToBar(QWidget *widget); ///< at the right of the bar above the page
-    void clear();                   ///< removes everything that was added but for the bar
+    void addToBar(QWidget *widget); ///< on the right of the bar above the page
+    void clear();                   ///< removes everything added except the bar
 
-    /// Changes the document as one step; `name` is a source of the context "edits".
+    /// Changes the document as one undo step; `name` is a source of the context "edits".
     void edit(const char *name, const std::function<void(Document &)> &change, const QString &mergeKey = {});
 
     [[nodiscard]] const EvaluatedDocument &evaluated() const { return m_evaluated; }
     [[nodiscard]] std::size_t test() const { return m_test; }
-    /// The test in view; null where there is none.
+    /// The test in view; may be null.
     [[nodiscard]] const Test *shownTest() const;
     [[nodiscard]] const Language &language() const { return m_language; }
     [[nodiscard]] QString word(const char *source, const char *comment = nullptr) const;
-    /// The parent of what is added next.
+    /// Parent of the widgets added next.
     [[nodiscard]] QWidget *body() const;
 
     /// Called before the fields are filled, for pages whose fields depend on the document.
     virtual void prepare() {}
     /// Called after the fields are filled.
     virtual void refreshOthers() {}
-    /// The words of the chip at the top; empty: no chip.
+    /// Text of the chip at the top; empty hides it.
     [[nodiscard]] virtual QString missingText(int count) const;
 
     void refresh();
@@ -176,12 +177,12 @@ private:
         Field *field = nullptr;
         const char *key = nullptr;
         const char *label = nullptr;
-        std::optional<Quantity> quantity;                 ///< of a number: its unit may change
+        std::optional<Quantity> quantity;                 ///< of a number, as its unit may change
         std::vector<Text> words;                          ///< of a choice
-        bool none = false;                                ///< the first of them states nothing
-        std::function<QString(const FormSource &)> value; ///< of all but choices
+        bool none = false;                                ///< the first of them means not stated
+        std::function<QString(const FormSource &)> value; ///< for all but choices
         std::function<int(const FormSource &)> choice;
-        std::function<Change()> change; ///< made of what is in the field now
+        std::function<Change()> change; ///< made from the current content of the field
     };
     struct Title {
         QLabel *shown = nullptr;
@@ -192,14 +193,14 @@ private:
         QPushButton *shown = nullptr;
         const char *source = nullptr;
     };
-    /// Of fields from `begin` to that of the next section.
+    /// Contains the fields from `begin` up to that of the next section.
     struct Section {
-        SectionHead *head = nullptr; ///< null: it does not fold
+        SectionHead *head = nullptr; ///< null if not foldable
         QWidget *content = nullptr;
         const char *title = nullptr;
         std::function<QString()> summary;
         std::vector<const char *> needs;
-        std::vector<QWidget *> atHead; ///< seen while it is open
+        std::vector<QWidget *> atHead; ///< visible while unfolded
         std::size_t begin = 0;
     };
 
@@ -231,7 +232,7 @@ private:
     DocumentModel &m_model;
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
-    QString m_of; ///< id of the test the fields show; empty outside of tests
+    QString m_of; ///< ID of the test in the fields; empty outside tests
     RefusedFields m_refused;
     Language m_language{Language::Id::english};
     Chip *m_chip;
@@ -239,18 +240,18 @@ private:
     QHBoxLayout *m_bar;
     QScrollArea *m_scroll;
     QVBoxLayout *m_body;
-    QHBoxLayout *m_head = nullptr; ///< of the section added last
+    QHBoxLayout *m_head = nullptr; ///< of the last section
     QGridLayout *m_row = nullptr;
     int m_column = 0;
-    ColumnsLayout *m_columns = nullptr; ///< of the row, where it has twelve
+    ColumnsLayout *m_columns = nullptr; ///< of the row, if it has twelve
     std::vector<Section> m_sections;
-    std::map<std::string, bool> m_folded; ///< by title, of the sections that stood there before
-    std::map<std::string, bool> m_chosen; ///< what the user folded or unfolded in this test
-    bool m_isFoldDue = false;             ///< the page came into view, or shows another test
-    bool m_isRebuilt = true;              ///< the fields came after others in the order of Tab
-    bool m_isStale = false;               ///< not filled since the document changed: out of view
-    int m_visit = 0;                      ///< counts the fields the focus came to
-    std::optional<std::size_t> m_place;   ///< of the field the focus came to last while the page is in view
+    std::map<std::string, bool> m_folded; ///< by title, for sections that existed before a rebuild
+    std::map<std::string, bool> m_chosen; ///< folded or unfolded by the user in this test
+    bool m_isFoldDue = false;             ///< the page came into view or shows another test
+    bool m_isRebuilt = true;              ///< fields were replaced: update the tab order
+    bool m_isStale = false;               ///< out of view and not filled since the document changed
+    int m_visit = 0;                      ///< counts how often a field was focused
+    std::optional<std::size_t> m_place;   ///< index of the last focused field while the page is in view
     QString m_focused;
     std::vector<Entry> m_entries;
     std::vector<Title> m_titles;

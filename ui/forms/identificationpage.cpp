@@ -23,8 +23,7 @@ namespace {
 
 constexpr const char *identificationContext = "palmer::ui::IdentificationPage";
 constexpr QSize pictureRoom(180, 48);
-constexpr qint64 largestPicture =
-    qint64{4} * 1024 * 1024; ///< bytes; it stands in every file and every report
+constexpr qint64 largestPicture = qint64{4} * 1024 * 1024; ///< bytes; stored in every file and report
 
 template <auto member>
 auto ofReport() {
@@ -194,7 +193,7 @@ void IdentificationPage::addSigners() {
         m_signers.emplace_back(row.signer, box);
         connect(box, &QCheckBox::clicked, this, [this, signer = row.signer](bool signs) {
             edit(QT_TRANSLATE_NOOP("edits", "change who signs"), [&](Document &document) {
-                // In the order the report prints them.
+                // In the order printed in the report.
                 std::vector<Signer> &signers = document.report.signatures;
                 std::erase(signers, signer);
                 if (signs)

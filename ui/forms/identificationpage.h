@@ -9,7 +9,7 @@ class QLabel;
 
 namespace palmer::ui {
 
-/// The head of the report: number, dates, laboratory with its logo, customer, who signs.
+/// The head of the report: number, dates, laboratory with logo, customer, signers.
 class IdentificationPage : public Form {
     Q_OBJECT
 
@@ -28,7 +28,7 @@ private:
         Picture picture = nullptr;
         QLabel *shown = nullptr;
         QPushButton *remove = nullptr;
-        std::optional<std::string> drawn; ///< base64 of what is shown
+        std::optional<std::string> drawn; ///< base64 of the displayed picture
         bool isDrawn = false;
     };
 

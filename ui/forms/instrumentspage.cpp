@@ -16,7 +16,7 @@ namespace {
 
 constexpr const char *instrumentsContext = "palmer::ui::InstrumentsPage";
 
-/// A member of the instrument of that index. Where there is none, the first thing said makes it.
+/// A member of the instrument of that index; the first statement creates a missing instrument.
 template <auto member>
 auto ofInstrument(std::size_t index) {
     using T = std::remove_cvref_t<decltype(std::declval<Instrument &>().*member)>;
@@ -35,7 +35,7 @@ auto ofInstrument(std::size_t index) {
                      }};
 }
 
-/// The id, which the tests name as well. One that is taken is refused by the field.
+/// The ID, which tests refer to. The field refuses one already in use.
 Member<std::string> idOf(std::size_t index) {
     Member<std::string> member = ofInstrument<&Instrument::id>(index);
     member.write = [index, write = member.write](Document &document, std::size_t test,
@@ -60,13 +60,13 @@ InstrumentsPage::InstrumentsPage(DocumentModel &model, Selection &selection, QWi
     refresh();
 }
 
-/// Fields for each instrument; one empty set where there is none.
+/// Fields for each instrument, or one empty set if there is none.
 void InstrumentsPage::prepare() {
     const auto instruments =
         evaluated().document ? evaluated().document->instruments : std::vector<Instrument>();
     const std::size_t count = instruments.size();
     const QString wanted = QString::number(std::max<std::size_t>(1, count)) + (count == 0 ? u'-' : u'+');
-    // The empty set stays as it is while its first field is being typed.
+    // The empty set is not rebuilt while its first field is being typed in.
     const bool sameFields = !m_built.isEmpty() && m_built.chopped(1) == wanted.chopped(1) && count <= 1;
     std::vector<Quantity> resolutions(std::max<std::size_t>(1, count), Quantity::deviation);
     for (std::size_t k = 0; k < count; ++k)

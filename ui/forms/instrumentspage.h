@@ -21,9 +21,9 @@ private:
 
     DocumentModel &m_documents;
     Selection &m_selection;
-    QString m_built;                     ///< which instruments have fields
-    std::vector<Quantity> m_resolutions; ///< of each: a length or an angle
-    std::vector<Field *> m_descriptions; ///< the first field of each
+    QString m_built;                     ///< the instruments the fields were built for
+    std::vector<Quantity> m_resolutions; ///< per instrument: a length or an angle
+    std::vector<Field *> m_descriptions; ///< the first field per instrument
 };
 
 } // namespace palmer::ui

@@ -39,7 +39,7 @@ void fitHeight(QLabel &name) {
     name.setFixedHeight(std::max(fieldHeight, name.heightForWidth(name.width())));
 }
 
-/// The longest names take two lines beside their field, three in a narrow window.
+/// The longest names take two lines next to their field, three in a narrow window.
 class NameLabel : public QLabel {
 public:
     explicit NameLabel(QWidget *parent)
@@ -57,7 +57,7 @@ protected:
     }
 };
 
-/// A member of the limit of a parameter; one that says nothing more goes.
+/// A member of a parameter's limit; a limit without statements is removed.
 template <auto member>
 auto ofLimit(const std::string &id) {
     using T = std::remove_cvref_t<decltype(std::declval<Limit &>().*member)>;
@@ -74,7 +74,7 @@ auto ofLimit(const std::string &id) {
                      }};
 }
 
-/// A symbol with its indices, which stand lower.
+/// A symbol with subscripts.
 class SymbolLabel : public QWidget {
 public:
     SymbolLabel(Formula symbol, QWidget *parent)
@@ -97,10 +97,10 @@ private:
 struct LimitRow {
     std::string id;
     Formula symbol;
-    std::vector<const Term *> terms; ///< it is meant for; none of this edition where empty
+    std::vector<const Term *> terms; ///< limited parameters; empty if the edition has none of them
 };
 
-/// What limits can be agreed for: the parameters of the edition, and those the test has limits for already.
+/// Rows for limits: the parameters of the edition and those the test already has limits for.
 std::vector<LimitRow> rowsOf(const Edition &edition, const Test &test) {
     std::vector<LimitRow> rows;
     const auto add = [&](const std::string &id, const Formula &symbol, const Term *term) {
@@ -121,7 +121,7 @@ std::vector<LimitRow> rowsOf(const Edition &edition, const Test &test) {
     return rows;
 }
 
-/// The origin that all limits agreed have in common; nothing where they differ.
+/// The common origin of all agreed limits; empty if they differ.
 Member<std::string> originOfAll() {
     return {[](const FormSource &source) -> std::string {
                 std::optional<std::string> common;
@@ -155,7 +155,7 @@ LimitsPage::LimitsPage(DocumentModel &model, Selection &selection, QWidget *pare
     refresh();
 }
 
-/// A row of fields for each parameter that the edition of the test knows.
+/// A row of fields for each parameter in the test's edition.
 void LimitsPage::prepare() {
     if (std::exchange(m_pastedTest, test()) != test())
         m_pasted->end();
@@ -172,7 +172,7 @@ void LimitsPage::prepare() {
     QStringList wanted{QString::fromUtf8(edition->word), rotary ? QStringLiteral("°") : QStringLiteral("mm")};
     for (const LimitRow &row : rows)
         wanted << QString::fromStdString(row.id);
-    // A limit of another edition that is being emptied keeps its row until the page is shown anew.
+    // The emptied limit of another edition keeps its row until the page is shown again.
     const bool onlyLess =
         wanted.size() < m_built.size() && isAncestorOf(focusWidget()) &&
         std::ranges::all_of(wanted, [&](const QString &id) { return m_built.contains(id); });
@@ -218,7 +218,7 @@ void LimitsPage::addLimit(const Formula &symbol, const std::vector<const Term *>
     row->addWidget(label);
     auto *column = new QVBoxLayout(place);
     column->setContentsMargins(0, 0, 0, 0);
-    column->addStretch(); // beside the field, not beside its label
+    column->addStretch(); // level with the field, not its label
     column->addLayout(row);
     place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(place, 4);

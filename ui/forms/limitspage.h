@@ -22,30 +22,31 @@ public:
 protected:
     void prepare() override;
     void refreshOthers() override;
-    /// Takes what a spreadsheet copied where a field would take its first line.
+    /// Takes a table pasted from a spreadsheet, of which a field would take only the first line.
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    /// Puts the limits of the clipboard in, from that row on where no symbols stand there; or says why not.
+    /// Inserts the limits of the clipboard, from that row on if they have no symbols; shows an error on
+    /// failure.
     void pasteLimits(std::size_t row);
 
-    /// A limit as a row of the table: what it is of, its value, edition and origin.
+    /// A limit as a table row: its parameter, value, edition and origin.
     void addLimit(const Formula &symbol, const std::vector<const Term *> &terms, const std::string &id,
                   Kind kind);
 
     struct Name {
         QLabel *label = nullptr;
-        std::vector<const Term *> terms; ///< what it limits; empty: nothing of this edition
+        std::vector<const Term *> terms; ///< limited parameters; empty if the edition has none of them
     };
 
     TablePaste *m_pasted; ///< what was pasted last
     std::size_t m_pastedTest = 0;
     std::vector<Name> m_names;
-    Field *m_first = nullptr;       ///< the limit below the head of its column
-    std::vector<LimitName> m_ids;   ///< of the rows
-    std::vector<QWidget *> m_edits; ///< their limits
+    Field *m_first = nullptr;       ///< the limit below its column heading
+    std::vector<LimitName> m_ids;   ///< per row
+    std::vector<QWidget *> m_edits; ///< the limit fields
     Quantity m_quantity = Quantity::deviation;
-    QStringList m_built; ///< for which edition and parameters there are fields
+    QStringList m_built; ///< edition and parameters the fields were built for
 };
 
 } // namespace palmer::ui

@@ -11,21 +11,21 @@
 
 namespace palmer::ui {
 
-/// What a field may look at to say its value.
+/// Input from which a field gets its value.
 struct FormSource {
     const Document &document;
     const Test *test = nullptr; ///< null outside of tests
     const Language &language;
 };
 
-/// A member of the document that a field shows and changes.
+/// A member of the document shown and changed by a field.
 template <class T>
 struct Member {
     std::function<T(const FormSource &)> read;
     std::function<void(Document &, std::size_t test, const T &)> write;
 };
 
-/// A member reached from the document: `access(document)` returns a reference to it.
+/// A member of the document: `access(document)` returns a reference to it.
 template <class Access>
 [[nodiscard]] auto ofDocument(Access access) {
     using T = std::remove_cvref_t<decltype(access(std::declval<Document &>()))>;
@@ -33,7 +33,7 @@ template <class Access>
                      [access](Document &document, std::size_t, const T &value) { access(document) = value; }};
 }
 
-/// A member of a test: `access(test)` returns a pointer to it, null where the test has none.
+/// A member of a test: `access(test)` returns a pointer to it, null if the test has none.
 template <class Access>
 [[nodiscard]] auto ofTest(Access access) {
     using T = std::remove_cvref_t<decltype(*access(std::declval<Test &>()))>;
@@ -49,7 +49,7 @@ template <class Access>
                      }};
 }
 
-/// whole.*first.*second…; a number is the place of an element.
+/// Returns whole.*first.*second…; an integer selects an element by index.
 template <class T>
 [[nodiscard]] T &reach(T &whole) {
     return whole;
@@ -63,7 +63,8 @@ template <class T, class Part, class... Rest>
     return reach(whole.*part, rest...);
 }
 
-/// The same member as another type: `there` makes the one the field shows, `back` the one that is kept.
+/// The same member as another type: `there` converts the stored value to the displayed one, `back` the
+/// reverse.
 template <class Shown, class Kept>
 [[nodiscard]] Member<Shown> converted(Member<Kept> member, std::function<Shown(const Kept &)> there,
                                       std::function<Kept(const Shown &)> back) {
@@ -73,7 +74,7 @@ template <class Shown, class Kept>
             }};
 }
 
-/// A word of an enumeration by its index in a list of choices.
+/// An enumeration value by its index in a list of choices.
 template <class Enumeration>
 [[nodiscard]] Member<int> choiceOf(Member<Enumeration> member, std::vector<Enumeration> values) {
     return converted<int, Enumeration>(

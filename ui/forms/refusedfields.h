@@ -10,8 +10,8 @@
 
 namespace palmer::ui {
 
-/// Refused texts of fields that show something else for a while: another test, another arc. They come back
-/// with what they were typed for.
+/// Keeps refused texts of fields that now show another test or arc, and restores them with the one they were
+/// typed for.
 class RefusedFields {
 public:
     /// `of`: what the field showed.
@@ -19,7 +19,7 @@ public:
         if (field.isRefused())
             m_texts[{of, field.edit()->objectName()}] = field.text();
     }
-    /// Into a field that shows the value of `of`.
+    /// Restores the text of `of` in a field that shows its value again.
     void giveBack(const QString &of, Field &field) {
         const auto found = m_texts.find({of, field.edit()->objectName()});
         if (found == m_texts.end())

@@ -18,8 +18,8 @@ ReportPages::ReportPages(DocumentModel &model, Selection &selection, QWidget *pa
     setObjectName(QStringLiteral("reportPages"));
 }
 
-/// Which statements are missing is the same for all tests of a file, but for the instruments they name: the
-/// first one is asked.
+/// Missing statements of the report are the same for all tests, except for the instruments they use, so the
+/// first test is used.
 void ReportPages::show(const EvaluatedDocument &evaluated) {
     m_evaluated = evaluated;
     for (const auto &[page, form] : m_forms)

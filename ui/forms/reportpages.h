@@ -14,8 +14,8 @@ class DocumentModel;
 class Form;
 class Selection;
 
-/// The pages of the report that belong to no test: identification, machine, instruments. Each
-/// is made when it is first shown.
+/// The pages of the report outside the tests: identification, machine, instruments. Each is made when first
+/// shown.
 class ReportPages : public QStackedWidget {
     Q_OBJECT
 
@@ -23,13 +23,13 @@ public:
     ReportPages(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
 
     void show(const EvaluatedDocument &evaluated);
-    /// `before`: what comes before the page in the order of Tab.
+    /// `before`: the widget before the page in the tab order.
     void showPage(Page page, QWidget *before = nullptr);
-    /// What the report is called, for the head of the page; empty where it has no title.
+    /// The title of the report, for the head of the page; may be empty.
     [[nodiscard]] QString subtitle() const;
 
 signals:
-    /// The next missing statement is asked for.
+    /// The user asked for the next missing statement.
     void nextWanted();
 
 protected:
@@ -41,7 +41,7 @@ private:
     DocumentModel &m_model;
     Selection &m_selection;
     EvaluatedDocument m_evaluated;
-    std::map<Page, Form *> m_forms; ///< those that were shown
+    std::map<Page, Form *> m_forms; ///< pages made so far
 };
 
 } // namespace palmer::ui

@@ -17,7 +17,7 @@ constexpr int leastHeight = 28;
 constexpr int arrowWidth = 22;
 constexpr int gap = 12;
 
-/// A button that is expanded or collapsed, which the buttons of Qt do not say.
+/// A button that reports being expanded or collapsed, which Qt's buttons do not.
 class HeadAccess : public QAccessibleWidget {
 public:
     explicit HeadAccess(QWidget *head)
@@ -105,7 +105,7 @@ void SectionHead::paintEvent(QPaintEvent *) {
         painter.setBrush(underMouse() ? QBrush(token(Token::hover, palette())) : QBrush(Qt::NoBrush));
         painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 4, 4);
     }
-    // The title stands above the fields; the frame of the focus comes nearer to it.
+    // The title is aligned with the fields; the focus frame needs a margin.
     const QRect room = rect().adjusted(hasFocus() ? 4 : 0, 0, -arrowWidth, 0);
     painter.setFont(themeFont(TextSize::head));
     painter.setPen(palette().color(QPalette::WindowText));

@@ -6,8 +6,8 @@
 
 namespace palmer::ui {
 
-/// The head of a section that folds: title, in one line what the folded section holds, arrow. Pressing it
-/// folds and unfolds; screen readers are told which it is.
+/// Head of a foldable section: title, summary of a folded section in one line, arrow. A click folds and
+/// unfolds; screen readers are told the state.
 class SectionHead : public QAbstractButton {
     Q_OBJECT
 
@@ -15,7 +15,7 @@ public:
     explicit SectionHead(QWidget *parent = nullptr);
 
     void setTitle(const QString &title);
-    /// `asks`: it says that something is missing.
+    /// `asks`: the summary reports something missing.
     void setSummary(const QString &summary, bool asks);
     void setFolded(bool folded);
     [[nodiscard]] bool isFolded() const { return m_folded; }

@@ -21,7 +21,7 @@ namespace palmer::ui {
 
 namespace {
 
-/// A long name would make the menu as wide as itself.
+/// Elides long names, which would make the menu too wide.
 QAction *addNamed(QMenu &menu, const Template &content) {
     constexpr int mostCharacters = 48;
     const QFontMetrics metrics = menu.fontMetrics();

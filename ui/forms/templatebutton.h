@@ -11,8 +11,8 @@ namespace palmer::ui {
 class DocumentModel;
 class Selection;
 
-/// The button of a form whose menu fills the form from a template of the user's, keeps what the form says as
-/// one, and exchanges them as files.
+/// A form's button with a menu to fill the form from a user template, store its content as one, and import or
+/// export templates as files.
 class TemplateButton : public QToolButton {
     Q_OBJECT
 
@@ -21,9 +21,9 @@ public:
 
     TemplateButton(Kind kind, DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
 
-    /// Puts a template into the document, as one step to undo; false where it does not fit.
+    /// Applies a template to the document as one undo step. False if it does not fit.
     bool apply(const Template &content);
-    /// What the form says, as a template of that name; of several instruments the last one.
+    /// The content of the form as a template of that name; the last one of several instruments.
     [[nodiscard]] Template current(const QString &name) const;
 
 protected:

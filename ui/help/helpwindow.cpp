@@ -24,7 +24,7 @@ namespace {
 
 constexpr int listWidth = 210;
 constexpr int textMargin = 12;
-constexpr int pageRole = Qt::UserRole + 1; ///< index of the page of a row; none: the title of a group
+constexpr int pageRole = Qt::UserRole + 1; ///< page index of a row; none for a group title
 
 } // namespace
 
@@ -66,7 +66,7 @@ HelpWindow::HelpWindow(QWidget *parent)
     layout->addLayout(row, 1);
     layout->addLayout(foot);
     connect(m_list, &QListWidget::currentRowChanged, this, &HelpWindow::showRow);
-    // While a word is typed it is looked for from where it was found until then.
+    // While typing, the search starts at the current match.
     connect(m_search, &QLineEdit::textEdited, this, [this](const QString &words) {
         QTextCursor from = m_browser->textCursor();
         from.setPosition(from.selectionStart());
@@ -148,7 +148,7 @@ bool HelpWindow::find(const QString &words) {
     return false;
 }
 
-/// What to do, then the editions by what they are of, then the proof.
+/// Groups: instructions, then editions by kind of test, then the validation.
 void HelpWindow::fillList() {
     m_list->clear();
     const auto groupOf = [](const HelpPage &page) {
@@ -165,7 +165,7 @@ void HelpWindow::fillList() {
             auto *title = new QListWidgetItem(group, m_list);
             title->setFlags(Qt::NoItemFlags);
             title->setFont(themeFont(TextSize::head));
-            title->setForeground(token(Token::secondaryText, palette())); // not that of what cannot be used
+            title->setForeground(token(Token::secondaryText, palette())); // not the colour of disabled items
         }
         auto *item = new QListWidgetItem(m_pages[i].title, m_list);
         item->setData(pageRole, QVariant::fromValue(i));

@@ -16,19 +16,19 @@ class QTextBrowser;
 
 namespace palmer::ui {
 
-/// Help (F1): pages at the left, what they say at the right, in the language of the window.
+/// Help (F1): pages on the left, their content on the right, in the window's language.
 class HelpWindow : public QDialog {
     Q_OBJECT
 
 public:
     explicit HelpWindow(QWidget *parent = nullptr);
 
-    /// Brings a page into view by its id, and on it the place of an anchor. An unknown page: the first.
+    /// Shows a page by its ID, scrolled to an anchor. An unknown ID shows the first page.
     void showPage(const QString &id, const QString &anchor = {});
     [[nodiscard]] QString currentPage() const;
     [[nodiscard]] QString text() const;
-    /// Goes to the next place where the words are, on this page or on one behind it, round and round; false:
-    /// they are nowhere. The validation is looked through only while it is in view.
+    /// Moves to the next occurrence of the words on this or the following pages, cyclically. False if there
+    /// is none. The validation is searched only while in view.
     bool find(const QString &words);
 
 protected:
@@ -43,11 +43,11 @@ private:
     void retranslate();
 
     std::vector<HelpPage> m_pages;
-    std::optional<std::vector<SetValidation>> m_validated; ///< computed when it is first looked at
+    std::optional<std::vector<SetValidation>> m_validated; ///< computed on first use
     QLineEdit *m_search;
     QListWidget *m_list;
     QTextBrowser *m_browser;
-    QLabel *m_notFound; ///< what was looked for and is nowhere
+    QLabel *m_notFound; ///< says what was not found
     QPushButton *m_close;
 };
 

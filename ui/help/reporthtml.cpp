@@ -11,8 +11,8 @@ QString html(const Phrase &phrase) {
     for (const Span &span : phrase.spans) {
         QString part = span.text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
         if (span.subscript)
-            part = QStringLiteral("<sub style=\"font-size:medium\">%1</sub>")
-                       .arg(part); // legible in tables, too
+            part =
+                QStringLiteral("<sub style=\"font-size:medium\">%1</sub>").arg(part); // legible in tables too
         if (span.italic)
             part = QStringLiteral("<i>%1</i>").arg(part);
         if (span.bold)
@@ -22,8 +22,7 @@ QString html(const Phrase &phrase) {
     return text;
 }
 
-constexpr std::size_t manyColumns =
-    7; ///< columns: with as many a table is set smaller, and no number in two lines
+constexpr std::size_t manyColumns = 7; ///< columns from which a table is set smaller, so that no number wraps
 
 QString html(const Table &table) {
     const bool isWide = table.columns.size() >= manyColumns;
@@ -72,7 +71,7 @@ struct Writer {
                         .arg(pair.key.toHtmlEscaped(), pair.value.toHtmlEscaped());
     }
     void operator()(const Table &table) { text += html(table); }
-    void operator()(const auto &) {} // for paper only
+    void operator()(const auto &) {} // only on paper
 };
 
 } // namespace

@@ -8,8 +8,8 @@
 
 namespace palmer::ui {
 
-/// A report as simple HTML for reading in a window: headings with their anchors, paragraphs, pairs and
-/// tables. Figures, signatures and page breaks are left out.
+/// A report as simple HTML for a window: headings with anchors, paragraphs, pairs and tables. Omits figures,
+/// signatures and page breaks.
 [[nodiscard]] QString reportHtml(const Report &report);
 
 } // namespace palmer::ui

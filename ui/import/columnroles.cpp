@@ -17,7 +17,7 @@ namespace {
 constexpr int roleHeight = 28;
 constexpr int roleWidth = 104;
 constexpr int widestRole = 208;
-constexpr int mostFitted = 200; ///< columns whose widths follow their words
+constexpr int mostFitted = 200; ///< columns whose widths fit their texts
 
 constexpr std::array roles{ColumnRole::target,  ColumnRole::run,       ColumnRole::deviation,
                            ColumnRole::actual,  ColumnRole::direction, ColumnRole::number,

@@ -11,8 +11,8 @@ class QStandardItemModel;
 
 namespace palmer::ui {
 
-/// The columns of a table as the file has them, each with its role: a click, or Return, opens the menu of
-/// all roles. Hidden where a file has no columns.
+/// The columns of a table as in the file, each with its role; a click or Return opens a menu of all roles.
+/// Hidden if a file has no columns.
 class ColumnRoles : public QTableView {
     Q_OBJECT
 
@@ -22,7 +22,7 @@ public:
     void showColumns(const std::vector<ImportColumn> &columns);
 
 signals:
-    /// Another role was chosen: those of all columns, as the choice "columns" has them.
+    /// The user chose a role; all roles in the format of the choice "columns".
     void rolesChosen(const QString &columns);
 
 protected:

@@ -39,61 +39,60 @@ class RemarkList;
 class WorkBar;
 class ZoomButtons;
 
-/// A measurement file as it was read; may be made on any thread.
+/// A measurement file as read; may be made on any thread.
 struct MeasurementFile {
     QByteArray bytes;
-    QString name; ///< without its folder
+    QString name; ///< without folder
     Imported imported;
     std::string hash; ///< SHA-256 of the bytes
-    TestPointer test; ///< that of `imported`, for who draws it on another thread; null for none
+    TestPointer test; ///< test of `imported`, to be drawn on another thread; null if none
     TextLines lines;  ///< of `imported`
 };
 
-/// Throws Error for bytes of which nothing can be shown.
+/// Throws Error if nothing in the bytes can be shown.
 [[nodiscard]] MeasurementFile readMeasurementFile(const QByteArray &bytes, const QString &fileName,
                                                   const ImportOptions &options = {});
 
-/// Whether reading takes longer than a window may stand still: then it is read on a thread.
+/// True if reading would block the window too long and is done on a thread.
 [[nodiscard]] bool isLargeFile(qint64 bytes);
 
-/// "Import…": what a measurement file says, before anything is accepted. The text as it was read, the roles
-/// of its columns, the table and the curve that come of it, every choice with how it came about, the
-/// questions and the remarks. Another choice reads the file anew; nothing comes in before each question is
-/// answered. A file of which no measurement can be read is shown with what is missing. Changes no document:
-/// whoever opened it puts in what was read, with addTo().
+/// "Import…": shows the content of a measurement file before it is accepted: the text as read, the column
+/// roles, the resulting table and curve, every choice with its origin, the questions and remarks. Changing a
+/// choice reads the file again; each question must be answered before the import. A file without a readable
+/// measurement is shown with what is missing. Changes no document: the caller adds the data with addTo().
 class ImportAssistant : public QDialog {
     Q_OBJECT
 
 public:
-    /// `open`: the document that is open, to put the measurement into; null for none. Throws Error for bytes
-    /// of which nothing can be shown.
+    /// `open`: the open document to add the measurement to; may be null. Throws Error if nothing in the bytes
+    /// can be shown.
     ImportAssistant(const QByteArray &bytes, const QString &fileName, const Document *open,
                     QWidget *parent = nullptr);
     ImportAssistant(MeasurementFile file, const Document *open, QWidget *parent = nullptr);
 
     [[nodiscard]] const Imported &imported() const { return m_file.imported; }
-    /// Whether the measurement shall be a new document and not go into the open one.
+    /// True if the measurement goes into a new document instead of the open one.
     [[nodiscard]] bool wantsNewDocument() const;
-    /// At once for the document that it was accepted for: all was done before.
+    /// Returns at once for the document it was accepted for, as the work was done on accepting.
     void addTo(Document &document) const;
 
-    /// Chooses a word, number or text for a choice, as its box does; empty: what is found in the file.
+    /// Sets a choice as its box does; empty: as found in the file.
     void choose(const std::string &key, const std::string &value);
-    /// Takes what is proposed to every question but those about data that were not read.
+    /// Accepts the proposed answers, except to questions about data that were not read.
     void confirmAll();
-    /// Reads other bytes in the place of those at hand; what cannot be read is said, and nothing changes.
-    /// Large files are read beside the window, with a bar and Cancel, which leaves all as it was.
+    /// Replaces the current data; on failure shows a message and changes nothing. Large files are read in the
+    /// background with a progress bar; Cancel leaves everything unchanged.
     void takeFile(const QByteArray &bytes, const QString &fileName);
     void pasteText();
 
-    /// Says how many files are asked about after this one.
+    /// Shows how many files follow this one.
     void setFollowing(qsizetype files);
 
-    /// Keeps what was chosen under a name: neither what the file itself says nor a guess that nobody has
-    /// confirmed. False, and a message, when that fails.
+    /// Stores the user's choices under a name, without values from the file itself and unconfirmed guesses.
+    /// On failure shows a message and returns false.
     bool saveProfile(const QString &name);
 
-    /// Puts a large measurement into the document beside the window, and closes when that is done.
+    /// Adds a large measurement to the document in the background and closes when done.
     void accept() override;
 
 protected:
@@ -106,7 +105,7 @@ private:
         QWidget *cell = nullptr;
         QLabel *name = nullptr;
         QLabel *badge = nullptr;
-        QComboBox *words = nullptr; ///< null: typed
+        QComboBox *words = nullptr; ///< null if typed
         QLineEdit *edit = nullptr;
     };
 
@@ -114,7 +113,7 @@ private:
     QWidget *makeMiddle();
     QWidget *makeRemarks();
     void connectAll();
-    /// Size and hash of the file, and how many follow it.
+    /// Shows size and hash of the file and how many follow.
     void sayOrigin();
     void useLastProfile();
     void chooseOther();
@@ -141,7 +140,7 @@ private:
     [[nodiscard]] int boxColumns() const;
     void placeBoxes();
     void showChoices();
-    /// The value of a choice in its box.
+    /// Shows the value of a choice in its box.
     void showChoice(const Box &box, const QString &value, bool guessed);
     void fillSheets(QComboBox &sheets) const;
     void showLine(std::size_t line);
@@ -149,7 +148,7 @@ private:
     void showRemarks();
     void showCurve();
     void showSizes();
-    // What the measurement of a kind counts.
+    // Counts for a measurement's kind.
     [[nodiscard]] static QStringList sizesOf(const PositioningMeasurement &measurement);
     [[nodiscard]] QStringList sizesOf(const CircularMeasurement &measurement) const;
     [[nodiscard]] QStringList sizesOf(const DriftMeasurement &measurement) const;
@@ -161,18 +160,18 @@ private:
     void retranslate();
 
     MeasurementFile m_file;
-    std::optional<Document> m_document; ///< the open one
+    std::optional<Document> m_document; ///< the open one; may be null
     ImportOptions m_options;
-    ImportOptions m_settled; ///< those that what is shown was read with
+    ImportOptions m_settled; ///< the options that the displayed data were read with
     QString m_settledProfile;
-    std::optional<Document> m_taken; ///< the document with the measurement, when it was accepted
-    int m_following = 0;             ///< files that come after this one
+    std::optional<Document> m_taken; ///< the document including the measurement, once accepted
+    int m_following = 0;             ///< number of files after this one
     ImportProfiles m_profiles;
-    std::optional<QString> m_refusal; ///< why the latest choices cannot be used
+    std::optional<QString> m_refusal; ///< why the last choices cannot be used
     Selection m_selection;
     RawTextModel m_raw;
     RecognisedModel m_recognised;
-    std::optional<CurveFigure> m_curve; ///< of a large measurement as much as a screen resolves
+    std::optional<CurveFigure> m_curve; ///< large measurements: thinned to the screen's resolution
     std::vector<Box> m_boxes;
 
     QLabel *m_title;
@@ -210,7 +209,7 @@ private:
     QPushButton *m_import;
     WorkBar *m_work;
     Background m_reader;
-    Background m_drawer; ///< of the curve of a large measurement
+    Background m_drawer; ///< draws the curve of a large measurement
 };
 
 } // namespace palmer::ui
