@@ -56,15 +56,15 @@ namespace {
 
 constexpr int mostBoxColumns = 6;
 constexpr int boxSpacing = 12;
-constexpr int boxContents = 12;     ///< letters of what is chosen
-constexpr int linesAtOnce = 50'000; ///< of the text, that are given their place
-constexpr int columnWidth = 72;     ///< of the recognised table, unless its heading is wider
-constexpr int drawnAtOnce = 50'000; ///< readings; the curve of more is made on a thread
+constexpr int boxContents = 12;     ///< minimum width of a choice, in letters
+constexpr int linesAtOnce = 50'000; ///< text lines laid out per batch
+constexpr int columnWidth = 72;     ///< of the recognised table, px, unless its heading is wider
+constexpr int drawnAtOnce = 50'000; ///< readings; curves of more are made in the background
 constexpr int remarksHeight = 150;
 constexpr int lowRemarksHeight = 72;
-constexpr int lowBelow = 700; ///< of the dialog
+constexpr int lowBelow = 700; ///< height of the dialog, px
 
-/// A title over a part, what is said of its size or done with it at the right, and the part.
+/// A part with its title, its size text or buttons on the right, and its content.
 QWidget *part(QWidget *parent, QLabel *title, QWidget *beside, QWidget *content) {
     auto *whole = new QWidget(parent);
     whole->setProperty("ground", QStringLiteral("base"));
@@ -82,7 +82,7 @@ QWidget *part(QWidget *parent, QLabel *title, QWidget *beside, QWidget *content)
     return whole;
 }
 
-/// As much of the curve as a screen resolves; nothing for circles.
+/// The curve thinned to the screen's resolution; null for circles.
 std::optional<CurveFigure> curveOf(const EvaluatedDocument &evaluated, const Language &language) {
     const Test &test = *evaluated.document->tests[0];
     if (!axisOf(test))
@@ -91,20 +91,20 @@ std::optional<CurveFigure> curveOf(const EvaluatedDocument &evaluated, const Lan
         if (!isJudged(test))
             return driftFigure(test, *evaluated.tests[0], language);
         DeviationFigureOptions options;
-        options.dimensions = false; // results are not looked at before the readings are right
+        options.dimensions = false; // results are not examined before the readings are correct
         return deviationFigure(test, *evaluated.tests[0], language, options);
     }();
     return isOrdinary(figure) ? figure : thinned(figure);
 }
 
-/// A number as the remarks print it; what is none as it was typed.
+/// A number as formatted in remarks; other text as typed.
 QString asRead(const QString &value) {
     bool isNumber = false;
     const double number = value.toDouble(&isNumber);
     return isNumber ? windowLanguage().number(number, Quantity::number) : value;
 }
 
-/// Without the spaces and the minus that asRead has put there.
+/// Reverses the formatting of asRead: no group spaces, ASCII minus.
 std::string asTyped(const QString &text) {
     return text.trimmed().remove(u'\u202F').replace(u'\u2212', u'-').toStdString();
 }
@@ -176,7 +176,7 @@ ImportAssistant::ImportAssistant(MeasurementFile file, const Document *open, QWi
     try {
         m_profiles = readImportProfiles(importProfilesPath());
     } catch (const Error &) {
-        m_profiles.clear(); // a damaged file of profiles hinders no import; saving one says what is wrong
+        m_profiles.clear(); // a damaged profile file does not prevent an import; saving reports the error
     }
     makeLayout();
     m_rawView->setFocus();
@@ -246,7 +246,7 @@ QWidget *ImportAssistant::makeMiddle() {
     m_rawView->setModel(&m_raw);
     m_rawView->setItemDelegate(new RawTextDelegate(m_rawView));
     m_rawView->setUniformItemSizes(true);
-    m_rawView->setLayoutMode(QListView::Batched); // of 10⁶ lines it takes a blink
+    m_rawView->setLayoutMode(QListView::Batched); // 10⁶ lines take a noticeable time
     m_rawView->setBatchSize(linesAtOnce);
     m_rawView->setFrameShape(QFrame::NoFrame);
     QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
@@ -318,7 +318,7 @@ void ImportAssistant::connectAll() {
     connect(m_remarks, &RemarkList::lineWanted, this, &ImportAssistant::showLine);
     connect(m_confirmAll, &QPushButton::clicked, this, &ImportAssistant::confirmAll);
     connect(m_rawView, &QListView::clicked, this, &ImportAssistant::readTableAt);
-    connect(m_rawView, &QListView::activated, this, &ImportAssistant::readTableAt); // by the keyboard
+    connect(m_rawView, &QListView::activated, this, &ImportAssistant::readTableAt); // with the keyboard
     connect(m_profile, &QComboBox::activated, this, [this](int index) {
         if (index == 0)
             takeOptions({});
@@ -350,7 +350,7 @@ void ImportAssistant::connectAll() {
         m_circleCanvas->fit();
         emit m_curveCanvas->fitWanted();
     });
-    // Both show the same file from above: they scroll together.
+    // Both views start at the top of the file and scroll together.
     connect(m_rawView->verticalScrollBar(), &QScrollBar::valueChanged, this, [this](int value) {
         const int lines = std::max(m_rawView->verticalScrollBar()->maximum(), 1);
         m_table->verticalScrollBar()->setValue(
@@ -366,9 +366,9 @@ Document ImportAssistant::destination() const {
     return wantsNewDocument() ? Document() : *m_document;
 }
 
-/// What puts the measurement into a document, on any thread; it holds no more than that needs.
+/// Returns a function that adds the measurement to a document on any thread; it holds only the data needed.
 std::function<std::variant<Document, Error>(Document)> ImportAssistant::taking() const {
-    Imported taken; // all but the table as it was read and the test, which may be large
+    Imported taken; // without the table as read and the test, which may be large
     taken.remarks = m_file.imported.remarks;
     taken.sensors = m_file.imported.sensors;
     taken.gradientPerHour = m_file.imported.gradientPerHour;
@@ -401,7 +401,7 @@ void ImportAssistant::addTo(Document &document) const {
     document = std::move(std::get<Document>(outcome));
 }
 
-/// Small files at once.
+/// Reads small files at once.
 void ImportAssistant::read(const QByteArray &bytes, const QString &name, const ImportOptions &options,
                            std::function<void(std::variant<MeasurementFile, Error>)> take) {
     using Outcome = std::variant<MeasurementFile, Error>;
@@ -412,7 +412,7 @@ void ImportAssistant::read(const QByteArray &bytes, const QString &name, const I
             return error;
         }
     };
-    m_reader.cancel(); // only the latest counts
+    m_reader.cancel(); // only the latest request matters
     if (!isLargeFile(bytes.size())) {
         m_work->end();
         take(work());
@@ -427,7 +427,7 @@ void ImportAssistant::read(const QByteArray &bytes, const QString &name, const I
     showState();
 }
 
-/// What is shown was read with these.
+/// The displayed data were read with the current options.
 void ImportAssistant::settle() {
     m_settled = m_options;
     m_settledProfile = m_profile->currentIndex() > 0 ? m_profile->currentText() : QString();
@@ -448,7 +448,7 @@ void ImportAssistant::takeFile(const QByteArray &bytes, const QString &fileName)
         if (const auto *error = std::get_if<Error>(&outcome)) {
             refuse(*error, name);
             showRemarks();
-            m_import->setEnabled(couldImport); // what was read before
+            m_import->setEnabled(couldImport); // for the data read before
             return;
         }
         takeOther(std::move(std::get<MeasurementFile>(outcome)));
@@ -510,7 +510,7 @@ void ImportAssistant::choose(const std::string &key, const std::string &value) {
     takeOptions(std::move(options));
 }
 
-/// Reads the table that stands there, where a text has several.
+/// Reads the table at that place if a text has several.
 void ImportAssistant::readTableAt(const QModelIndex &place) {
     const auto table = m_raw.tableAt(place.row());
     if (!table || m_raw.isRead(*table))
@@ -521,7 +521,7 @@ void ImportAssistant::readTableAt(const QModelIndex &place) {
 }
 
 void ImportAssistant::confirmAll() {
-    // An answer may raise the next question, which has to be read before it is confirmed: once is enough.
+    // Confirms only the current questions: an answer may raise another, which must be read first.
     ImportOptions options = m_options;
     for (const Question &question : m_file.imported.questions) {
         if (canBeConfirmed(question))
@@ -530,7 +530,7 @@ void ImportAssistant::confirmAll() {
     takeOptions(std::move(options));
 }
 
-/// What was read takes the place of what is shown, with the reason where there is no measurement in it.
+/// Replaces the displayed data, with the reason if they contain no measurement.
 void ImportAssistant::takeRead(MeasurementFile file) {
     m_raw.clear();
     m_recognised.show(nullptr);
@@ -540,13 +540,13 @@ void ImportAssistant::takeRead(MeasurementFile file) {
         refuse(*m_file.imported.refusal, {});
 }
 
-/// Reads the file anew. Choices under which it cannot be read stay visible with the reason; they can be
-/// changed, but not accepted.
+/// Reads the file again. If it cannot be read with these choices, they stay visible with the reason and can
+/// be changed but not accepted.
 void ImportAssistant::takeOptions(ImportOptions options) {
     m_options = std::move(options);
     read(m_file.bytes, m_file.name, m_options, [this](std::variant<MeasurementFile, Error> outcome) {
         if (const auto *error = std::get_if<Error>(&outcome)) {
-            refuse(*error, {}); // nothing to show: beside what was read last
+            refuse(*error, {}); // nothing new to show: keep the last data
             std::erase_if(m_file.imported.questions,
                           [this](const Question &question) { return m_options.contains(question.id); });
         } else {
@@ -557,7 +557,7 @@ void ImportAssistant::takeOptions(ImportOptions options) {
     });
 }
 
-/// `file`: where it is not the one at hand.
+/// `file`: name of the file if it is another one; may be empty.
 void ImportAssistant::refuse(const Error &error, const QString &file) {
     QString sentence = windowLanguage().sentence(error.message);
     for (const QString &where : {QString::fromStdString(error.place), file}) {
@@ -621,8 +621,8 @@ bool ImportAssistant::saveProfile(const QString &name) {
     return true;
 }
 
-/// Those that matter for the file, in the order in which choices are shown; the roles of columns stand above
-/// these. Of a file that cannot be read, all that were chosen, and the sheets: one of them may be why.
+/// The choices relevant to the file, in display order, except column roles, which are shown above the
+/// columns. For an unreadable file, the choices made and the sheets, as one of them may be the cause.
 std::vector<ImportChoice> ImportAssistant::shownChoices() const {
     std::vector<ImportChoice> shown;
     for (const ImportKey &key : importKeys()) {
@@ -641,7 +641,7 @@ std::vector<ImportChoice> ImportAssistant::shownChoices() const {
     return shown;
 }
 
-/// The sheets of the workbook, the hidden ones last and said so.
+/// The sheets of the workbook, hidden ones last and marked as such.
 void ImportAssistant::fillSheets(QComboBox &sheets) const {
     for (const ImportSheet &sheet : m_file.imported.sheets) {
         const QString name = QString::fromStdString(sheet.name);
@@ -653,7 +653,7 @@ void ImportAssistant::makeBoxes() {
     for (const Box &box : m_boxes) {
         if (!box.cell)
             continue;
-        box.cell->deleteLater(); // one of them may be what asked for this
+        box.cell->deleteLater(); // the sender may be in one of them
         box.cell->hide();
     }
     m_boxes.clear();
@@ -663,13 +663,13 @@ void ImportAssistant::makeBoxes() {
     placeBoxes();
 }
 
-/// Those that stay keep their place and the focus; new ones come where one has gone, else behind the others.
+/// Remaining boxes keep their place and the focus; new ones fill freed places, otherwise they are appended.
 void ImportAssistant::changeBoxes(const std::vector<ImportChoice> &shown) {
     for (Box &box : m_boxes) {
         if (box.key.empty() || std::ranges::find(shown, box.key, &ImportChoice::key) != shown.end())
             continue;
         box.cell->hide();
-        box.cell->deleteLater(); // it may be what asked for this
+        box.cell->deleteLater(); // the sender may be in it
         box = Box();
     }
     for (const ImportChoice &choice : shown) {
@@ -681,14 +681,14 @@ void ImportAssistant::changeBoxes(const std::vector<ImportChoice> &shown) {
         else
             m_boxes.push_back(makeBox(choice));
     }
-    m_boxColumns = std::min(m_boxColumns, boxColumns()); // a longer name
+    m_boxColumns = std::min(m_boxColumns, boxColumns()); // a name may be longer now
     placeBoxes();
 }
 
 ImportAssistant::Box ImportAssistant::makeBox(const ImportChoice &choice) {
     const ImportKey *key = findImportKey(choice.key);
     Box box{choice.key, new QWidget(this), nullptr, nullptr, nullptr, nullptr};
-    box.cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // columns of one width
+    box.cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // makes columns equally wide
     box.name = new QLabel(windowLanguage().text(key->name), box.cell);
     box.badge = new QLabel(tr("guessed"), box.cell);
     box.badge->setObjectName(QStringLiteral("guessed.") + QString::fromStdString(choice.key));
@@ -727,7 +727,7 @@ ImportAssistant::Box ImportAssistant::makeBox(const ImportChoice &choice) {
     return box;
 }
 
-/// Those of the kind of test, as for a new one.
+/// Lists the editions of the kind of test, as for a new test.
 void ImportAssistant::fillEditions(QComboBox &editions) const {
     const auto kind = std::ranges::find(m_file.imported.choices, "kind", &ImportChoice::key);
     std::optional<Kind> of;
@@ -744,7 +744,7 @@ void ImportAssistant::fillEditions(QComboBox &editions) const {
     }
 }
 
-/// As many beside one another as the dialog has room for.
+/// As many columns as fit into the dialog's width.
 int ImportAssistant::boxColumns() const {
     int least = std::max(m_destinationName->parentWidget()->minimumSizeHint().width(),
                          m_profileName->parentWidget()->minimumSizeHint().width());
@@ -806,7 +806,7 @@ void ImportAssistant::showChoice(const Box &box, const QString &value, bool gues
     box.badge->setVisible(guessed);
     box.badge->setStyleSheet(QStringLiteral("background: %1; color: %2; border-radius: 6px; padding: 0 6px;")
                                  .arg(token(Token::unsureGround, palette()).name(), unsure));
-    box.name->setMinimumHeight(box.badge->sizeHint().height()); // also without it: nothing moves
+    box.name->setMinimumHeight(box.badge->sizeHint().height()); // reserves its height, so that nothing moves
     QWidget *control = box.words ? static_cast<QWidget *>(box.words) : box.edit;
     control->setStyleSheet(guessed ? QStringLiteral("border-color: %1;").arg(unsure) : QString());
     control->setAccessibleDescription(guessed ? tr("guessed") : QString());
@@ -817,10 +817,10 @@ void ImportAssistant::showChoice(const Box &box, const QString &value, bool gues
     if (box.key == "edition") {
         fillEditions(*box.words);
         if (!value.isEmpty() && box.words->findData(value) < 0)
-            box.words->addItem(value, value); // of another kind of test: the reason is said below
+            box.words->addItem(value, value); // of another kind of test; the reason is shown below
     }
     box.words->setCurrentIndex(box.words->findData(value));
-    box.words->setToolTip(box.words->currentText()); // in whole, where the field is too short for it
+    box.words->setToolTip(box.words->currentText()); // the full text, if the field is too narrow
 }
 
 void ImportAssistant::showLine(std::size_t line) {
@@ -829,7 +829,7 @@ void ImportAssistant::showLine(std::size_t line) {
     m_rawView->scrollTo(at);
 }
 
-/// Leads to where a question is answered that has no list of answers.
+/// Focuses the place where a question without a list of answers is answered.
 void ImportAssistant::showAnswerOf(const QString &key) {
     const auto box = std::ranges::find(m_boxes, key.toStdString(), &Box::key);
     QWidget *field = m_columns;
@@ -945,7 +945,7 @@ void ImportAssistant::refresh() {
     showState();
 }
 
-/// How many readings come in, or what hinders them.
+/// Shows the number of readings to import, or what prevents it.
 void ImportAssistant::showState() {
     const int readings = readingsOf(m_file.imported);
     const auto questions = static_cast<int>(m_file.imported.questions.size());
@@ -962,12 +962,12 @@ void ImportAssistant::showState() {
     m_import->setAccessibleDescription(m_open->text());
 }
 
-/// What still is in a field was meant, too: a mnemonic does not leave the field.
+/// Takes a text still being typed, as a mnemonic does not leave the field.
 void ImportAssistant::takeTyped() {
     for (const Box &box : m_boxes) {
         if (box.edit && box.edit->isModified()) {
             choose(box.key, asTyped(box.edit->text()));
-            return; // one at most: others were left; and the boxes may be others now
+            return; // at most one was still being typed, and the boxes may have been rebuilt
         }
     }
 }
@@ -990,7 +990,7 @@ void ImportAssistant::accept() {
     showState();
 }
 
-/// Closes with what came of it; what cannot be put into the document is said.
+/// Closes with the resulting document, or shows why the measurement cannot be added.
 void ImportAssistant::finish(std::variant<Document, Error> outcome) {
     if (const auto *error = std::get_if<Error>(&outcome)) {
         refuse(*error, {});
@@ -1047,7 +1047,7 @@ void ImportAssistant::retranslate() {
     m_cancel->setText(tr("&Cancel"));
     if (m_file.imported.refusal)
         refuse(*m_file.imported.refusal, {});
-    makeBoxes(); // in the language, and with it
+    makeBoxes(); // in the new language
     refresh();
 }
 

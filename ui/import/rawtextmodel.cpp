@@ -23,7 +23,7 @@ Token colourOf(CellRole role) {
     return role == CellRole::positive ? Token::up : Token::downText;
 }
 
-/// In bytes, with what stands between the cells.
+/// Length in bytes, including separators between cells.
 int longestRow(const CellTable &table) {
     int longest = 0;
     for (const TableRow &row : table.rows()) {
@@ -35,7 +35,7 @@ int longestRow(const CellTable &table) {
     return longest;
 }
 
-/// The lines that were not read as they stand.
+/// Lines with a problem or a question.
 std::set<std::size_t> problemsOf(const Imported &imported) {
     std::set<std::size_t> lines;
     for (const Remark &remark : imported.remarks) {
@@ -61,7 +61,7 @@ const std::string &textOf(const Imported &imported) {
 
 } // namespace
 
-/// Each end is looked for alone: most texts have but one of both.
+/// Finds \n and \r separately, as most texts contain only one of them.
 TextLines linesOf(const Imported &imported) {
     TextLines lines;
     if (isSheet(imported)) {
@@ -103,7 +103,7 @@ void RawTextModel::clear() {
     endResetModel();
 }
 
-/// Without its end.
+/// A line without its line ending.
 RawTextModel::Line RawTextModel::line(int row) const {
     const auto at = static_cast<std::size_t>(row);
     const std::string &all = textOf(*m_imported);
@@ -154,7 +154,7 @@ std::optional<std::size_t> RawTextModel::tableAt(int row) const {
     for (std::size_t i = 0; i < tables.size(); ++i) {
         const auto size = [&](std::size_t table) { return tables[table].lastLine - tables[table].firstLine; };
         if (line >= tables[i].firstLine && line <= tables[i].lastLine && (!found || size(i) < size(*found)))
-            found = i; // one may stand between the parts of another
+            found = i; // a table may lie between parts of another
     }
     return found;
 }
@@ -247,7 +247,7 @@ void RawTextDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
     const int end = option.widget ? option.widget->width() : option.rect.right();
     for (RawPiece &piece : model->pieces(index.row())) {
         if (rest.left() > end)
-            break; // of a line of a thousand cells few are in sight
+            break; // only a few of a thousand cells are visible
         piece.text.replace(u'\t', QStringLiteral(" → "));
         switch (piece.role) {
         case CellRole::positive:

@@ -13,30 +13,30 @@
 
 namespace palmer::ui {
 
-/// A piece of a line and what it was read as.
+/// A piece of a line and its role.
 struct RawPiece {
     QString text;
     CellRole role = CellRole::ignored;
 };
 
-/// Where the lines of a text begin, which has at most 1 GiB.
+/// Start offsets of the lines of a text of at most 1 GiB.
 struct TextLines {
     std::vector<std::uint32_t> begins;
     int longest = 0; ///< bytes
 };
 
-/// Those of what was read; none of a workbook, which has rows. Of 10⁶ lines in some milliseconds.
+/// The lines of the text as read; empty for a workbook, which has rows. Takes milliseconds for 10⁶ lines.
 [[nodiscard]] TextLines linesOf(const Imported &imported);
 
-/// The lines of a measurement file as they were read: text of a table, rows of a sheet, lines of a text. The
-/// pieces of a line are made when it is looked at, so that a million lines cost nothing.
+/// The lines of a measurement file as read: table text, sheet rows or text lines. The pieces of a line are
+/// made on request, so that a million lines cost nothing.
 class RawTextModel : public QAbstractListModel {
     Q_OBJECT
 
 public:
     using QAbstractListModel::QAbstractListModel;
 
-    /// What was read and its lines; both must stay alive and unchanged while they are shown.
+    /// The data as read and their lines; both must stay alive and unchanged while shown.
     void show(const Imported &imported, const TextLines &lines);
     void clear();
 
@@ -44,12 +44,12 @@ public:
     [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
 
     [[nodiscard]] std::vector<RawPiece> pieces(int row) const;
-    [[nodiscard]] std::size_t lineNumber(int row) const; ///< of the file, from 1
+    [[nodiscard]] std::size_t lineNumber(int row) const; ///< in the file, from 1
     [[nodiscard]] bool isProblem(int row) const;
-    /// Which table of a text that has several a row belongs to, from 0; null: none, or there is but one.
+    /// Index from 0 of the row's table; null if it is in none, or the text has only one.
     [[nodiscard]] std::optional<std::size_t> tableAt(int row) const;
     [[nodiscard]] bool isRead(std::size_t table) const { return table == m_imported->readTable; }
-    /// The row that shows a line of the file; -1 for none.
+    /// The row of a line of the file; -1 if there is none.
     [[nodiscard]] int rowOf(std::size_t line) const;
     [[nodiscard]] int longestLine() const { return m_lines ? m_lines->longest : 0; } ///< bytes
 
@@ -64,11 +64,11 @@ private:
 
     const Imported *m_imported = nullptr;
     const TextLines *m_lines = nullptr;
-    bool m_sheet = false; ///< rows of a workbook, which has no text of its own
+    bool m_sheet = false; ///< a workbook: rows instead of text
     std::set<std::size_t> m_problems;
 };
 
-/// Draws a line with its number, the cells in the colours of what they were read as.
+/// Draws a line with its number, each cell in the colour of its role.
 class RawTextDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;

@@ -18,7 +18,7 @@ constexpr std::size_t looked = 20'000; ///< numbers whose decimals are counted
 } // namespace
 
 std::size_t RecognisedModel::Column::size() const {
-    return values.size() + readings.size() + own.size(); // of one of them
+    return values.size() + readings.size() + own.size(); // two of them are empty
 }
 
 std::optional<double> RecognisedModel::Column::value(std::size_t row) const {
@@ -39,7 +39,7 @@ void RecognisedModel::show(const Imported *imported) {
     endResetModel();
 }
 
-/// Of a large table those of numbers spread all over it.
+/// Counts decimals; in large tables only of a sample spread over all numbers.
 void RecognisedModel::countDecimals() {
     std::size_t numbers = 0;
     for (const Column &column : m_columns) {
@@ -96,7 +96,7 @@ void RecognisedModel::addSensor(const Sensor &sensor) {
     const QString name =
         sensor.position.empty() ? QStringLiteral("°C") : QString::fromStdString(sensor.position);
     if (sensor.series) {
-        // Sensors of one table have their times in common.
+        // Sensors of one table share their times.
         const std::span<const double> times = sensor.series->times;
         const bool same = std::ranges::any_of(m_columns, [&](const Column &known) {
             return known.quantity == Quantity::time && std::ranges::equal(known.values, times);

@@ -13,15 +13,15 @@
 
 namespace palmer::ui {
 
-/// The numbers that come in with an import, in the units of the window: targets and runs, angles and radial
-/// deviations of each arc, times and values.
+/// The numbers to be imported, in the window's units: targets and runs, angles and radial deviations of each
+/// arc, times and values.
 class RecognisedModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// What was read; it must stay alive and unchanged while it is shown.
+    /// The data as read; must stay alive and unchanged while shown.
     void show(const Imported *imported);
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
@@ -34,10 +34,10 @@ private:
         QString head;
         Quantity quantity = Quantity::number;
         std::optional<Token> colour = {};
-        std::span<const double> values = {};                  ///< where none is missing
-        std::span<const std::optional<double>> readings = {}; ///< else
-        std::vector<std::optional<double>> own = {};          ///< else, of the model
-        int decimals = 0;                                     ///< those the numbers have, within sense
+        std::span<const double> values = {};                  ///< if none is missing
+        std::span<const std::optional<double>> readings = {}; ///< otherwise
+        std::vector<std::optional<double>> own = {};          ///< otherwise, owned by the model
+        int decimals = 0;                                     ///< as many as the numbers have, up to a limit
 
         [[nodiscard]] std::size_t size() const;
         [[nodiscard]] std::optional<double> value(std::size_t row) const;
@@ -53,9 +53,9 @@ private:
     std::size_t m_rows = 0;
 };
 
-/// How many readings come in.
+/// Number of readings to import.
 [[nodiscard]] int readingsOf(const Imported &imported);
-/// How many readings of a positioning test are missing.
+/// Number of missing readings of a positioning test.
 [[nodiscard]] int missingOf(const Imported &imported);
 
 } // namespace palmer::ui

@@ -81,7 +81,7 @@ private:
             paintWords(painter, option, index, selected);
     }
 
-    /// Of a row what stands beside its name.
+    /// What a row shows next to its name.
     struct RowMarks {
         RowMarks(const QStyleOptionViewItem &option, const QModelIndex &index)
             : icon(index.data(NavigationModel::iconRole).toString())
@@ -102,7 +102,7 @@ private:
         int count;
     };
 
-    /// Of the narrow list: the marks lie on corners of the icon.
+    /// Icon of the collapsed list, with the marks on its corners.
     static void paintIcon(QPainter &painter, const QStyleOptionViewItem &option, const RowMarks &marks,
                           bool selected) {
         drawLineIcon(painter, option.rect, marks.icon, option.palette.color(QPalette::WindowText));

@@ -8,7 +8,8 @@
 
 namespace palmer::ui {
 
-/// The list at the left of a window: 184 wide, or a rail of 48 that shows icons with verdict corners.
+/// The list on the left of a window: 184 px wide, or collapsed to a rail of 48 px with icons and verdict
+/// marks.
 class NavigationList : public QListView {
     Q_OBJECT
 
@@ -20,7 +21,7 @@ public:
 
     void setRail(bool rail);
     [[nodiscard]] bool isRail() const { return m_rail; }
-    /// Marks what is in view, without telling it back.
+    /// Marks the row in view without emitting signals.
     void setCurrentRow(const QModelIndex &index);
 
 signals:

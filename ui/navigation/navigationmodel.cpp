@@ -39,7 +39,7 @@ std::vector<NavigationModel::Row> NavigationModel::rows() const {
     if (!m_evaluated.document)
         return result;
     const auto missing = [this](Page page) {
-        int most = 0; // every test asks the same of what they share
+        int most = 0; // shared statements are counted in every test
         for (std::size_t test = 0; test < m_evaluated.tests.size(); ++test)
             most = std::max(most, countMissing(m_evaluated, test, page));
         return most;
@@ -97,7 +97,7 @@ void NavigationModel::rebuild() {
     std::vector<Row> next = rows();
     if (next == m_rows)
         return;
-    if (next.size() == m_rows.size()) { // the selection stays where it is
+    if (next.size() == m_rows.size()) { // keeps the selection
         m_rows = std::move(next);
         emit dataChanged(index(0), index(rowCount() - 1));
         return;

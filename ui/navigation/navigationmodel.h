@@ -13,14 +13,14 @@
 
 namespace palmer::ui {
 
-/// What the navigation of a window lists: the pages of the report with the number of their missing
-/// statements, then the tests with name, date and standard, and the marks of limits and accordance.
+/// Content of a window's navigation: the pages of the report with the number of missing statements, then the
+/// tests with name, date, standard and the marks of limits and accordance.
 class NavigationModel : public QAbstractListModel {
     Q_OBJECT
 
 public:
     enum Role {
-        headRole = Qt::UserRole + 1, ///< bool: a title, not to be chosen
+        headRole = Qt::UserRole + 1, ///< bool: a title, which cannot be selected
         detailRole,                  ///< second line
         iconRole,                    ///< name of the line icon
         countRole,                   ///< missing statements
@@ -35,10 +35,10 @@ public:
     void show(const EvaluatedDocument &evaluated);
     void retranslate();
 
-    /// Row of a page of the report, or of a test.
+    /// Row of a report page, or of a test.
     [[nodiscard]] QModelIndex indexOf(Page page) const;
     [[nodiscard]] QModelIndex indexOfTest(std::size_t test) const;
-    /// What a row stands for; neither for titles.
+    /// Page or test of a row; null for titles.
     [[nodiscard]] std::optional<Page> pageAt(const QModelIndex &index) const;
     [[nodiscard]] std::optional<std::size_t> testAt(const QModelIndex &index) const;
 
@@ -73,7 +73,7 @@ private:
 /// The line icon of a kind of test.
 [[nodiscard]] QString testIcon(const Test &test);
 
-/// "ISO 230-2:2006" without what every test of the list shares: "230-2".
+/// "ISO 230-2:2006" without the part common to all tests: "230-2".
 [[nodiscard]] QString shortStandard(const std::string &edition);
 
 } // namespace palmer::ui

@@ -18,7 +18,7 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int mostLines = 6; ///< in view
+constexpr int mostLines = 6; ///< visible at once
 
 } // namespace
 
@@ -115,7 +115,7 @@ void ReportBar::retranslate() {
     }
     const bool good = m_verification && m_verification->follows() && !m_edited;
     setProperty("notice", good ? QStringLiteral("good") : QStringLiteral("true"));
-    style()->unpolish(this); // the style sheet looks at properties once
+    style()->unpolish(this); // applies the changed property
     style()->polish(this);
     setAccessibleName(m_sentence->text());
 }

@@ -13,8 +13,8 @@ class QPushButton;
 
 namespace palmer::ui {
 
-/// Above a document that was opened from a report: whether the report follows from its data, and each place
-/// where it does not.
+/// Bar above a document opened from a report: says if the report follows from its data, and lists each
+/// difference.
 class ReportBar : public QFrame {
     Q_OBJECT
 
@@ -24,8 +24,8 @@ public:
     void showResult(const Verification &verification);
     /// For a report whose pages cannot be read.
     void showProblem(const Message &sentence);
-    /// Whether the window still shows what was verified: otherwise it says so in place of the result, which
-    /// is left to the details.
+    /// `edited`: the window no longer shows the verified data. The bar then says so; the result moves to the
+    /// details.
     void setEdited(bool edited);
 
     [[nodiscard]] QString sentence() const;

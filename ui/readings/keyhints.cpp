@@ -80,7 +80,7 @@ void KeyHints::showDrift() {
     fit();
 }
 
-/// Hints that do not fit are left out from the right: half a hint helps nobody.
+/// Hides hints that do not fit, from the right.
 void KeyHints::fit() {
     int left = width() - 2 * sideMargin - (m_drift->text().isEmpty() ? 0 : m_drift->sizeHint().width() + 12);
     for (const Hint &hint : m_hints) {

@@ -12,8 +12,8 @@ class QLabel;
 
 namespace palmer::ui {
 
-/// The line below the page of readings: which keys do what, and at the right the drift of the test, D beside
-/// R (notes say when it is more than chance).
+/// The line below the readings page: key hints, and on the right the drift of the test, D compared with R
+/// (notes tell if it is more than chance).
 class KeyHints : public QWidget {
     Q_OBJECT
 

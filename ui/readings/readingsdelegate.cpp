@@ -17,14 +17,14 @@ namespace {
 constexpr int rulingBar = 3;
 constexpr int cornerSize = 7;
 
-/// A thin colour over a ground, opaque.
+/// Blends a colour over an opaque background.
 QColor tint(const QColor &colour, const QColor &ground, double strength) {
     const auto mix = [strength](int a, int b) { return qRound(a * strength + b * (1 - strength)); };
     return {mix(colour.red(), ground.red()), mix(colour.green(), ground.green()),
             mix(colour.blue(), ground.blue())};
 }
 
-/// The mark of a reading worth a second look: shape and place tell it, not the colour alone.
+/// Mark of a possible outlier, recognisable by shape and place, not only by colour.
 void paintCorner(QPainter &painter, const QRect &cell, const QColor &colour) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -35,7 +35,7 @@ void paintCorner(QPainter &painter, const QRect &cell, const QColor &colour) {
     painter.restore();
 }
 
-/// The current cell has a heavy frame.
+/// Frames a cell, the current one heavily.
 void paintFrame(QPainter &painter, const QRect &cell, const QColor &colour, bool current, Qt::PenStyle line) {
     painter.save();
     painter.setRenderHint(QPainter::Antialiasing);
@@ -47,17 +47,17 @@ void paintFrame(QPainter &painter, const QRect &cell, const QColor &colour, bool
     painter.restore();
 }
 
-/// In narrow columns the ground alone says that a row rules: no digit is cut off.
+/// In narrow columns only the background marks determining rows, so that no digit is clipped.
 QFont boldWhereItFits(const QFont &font, const QString &text, int width) {
     QFont bold = font;
     bold.setBold(true);
     return QFontMetrics(bold).horizontalAdvance(text) <= width ? bold : font;
 }
 
-/// What the ground of a cell says; the first that is so counts.
+/// State of a cell for its background, in order of precedence.
 struct CellState {
     bool ruling = false;
-    bool selected = false; ///< and not the current one
+    bool selected = false; ///< except the current cell
     bool inCurrentRow = false;
     bool computed = false;
 };
@@ -141,7 +141,7 @@ QWidget *ReadingsDelegate::createEditor(QWidget *parent, const QStyleOptionViewI
 
 void ReadingsDelegate::setEditorData(QWidget *editor, const QModelIndex &index) const {
     auto *field = static_cast<QLineEdit *>(editor);
-    // Other data may arrive while somebody types: what he types stays.
+    // Typing is kept when other data arrive.
     if (field->property(initialText).isValid())
         return;
     const QString text = index.data(Qt::EditRole).toString();

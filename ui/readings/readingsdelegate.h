@@ -7,15 +7,15 @@
 
 namespace palmer::ui {
 
-inline constexpr int textMargin = 8; ///< right of the text of a cell, and of the head of its column
+inline constexpr int textMargin = 8; ///< right of the text of cells and column headers
 
-/// Draws a cell of the readings: numbers, rules, and the marks of what is current, next, pointed at, set
-/// aside, refused or ruling. Makes the field a cell is typed in, and tells what was typed and where to go.
+/// Draws a cell of the readings: numbers, rules and the marks of current, next, hovered, excluded, refused
+/// and determining cells. Makes the editor of a cell and reports the typed text and the next step.
 class ReadingsDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
-    /// Where the current cell goes after typing.
+    /// Move of the current cell after typing.
     enum class Step { stay, next, previous, right, left, up, down };
     Q_ENUM(Step)
 
@@ -37,7 +37,7 @@ public:
     void setRuling(std::vector<int> rows) { m_ruling = std::move(rows); }
 
 signals:
-    /// What was typed into a cell; not where the text is what it was.
+    /// A changed text was typed into a cell.
     void typed(const QModelIndex &index, const QString &text) const;
     void stepWanted(palmer::ui::ReadingsDelegate::Step step);
 

@@ -14,9 +14,9 @@
 
 namespace palmer::ui {
 
-/// What a user does to the readings of the test in view, each as one named step to undo. Does nothing where
-/// that test is no positioning test. A reading set aside keeps value and reason, whatever is typed, deleted,
-/// filled or pasted over it, until it is taken back.
+/// The user's edits of the readings of the current test, each as one named undo step. Does nothing if that is
+/// not a positioning test. An excluded reading keeps its value and reason, whatever is typed, deleted, filled
+/// or pasted over it, until it is restored.
 class ReadingsEditor : public QObject {
     Q_OBJECT
 
@@ -26,29 +26,30 @@ public:
     void setTest(std::size_t test) { m_test = test; }
     [[nodiscard]] std::size_t test() const { return m_test; }
     [[nodiscard]] DocumentModel &model() { return m_model; }
-    /// The measurement as it is now, before it is evaluated; null where there is none.
+    /// The current measurement, before evaluation; may be null.
     [[nodiscard]] const PositioningMeasurement *measurement() const;
 
-    /// A text typed into a cell, in the unit the cell shows. What is no number is kept as it was typed.
+    /// Sets a text typed into a cell, in the cell's displayed unit. Text that is not a number is kept as
+    /// typed.
     void type(const ReadingPlace &place, const QString &text, ReadingUnit unit, const Language &language);
 
-    /// A target position typed; null, or why it cannot be one.
+    /// Sets a target position; returns null, or why the text is invalid.
     [[nodiscard]] std::optional<Message> typeTarget(std::size_t target, const QString &text,
                                                     const Language &language);
 
     void clear(const std::vector<ReadingPlace> &places);
-    void cut(const std::vector<ReadingPlace> &places); ///< the same under another name
+    void cut(const std::vector<ReadingPlace> &places); ///< clear() under another name
     void setAside(const std::vector<ReadingPlace> &places, const QString &reason);
     void bringBack(const std::vector<ReadingPlace> &places);
-    /// The reading at the first place of each list is put into the others; false: there is none at any.
+    /// Copies the reading at the first place of each list to the others. False if there is none in any list.
     bool fill(const std::vector<std::vector<ReadingPlace>> &lists);
 
-    /// Puts a block in, as one step: the former one, if it was the last thing done, is taken back before
-    /// (`instead`). Throws what pasteBlock throws. Null where there is no test.
+    /// Pastes a block as one step; with `instead`, first undoes the former paste if that was the last step.
+    /// Throws what pasteBlock throws. Null if there is no positioning test.
     std::optional<PastedBlock> paste(const QString &text, const BlockPlace &place,
                                      const BlockChoices &choices, bool instead = false);
 
-    /// Whether the paste was the last thing done, and can be taken back as such.
+    /// True if the paste was the last step and can be undone.
     [[nodiscard]] bool isPasteLast() const;
     void undoPaste();
 
@@ -59,7 +60,7 @@ public:
     void removeRuns(const std::vector<std::size_t> &runs);
 
 signals:
-    /// A step was made, undone or redone, here or elsewhere.
+    /// A step was made, undone or redone anywhere in the window.
     void stepped();
 
 private:

@@ -67,7 +67,7 @@ void ReadingsHeader::paintEvent(QPaintEvent *event) {
             if (!group.isEmpty()) {
                 painter.setFont(themeFont(TextSize::small));
                 painter.setPen(palette().color(QPalette::Text));
-                // Of a wide group the title stays in the part in view.
+                // The title of a wide group stays in the visible part.
                 const int seenLeft = std::max(left, 0);
                 const int seenRight = std::min(right, viewport()->width());
                 painter.drawText(QRect(seenLeft, 3, seenRight - seenLeft, height() / 2 - 3), Qt::AlignCenter,

@@ -8,7 +8,7 @@
 
 namespace palmer::ui {
 
-/// The head of the readings in two storeys: title of the run (or direction) above, ↑ ↓ (or run) below.
+/// The two-row header of the readings: title of the run (or direction) above, ↑ ↓ (or run) below.
 class ReadingsHeader : public QHeaderView {
     Q_OBJECT
 

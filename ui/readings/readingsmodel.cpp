@@ -17,9 +17,9 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr std::size_t mostHinted = 20'000; ///< readings; more would be felt at every edit
+constexpr std::size_t mostHinted = 20'000; ///< readings; more would noticeably delay each edit
 
-/// Whether a cell looks as before where its row has the same deviations. Both have the same rows and columns.
+/// True if rows with equal deviations look the same. Precondition: the same rows and columns.
 bool differsInDeviationsOnly(const PositioningMeasurement &before, const PositioningMeasurement &now) {
     return before.axis == now.axis && before.targets == now.targets && before.cycle == now.cycle &&
            before.standardDeviation == now.standardDeviation && before.conditions == now.conditions &&
@@ -27,7 +27,7 @@ bool differsInDeviationsOnly(const PositioningMeasurement &before, const Positio
            readingDecimals(before) == readingDecimals(now);
 }
 
-/// The first and the last row whose deviations differ; an empty range where none does.
+/// The first and last row whose deviations differ; an empty range if none do.
 std::pair<int, int> changedRows(const PositioningMeasurement &before, const PositioningMeasurement &now) {
     std::pair rows(static_cast<int>(now.targets.size()), -1);
     for (std::size_t j = 0; j < now.runs.size(); ++j) {
@@ -56,7 +56,7 @@ void ReadingsModel::show(const EvaluatedDocument &evaluated, std::size_t test) {
     const auto *measurement = measured<PositioningMeasurement>(evaluated, test);
     TestEvaluationPointer evaluation = measurement ? evaluated.tests[test] : nullptr;
     const bool same = hasSameCells(measurement, evaluation.get());
-    const std::shared_ptr<const Document> former = m_document; // owns the measurement shown until now
+    const std::shared_ptr<const Document> former = m_document; // keeps alive the measurement shown until now
     const PositioningMeasurement *before = m_measurement;
     dropRefused(measurement ? evaluated.document->tests[test]->id : std::string(), measurement);
     const auto outliers = m_outliers;
@@ -72,7 +72,7 @@ void ReadingsModel::show(const EvaluatedDocument &evaluated, std::size_t test) {
     if (!same) {
         endResetModel();
     } else if (rowCount() > 0) {
-        // Of one reading typed only its row is painted anew.
+        // After typing one reading only its row is repainted.
         std::pair<int, int> rows{0, rowCount() - 1};
         if (sameEdition && !m_pending && !wasPending && outliers == m_outliers &&
             differsInDeviationsOnly(*before, *measurement))
@@ -84,7 +84,7 @@ void ReadingsModel::show(const EvaluatedDocument &evaluated, std::size_t test) {
     }
 }
 
-/// What was refused at a target goes when the target is another.
+/// Drops refused texts whose target has changed.
 void ReadingsModel::dropRefused(const std::string &id, const PositioningMeasurement *now) {
     if (now && m_measurement && id == m_id) {
         m_refusedTargets.removeIf(id, [&](const RefusedTexts::Cell &cell) {
@@ -255,7 +255,7 @@ QString ReadingsModel::plainText(const QModelIndex &index) const {
     return plain(target + deviationFrom(0, *deviation), positionQuantity(m_measurement->axis));
 }
 
-/// Why the cell is red; empty: it is not.
+/// Why the cell is red; empty if it is not.
 QString ReadingsModel::refusal(const QModelIndex &index) const {
     if (index.column() == positionColumn) {
         const RefusedTexts::Refused *refused = refusedTarget(index.row());
@@ -265,7 +265,7 @@ QString ReadingsModel::refusal(const QModelIndex &index) const {
     const RefusedReading *refused = place ? refusedAt(*m_measurement, *place) : nullptr;
     if (!refused)
         return {};
-    // Of what a pasted block calls no number, a typed text may be one: with the other decimal mark.
+    // A text refused in a pasted block may be a number when typed, with the other decimal mark.
     const auto problem = enteredNumber(QString::fromStdString(refused->text), Quantity::number).refusal;
     return problem ? m_language.text(*problem) : tr("other decimal mark");
 }
@@ -391,7 +391,7 @@ QStringList ReadingsModel::widestTexts(int column) const {
             texts << text(index(row, column));
         return texts;
     }
-    // All columns of readings are equally wide: as wide as the extreme ones need.
+    // All reading columns are as wide as the extreme values need.
     std::optional<ReadingPlace> least;
     std::optional<ReadingPlace> most;
     for (std::size_t j = 0; j < m_measurement->runs.size(); ++j) {

@@ -17,40 +17,40 @@
 
 namespace palmer::ui {
 
-/// The readings of a positioning test as a table: one row a target; columns i, P, the runs, and what is
-/// computed of them. Shows a document, changes none: what is typed goes to the ReadingsEditor. Without a
-/// change of rows and columns only their data change, so that whoever types stays where he is.
+/// The readings of a positioning test as a table: one row per target; columns i, P, the runs and the computed
+/// values. Never edits the document: typing goes to the ReadingsEditor. If rows and columns stay the same,
+/// only their data change, so that an open editor stays open.
 class ReadingsModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
     enum Role {
-        excludedRole = Qt::UserRole + 1, ///< bool: set aside
+        excludedRole = Qt::UserRole + 1, ///< bool: excluded
         missingRole,                     ///< bool
-        groupEndRole,                    ///< bool: a stronger rule follows the column
-        refusedRole,                     ///< text: why what was typed is no number; empty: it is one
-        outlierRole,                     ///< bool: worth a second look
+        groupEndRole,                    ///< bool: a heavier rule follows the column
+        refusedRole,                     ///< text: why the typed text is not a number; empty if it is
+        outlierRole,                     ///< bool: possible outlier
     };
     enum Column { numberColumn, positionColumn, firstReadingColumn };
 
-    /// What a column of the lower storey of the head stands for, and the title above it.
+    /// Content of a column in the lower header row, and its group title above.
     struct Head {
         Formula text;
         std::optional<Direction> approach; ///< colour of the text
-        QString group;                     ///< same for neighbours that share a title
+        QString group;                     ///< the same for neighbours that share a title
         QString name;                      ///< in words
     };
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    /// Shows test `test` of the document, or nothing where it is no positioning test.
+    /// Shows test `test` of the document; empty if it is not a positioning test.
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
     void setUnit(ReadingUnit unit);
     [[nodiscard]] ReadingUnit unit() const { return m_unit; }
     [[nodiscard]] const Language &language() const { return m_language; }
     void setGrouping(ReadingGrouping grouping);
-    void retranslate(); ///< the words of the head
+    void retranslate(); ///< updates the header texts
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
@@ -59,22 +59,23 @@ public:
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
 
     [[nodiscard]] const PositioningMeasurement *measurement() const { return m_measurement; }
-    /// The runs in the order of the columns, from firstReadingColumn on.
+    /// The runs in column order, starting at firstReadingColumn.
     [[nodiscard]] std::vector<std::size_t> runs() const;
-    /// The text of a cell for a spreadsheet or a field: all its digits, not grouped.
+    /// The text of a cell for a spreadsheet or editor: all digits, ungrouped.
     [[nodiscard]] QString plainText(const QModelIndex &index) const;
-    /// A target position that was typed and cannot be one: shown until it is put right.
+    /// Shows a refused target position in its cell until it is corrected.
     void refuseTarget(std::size_t target, const QString &text, const QString &reason);
     void acceptTarget(std::size_t target);
     [[nodiscard]] const RefusedTexts &refusedTargets() const { return m_refusedTargets; }
     [[nodiscard]] const Head &head(int column) const { return m_heads[static_cast<std::size_t>(column)]; }
-    [[nodiscard]] int computedColumn() const; ///< the first that is computed
+    [[nodiscard]] int computedColumn() const; ///< the first computed column
     [[nodiscard]] std::optional<ReadingPlace> placeAt(const QModelIndex &index) const;
     [[nodiscard]] QModelIndex indexOf(const ReadingPlace &place) const;
-    /// Why readings set aside among the places stay as they are, and how they are changed; empty: none is.
+    /// Explains why excluded readings among the places are unchanged and how to change them; empty if there
+    /// are none.
     [[nodiscard]] static QKeySequence bringBackKeys();
     [[nodiscard]] QString keptAside(const std::vector<ReadingPlace> &places) const;
-    /// Mean and range of the readings among the indexes; empty where there is none.
+    /// Mean and range of the readings among the indexes; empty if there are none.
     [[nodiscard]] QString summary(const QModelIndexList &indexes) const;
     /// The longest texts of a column, for its width.
     [[nodiscard]] QStringList widestTexts(int column) const;
@@ -103,8 +104,8 @@ private:
     std::vector<StatisticColumn> m_statistics;
     std::vector<Head> m_heads;
     std::set<ReadingPlace> m_outliers;
-    std::string m_id;              ///< of the test
-    RefusedTexts m_refusedTargets; ///< by the row
+    std::string m_id;              ///< ID of the test
+    RefusedTexts m_refusedTargets; ///< by row
 };
 
 } // namespace palmer::ui

@@ -99,7 +99,7 @@ void ReadingsPage::arrange() {
     layout->addWidget(barArea);
     layout->addWidget(m_view, 1);
     layout->addWidget(m_leaveOut, 0, Qt::AlignLeft);
-    layout->addWidget(m_pasteBar); // below: what was pasted stays where it came in
+    layout->addWidget(m_pasteBar); // below the table, so that pasted readings do not move
 }
 
 void ReadingsPage::connectParts() {
@@ -108,7 +108,7 @@ void ReadingsPage::connectParts() {
     connect(m_view, &ReadingsView::typed, m_pasteBar, &QWidget::hide);
     connect(&m_editor, &ReadingsEditor::stepped, this, [this] {
         if (!m_editor.isPasteLast() && !m_pastingAgain)
-            m_pasteBar->hide(); // its choices would paste once more
+            m_pasteBar->hide(); // its choices would paste again
     });
     connect(&m_selection, &Selection::parameterChanged, this, &ReadingsPage::markRuling);
     connect(m_pasteBar, &PasteBar::decimalMarkChosen, this, [this](DecimalMark mark) {
@@ -150,8 +150,8 @@ QAction *ReadingsPage::addAction(QList<QAction *> &list, const QString &name, co
     action->setShortcut(shortcut);
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     list << action;
-    connect(action, &QAction::triggered, this, [] { commitTyping(); }); // before what the action does
-    m_view->addAction(action);                                          // also its context menu
+    connect(action, &QAction::triggered, this, [] { commitTyping(); }); // before the action runs
+    m_view->addAction(action);                                          // for its context menu too
     return action;
 }
 
@@ -284,7 +284,7 @@ bool ReadingsPage::undoRefused() {
 void ReadingsPage::showReading(const ReadingPlace &place) {
     m_selection.setReading(place);
     if (const QModelIndex cell = m_model.indexOf(place); cell.isValid())
-        makeCurrent(*m_view, cell); // also where it was the current one of several
+        makeCurrent(*m_view, cell); // even if it was the current one of several selected cells
 }
 
 void ReadingsPage::showTarget(std::size_t target) {
@@ -298,7 +298,7 @@ void ReadingsPage::paste() {
                     static_cast<std::size_t>(current.isValid() ? current.column()
                                                                : int{ReadingsModel::firstReadingColumn}),
                     m_model.runs()};
-    // A block is put on the upper left corner of what is selected.
+    // A block is pasted at the upper left corner of the selection.
     const auto rows = m_view->selectedRows();
     const auto columns = m_view->selectedColumns();
     if (!rows.empty()) {
@@ -319,7 +319,8 @@ void ReadingsPage::pasteAgain() {
 void ReadingsPage::pasteBlock(bool instead) {
     try {
         if (const auto pasted = m_editor.paste(m_block, m_blockPlace, m_blockChoices, instead)) {
-            m_blockChoices.delimiter = pasted->delimiter; // another decimal mark does not part the cells anew
+            m_blockChoices.delimiter = pasted->delimiter; // another decimal mark must not split the cells
+                                                          // differently
             showPasted(*pasted);
         }
     } catch (const Error &error) {
@@ -394,7 +395,7 @@ void ReadingsPage::markRuling() {
     m_view->setRuling(rulingTargets(m_evaluated, m_test, m_selection.parameter()));
 }
 
-/// The units of the axis and of the choice of the user.
+/// Sets the unit names according to the axis and the user's choice.
 void ReadingsPage::nameUnits() {
     const auto *measurement = measured<PositioningMeasurement>(m_evaluated, m_test);
     const bool rotary = measurement && measurement->axis.motion == Motion::rotary;

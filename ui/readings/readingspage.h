@@ -20,40 +20,39 @@ namespace palmer::ui {
 class PasteBar;
 class ReadingsView;
 
-/// The page "Readings" of a positioning test: what is shown and how it is grouped, and the table in which
-/// readings are typed, pasted, set aside; targets and runs come and go.
+/// The page "Readings" of a positioning test: choice of unit and grouping, and the table in which readings
+/// are typed, pasted and excluded, and targets and runs added and removed.
 class ReadingsPage : public QWidget {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(ReadingsPage)
 
 public:
     ReadingsPage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
-    ~ReadingsPage() override; ///< the table goes before the model it looks at
+    ~ReadingsPage() override; ///< destroys the table before its model
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
 
-    /// What can be done here, with separators, for the menus of the window. Shortcuts work in the table.
+    /// Actions of the page, with separators, for the window's menus. Shortcuts work in the table.
     [[nodiscard]] const QList<QAction *> &editActions() const { return m_editActions; }
     [[nodiscard]] const QList<QAction *> &testActions() const { return m_testActions; }
 
-    /// What was typed and cannot be taken, and is in no document: target positions. Readings are kept with
-    /// it.
+    /// Refused target positions, which are not in the document; refused readings are stored in it.
     [[nodiscard]] QStringList refusedTexts() const { return m_model.refusedTargets().texts(); }
 
-    /// Takes back a position that was typed last and cannot be taken; false: none was.
+    /// Undoes the last refused position. False if there is none.
     bool undoRefused();
-    /// Makes a reading the current cell, and alone selected.
+    /// Makes a reading current and the only selected cell.
     void showReading(const ReadingPlace &place);
     /// Makes the position of a target the current cell.
     void showTarget(std::size_t target);
-    /// Puts the text of the clipboard in, from the current cell on.
+    /// Pastes the text of the clipboard at the current cell.
     void paste();
-    /// The selected cells as a spreadsheet takes them: tabs, the decimal mark of the window's language.
+    /// The selected cells for a spreadsheet: tab-separated, with the decimal mark of the window's language.
     [[nodiscard]] QString copied() const;
 
 signals:
-    /// Mean and range of the readings selected, for the status bar; empty: nothing selected.
+    /// Mean and range of the selected readings, for the status bar; empty if none are selected.
     void summaryChanged(const QString &text);
 
 protected:
@@ -84,15 +83,15 @@ private:
     PasteBar *m_pasteBar = nullptr;
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
-    QString m_block; ///< what was pasted last
+    QString m_block; ///< last pasted text
     BlockPlace m_blockPlace;
     BlockChoices m_blockChoices;
-    bool m_pastingAgain = false; ///< the paste is undone to be made under other choices
+    bool m_pastingAgain = false; ///< the paste is undone to be repeated with other choices
     QToolButton *m_deviations = nullptr;
     QToolButton *m_positions = nullptr;
     QToolButton *m_byRun = nullptr;
     QToolButton *m_byDirection = nullptr;
-    QToolButton *m_leaveOut = nullptr; ///< shown where there are such targets
+    QToolButton *m_leaveOut = nullptr; ///< shown if there are such targets
     QToolButton *m_pasteButton = nullptr;
     QToolButton *m_addRunButton = nullptr;
     QList<QAction *> m_editActions;

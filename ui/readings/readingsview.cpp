@@ -29,12 +29,12 @@ constexpr int numberWidth = 30;
 constexpr int positionWidth = 74;
 constexpr int readingWidth = 46;
 constexpr int cellMargin = 12;
-constexpr int tightMargin = 8; ///< where all that was measured fits only so
+constexpr int tightMargin = 8; ///< used if the measured columns fit only with it
 constexpr int rowHeightTight = 21;
 constexpr int rowHeightNormal = 26;
 constexpr int rowHeightLow = 24;
 constexpr int rowHeightHigh = 32;
-constexpr int leastRows = 6;   ///< in sight where not all can be
+constexpr int leastRows = 6;   ///< visible if not all fit
 constexpr int lowWindow = 820; ///< eleven targets fit without scrolling
 constexpr int highWindow = 1000;
 
@@ -59,7 +59,8 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
     m_frozen->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_frozen->setFrameShape(QFrame::NoFrame);
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen})
-        view->setItemDelegate(new ReadingsDelegate(view)); // both before a model: it tells its current cell
+        view->setItemDelegate(new ReadingsDelegate(view)); // both before the model, which reports its current
+                                                           // cell
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen}) {
         view->setModel(&model);
         view->setHorizontalHeader(new ReadingsHeader(model, view));
@@ -83,12 +84,13 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
     m_reason->setTextFormat(Qt::PlainText);
     m_reason->setProperty("reason", true);
     m_reason->hide();
-    // The frozen columns take no focus: after typing there it comes back here.
+    // The frozen columns take no focus: after typing there it returns here.
     connect(delegateOf(m_frozen), &ReadingsDelegate::closeEditor, this, [this] { setFocus(); });
     m_frozen->setSelectionModel(selectionModel());
     m_frozen->viewport()->installEventFilter(this);
     m_frozen->setFocusProxy(this);
-    m_frozen->setContextMenuPolicy(Qt::CustomContextMenu); // what is done to targets is looked for at them
+    m_frozen->setContextMenuPolicy(Qt::CustomContextMenu); // users expect target actions in the targets'
+                                                           // context menu
     connect(m_frozen, &QWidget::customContextMenuRequested, this, [this](const QPoint &at) {
         auto *menu = new QMenu(this);
         menu->setAttribute(Qt::WA_DeleteOnClose);
@@ -112,7 +114,7 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
     });
     connect(&model, &QAbstractItemModel::dataChanged, this, [this] {
         fitColumns();
-        showNext(); // another cycle may be another way
+        showNext(); // another cycle may have another order
         showReason();
         emit summaryChanged(m_model.summary(selectionModel()->selectedIndexes()));
     });
@@ -172,8 +174,8 @@ int ReadingsView::widthOf(int column, bool tight) const {
     return std::max(least, content + cellMargin);
 }
 
-/// The computed columns stand there only where all of them fit: what was measured needs no scrolling then.
-/// Where that does not fit either, its margins are narrower, if that is enough.
+/// Shows the computed columns only if all columns fit, so that the measured ones do not scroll. If these do
+/// not fit either, uses narrower margins if that suffices.
 void ReadingsView::shareWidth() {
     const int columns = static_cast<int>(m_contents.size());
     const int measured = std::min(m_model.computedColumn(), columns);
@@ -227,7 +229,7 @@ void ReadingsView::resizeEvent(QResizeEvent *event) {
     placeFrozen();
 }
 
-/// What stands under the frozen columns is not in view.
+/// Columns covered by the frozen ones are not visible.
 void ReadingsView::scrollTo(const QModelIndex &index, ScrollHint hint) {
     if (index.column() <= ReadingsModel::positionColumn) {
         QTableView::scrollTo(index.siblingAtColumn(index.column()), hint);
@@ -291,7 +293,7 @@ void ReadingsView::currentChanged(const QModelIndex &current, const QModelIndex 
     showReason();
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen})
         delegateOf(view)->setCurrent(current);
-    // The ground of the whole row tells the current one.
+    // The background of the whole row marks the current one.
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen})
         view->viewport()->update();
     if (m_following)
@@ -310,7 +312,7 @@ void ReadingsView::selectionChanged(const QItemSelection &selected, const QItemS
 std::vector<ReadingPlace> ReadingsView::selectedPlaces() const {
     const QModelIndexList selected = selectionModel()->selectedIndexes();
     std::vector<QModelIndex> cells(selected.begin(), selected.end());
-    std::sort(cells.begin(), cells.end()); // an index has no order of ranges
+    std::sort(cells.begin(), cells.end()); // QModelIndex does not support std::ranges::sort
     std::vector<ReadingPlace> places;
     for (const QModelIndex &index : cells) {
         if (const auto place = m_model.placeAt(index))
@@ -345,7 +347,7 @@ bool ReadingsView::isAtEnd(bool forward) {
     if (!now.isValid())
         return true;
     const QModelIndex next = moveCursor(forward ? MoveNext : MovePrevious, Qt::NoModifier);
-    return forward ? !(now < next) : !(next < now); // else it begins anew
+    return forward ? !(now < next) : !(next < now); // otherwise it would wrap around
 }
 
 void ReadingsView::step(ReadingsDelegate::Step step) {
@@ -395,7 +397,7 @@ void ReadingsView::keyPressEvent(QKeyEvent *event) {
     }
     const bool back = event->key() == Qt::Key_Backtab;
     if ((event->key() == Qt::Key_Tab || back) && isAtEnd(!back)) {
-        event->ignore(); // on to the next field
+        event->ignore(); // to the next field
         return;
     }
     if (enter && state() != EditingState)
@@ -404,12 +406,12 @@ void ReadingsView::keyPressEvent(QKeyEvent *event) {
         QTableView::keyPressEvent(event);
 }
 
-/// The frozen columns lie above the others: their cells are typed in there.
+/// Cells of the frozen columns are edited in the frozen view, which covers them.
 bool ReadingsView::edit(const QModelIndex &index, EditTrigger trigger, QEvent *event) {
     const bool typing = trigger == AnyKeyPressed || trigger == EditKeyPressed || trigger == DoubleClicked;
     if (typing && index.data(ReadingsModel::excludedRole).toBool()) {
         say(m_model.keptAside({*m_model.placeAt(index)}));
-        return true; // it is done with
+        return true; // handled
     }
     if (!index.isValid() || index.column() > ReadingsModel::positionColumn)
         return QTableView::edit(index, trigger, event);
@@ -495,7 +497,7 @@ bool ReadingsView::viewportEvent(QEvent *event) {
 
 bool ReadingsView::eventFilter(QObject *watched, QEvent *event) {
     if (event->type() == QEvent::Wheel && watched == m_frozen->viewport()) {
-        // One scroll bar moves both.
+        // One scroll bar moves both views.
         QCoreApplication::sendEvent(viewport(), event);
         return true;
     }

@@ -15,8 +15,8 @@ namespace palmer::ui {
 
 class ReadingsEditor;
 
-/// The table of readings: a head of two storeys, and i and P that stay while the rest scrolls. Typing
-/// replaces, F2 edits, Esc restores; Enter walks the measuring cycle, Shift+Enter back; Tab goes to the
+/// The table of readings: a two-row header, and the columns i and P that stay while the rest scrolls. Typing
+/// replaces, F2 edits, Esc restores; Enter follows the measuring cycle, Shift+Enter backwards; Tab goes
 /// right.
 class ReadingsView : public QTableView {
     Q_OBJECT
@@ -25,26 +25,26 @@ public:
     ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selection &selection,
                  QWidget *parent = nullptr);
 
-    /// Widths of columns after the model changed what it shows.
+    /// Adapts the column widths after the model has changed.
     void fitColumns();
-    /// Targets (indices) that rule the result explained.
+    /// Indices of the targets that determine the explained result.
     void setRuling(const std::vector<std::size_t> &targets);
 
-    /// The places of readings among the cells selected, row by row.
+    /// Places of the selected readings, row by row.
     [[nodiscard]] std::vector<ReadingPlace> selectedPlaces() const;
-    /// Rows and columns selected, each once, in order.
+    /// Selected rows and columns, sorted without repetition.
     [[nodiscard]] std::vector<int> selectedRows() const;
     [[nodiscard]] std::vector<int> selectedColumns() const;
 
     void step(ReadingsDelegate::Step step);
 
-    /// Takes back a position that was typed last and cannot be taken; false: none was.
+    /// Undoes the last refused position. False if there is none.
     bool undoRefused();
-    /// Says something beside the current cell, until another becomes the current one.
+    /// Shows a sentence next to the current cell until another cell becomes current.
     void say(const QString &sentence);
 
 signals:
-    /// Mean and range of what is selected; empty: nothing.
+    /// Mean and range of the selection; empty if there is none.
     void summaryChanged(const QString &text);
     /// A text was typed into a cell.
     void typed();
@@ -60,7 +60,7 @@ protected:
     void scrollContentsBy(int dx, int dy) override;
     void updateGeometries() override;
     bool edit(const QModelIndex &index, EditTrigger trigger, QEvent *event) override;
-    void keyboardSearch(const QString &) override {} ///< digits are typed, they search nothing
+    void keyboardSearch(const QString &) override {} ///< digits are input, not a search
 
 private:
     void hover(const QModelIndex &index);
@@ -70,12 +70,12 @@ private:
     void showReason();
     void take(const QModelIndex &index, const QString &text);
     void moveTo(const QModelIndex &index);
-    /// Whether Tab, or Shift+Tab, leaves the table: nothing lies further on.
+    /// True if Tab, or Shift+Tab, leaves the table at its end.
     [[nodiscard]] bool isAtEnd(bool forward);
     void placeFrozen();
     [[nodiscard]] int rowHeight() const;
     void setRowHeight();
-    /// Of the widest text of the column with its margins; not below that of a usual column unless `tight`.
+    /// Width of the column's widest text with margins, at least that of a usual column unless `tight`.
     [[nodiscard]] int widthOf(int column, bool tight) const;
     void shareWidth();
 
@@ -83,13 +83,13 @@ private:
     ReadingsEditor &m_editor;
     Selection &m_selection;
     QTableView *m_frozen;
-    QLabel *m_reason;                ///< why a text is no number, beside its cell
-    std::vector<int> m_contents;     ///< widths of the texts of the columns, also of those that are hidden
-    QPersistentModelIndex m_typed;   ///< the cell typed last
-    QPersistentModelIndex m_refused; ///< a position typed since the last step that cannot be taken
-    QString m_said;                  ///< of the current cell
+    QLabel *m_reason;                ///< why a text is not a number, next to its cell
+    std::vector<int> m_contents;     ///< widths of the texts per column, including hidden ones
+    QPersistentModelIndex m_typed;   ///< the last typed cell
+    QPersistentModelIndex m_refused; ///< a position refused since the last undo step
+    QString m_said;                  ///< sentence at the current cell
     QModelIndex m_hovered;
-    bool m_following = false; ///< the selection of the window is what moves the current cell
+    bool m_following = false; ///< the selection is moving the current cell
 };
 
 } // namespace palmer::ui

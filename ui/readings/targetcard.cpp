@@ -22,7 +22,7 @@ namespace palmer::ui {
 
 namespace {
 
-/// A row of the small table: quantities of targetValue for ↑, ↓ and both; none: "".
+/// A row of the small table: quantities of targetValue for ↑, ↓ and both; "" if there is none.
 struct Quantities {
     const char *symbol = nullptr;
     std::array<const char *, 3> ids{};
@@ -109,7 +109,7 @@ void TargetCard::step(int by) {
     const auto last = static_cast<std::ptrdiff_t>(count()) - 1;
     const auto target = static_cast<std::size_t>(
         std::clamp(static_cast<std::ptrdiff_t>(current()) + by, std::ptrdiff_t{0}, last));
-    // The current cell goes along: table and card show the same target.
+    // The current cell moves too, so that table and card show the same target.
     if (const auto reading = m_selection.reading())
         m_selection.setReading(ReadingPlace{reading->run, target});
     else
@@ -135,7 +135,7 @@ void TargetCard::refresh() {
     const ReadingTexts texts(measurement, m_language, ReadingUnit::deviations);
     m_title->setText(tr("Target %1").arg(target + 1));
     m_title->setFont(themeFont(TextSize::head));
-    const QString unit = texts.positionUnit(); // degrees follow their number at once
+    const QString unit = texts.positionUnit(); // degrees follow their number without a space
     m_position->setText(
         QStringLiteral("P = %1%2%3")
             .arg(texts.position(target), unit.size() == 1 ? QString() : QString(QChar(u'\u00a0')), unit));

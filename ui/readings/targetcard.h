@@ -16,8 +16,8 @@ namespace palmer::ui {
 class TargetStripView;
 class TargetStatisticsView;
 
-/// The detail card of the current target: its readings in the order of the runs, with bands and means of both
-/// directions, and x̄ s R B. Without a current target it shows the first.
+/// The detail card of the current target (by default the first): its readings in the order of the runs, with
+/// bands and means of both directions, and x̄ s R B.
 class TargetCard : public QWidget {
     Q_OBJECT
 

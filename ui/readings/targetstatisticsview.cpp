@@ -18,7 +18,7 @@ constexpr int rowHeight = 24;
 constexpr int symbolWidth = 36;
 constexpr int statisticsColumnWidth = 64;
 constexpr int leastStatisticsColumn = 52;
-constexpr int betweenNumbers = 10; ///< so that neighbours do not read as one
+constexpr int betweenNumbers = 10; ///< keeps neighbours apart
 
 } // namespace
 
@@ -35,7 +35,7 @@ void TargetStatisticsView::setRows(const QString &unit, const QString &both, std
     update();
 }
 
-/// As wide as the longest number: the small units have many digits.
+/// As wide as the longest number: in small units numbers have many digits.
 int TargetStatisticsView::columnWidth(int least) const {
     int widest = least - betweenNumbers;
     for (const Row &row : m_rows) {

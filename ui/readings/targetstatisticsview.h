@@ -11,14 +11,14 @@
 
 namespace palmer::ui {
 
-/// The small table of a target: x̄ s R B by direction and of both.
+/// The small table of a target: x̄ s R B by direction and for both.
 class TargetStatisticsView : public QWidget {
     Q_OBJECT
 
 public:
     struct Row {
         Formula symbol;
-        std::array<QString, 3> values; ///< ↑, ↓, both; a dash for none
+        std::array<QString, 3> values; ///< ↑, ↓, both; a dash if there is none
     };
 
     using QWidget::QWidget;

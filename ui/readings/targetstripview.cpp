@@ -17,11 +17,11 @@ namespace {
 constexpr double leftMargin = 24; ///< for ↑ ↓
 constexpr double stripRightMargin = 8;
 constexpr double bottomMargin = 20; ///< for the numbers
-constexpr double labelSpace = 6;    ///< between them
+constexpr double labelSpace = 6;    ///< between numbers
 constexpr double laneShare = 0.25;  ///< of the height
 constexpr double dotRadius = 3.2;
 constexpr double diamondHalf = 4.4;
-constexpr double pointerReach = 9; ///< of the pointer
+constexpr double pointerReach = 9; ///< around the pointer
 
 } // namespace
 
@@ -48,7 +48,7 @@ double TargetStripView::x(double value) const {
     return area.left() + (value - m_strip.axis.from) / (m_strip.axis.to - m_strip.axis.from) * area.width();
 }
 
-/// ↑ above, ↓ below, in between the room of B; a single direction in the middle.
+/// ↑ above, ↓ below with space for B between; a single direction is centred.
 QRectF TargetStripView::laneArea(std::size_t lane) const {
     const QRectF area = plot();
     const double height = area.height() * laneShare;
@@ -58,7 +58,7 @@ QRectF TargetStripView::laneArea(std::size_t lane) const {
     return {area.left(), top, area.width(), height};
 }
 
-/// Readings follow one another downwards in the order of the runs.
+/// Readings in the order of the runs from top to bottom.
 QPointF TargetStripView::place(std::size_t lane, std::size_t reading) const {
     const QRectF area = laneArea(lane);
     const auto &readings = m_strip.lanes[lane].readings;
@@ -125,7 +125,7 @@ void TargetStripView::paintReversal(QPainter &painter) const {
     painter.drawLine(QPointF(to, y - 4), QPointF(to, y + 4));
     painter.setFont(themeFont(TextSize::small));
     const double width = painter.fontMetrics().horizontalAdvance(m_strip.reversal) + 10.0;
-    // Inside the dimension where there is room, else beside it.
+    // Inside the dimension if it fits, otherwise next to it.
     double left = (from + to - width) / 2;
     if (to - from < width + 16)
         left = to + 4 + width < plot().right() ? to + 4 : from - 4 - width;
@@ -147,7 +147,7 @@ void TargetStripView::paintEvent(QPaintEvent *) {
         painter.drawLine(QPointF(at, area.top()), QPointF(at, area.bottom()));
         // The numbers of a narrow range have many digits.
         const double half = painter.fontMetrics().horizontalAdvance(tick.label) / 2.0;
-        if (at - half < lastRight || at + half + 1 > width()) // a number that is cut reads as another one
+        if (at - half < lastRight || at + half + 1 > width()) // a clipped number would look like another one
             continue;
         lastRight = at + half + labelSpace;
         painter.setPen(token(Token::secondaryText, palette()));

@@ -9,8 +9,8 @@
 
 namespace palmer::ui {
 
-/// Draws the strip of a target; a reading under the pointer lights up in table and figure, and the other way
-/// round.
+/// Draws the strip of a target; the reading under the pointer is highlighted here, in the table and in the
+/// figure.
 class TargetStripView : public QWidget {
     Q_OBJECT
 

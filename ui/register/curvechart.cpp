@@ -40,7 +40,7 @@ namespace palmer::ui {
 namespace {
 
 constexpr QSize sampleSize(54, 18);
-constexpr int leastRows = 2; ///< of the curves compared that are in sight
+constexpr int leastRows = 2; ///< of the list of curves, always visible
 
 void clear(QChart &chart) {
     chart.removeAllSeries();
@@ -50,7 +50,7 @@ void clear(QChart &chart) {
     }
 }
 
-/// Axes that hold all points, with round ticks.
+/// Axes that include all points, with round ticks.
 void addAxes(QChart &chart, const QPalette &palette, const QString &title, const QString &unit,
              const QString &positionUnit) {
     double left = 0;
@@ -71,7 +71,7 @@ void addAxes(QChart &chart, const QPalette &palette, const QString &title, const
         }
     }
     constexpr int parts = 6;
-    const double room = most > least ? 0.08 * (most - least) : 1; // 0 lies between them
+    const double room = most > least ? 0.08 * (most - least) : 1; // 0 is between them
     FigureAxis x;
     FigureAxis y;
     setRange(x, left, right > left ? right : left + 1, parts, TickSteps::lengths, windowLanguage());
@@ -117,7 +117,7 @@ QString wordsOf(const RegisteredTest &test) {
     return words.join(QStringLiteral(" · "));
 }
 
-/// Nothing, as high as a sample: so the head is as high as a row.
+/// A transparent image as high as a sample, to make the header as high as a row.
 QString strut() {
     constexpr QSize size(1, sampleSize.height());
     QPixmap nothing(size);
@@ -125,7 +125,7 @@ QString strut() {
     return imageOf(nothing, size);
 }
 
-/// Number, line and marker of a curve, as they stand in the charts, as an image of a rich text.
+/// Number, line and marker of a curve as in the charts, as an image for rich text.
 QString sampleOf(std::size_t curve, const QPen &pen, const QPalette &palette, double ratio) {
     constexpr QSize size = sampleSize;
     constexpr double half = 3.5;
@@ -159,13 +159,13 @@ TaggedChart::TaggedChart(const char *name) {
     setRenderHint(QPainter::Antialiasing);
     setFrameShape(QFrame::NoFrame);
     setRubberBand(QChartView::RectangleRubberBand);
-    setViewportUpdateMode(QGraphicsView::FullViewportUpdate); // tags are drawn over the whole
+    setViewportUpdateMode(QGraphicsView::FullViewportUpdate); // tags are drawn over the whole chart
     chart()->legend()->hide();
     chart()->layout()->setContentsMargins(0, 0, 0, 0);
     chart()->setMargins(QMargins(0, 4, roomForTags, 0));
     chart()->setBackgroundRoundness(0);
-    setMinimumHeight(80);                                        // room for the words of its axes
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // takes what the list leaves
+    setMinimumHeight(80);                                        // for the axis titles
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // takes the height the list leaves
 }
 
 void TaggedChart::setTags(std::vector<Tag> tags) {
@@ -191,7 +191,7 @@ std::vector<QPointF> TaggedChart::tagPlaces() const {
         places.emplace_back(std::clamp(end.x(), plot.left(), plot.right()) + away,
                             std::clamp(end.y(), plot.top(), plot.bottom()));
     }
-    // From above to below each keeps its distance from the one before; what has come too low goes up again.
+    // Downwards, each keeps its distance to the one before; those too low are moved up again.
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return places[i].y(); });
     double next = plot.top() + tagRadius;
     for (const std::size_t i : order) {
@@ -227,7 +227,7 @@ CurveComparison::CurveComparison(QWidget *parent)
     : QWidget(parent)
     , m_title(new QLabel)
     , m_list(new QLabel)
-    , m_listArea(new QScrollArea) // many curves leave room for their chart
+    , m_listArea(new QScrollArea) // limits the list, so that many curves leave height for their chart
     , m_curves(new TaggedChart("curves"))
     , m_differences(new TaggedChart("curveDifference"))
     , m_differenceTitle(new QLabel)
@@ -370,7 +370,7 @@ void CurveComparison::rebuild() {
             }
         };
         for (const PlacedValue &value : meansOf(test.curve, m_of)) {
-            if (!value.value) { // nothing is known between its neighbours
+            if (!value.value) { // a gap between its neighbours
                 end();
                 continue;
             }
@@ -393,7 +393,7 @@ void CurveComparison::rebuild() {
     rebuildDifference();
 }
 
-/// What the numbers stand for, with the main results; purpose and role give way to the numbers.
+/// Shows which test each number denotes, with the main results; purpose and role are cut first.
 void CurveComparison::showList() {
     constexpr int unlimited = QWIDGETSIZE_MAX;
     constexpr int leastWords = 40;
@@ -439,7 +439,7 @@ QString CurveComparison::listOf(int mostWords) const {
     return html + QStringLiteral("</table>");
 }
 
-/// Whole rows, as many as leave the charts their height.
+/// Shows whole rows, as many as leave the charts their height.
 void CurveComparison::fitList() {
     const int rows = static_cast<int>(m_tests.size()) + 1;
     const int row = (m_list->sizeHint().height() + rows - 1) / rows;

@@ -15,7 +15,7 @@ class QScrollArea;
 
 namespace palmer::ui {
 
-/// A chart with the numbers of its curves at their ends, and a boxed word at a point.
+/// A chart with numbered tags at the ends of its curves and a boxed label at a point.
 class TaggedChart : public QChartView {
     Q_OBJECT
 
@@ -24,12 +24,12 @@ public:
 
     struct Tag {
         int number = 0; ///< of the curve, from 1
-        QPointF end;    ///< of the curve, in the units of the axes
+        QPointF end;    ///< end of the curve, in the units of the axes
     };
     void setTags(std::vector<Tag> tags);
-    /// Empty text: none.
+    /// An empty text removes the box.
     void setBox(const QPointF &at, const QString &text, const QColor &colour);
-    /// The middles of the tags in the chart, px, in the order of the curves.
+    /// Centres of the tags in the chart, px, in the order of the curves.
     [[nodiscard]] std::vector<QPointF> tagPlaces() const;
     [[nodiscard]] const QString &box() const { return m_box; }
 
@@ -43,18 +43,18 @@ private:
     QColor m_boxColour;
 };
 
-/// The mean deviations of several tests of one axis over each other, and below the difference of two.
+/// The mean deviations of several tests of an axis superimposed, and below them the difference of two.
 class CurveComparison : public QWidget {
     Q_OBJECT
 
 public:
     explicit CurveComparison(QWidget *parent = nullptr);
 
-    /// Tests in the order of their numbers, with their curves.
+    /// Tests with their curves, in the order of their numbers.
     void setTests(std::vector<ListedTest> tests);
     [[nodiscard]] const std::optional<CurveDifference> &difference() const { return m_difference; }
 
-    /// In which all rows of the list and both charts are seen well.
+    /// Height for all rows of the list and both charts.
     [[nodiscard]] int wantedHeight() const;
 
     static constexpr std::size_t mostCurves = 6;

@@ -32,7 +32,7 @@ FilterChip::FilterChip(QWidget *parent)
     setFocusPolicy(Qt::TabFocus);
     setAttribute(Qt::WA_Hover);
     setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
-    connect(this, &QAbstractButton::clicked, this, &FilterChip::openMenu); // the space bar
+    connect(this, &QAbstractButton::clicked, this, &FilterChip::openMenu); // with the space bar
 }
 
 void FilterChip::setContent(const QString &name, const QString &shown) {

@@ -8,9 +8,8 @@ class QMenu;
 
 namespace palmer::ui {
 
-/// A filter of a list: what it filters by, or the value that was chosen with a ✕ that takes it away. A press
-/// elsewhere opens the menu of the values; Delete takes the value away, too. Gives way where there is no
-/// room.
+/// A filter of a list: shows its name, or the chosen value with a ✕ that clears it. A click elsewhere opens
+/// the menu of values; Delete clears too. Shrinks if space is short.
 class FilterChip : public QAbstractButton {
     Q_OBJECT
 
@@ -18,7 +17,7 @@ public:
     explicit FilterChip(QWidget *parent = nullptr);
 
     [[nodiscard]] QMenu *menu() const { return m_menu; }
-    /// `shown`: the chosen value in words; empty where all pass.
+    /// `shown`: the chosen value in words; empty if nothing is filtered.
     void setContent(const QString &name, const QString &shown);
 
     [[nodiscard]] QSize sizeHint() const override;
@@ -32,7 +31,7 @@ protected:
     void mousePressEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
-    void nextCheckState() override {} ///< checked is what has a value
+    void nextCheckState() override {} ///< checked means that a value is set
 
 private:
     [[nodiscard]] bool isOnCross(const QPoint &place) const;

@@ -24,7 +24,7 @@ constexpr int pictureWidth = 484;
 constexpr int firstFactsWidth = 744;
 constexpr int factMarkSize = 16;
 
-/// Test files that fall into a folder, and the trend that becomes of them. Without words: it is a sign.
+/// A symbol without words: test files dropping into a folder and the resulting trend.
 class Picture : public QWidget {
 public:
     explicit Picture(QWidget *parent)
@@ -159,7 +159,7 @@ RegisterFirstUse::RegisterFirstUse(QWidget *parent)
     layout->addLayout(middle);
     layout->addStretch(4);
     setAutoFillBackground(true);
-    setBackgroundRole(QPalette::Base); // which is a change of the palette
+    setBackgroundRole(QPalette::Base); // this changes the palette
     retranslate();
     colour();
 }

@@ -10,8 +10,8 @@ class QPushButton;
 
 namespace palmer::ui {
 
-/// What stands in place of tests and trend before a folder is chosen: what the register is for, the one
-/// button, and what it does to the files.
+/// Shown in place of tests and trend before a folder is chosen: the purpose of the register, the only button,
+/// and what it does to the files.
 class RegisterFirstUse : public QWidget {
     Q_OBJECT
 
@@ -43,7 +43,7 @@ private:
     std::array<Fact, 3> m_facts;
 };
 
-/// Rows of machines that are not there yet, the lower the paler.
+/// Placeholder rows of machines, fading downwards.
 class GhostRows : public QWidget {
     Q_OBJECT
 

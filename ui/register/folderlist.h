@@ -10,7 +10,7 @@ class QPushButton;
 
 namespace palmer::ui {
 
-/// The folders of the register with what adds and removes them.
+/// The folders of the register, with buttons to add and remove them.
 class FolderList : public QWidget {
     Q_OBJECT
 
@@ -18,7 +18,7 @@ public:
     explicit FolderList(const QStringList &folders, QWidget *parent = nullptr);
 
     [[nodiscard]] QStringList folders() const;
-    /// One that is there already changes nothing.
+    /// A folder already in the list changes nothing.
     void addFolder(const QString &folder);
 
 signals:

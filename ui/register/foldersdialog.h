@@ -9,7 +9,7 @@ namespace palmer::ui {
 
 class FolderList;
 
-/// Which folders the register is made of.
+/// Chooses the folders of the register.
 class FoldersDialog : public QDialog {
     Q_OBJECT
 

@@ -14,14 +14,14 @@ namespace palmer::ui {
 
 inline constexpr int machineRowHeight = 50;
 
-/// A machine as the list shows it.
+/// A machine as shown in the list.
 struct MachineRow {
     ListedMachine machine;
     std::vector<AxisState> axes;
     MachineDue due;
     int tests = 0;
 
-    /// Days until something is to be done for it; null: nothing is due within the warning time.
+    /// Days until an action is due; null if none is due within the warning time.
     [[nodiscard]] std::optional<int> daysToTest(const QDate &today) const;
     [[nodiscard]] std::optional<int> daysToCertificate(const QDate &today) const;
     [[nodiscard]] bool isToDo(const QDate &today) const;
@@ -29,7 +29,7 @@ struct MachineRow {
 
 inline constexpr int warningDays = 30;
 
-/// The machines, filtered by words and by what is to be done; those without serial number apart.
+/// The machines, filtered by words and by what is due; those without serial number are separate.
 class MachineModel : public QAbstractListModel {
     Q_OBJECT
 
@@ -44,7 +44,7 @@ public:
     [[nodiscard]] const MachineRow &row(int index) const {
         return m_all[m_shown[static_cast<std::size_t>(index)]];
     }
-    [[nodiscard]] int rowOf(int machine) const; ///< −1: not shown
+    [[nodiscard]] int rowOf(int machine) const; ///< −1 if not shown
     [[nodiscard]] int toDoCount() const;
     [[nodiscard]] int machineCount() const { return static_cast<int>(m_all.size()); }
     [[nodiscard]] int identifiedCount() const;
@@ -64,7 +64,7 @@ private:
     Show m_show = Show::identified;
 };
 
-/// Draws a machine: its name, the marks of its axes, what is due.
+/// Draws a machine: its name, the marks of its axes and what is due.
 class MachineDelegate : public QStyledItemDelegate {
     Q_OBJECT
 

@@ -13,7 +13,7 @@ QCategoryAxis *makeNumberAxis(const FigureAxis &range, const QPalette &palette, 
     axis->setLabelsPosition(QCategoryAxis::AxisLabelsPositionOnValue);
     axis->setLabelsColor(token(Token::secondaryText, palette));
     axis->setLabelsFont(themeFont(TextSize::tiny));
-    axis->setTruncateLabels(false); // "…" says nothing: in a low chart some are left out
+    axis->setTruncateLabels(false); // an elided number is useless; a low chart leaves out some labels instead
     axis->setTitleFont(themeFont(TextSize::tiny));
     axis->setTitleBrush(token(Token::secondaryText, palette));
     axis->setTitleText(title);

@@ -11,12 +11,12 @@ class QCategoryAxis;
 
 namespace palmer::ui {
 
-/// An axis of a chart with the ticks of `range`: their numbers have the decimals, the point and the minus of
-/// the language, which those of Qt's own axis have not.
+/// A chart axis with the ticks of `range`, whose labels follow the language in decimals, decimal mark and
+/// minus, unlike those of Qt's own axis.
 [[nodiscard]] QCategoryAxis *makeNumberAxis(const FigureAxis &range, const QPalette &palette,
                                             const QString &title = {});
 
-/// Those of the ticks that lie in what the axis shows.
+/// Sets the ticks that lie within the axis's range.
 void fillTicks(QCategoryAxis &axis, const FigureAxis &range);
 
 } // namespace palmer::ui

@@ -12,12 +12,11 @@ class QPainter;
 
 namespace palmer::ui {
 
-/// The number of a chosen test, the same in table, trend and curves: a filled circle in the colour of its
-/// curve.
+/// The number of a chosen test in table, trend and curves: a filled circle in the colour of its curve.
 inline constexpr double tagRadius = 8;
-inline constexpr double leastTagDistance = 19; ///< between the middles of two, px
+inline constexpr double leastTagDistance = 19; ///< between the centres of two, px
 
-/// The colour of a curve, from 0.
+/// The colour of a curve, indexed from 0.
 [[nodiscard]] QColor curveColour(std::size_t curve, const QPalette &palette);
 
 /// `number` from 1.

@@ -13,7 +13,7 @@ namespace palmer::ui {
 
 namespace {
 
-/// In a window that is there, or a new one where all were closed.
+/// Opens the test in an existing window, or a new one if all are closed.
 void openFromRegister(const QString &path, std::size_t test) {
     for (QWidget *widget : QApplication::topLevelWidgets()) {
         if (auto *window = qobject_cast<MainWindow *>(widget)) {
@@ -21,7 +21,7 @@ void openFromRegister(const QString &path, std::size_t test) {
             return;
         }
     }
-    auto *window = new MainWindow; // deletes itself when it is closed
+    auto *window = new MainWindow; // deletes itself on closing
     window->show();
     window->openFile(path, test);
 }

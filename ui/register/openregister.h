@@ -6,13 +6,13 @@
 
 namespace palmer::ui {
 
-/// Shows the window of the register; tests that are opened there go to a window of their own.
+/// Shows the register window; tests opened there get their own window.
 void showRegister();
 
-/// Starts to keep the register of the user, where folders were chosen, in step with them.
+/// Starts to keep the user's register up to date with its folders, if any.
 void startRegister();
 
-/// A file was saved: it stands in the register at once, if it lies in its folders.
+/// Updates the register at once after saving a file in its folders.
 void noteSavedFile(const QString &path);
 
 } // namespace palmer::ui

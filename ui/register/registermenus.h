@@ -11,14 +11,14 @@ class QToolBar;
 
 namespace palmer::ui {
 
-/// The menus of the window of the register: what stands in them, with its keys. The window connects them.
+/// The menus of the register window with their shortcuts. The window connects the actions.
 struct RegisterMenus {
     Q_DECLARE_TR_FUNCTIONS(palmer::ui::RegisterMenus)
 
 public:
     explicit RegisterMenus(QMainWindow &window);
 
-    /// The actions one needs most, in groups.
+    /// Adds the most frequent actions in groups.
     void fill(QToolBar &bar) const;
     void retranslate() const;
 
@@ -28,11 +28,11 @@ public:
     QMenu *viewMenu = nullptr;
     QMenu *helpMenu = nullptr;
     QMenu *intervals = nullptr;
-    QMenu *under = nullptr; ///< editions to evaluate all tests under
+    QMenu *under = nullptr; ///< editions for evaluating all tests
 
     QAction *folders = nullptr;
     QAction *rescan = nullptr;
-    QAction *troubled = nullptr; ///< files that cannot be read or are not found
+    QAction *troubled = nullptr; ///< files that cannot be read or found
     QAction *close = nullptr;
     QAction *find = nullptr;
     QAction *previous = nullptr;

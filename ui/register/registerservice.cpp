@@ -17,15 +17,15 @@ namespace palmer::ui {
 namespace {
 
 const QString foldersKey = QStringLiteral("register/folders");
-const QString serverKey = QStringLiteral("register/server"); ///< its address without password
-constexpr int soon = 1500;                                   ///< ms: changes come in swarms
-constexpr int later = 120'000;                               ///< ms, without any sign of a change
-constexpr int mostWatched = 400;                             ///< folders; the rest is scanned after the pause
+const QString serverKey = QStringLiteral("register/server"); ///< address without password
+constexpr int soon = 1500;                                   ///< ms: changes come in bursts
+constexpr int later = 120'000;                               ///< ms between scans without a sign of change
+constexpr int mostWatched = 400;                             ///< folders; others rely on the periodic scan
 
 struct Scanned {
     ScanResult result;
     QString trouble;
-    QStringList folders; ///< to be watched
+    QStringList folders; ///< to watch
 };
 
 QStringList watchable(const QStringList &folders, const std::stop_token &stop) {
@@ -106,7 +106,7 @@ void RegisterService::rescan(bool prune) {
     m_isStopped = false;
     if (!m_folders.isEmpty()) {
         if (prune)
-            m_stopScan.request_stop(); // the new one goes on where it was
+            m_stopScan.request_stop(); // the new scan continues from there
         if (m_lane.isBusy() && !prune)
             m_soon.start();
         else
@@ -131,7 +131,7 @@ double RegisterService::secondsOfScan() const {
     return m_begun.isValid() ? static_cast<double>(m_begun.elapsed()) / perSecond : 0;
 }
 
-/// What was read shows while the rest is being read.
+/// Shows what has been read so far.
 void RegisterService::tellProgress(int done, int total) {
     constexpr int pause = 2000; // ms
     emit progressed(done, total);
@@ -149,7 +149,7 @@ void RegisterService::fileSaved(const QString &path) {
 
 void RegisterService::start(const QStringList &places, bool isWhole, bool prune) {
     if (m_stopScan.stop_requested())
-        m_stopScan = {}; // those that wait for one another are stopped together
+        m_stopScan = {}; // scans waiting in the queue are stopped together
     m_begun.start();
     m_told.invalidate();
     m_lane.start(

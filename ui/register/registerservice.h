@@ -15,41 +15,41 @@
 
 namespace palmer::ui {
 
-/// Keeps the register of the user at what his folders hold while the program runs: scans them at the start,
-/// when something in them changes, after a pause in any case (a share tells nothing of what others write),
-/// and what is saved at once. One for all windows; everything is done beside them.
+/// Keeps the user's register up to date with its folders while the program runs: scans them at the start, on
+/// changes and periodically (a network share does not report others' changes), and saved files at once.
+/// Shared by all windows; all work is done in the background.
 class RegisterService : public QObject {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(RegisterService)
 
 public:
-    /// Made when it is first asked for; scans at once where folders are chosen.
+    /// Made on first use; starts scanning if folders are chosen.
     static RegisterService &instance();
-    /// Of a test: with a register and folders of its own.
+    /// For tests: with its own register and folders.
     RegisterService(QString address, QStringList folders, QObject *parent = nullptr);
     ~RegisterService() override;
 
     [[nodiscard]] const QString &address() const { return m_address; }
     [[nodiscard]] const QStringList &folders() const { return m_folders; }
     void setFolders(const QStringList &folders);
-    /// Keeps the register elsewhere from now on: the path of a file, or a server that was reached. Kept in
-    /// the settings without a password.
+    /// Changes where the register is stored: path of a file, or a server that has been reached. Saved in the
+    /// settings without the password.
     void setAddress(const QString &address);
 
     [[nodiscard]] bool isScanning() const { return m_lane.isBusy(); }
     [[nodiscard]] const ScanResult &result() const { return m_result; } ///< of the last scan of all folders
-    [[nodiscard]] const QString &trouble() const { return m_trouble; }  ///< of the register; empty: none
+    [[nodiscard]] const QString &trouble() const { return m_trouble; }  ///< register error; empty if none
     [[nodiscard]] const QDateTime &scannedAt() const { return m_scannedAt; }
-    /// Since the running scan began.
+    /// Time since the running scan began.
     [[nodiscard]] double secondsOfScan() const;
-    /// The last scan was stopped; it goes on when it is asked for.
+    /// The last scan was stopped; only rescan() continues it.
     [[nodiscard]] bool isStopped() const { return m_isStopped; }
 
-    /// `prune`: takes out files that are not found any more.
+    /// `prune`: removes files that no longer exist.
     void rescan(bool prune = false);
-    /// Ends the running scan; what was read stays. Nothing is read by itself until the next rescan().
+    /// Stops the running scan, keeping what was read. Nothing is scanned until the next rescan().
     void stop();
-    /// Brings one file up to date, wherever it stands below the folders.
+    /// Updates one file anywhere below the folders.
     void fileSaved(const QString &path);
 
 signals:
@@ -65,12 +65,12 @@ private:
 
     QString m_address;
     QStringList m_folders;
-    bool m_keepsFolders = false; ///< and the address
+    bool m_keepsFolders = false; ///< saves the folders and the address
     ScanResult m_result;
     QString m_trouble;
     QDateTime m_scannedAt;
-    QElapsedTimer m_begun; ///< the running scan
-    QElapsedTimer m_told;  ///< that its content has changed
+    QElapsedTimer m_begun; ///< start of the running scan
+    QElapsedTimer m_told;  ///< last changed() of the running scan
     std::stop_source m_stopScan;
     bool m_isStopped = false;
     QFileSystemWatcher m_watcher;

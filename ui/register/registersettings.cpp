@@ -24,7 +24,7 @@ namespace {
 
 enum Place { inFile, onServer };
 
-/// With a password that was typed beside it; one in the address stays.
+/// Adds the password typed next to the address; one in the address takes precedence.
 QString withPassword(const QString &address, const QString &password) {
     QUrl url(address);
     if (password.isEmpty() || !isServerAddress(address) || !url.password().isEmpty())

@@ -16,9 +16,9 @@ namespace palmer::ui {
 class FolderList;
 class RegisterService;
 
-/// The settings of the register: its folders, and where its index stands: in a file of this user, or on a
-/// PostgreSQL server that several share. A server is taken only after it was reached; its password is kept
-/// for this run of the program alone.
+/// Settings of the register: its folders and the location of its index, a file of this user or a PostgreSQL
+/// server shared by several. A server is accepted only once it was reached; its password is kept only until
+/// the program ends.
 class RegisterSettings : public QWidget {
     Q_OBJECT
 
@@ -41,7 +41,7 @@ private:
     FolderList *m_folders;
     QLabel *m_placeTitle;
     QComboBox *m_place;
-    QLabel *m_index; ///< where the index stands
+    QLabel *m_index; ///< location of the index
     QWidget *m_server;
     QLineEdit *m_address;
     QLineEdit *m_password;

@@ -111,7 +111,7 @@ QLabel *elided(const char *name, TextSize size) {
     return label;
 }
 
-/// A line may end behind a comma and at a "·", never within a number or between it and its unit.
+/// Allows line breaks only after a comma and at a "·", never within a number or before its unit.
 QString inPieces(QString text) {
     const QChar joined = QChar::Nbsp;
     return text.replace(u'/', QStringLiteral("/\u2060"))
@@ -125,7 +125,7 @@ struct MachinesRead {
     QString trouble;
 };
 
-/// Whether nothing of what is shown has changed.
+/// True if nothing shown has changed.
 bool sameTests(const std::vector<ListedTest> &a, const std::vector<ListedTest> &b) {
     const auto samePlace = [](const TestPlace &one, const TestPlace &other) {
         return one.path == other.path && one.test == other.test && one.state == other.state;
@@ -159,7 +159,7 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     m_parts->addWidget(m_stack);
     m_parts->setStretchFactor(1, 1);
     m_parts->setSizes({listWidth, usual.width() - listWidth});
-    QScrollArea *place = scrolledPlace(this); // where the screen is smaller than what they need
+    QScrollArea *place = scrolledPlace(this); // for screens that are too small
     place->setWidget(m_parts);
     setCentralWidget(place);
     makeStatus();
@@ -219,7 +219,7 @@ void RegisterWindow::makeActions() {
 void RegisterWindow::makeStatus() {
     m_total = new QLabel;
     m_total->setObjectName(QStringLiteral("total"));
-    m_state = new ElidedLabel; // a sentence of the database has any length
+    m_state = new ElidedLabel; // database messages may be long
     m_state->setObjectName(QStringLiteral("scanState"));
     m_unreadable = new QPushButton;
     m_unreadable->setObjectName(QStringLiteral("unreadable"));
@@ -330,7 +330,7 @@ QWidget *RegisterWindow::makeRight() {
     side->setBackgroundRole(QPalette::Base);
     m_head = new QWidget;
     m_head->setFixedHeight(headHeight);
-    m_name = elided("machineName", TextSize::title); // of any length
+    m_name = elided("machineName", TextSize::title); // names may be long
     m_facts = elided("machineFacts", TextSize::small);
     m_facts->setProperty("secondary", true);
     m_intervalLabel = made("intervalLabel", TextSize::small);
@@ -413,7 +413,7 @@ QWidget *RegisterWindow::makeTests() {
                 [this, i] { fillFilterMenu(static_cast<Filter>(i)); });
         connect(button, &FilterChip::cleared, this, [this, i] { setFilter(static_cast<Filter>(i), {}); });
     }
-    m_shownCount = new ElidedLabel; // has what the filters leave
+    m_shownCount = new ElidedLabel; // takes the width left by the filters
     m_shownCount->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     m_shownCount->setObjectName(QStringLiteral("shownCount"));
     m_shownCount->setFont(themeFont(TextSize::small));
@@ -444,7 +444,7 @@ QToolButton *RegisterWindow::makeTrendButton(const char *name, const char *icon)
     return button;
 }
 
-/// What the trend says in words, beside it.
+/// Facts on the trend in words, next to it.
 void RegisterWindow::makeFacts() {
     m_factsColumn = new QWidget;
     m_factsColumn->setFixedWidth(factsColumnWidth);
@@ -455,7 +455,7 @@ void RegisterWindow::makeFacts() {
     m_statement->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto *facts = new QVBoxLayout(m_factsColumn);
     facts->setContentsMargins(pageMargin, 12, 4, 8);
-    auto *area = new QScrollArea; // a low window has no room for the method
+    auto *area = new QScrollArea; // a low window has no space for the method
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
     area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -474,7 +474,7 @@ QWidget *RegisterWindow::makeTrend() {
     m_parameterRow->setSpacing(0);
     m_under = new QPushButton;
     m_under->setObjectName(QStringLiteral("evaluateUnder"));
-    m_under->setMinimumWidth(1); // it is hidden before it has no room
+    m_under->setMinimumWidth(1); // hidden when space is short
     m_under->setMenu(m_menus.under);
     m_copy = makeTrendButton("copyTrend", "copy");
     connect(m_copy, &QToolButton::clicked, this, [this] {
@@ -507,7 +507,7 @@ QWidget *RegisterWindow::makeTrend() {
     m_legend->setSizePolicy(QSizePolicy::Ignored,
                             QSizePolicy::Preferred); // the list of machines keeps its width
     m_trendPart = new QWidget;
-    m_trendPart->setMinimumWidth(1); // beside the curves it is hidden before it has no room
+    m_trendPart->setMinimumWidth(1); // hidden next to the curves when space is short
     auto *leftLayout = new QVBoxLayout(m_trendPart);
     leftLayout->setContentsMargins(pageMargin, 8, 8, 8);
     leftLayout->addLayout(head);
@@ -531,7 +531,8 @@ void RegisterWindow::changeEvent(QEvent *event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
-    else if (event->type() == QEvent::PaletteChange && m_legend) { // what takes its colours when it is made
+    else if (event->type() == QEvent::PaletteChange && m_legend) { // parts whose colours are set when they
+                                                                   // are made
         showLegend();
         showTroubled();
     }
@@ -568,7 +569,7 @@ void RegisterWindow::retranslate() {
     showState();
 }
 
-/// The marks in the colours of the chart.
+/// Shows the legend in the colours of the chart.
 void RegisterWindow::showLegend() {
     const QString accent = token(Token::accent, palette()).name();
     const QString secondary = token(Token::secondaryText, palette()).name();
@@ -584,7 +585,7 @@ void RegisterWindow::showLegend() {
     QStringList legend;
     for (const QString &one : trendLegend(windowLanguage(), {m_trend->trend()})) {
         const auto &[sign, colour] = signs.at(static_cast<std::size_t>(legend.size()));
-        // It breaks between the marks alone.
+        // Line breaks only between the entries.
         legend << QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3")
                       .arg(colour, QString::fromUtf8(sign),
                            one.toHtmlEscaped().replace(u' ', QStringLiteral("&nbsp;")));
@@ -601,13 +602,13 @@ void RegisterWindow::filterMachines() {
     const int row = m_machines->rowOf(before);
     if (row >= 0)
         m_machineList->setCurrentIndex(m_machines->index(row));
-    else if (m_machines->rowCount() > 0) // what is shown at the right stands in the list
+    else if (m_machines->rowCount() > 0) // the machine shown on the right must be in the list
         m_machineList->setCurrentIndex(m_machines->index(0));
     else
         chooseNone();
 }
 
-/// The list is empty; what was chosen is chosen again when it is back.
+/// The list is empty; remembers the chosen machine for when it is back.
 void RegisterWindow::chooseNone() {
     m_chosenBefore = m_machine;
     m_machine = 0;
@@ -642,7 +643,7 @@ void RegisterWindow::loadMachines() {
             try {
                 Register reg(address);
                 std::vector<ListedMachine> list = machines(reg.database());
-                for (ListedMachine &machine : list) { // an index made anew knows no intervals
+                for (ListedMachine &machine : list) { // a rebuilt index has no intervals
                     const auto months = kept.constFind(machine.identity);
                     if (machine.months || months == kept.constEnd())
                         continue;
@@ -691,7 +692,7 @@ void RegisterWindow::takeMachines(std::vector<MachineRow> rows) {
     m_unidentified->setTests(m_machines->unidentifiedTests());
     int row = m_machines->rowOf(m_machine);
     if (row < 0 && m_machines->rowCount() == 0 && m_machines->unidentifiedTests() > 0 &&
-        m_search->text().isEmpty() && !m_toDo->isChecked()) { // there are no others
+        m_search->text().isEmpty() && !m_toDo->isChecked()) { // no other machines to show
         m_unidentified->setChecked(true);
         m_machines->setFilter({}, MachineModel::Show::unidentified);
     }
@@ -731,7 +732,7 @@ void RegisterWindow::loadTests() {
                 filter.machines = {machine};
                 filter.withCurves = true;
                 list = tests(reg.database(), filter);
-            } catch (const Error &) { // said where the machines are read
+            } catch (const Error &) { // reported when reading the machines
                 list.clear();
             }
             return list;
@@ -740,7 +741,7 @@ void RegisterWindow::loadTests() {
 }
 
 void RegisterWindow::takeTests(std::vector<ListedTest> tests) {
-    if (sameTests(tests, m_allTests)) { // what is chosen stays chosen
+    if (sameTests(tests, m_allTests)) { // keep the selection
         showHead();
         return;
     }
@@ -748,7 +749,7 @@ void RegisterWindow::takeTests(std::vector<ListedTest> tests) {
     const bool hasAxis = std::ranges::any_of(m_allTests, [this](const ListedTest &test) {
         return filterValue(byAxis, test) == m_filters[byAxis].chosen;
     });
-    if (!hasAxis && !m_allTests.empty()) { // the trend is of one axis
+    if (!hasAxis && !m_allTests.empty()) { // the trend is for a single axis
         std::set<std::pair<Kind, QString>> axes;
         for (const ListedTest &test : m_allTests)
             axes.emplace(test.test.kind, QString::fromStdString(test.test.axis));
@@ -965,9 +966,9 @@ void RegisterWindow::fitColumns() {
     constexpr int limitsWidth = 104;
     constexpr int accordanceWidth = 110;
     constexpr int padding = 10;
-    constexpr int leastWord = 64; ///< of a column that gives way; what it says is elided
+    constexpr int leastWord = 64; ///< of a shrinkable column, whose text is elided
     constexpr int leastAxis = 40;
-    constexpr int wide = 1250; ///< of the table: all results find room
+    constexpr int wide = 1250; ///< of the table: all results fit
     constexpr int fewResults = 3;
     m_table->resizeColumnsToContents();
     for (int i = TestTableModel::dateColumn; i < TestTableModel::firstResult; ++i)
@@ -987,12 +988,12 @@ void RegisterWindow::fitColumns() {
                                                             widthIn(TextSize::small, longest.uncertainty)));
     }
     m_delegate->setValueWidths(std::move(valueWidths));
-    m_table->setColumnHidden(TestTableModel::firstResult + results, false); // where another axis had a result
+    m_table->setColumnHidden(TestTableModel::firstResult + results, false); // may be hidden for another axis
     m_table->setColumnHidden(TestTableModel::firstResult + results + 1, false);
     const int limits = TestTableModel::firstResult + results;
     m_table->setColumnWidth(limits, std::max(limitsWidth, m_table->columnWidth(limits) + padding));
     m_table->setColumnWidth(limits + 1, accordanceWidth);
-    int tooWide = accordanceWidth - m_table->viewport()->width(); // what is left the last one takes
+    int tooWide = accordanceWidth - m_table->viewport()->width(); // the last column takes the rest
     for (int i = 0; i <= limits; ++i)
         tooWide += m_table->isColumnHidden(i) ? 0 : m_table->columnWidth(i);
     for (const auto &[column, least] : {std::pair(int(TestTableModel::purposeColumn), leastWord),
@@ -1004,9 +1005,9 @@ void RegisterWindow::fitColumns() {
         m_table->setColumnWidth(column, after);
         tooWide -= before - after;
     }
-    // A narrow window shows the first quantity; the others stand in the trend.
+    // A narrow window shows only the first parameter; the trend has the others.
     for (int i = std::min(results, fewResults) - 1; i > 0 && tooWide > 0; --i) {
-        tooWide -= m_table->columnWidth(TestTableModel::firstResult + i); // which is 0 once it is hidden
+        tooWide -= m_table->columnWidth(TestTableModel::firstResult + i); // it is 0 once hidden
         m_table->setColumnHidden(TestTableModel::firstResult + i, true);
     }
 }
@@ -1022,12 +1023,12 @@ void RegisterWindow::resizeEvent(QResizeEvent *event) {
     fitTrend();
     const int usual = event->oldSize().width() >= veryWide ? wideListWidth : listWidth;
     const int wanted = event->size().width() >= veryWide ? wideListWidth : listWidth;
-    if (wanted != usual && m_side->width() == usual) // and was not drawn to another width
+    if (wanted != usual && m_side->width() == usual) // unless the user changed its width
         m_parts->setSizes({wanted, event->size().width() - wanted});
     QMainWindow::resizeEvent(event);
 }
 
-/// A narrow window shows the curves in the place of the trend; editions stand in the menu alone.
+/// A narrow window shows curves instead of the trend, and editions only in the menu.
 void RegisterWindow::fitTrend() {
     constexpr int wide = 1180;
     const bool isWide = width() >= wide;
@@ -1041,7 +1042,7 @@ QString RegisterWindow::trendAxis() const {
     return m_allTests.empty() ? QString() : QString::fromStdString(m_allTests.back().test.axis);
 }
 
-/// "X axis", "XY": of a plane its name alone.
+/// "X axis", or for a plane just "XY".
 QString RegisterWindow::axisName(const std::vector<ListedTest> &list) const {
     const bool isAxis = !list.empty() && traitsOf(list.front().test.kind).isOfAxis;
     return isAxis ? tr("%1 axis").arg(trendAxis()) : trendAxis();
@@ -1177,9 +1178,9 @@ void RegisterWindow::compareCurves(bool compare) {
     giveRoomToCurves(compare);
 }
 
-/// Two charts and a list need more height than a trend; it comes back with the trend.
+/// Two charts and a list need more height than the trend, whose height is restored later.
 void RegisterWindow::giveRoomToCurves(bool compare) {
-    constexpr int leastTests = 150; // filters, head and some rows
+    constexpr int leastTests = 150; // filters, header and some rows
     if (!compare) {
         if (!m_heights.isEmpty())
             m_stacked->setSizes(m_heights);
@@ -1195,7 +1196,7 @@ void RegisterWindow::giveRoomToCurves(bool compare) {
     m_stacked->setSizes({all - wanted, wanted});
 }
 
-/// The trend alone, below the name of the machine; or with the tests and the machines again.
+/// Shows only the trend below the machine's name, or tests and machines again.
 void RegisterWindow::maximiseTrend(bool maximise) {
     m_side->setVisible(!maximise);
     m_testsPart->setVisible(!maximise);
@@ -1296,7 +1297,7 @@ void RegisterWindow::showScanState(const QString &folders) {
 }
 
 void RegisterWindow::showProgress(int done, int total) {
-    constexpr double soonest = 2; // s, before that nothing is known of the pace
+    constexpr double soonest = 2; // s; before that the pace is unknown
     if (!m_service.isScanning())
         return;
     m_progress->setRange(0, total);
@@ -1347,7 +1348,7 @@ void RegisterWindow::showTroubledFiles() {
             try {
                 Register reg(address);
                 files = troubledSources(reg.database());
-            } catch (const Error &) { // said where the machines are read
+            } catch (const Error &) { // reported when reading the machines
                 files.clear();
             }
             return files;
@@ -1402,7 +1403,7 @@ void RegisterWindow::setMonths(int index) {
     if (row < 0 || index < 0)
         return;
     const int count = months.at(static_cast<std::size_t>(index));
-    QSettings settings; // so that an index made anew knows it
+    QSettings settings; // kept for a rebuilt index
     QVariantMap kept = settings.value(intervalsKey).toMap();
     kept.remove(m_identities[m_machine]);
     if (count > 0)
@@ -1449,7 +1450,7 @@ void RegisterWindow::writeHistory() {
                                             QStringLiteral("Palmer " PALMER_VERSION));
                 history.number = number;
                 return composeHistory(history, language);
-            } catch (const Error &error) { // the server is gone, perhaps
+            } catch (const Error &error) { // e.g. connection lost
                 return error;
             }
         },

@@ -41,8 +41,8 @@ class TestTableModel;
 class TrendChart;
 class UnidentifiedRow;
 
-/// The register: machines at the left, the tests of one of them, the trend of a parameter, curves over each
-/// other. Shows what the register says, which is read beside the window; computes nothing.
+/// The register: machines on the left, then the tests of one of them, the trend of a parameter and
+/// superimposed curves. Shows the register, which is read in the background; computes nothing.
 class RegisterWindow : public QMainWindow {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(RegisterWindow)
@@ -52,11 +52,11 @@ public:
     ~RegisterWindow() override;
 
     void setFolders(const QStringList &folders);
-    /// Nothing is being read.
+    /// True while no query is running.
     [[nodiscard]] bool isQuiet() const;
 
 signals:
-    void openAsked(const QString &path, std::size_t test); ///< a test of a file, from 0
+    void openAsked(const QString &path, std::size_t test); ///< test of a file, index from 0
 
 protected:
     void changeEvent(QEvent *event) override;
@@ -68,7 +68,7 @@ protected:
 private:
     struct FilterButton {
         FilterChip *button = nullptr;
-        QString chosen; ///< empty: all
+        QString chosen; ///< empty: no filter
     };
     enum Filter { byAxis, bySince, byEdition, byPurpose, byRole, byLimits, byAccordance, filterCount };
 
@@ -130,7 +130,7 @@ private:
     void showHelp();
 
     RegisterService &m_service;
-    QStackedWidget *m_stack = nullptr; ///< first use, or what the register says
+    QStackedWidget *m_stack = nullptr; ///< first use, or the register's content
     MachineModel *m_machines = nullptr;
     QListView *m_machineList = nullptr;
     QLineEdit *m_search = nullptr;
@@ -165,14 +165,14 @@ private:
     CurveComparison *m_comparison = nullptr;
     QSplitter *m_parts = nullptr;
     QSplitter *m_stacked = nullptr; ///< tests above trend
-    QList<int> m_heights;           ///< of them, before curves were compared
+    QList<int> m_heights;           ///< of tests and trend, before curves were compared
     QWidget *m_side = nullptr;
     QWidget *m_head = nullptr;
     QWidget *m_testsPart = nullptr;
     GhostRows *m_ghosts = nullptr;
     QLabel *m_total = nullptr;
     QLabel *m_state = nullptr;
-    std::array<QFrame *, 2> m_rules{}; ///< between total, state and troubles
+    std::array<QFrame *, 2> m_rules{}; ///< between total, state and files with problems
     QPushButton *m_unreadable = nullptr;
     QLabel *m_shown = nullptr;
     QProgressBar *m_progress = nullptr;
@@ -180,11 +180,11 @@ private:
     RegisterMenus m_menus;
     HelpWindow *m_help = nullptr;
 
-    int m_machine = 0;                  ///< id of the chosen one; 0: none
-    int m_chosenBefore = 0;             ///< while the list is empty
+    int m_machine = 0;                  ///< ID of the chosen machine; 0: none
+    int m_chosenBefore = 0;             ///< machine chosen before the list became empty
     std::vector<ListedTest> m_allTests; ///< of the chosen machine
-    std::vector<ListedTest> m_anew;     ///< those of the axis, evaluated under m_edition
-    std::string m_edition;              ///< empty: each its own
+    std::vector<ListedTest> m_anew;     ///< tests of the axis evaluated under m_edition
+    std::string m_edition;              ///< empty: each test's own
     std::string m_parameter;
     std::map<int, QString> m_identities;
     Background m_machineLane;

@@ -6,7 +6,7 @@
 
 namespace palmer::ui {
 
-/// A translated text of %n with that number in groups of thousands, as the language of the window writes it.
+/// A translated text of %n, with that number grouped in thousands as in the window's language.
 [[nodiscard]] QString counted(QString text, int number);
 
 } // namespace palmer::ui

@@ -44,7 +44,7 @@ bool hasLimits(const RegisteredTest &test) {
 
 void TestTableModel::setTests(std::vector<ListedTest> tests) {
     beginResetModel();
-    std::ranges::reverse(tests); // the newest first
+    std::ranges::reverse(tests); // newest first
     m_tests = std::move(tests);
     m_results = parametersOf(m_tests);
     if (m_results.size() > mostResults)
@@ -87,7 +87,7 @@ QVariant TestTableModel::resultData(const RegisteredTest &test, std::size_t colu
 }
 
 TestTableModel::Longest TestTableModel::longest(std::size_t result) const {
-    // Digits are alike in width: the numbers with the most characters are the widest. Only they are made.
+    // Digits are equally wide, so the widest numbers have the most characters; only these are formatted.
     const DisplayUnits &units = windowLanguage().units();
     const RegisteredTest *value = nullptr;
     const RegisteredTest *expanded = nullptr;
@@ -288,7 +288,7 @@ void TestDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
         painter->setPen(colour);
         painter->drawText(area.adjusted(20, 0, 0, 0), Qt::AlignVCenter, text);
     } else if (index.column() >= TestTableModel::firstResult) {
-        // A number that is cut would read as another one.
+        // A clipped number would look like another one.
         const auto draw = [&](const QRect &room, Qt::Alignment side, const QString &number) {
             painter->drawText(room, side | Qt::AlignVCenter,
                               painter->fontMetrics().elidedText(number, Qt::ElideRight, room.width()));

@@ -12,9 +12,9 @@
 namespace palmer::ui {
 
 inline constexpr int valueGap = 4;      ///< between a value and its U, px
-inline constexpr int resultPadding = 4; ///< at either side of a cell
+inline constexpr int resultPadding = 4; ///< on each side of a cell
 
-/// The tests of a machine: a row each, with the main results of the axis in view.
+/// The tests of a machine, one per row, with the main results of the axis in view.
 class TestTableModel : public QAbstractTableModel {
     Q_OBJECT
 
@@ -22,15 +22,15 @@ public:
     using QAbstractTableModel::QAbstractTableModel;
 
     enum Column { markColumn, dateColumn, axisColumn, editionColumn, purposeColumn, roleColumn, firstResult };
-    /// markRole: the TrendMark of its role.
+    /// markRole: TrendMark of the test's role.
     enum Role { sortRole = Qt::UserRole + 1, uncertaintyRole, iconRole, tokenRole, numberRole, markRole };
 
     void setTests(std::vector<ListedTest> tests);
     [[nodiscard]] const ListedTest &test(int row) const { return m_tests[static_cast<std::size_t>(row)]; }
-    /// The number of its curve, from 1, shown in place of the mark of the point.
+    /// Curve numbers of tests, from 1, shown in place of the point's mark.
     void setNumbers(std::map<int, int> numbers);
     [[nodiscard]] const std::vector<std::string> &results() const { return m_results; }
-    /// The longest texts of the column of a result: values and their U stand below each other.
+    /// The longest texts of a result column, so that values and their U are aligned.
     struct Longest {
         QString value;
         QString uncertainty;
@@ -49,18 +49,18 @@ private:
     [[nodiscard]] static QVariant accordanceData(const RegisteredTest &test, int role);
 
     std::vector<ListedTest> m_tests;
-    std::vector<std::string> m_results; ///< ids of the result columns
-    std::map<int, int> m_numbers;       ///< by id of the test
+    std::vector<std::string> m_results; ///< IDs of the result columns
+    std::map<int, int> m_numbers;       ///< by test ID
 };
 
-/// Draws marks, values with their U, and words with their mark.
+/// Draws marks, values with U, and words with their mark.
 class TestDelegate : public QStyledItemDelegate {
     Q_OBJECT
 
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
-    /// The room of the values of each result column, px; their U stands behind it.
+    /// Widths of the values in the result columns, px; U follows.
     void setValueWidths(std::vector<int> widths) { m_valueWidths = std::move(widths); }
     void paint(QPainter *painter, const QStyleOptionViewItem &option,
                const QModelIndex &index) const override;

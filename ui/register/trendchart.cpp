@@ -33,7 +33,7 @@ constexpr double chosenRadius = 8;
 constexpr double capWidth = 3;
 constexpr double hatchHeight = 6;
 constexpr double hatchStep = 6;
-constexpr double pointerReach = 9; ///< of the pointer, px
+constexpr double pointerReach = 9; ///< around the pointer, px
 constexpr int strip = 24;          ///< above the plot, for interventions
 constexpr double bandLight = 0.13;
 constexpr double bandDark = 0.20;
@@ -46,7 +46,7 @@ TrendChart::TrendChart(QWidget *parent)
     setObjectName(QStringLiteral("trendChart"));
     setRenderHint(QPainter::Antialiasing);
     setMouseTracking(true);
-    setViewportUpdateMode(QGraphicsView::FullViewportUpdate); // the marks are drawn over the whole
+    setViewportUpdateMode(QGraphicsView::FullViewportUpdate); // marks are drawn over the whole chart
     setRubberBand(QChartView::HorizontalRubberBand);
     setFrameShape(QFrame::NoFrame);
     chart()->legend()->hide();
@@ -205,7 +205,7 @@ void TrendChart::drawForeground(QPainter *painter, const QRectF &rect) {
     painter->restore();
 }
 
-/// Beside its line, where neither a limit nor a value stands.
+/// Draws "today" next to its line, away from limits and values.
 void TrendChart::drawToday(QPainter &painter, const QRectF &plot, double today) const {
     painter.setFont(themeFont(TextSize::tiny));
     const QFontMetrics metrics = painter.fontMetrics();
@@ -215,7 +215,7 @@ void TrendChart::drawToday(QPainter &painter, const QRectF &plot, double today) 
     for (const double top = place.top(); place.bottom() < plot.bottom(); place.translate(0, 4)) {
         if (isFree(place))
             break;
-        if (place.bottom() + 4 >= plot.bottom()) { // nowhere
+        if (place.bottom() + 4 >= plot.bottom()) { // no free place
             place.moveTop(top);
             break;
         }
@@ -263,8 +263,8 @@ void TrendChart::drawInterventions(QPainter &painter, const QRectF &plot) const 
     }
 }
 
-/// In the strip above the plot, at their lines: where two stand close, left of the first and right of the
-/// second; without a word where there is no room.
+/// In the strip above the plot, at their lines; if two are close, left of the first and right of the second;
+/// without text if it does not fit.
 void TrendChart::drawInterventionNames(QPainter &painter, const QRectF &plot) const {
     constexpr double icon = 14;
     constexpr double gap = 4;
@@ -301,7 +301,7 @@ void TrendChart::drawInterventionNames(QPainter &painter, const QRectF &plot) co
     }
 }
 
-/// The side of the limit that is not allowed.
+/// Hatches the forbidden side of the limit.
 void TrendChart::drawForbidden(QPainter &painter, const QRectF &plot) const {
     painter.save();
     painter.setClipRect(plot);
@@ -329,7 +329,7 @@ void TrendChart::drawEmpty(QPainter &painter) const {
                      tr("No test with a date and a value to show."));
 }
 
-/// The numbers of the chosen tests left of their points, apart from each other.
+/// Draws the numbers of the chosen tests on the left of their points without overlaps.
 void TrendChart::drawTags(QPainter &painter, const QRectF &plot) const {
     if (m_chosen.size() < 2)
         return;
@@ -443,12 +443,12 @@ void TrendChart::mousePressEvent(QMouseEvent *event) {
 
 void TrendChart::mouseReleaseEvent(QMouseEvent *event) {
     const bool isClick = (event->position() - m_pressed).manhattanLength() < 4;
-    if (event->button() == Qt::RightButton) { // which would zoom out in steps of Qt's own
+    if (event->button() == Qt::RightButton) { // would zoom out in Qt's own steps
         showAll();
         return;
     }
     if (isClick) {
-        setRubberBand(QChartView::NoRubberBand); // a click enlarges nothing
+        setRubberBand(QChartView::NoRubberBand); // a click does not zoom
         QChartView::mouseReleaseEvent(event);
         setRubberBand(QChartView::HorizontalRubberBand);
         if (const auto value = valueAt(event->position()))
@@ -487,7 +487,7 @@ void TrendChart::keyPressEvent(QKeyEvent *event) {
     }
 }
 
-/// `about` stays where it is, years.
+/// Zooms with `about` fixed, years.
 void TrendChart::zoom(double factor, double about) {
     constexpr double shortest = 0.1; // years
     const double from = std::max(m_panel.x.from, about - (about - m_x->min()) * factor);

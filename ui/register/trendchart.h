@@ -16,8 +16,8 @@ class QScatterSeries;
 
 namespace palmer::ui {
 
-/// The trend of a parameter as a chart: hover names a test, a click chooses it, dragging a stretch of time
-/// enlarges it, the wheel enlarges about the pointer, a double click shows all of it again.
+/// The trend of a parameter as a chart: hovering names a test, a click chooses it, dragging zooms to a
+/// period, the wheel zooms about the pointer and a double click shows all.
 class TrendChart : public QChartView {
     Q_OBJECT
 
@@ -27,12 +27,12 @@ public:
     void setTrend(const MachineTrend &trend, const QDate &today);
     /// Marks the chosen tests (by digest) with the numbers of their curves.
     void setChosen(const std::map<QString, int> &numbers);
-    /// What a test is called under the pointer.
+    /// Label of a test under the pointer.
     [[nodiscard]] QString label(std::size_t value) const;
     [[nodiscard]] const TrendPanel &panel() const { return m_panel; }
     [[nodiscard]] const MachineTrend &trend() const { return m_trend; }
     void showAll();
-    /// In by so many steps of the wheel about the middle, out where negative.
+    /// Zooms in about the middle by so many wheel steps, or out if negative.
     void zoomBy(int steps);
 
 signals:
@@ -56,7 +56,7 @@ private:
     [[nodiscard]] QPointF place(const QPointF &value) const;
     [[nodiscard]] std::optional<std::size_t> valueAt(const QPointF &position) const;
     void drawToday(QPainter &painter, const QRectF &plot, double today) const;
-    [[nodiscard]] bool isFree(const QRectF &area) const; ///< of limits and values
+    [[nodiscard]] bool isFree(const QRectF &area) const; ///< by limits and values
     void drawInterventions(QPainter &painter, const QRectF &plot) const;
     void drawInterventionNames(QPainter &painter, const QRectF &plot) const;
     void drawForbidden(QPainter &painter, const QRectF &plot) const;
@@ -69,7 +69,7 @@ private:
     MachineTrend m_trend;
     TrendPanel m_panel;
     QDate m_today;
-    std::vector<const TrendEntry *> m_entries; ///< of the values of the panel
+    std::vector<const TrendEntry *> m_entries; ///< per value of the panel
     std::map<QString, int> m_chosen;
     std::optional<std::size_t> m_hovered;
     QPointF m_pressed;

@@ -8,8 +8,8 @@
 
 namespace palmer::ui {
 
-/// The files of the register that cannot be read or are not found any more, each with its reason. Those that
-/// are not found can be taken out: accepted then.
+/// The files of the register that cannot be read or found, each with its reason. Accepted if those not found
+/// are to be removed.
 class TroubledFiles : public QDialog {
     Q_OBJECT
 

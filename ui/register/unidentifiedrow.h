@@ -6,7 +6,7 @@
 
 namespace palmer::ui {
 
-/// The row below the list of machines that shows those without serial number instead, while it is checked.
+/// The row below the list of machines that, while checked, shows those without serial number instead.
 class UnidentifiedRow : public QAbstractButton {
     Q_OBJECT
 

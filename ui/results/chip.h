@@ -9,14 +9,14 @@
 
 namespace palmer::ui {
 
-/// A short word with its mark on a coloured ground: a verdict, a count of what is missing.
+/// A short text with a mark on a coloured background, e.g. a verdict or a count of missing statements.
 class Chip : public QWidget {
     Q_OBJECT
 
 public:
     explicit Chip(QWidget *parent = nullptr);
 
-    /// A text that is wider than the chip ends in an ellipsis: where that may be, it needs a tooltip.
+    /// A text wider than the chip is elided, and then needs a tooltip.
     void setContent(const QString &text, const QString &icon, Token colour, Token ground);
     [[nodiscard]] QString text() const { return m_text; }
 

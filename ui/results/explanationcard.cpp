@@ -70,7 +70,7 @@ ExplanationCard::ExplanationCard(Selection &selection, QWidget *parent)
     foot->addStretch();
     foot->addWidget(m_keys);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, 2, pageMargin, 2); // no higher than the card of a target
+    layout->setContentsMargins(pageMargin, 2, pageMargin, 2); // no higher than the target card
     layout->setSpacing(1);
     layout->addLayout(head);
     layout->addLayout(body, 1);

@@ -16,8 +16,8 @@ namespace palmer::ui {
 class ExplanationView;
 class TargetBarsView;
 
-/// Where the result chosen comes from: formula, the numbers of this test put in, clause, and what each target
-/// contributes. Closing it leaves the selection without a parameter.
+/// Explains the chosen result: formula, the numbers of this test inserted, clause, and the contribution of
+/// each target. Closing it clears the selected parameter.
 class ExplanationCard : public QWidget {
     Q_OBJECT
 
@@ -27,11 +27,11 @@ public:
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
 
-    /// Puts the explanation on the clipboard as text.
+    /// Copies the explanation to the clipboard as text.
     void copy();
 
 signals:
-    /// What was done and cannot be seen, for the status bar.
+    /// Status bar message about an action without visible effect.
     void said(const QString &text);
 
 protected:

@@ -14,7 +14,7 @@ namespace {
 constexpr double stepIndent = 24;
 constexpr double gap = 5;
 
-/// A sentence, broken at its spaces as a formula without subscripts.
+/// A sentence, wrapped at spaces like a formula without subscripts.
 Formula sentence(const QString &text) {
     return Formula{{{text}}};
 }

@@ -8,7 +8,7 @@
 
 namespace palmer::ui {
 
-/// Formula, steps and words of an explanation, broken into lines.
+/// Formula, steps and text of an explanation, wrapped.
 class ExplanationView : public QWidget {
     Q_OBJECT
 

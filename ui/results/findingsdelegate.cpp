@@ -43,7 +43,7 @@ void FindingsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &opti
     const FindingsModel::Line &line = static_cast<const FindingsModel *>(index.model())->line(index.row());
     const QPalette &palette = option.palette;
     const QRect row = option.rect;
-    // Who comes with the keyboard has a current row before it is selected.
+    // With the keyboard, a row becomes current before it is selected.
     const auto *list = qobject_cast<const QAbstractItemView *>(option.widget);
     const bool current = list && list->hasFocus() && list->currentIndex() == index;
     if (current)

@@ -8,7 +8,7 @@ namespace palmer::ui {
 
 inline constexpr int findingRowHeight = 24;
 
-/// Draws a finding: mark of its grade, sentence, clause at the right.
+/// Draws a finding: mark of its grade, sentence, clause on the right.
 class FindingsDelegate : public QStyledItemDelegate {
     Q_OBJECT
 

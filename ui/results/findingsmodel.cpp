@@ -38,7 +38,7 @@ QString FindingsModel::pageName(Page page) {
         return tr("Limits");
     case Page::uncertainty:
         return tr("Uncertainty");
-    case Page::diagnosis: // an interpretation: nothing is missing there
+    case Page::diagnosis: // only an interpretation, nothing is missing
         break;
     }
     return {};
@@ -73,7 +73,7 @@ void FindingsModel::show(const EvaluatedDocument &evaluated, std::size_t test, P
     endResetModel();
 }
 
-/// Those that are mended on the page, a line each.
+/// Adds a line for each finding that is resolved on the page.
 void FindingsModel::addFindings(const std::vector<Finding> &findings, const Document &document, Page page,
                                 const Language &language) {
     std::vector<const Finding *> here;
@@ -89,7 +89,7 @@ void FindingsModel::addFindings(const std::vector<Finding> &findings, const Docu
     }
 }
 
-/// One line for what is found on another page, if anything is.
+/// Adds one line for the findings of another page, if any.
 void FindingsModel::addPage(const std::vector<Finding> &findings, const Document &document, Page page) {
     int all = 0;
     int missing = 0;
@@ -115,7 +115,7 @@ QString FindingsModel::summaryOf(const std::vector<Finding> &findings) {
     for (const Finding &finding : findings)
         ++counts.at(static_cast<std::size_t>(finding.grade));
     QStringList parts;
-    const RequirementCounts asked = countRequirements(findings); // as the verdict counts them
+    const RequirementCounts asked = countRequirements(findings); // as counted for the verdict
     if (asked.unmet > 0)
         parts << tr("%n requirement(s) not met", nullptr, asked.unmet);
     if (asked.undeclared > 0)

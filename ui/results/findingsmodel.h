@@ -11,8 +11,8 @@
 
 namespace palmer::ui {
 
-/// The findings of a test as a list: those of the page in view one by one, those of other pages as one line
-/// per page.
+/// The findings of a test as a list: those of the page in view one by one, those of each other page as one
+/// line.
 class FindingsModel : public QAbstractListModel {
     Q_OBJECT
 
@@ -20,14 +20,14 @@ public:
     struct Line {
         Grade grade = Grade::note;
         Page page = Page::readings;
-        QString id;     ///< of the field it speaks of; empty where the line stands for a page
-        QString text;   ///< as the report says it
-        QString clause; ///< empty where it is not known
+        QString id;     ///< of its field; empty if the line represents a page
+        QString text;   ///< as in the report
+        QString clause; ///< empty if unknown
     };
 
     using QAbstractListModel::QAbstractListModel;
 
-    /// `test` may be none of the document: there is nothing to show then.
+    /// Shows nothing if `test` is not in the document.
     void show(const EvaluatedDocument &evaluated, std::size_t test, Page page, const Language &language);
     [[nodiscard]] const Line &line(int row) const { return m_lines[static_cast<std::size_t>(row)]; }
     /// "7 required missing · 1 warning · 2 notes".

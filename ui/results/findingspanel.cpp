@@ -50,7 +50,7 @@ FindingsPanel::FindingsPanel(Selection &, QWidget *parent)
     setRows(usualRows);
     connect(m_list, &QAbstractItemView::clicked, this, &FindingsPanel::activate);
     connect(m_list, &QAbstractItemView::activated, this, [this](const QModelIndex &index) {
-        // A click was told already.
+        // A click was already reported.
         if (m_list->hasFocus() && !(QGuiApplication::mouseButtons() & Qt::LeftButton))
             activate(index);
     });

@@ -18,7 +18,7 @@ namespace palmer::ui {
 
 class ElidedLabel;
 
-/// What the edition asks for and the test does not have. Never in the way of anything.
+/// What the edition requires and the test lacks. Never blocks anything.
 class FindingsPanel : public QWidget {
     Q_OBJECT
 
@@ -27,15 +27,15 @@ public:
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
-    /// The page in view, whose findings stand first.
+    /// The page in view, whose findings come first.
     void setPage(Page page);
-    /// Folds the list away, or opens it again; the head stays.
+    /// Folds or unfolds the list; the header stays.
     void setFolded(bool folded);
-    void setRows(int rows); ///< that are in sight at once
+    void setRows(int rows); ///< visible at once
     [[nodiscard]] bool isFolded() const { return m_folded; }
 
 signals:
-    /// A finding was chosen: go to the page, and to the field of `id` (empty: the page alone).
+    /// A finding was chosen: show the page and focus the field of `id` (empty: only the page).
     void activated(palmer::ui::Page page, const QString &id);
     void foldedChanged(bool folded);
 

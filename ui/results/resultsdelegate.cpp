@@ -62,7 +62,7 @@ void paintScale(QPainter &painter, const QRect &area, const DecisionScale &scale
     painter.restore();
 }
 
-/// Of its verdict; that of a test which is not finished yet is dimmed.
+/// Colour of the verdict, dimmed while the test is unfinished.
 QColor colourOf(const ResultLine &line, bool provisional, const QPalette &palette) {
     const QColor colour =
         line.verdict ? token(verdictMark(line.verdict).colour, palette) : palette.color(QPalette::Text);
@@ -83,7 +83,7 @@ void paintVerdict(QPainter &painter, const QRect &cell, const ResultLine &line, 
                      QFontMetrics(font).elidedText(line.cell("verdict"), Qt::ElideRight, room.width()));
 }
 
-/// Who comes with the keyboard has a current row before it is selected.
+/// With the keyboard, a row becomes current before it is selected.
 bool isCurrentRow(const QStyleOptionViewItem &option, const QModelIndex &index) {
     const auto *table = qobject_cast<const QAbstractItemView *>(option.widget);
     return table && table->hasFocus() && table->currentIndex().row() == index.row();

@@ -10,18 +10,17 @@
 
 namespace palmer::ui {
 
-/// The results of a test as rows; beside them those of the same test before or after an adjustment, where
-/// there is one.
+/// The results of a test as rows, next to those of the same test before or after an adjustment, if any.
 class ResultsModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
-    /// The columns, as a report has them.
+    /// The columns, as in the report.
     [[nodiscard]] static const std::vector<const ResultColumn *> &columns();
     [[nodiscard]] static const ResultColumn &column(int place) {
         return *columns()[static_cast<std::size_t>(place)];
     }
-    /// The place of a column by its key.
+    /// Index of a column by its key.
     [[nodiscard]] static int columnOf(std::string_view key);
     [[nodiscard]] static bool isNumber(int place) { return column(place).look == ResultLook::number; }
 
@@ -36,7 +35,7 @@ public:
     enum class Names { full, brief, narrow }; ///< full: as in the standard
     [[nodiscard]] QString nameOf(int row, Names names) const;
     void setNames(Names names);
-    [[nodiscard]] int rowOf(const QString &id) const; ///< −1: none
+    [[nodiscard]] int rowOf(const QString &id) const; ///< −1 if there is none
 
     [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
     [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;

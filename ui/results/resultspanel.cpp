@@ -37,13 +37,13 @@ constexpr int mostRows = 13;
 constexpr int leastRows = 6;
 constexpr int symbolWidth = 40;
 constexpr int narrowSymbolWidth = 32;
-constexpr int symbolMargin = 14; ///< before a symbol and after it
+constexpr int symbolMargin = 14; ///< before and after a symbol
 constexpr int scaleWidth = 62;
 constexpr int cellMargin = 10;
 constexpr int narrowCellMargin = 5;
 constexpr int nameMargin = 8;
 
-/// A head without a look of its own: small words over their columns, a rule below.
+/// A plain header: small words over their columns, a rule below.
 class PlainHeader : public QHeaderView {
 public:
     explicit PlainHeader(QWidget *parent)
@@ -69,7 +69,7 @@ protected:
     }
 };
 
-/// As high as its rows; in a low window it gives way, down to a few, and scrolls.
+/// As high as its rows; in a low window shrinks to a few rows and scrolls.
 class ResultsTable : public QTableView {
 public:
     using QTableView::QTableView;
@@ -92,7 +92,7 @@ private:
     int m_rows = 0;
 };
 
-/// Of the head and the texts of a column, without margin.
+/// Width of the header and texts of a column, without margin.
 int widthOfResults(const ResultsModel &model, int column, const QFontMetrics &metrics) {
     int width = QFontMetrics(themeFont(TextSize::small))
                     .horizontalAdvance(model.headerData(column, Qt::Horizontal, Qt::DisplayRole).toString());
@@ -133,7 +133,8 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     m_chip->setObjectName(QStringLiteral("verdictChip"));
     m_limits->setObjectName(QStringLiteral("limitsChip"));
     m_accordance->setObjectName(QStringLiteral("accordanceChip"));
-    m_accordance->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed); // gives way; its tooltip says all
+    m_accordance->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed); // shrinks; its tooltip has the
+                                                                           // whole text
     m_copy->setObjectName(QStringLiteral("copyResults"));
     m_table->setObjectName(QStringLiteral("results"));
     m_rule->setProperty("secondary", true);
@@ -251,7 +252,7 @@ void ResultsPanel::refresh() {
         m_table->setCurrentIndex(m_model.index(row, 0));
 }
 
-/// The large word, and beside it what it does not say: limits and accordance, each by itself.
+/// Shows the verdict and, next to it, its two statements, limits and accordance.
 void ResultsPanel::showVerdict() {
     const ResultTable &table = m_model.table();
     const bool any = !table.view && !table.lines.empty();
@@ -275,7 +276,7 @@ void ResultsPanel::showVerdict() {
     VerdictMark limits = limitsMark(evaluation.verdict, anyLimit);
     if (table.provisional)
         limits.colour = Token::secondaryText;
-    m_chip->setVisible(table.provisional || m_chip->text() != limits.word); // not the same twice
+    m_chip->setVisible(table.provisional || m_chip->text() != limits.word); // not the same word twice
     m_limits->setContent(limits.word, limits.icon, limits.colour, groundOf(limits.colour));
     const VerdictMark edition = accordanceMark(accordance);
     const RequirementCounts counts = countRequirements(evaluation.findings);
@@ -298,7 +299,7 @@ void ResultsPanel::fitColumns() {
         symbols = std::max(symbols, formulaWidth(m_model.line(row).symbol, bold) + symbolMargin);
     for (int place = 0; place < m_model.columnCount(); ++place)
         fitColumn(place, static_cast<int>(std::ceil(symbols)), metrics);
-    // What was before stands left of what is after, whichever of the two is in view.
+    // Results before an adjustment are left of those after it, whichever is in view.
     QHeaderView *header = m_table->horizontalHeader();
     const bool isFirst = m_model.table().otherIsFound;
     const int first = ResultsModel::columnOf(isFirst ? "other" : "value");
@@ -331,13 +332,13 @@ void ResultsPanel::fitColumn(int place, int symbols, const QFontMetrics &metrics
     }
     m_table->setColumnWidth(place, widthOfResults(m_model, place, metrics) +
                                        (m_narrow ? narrowCellMargin : cellMargin));
-    // In a narrow window names need the room of columns that say nothing.
+    // In a narrow window names need the width of empty columns.
     m_table->setColumnHidden(place,
                              (column.besideOnly && !other) || (m_narrow && saysNothing(m_model, place)));
 }
 
-/// The standard's own names where all of them fit, else shorter ones; those of circles, too, which tell the
-/// senses apart.
+/// Shows the standard's names if all fit, otherwise shorter ones, which still distinguish the senses of
+/// circles.
 void ResultsPanel::fitNames() {
     using Names = ResultsModel::Names;
     const QFontMetrics metrics(m_table->font());
@@ -355,7 +356,7 @@ void ResultsPanel::fitNames() {
                                                    : Names::narrow);
 }
 
-/// Which tests stand beside each other.
+/// Note that identifies the tests shown side by side.
 QString ResultsPanel::rolesNote() const {
     const ResultTable &table = m_model.table();
     const auto name = [&](std::size_t test) {

@@ -20,9 +20,8 @@ class ElidedLabel;
 class ResultsDelegate;
 class Chip;
 
-/// The results of the test in view: numbers, decision scale, verdicts; where it was measured before and after
-/// an adjustment, both beside each other in place of the scale. Arrows move, Enter or a click
-/// explains.
+/// The results of the test in view: numbers, decision scale, verdicts; if measured before and after an
+/// adjustment, both side by side instead of the scale. Arrows move, Enter or a click explains.
 class ResultsPanel : public QWidget {
     Q_OBJECT
 
@@ -31,14 +30,14 @@ public:
 
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
-    /// In narrow windows without decision scale.
+    /// Hides the decision scale in narrow windows.
     void setNarrow(bool narrow);
 
-    /// Puts the table on the clipboard: tab-separated for spreadsheets, HTML for texts.
+    /// Copies the table to the clipboard: tab-separated for spreadsheets, HTML for texts.
     void copy();
 
 signals:
-    /// What was done and cannot be seen, for the status bar.
+    /// Status bar message about an action without visible effect.
     void said(const QString &text);
 
 protected:
@@ -69,7 +68,7 @@ private:
     QLabel *m_title;
     ElidedLabel *m_rule;
     QLabel *m_viewNote;
-    Chip *m_chip;       ///< the large word
+    Chip *m_chip;       ///< the verdict
     Chip *m_limits;     ///< the first statement of the verdict
     Chip *m_accordance; ///< the second
     QToolButton *m_copy;

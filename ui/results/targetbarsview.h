@@ -9,8 +9,8 @@
 
 namespace palmer::ui {
 
-/// A bar per target for what a parameter is made of; the ruling one in the colour of explanations. A click
-/// makes its target the current one.
+/// A bar per target with its part in a parameter; the determining one in the colour of explanations. A click
+/// makes its target current.
 class TargetBarsView : public QWidget {
     Q_OBJECT
 

@@ -10,14 +10,14 @@
 
 namespace palmer::ui {
 
-/// A figure to look at, on the ground and in the colours of the theme.
+/// A static figure with background and colours of the theme.
 class FigureCard : public QWidget {
     Q_OBJECT
 
 public:
     explicit FigureCard(QWidget *parent = nullptr);
 
-    /// Nothing leaves the ground empty.
+    /// A null figure clears the card.
     void setFigure(std::optional<Figure> figure);
     [[nodiscard]] const std::optional<Figure> &figure() const { return m_figure; }
 
@@ -27,7 +27,7 @@ protected:
 
 private:
     std::optional<Figure> m_figure;
-    QPixmap m_drawn; ///< null: to be drawn
+    QPixmap m_drawn; ///< null if outdated
 };
 
 } // namespace palmer::ui

@@ -24,12 +24,12 @@ constexpr int markSize = 16;
 constexpr double widestHistogram = 180;
 constexpr double outdatedOpacity = 0.4;
 
-/// What the mark and the words of a warning take at the right of a cell.
+/// Width of a warning's mark and words on the right of a cell.
 int warningWidth(const QString &warning, const QFontMetrics &metrics) {
     return warning.isEmpty() ? 0 : markSize + 4 + metrics.horizontalAdvance(warning) + tablePadding;
 }
 
-/// Texts as QuietDelegate has them, bold where they are to be, and the pictures of the roles.
+/// Draws texts as QuietDelegate, bold if set, and the pictures of the roles.
 class RowDelegate : public QuietDelegate {
 public:
     explicit RowDelegate(RowTable *table)
@@ -43,7 +43,7 @@ public:
             shown.font = font.value<QFont>();
             shown.fontMetrics = QFontMetrics(shown.font);
         }
-        shown.state &= ~QStyle::State_HasFocus; // the row is what is chosen
+        shown.state &= ~QStyle::State_HasFocus; // the whole row is selected
         const QString warning = index.data(RowTable::warningRole).toString();
         const QFont small = themeFont(TextSize::small);
         const int room = warningWidth(warning, QFontMetrics(small));
@@ -165,7 +165,7 @@ void RowTable::fitColumns() {
         widths.push_back(column == m_flexible || isColumnHidden(column) ? 0 : wantedWidth(column));
         left -= widths.back();
     }
-    for (const int column : m_elided) { // the last ones give way first
+    for (const int column : m_elided) { // the last ones shrink first
         int &width = widths.at(static_cast<std::size_t>(column));
         const int taken = std::clamp(m_least - left, 0, width / 2);
         width -= taken;
@@ -206,7 +206,7 @@ QSize RowTable::minimumSizeHint() const {
     return {0, heightOfHead};
 }
 
-/// All rows are in view: the page scrolls.
+/// All rows are visible: leave the wheel to the page.
 void RowTable::wheelEvent(QWheelEvent *event) {
     event->ignore();
 }

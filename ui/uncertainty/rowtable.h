@@ -11,35 +11,35 @@
 
 namespace palmer::ui {
 
-/// A quiet table of a page that scrolls as a whole: every row is in view, a row is chosen as one. Cells are
-/// texts, or hold one of the pictures below.
+/// A quiet table without scrolling, on a page that scrolls as a whole; rows are selected. Cells contain a
+/// text or one of the pictures below.
 class RowTable : public QTableWidget {
     Q_OBJECT
 
 public:
-    /// What a cell may hold besides its text.
+    /// Content of a cell besides its text.
     enum Role {
-        barRole = Qt::UserRole + 1, ///< double: a bar, this part (0 … 1) of the cell
-        firstRole,                  ///< bool: of a bar, it is what is to be improved first
-        histogramRole,              ///< index of a histogram handed over with setHistograms()
-        warningRole,                ///< QString: a warning mark and these words behind the text
-        outdatedRole,               ///< bool: a histogram stands back
-        keyRole,                    ///< of the first cell of a row: what the row stands for
+        barRole = Qt::UserRole + 1, ///< double: a bar over this part (0 … 1) of the cell
+        firstRole,                  ///< bool: the bar is the first to improve
+        histogramRole,              ///< index of a histogram set with setHistograms()
+        warningRole,                ///< QString: a warning mark with these words after the text
+        outdatedRole,               ///< bool: the histogram is dimmed
+        keyRole,                    ///< ID of the row, stored in its first cell
     };
 
     RowTable(const char *name, int columns, QWidget *parent);
 
-    /// `number`: at the right edge.
+    /// `number`: aligned right.
     void setHead(int column, const QString &text, bool number);
     QTableWidgetItem *setCell(int row, int column, const QString &text, bool number, bool bold = false);
     void setHistograms(std::vector<HistogramFigure> histograms);
     [[nodiscard]] const HistogramFigure *histogram(const QModelIndex &index) const;
-    /// As high as its rows, columns as wide as what they say; `flexible` takes what is left, of those in
-    /// `elided` is taken what is missing to its `least` width.
+    /// Fits the height to the rows and columns to their content; `flexible` takes the remaining width, of
+    /// which `elided` columns give up what its `least` width lacks.
     void fit(int flexible, int least, std::initializer_list<int> elided = {});
-    /// Key of a row, empty where there is none.
+    /// Key of a row; empty if there is none.
     [[nodiscard]] QString key(int row) const;
-    /// The row of a key; −1 for none.
+    /// The row of a key; −1 if there is none.
     [[nodiscard]] int rowOf(const QString &wanted) const;
 
     [[nodiscard]] QSize minimumSizeHint() const override;
@@ -58,7 +58,7 @@ private:
     std::vector<HistogramFigure> m_histograms;
 };
 
-/// Light or dark, as the palette is.
+/// Screen medium, light or dark according to the palette.
 [[nodiscard]] Medium screenMedium(const QPalette &palette);
 
 } // namespace palmer::ui

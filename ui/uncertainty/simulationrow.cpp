@@ -74,7 +74,7 @@ void SimulationRow::refresh() {
     m_cancel->setText(tr("Cancel"));
     m_cancel->setAccessibleName(tr("Cancel the simulation"));
     m_bar->setAccessibleName(tr("Progress of the simulation"));
-    // Where the button in use goes away the focus goes to the one in its place.
+    // If the focused button is hidden, the focus moves to the one in its place.
     const bool focused = m_start->hasFocus() || m_cancel->hasFocus();
     m_start->setVisible(!running);
     m_start->setEnabled(evaluation.uncertainty.wantsSimulation() && !evaluation.view);
@@ -92,7 +92,7 @@ void SimulationRow::refresh() {
         if (progress.of)
             m_bar->setValue(static_cast<int>(percent * progress.trials / *progress.of));
     } else if (const auto &simulation = evaluation.uncertainty.simulation) {
-        if (evaluation.uncertainty.outdated) // first: what has no room goes from the end
+        if (evaluation.uncertainty.outdated) // put first, as the last parts are elided
             parts << tr("outdated: edited since");
         parts << trials(simulation->trials) << tr("seed %1").arg(simulation->seed);
         if (simulation->stable && simulation->mayDecide())

@@ -13,8 +13,8 @@ class QPushButton;
 
 namespace palmer::ui {
 
-/// The simulation of the test in view, in one line: how many trials, how long it still takes, its progress,
-/// and the button that starts or cancels it. Nothing else is held up by it.
+/// The simulation of the test in view on one line: number of trials, time left, progress, and the button to
+/// start or cancel it. It blocks nothing else.
 class SimulationRow : public QWidget {
     Q_OBJECT
 
@@ -22,7 +22,7 @@ public:
     SimulationRow(Simulator &simulator, QWidget *parent);
 
     void show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language);
-    /// The focus to the button that starts it, or cancels what is running.
+    /// Focuses the button that starts or cancels the simulation.
     void focusButton();
 
 private:

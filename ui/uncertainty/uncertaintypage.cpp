@@ -79,7 +79,7 @@ QString withSign(double value, Quantity quantity, int decimals, const Language &
     return value > 0 ? QStringLiteral("+") + text : text;
 }
 
-/// A factor that is always there: an emptied field is the k = 2 of certificates.
+/// A coverage factor that always exists: an emptied field means the k = 2 of certificates.
 Member<Amount> coverageOf(Member<double> member) {
     return converted<Amount, double>(
         std::move(member), [](const double &k) { return Amount(k); },
@@ -103,7 +103,7 @@ Member<Amount> seedOf(Member<long long> member) {
         [](const Amount &seed) { return static_cast<long long>(seed.value_or(1)); });
 }
 
-/// The U stated for a parameter; an emptied field takes it out.
+/// The U stated for a parameter; emptying the field removes it.
 Member<Amount> statedFor(const Member<ExpandedUncertainties> &member, const std::string &id) {
     return {[read = member.read, id](const FormSource &source) {
                 const ExpandedUncertainties all = read(source);
@@ -122,7 +122,7 @@ Member<Amount> statedFor(const Member<ExpandedUncertainties> &member, const std:
             }};
 }
 
-/// Where E_VE comes from: 0 typed in, else the number of a drift test. A number that was typed in wins.
+/// Source of E_VE: 0 for a typed value, otherwise the number of a drift test. A typed value takes precedence.
 Member<int> environmentFrom(std::vector<std::string> drifts) {
     return {[drifts](const FormSource &source) {
                 int choice = 0;
@@ -149,13 +149,13 @@ Member<int> environmentFrom(std::vector<std::string> drifts) {
             }};
 }
 
-/// A result whose U can be entered: its key in the file and its symbol.
+/// A result whose U can be entered: its key in the file, and its symbol.
 struct StatedResult {
     std::string key;
     QString symbol;
 };
 
-/// The results of a test, those with an index once (the key of limits), and what the file states besides.
+/// The results of a test, indexed ones once (by the key of limits), and further ones stated in the file.
 std::vector<StatedResult> statedResults(const Test &test, const TestEvaluation &evaluation) {
     std::vector<StatedResult> results;
     const auto add = [&](const std::string &key, const QString &symbol) {
@@ -174,14 +174,14 @@ std::vector<StatedResult> statedResults(const Test &test, const TestEvaluation &
     return results;
 }
 
-/// As it stands within a sentence.
+/// In lower case, for use within a sentence.
 QString lowered(QString name) {
     if (!name.isEmpty())
         name[0] = name[0].toLower();
     return name;
 }
 
-/// Between two parts of the page.
+/// A rule between two parts of the page.
 QFrame *makeRule(QWidget *parent) {
     auto *rule = new QFrame(parent);
     rule->setProperty("rule", true);
@@ -191,7 +191,7 @@ QFrame *makeRule(QWidget *parent) {
 
 } // namespace
 
-/// What a contribution is called where there is little room: "Expansion, machine".
+/// Short name of a contribution, e.g. "Expansion, machine".
 QString UncertaintyPage::shortName(const Contribution &contribution) const {
     struct Name {
         const char *id = nullptr;
@@ -230,7 +230,7 @@ Quantity UncertaintyPage::deviation() const {
 
 QString UncertaintyPage::missingText(int count) const {
     const UncertaintyMethod *method = shownTest() ? methodOf(*shownTest()) : nullptr;
-    if (method && *method == UncertaintyMethod::none) // there is no budget that could miss anything
+    if (method && *method == UncertaintyMethod::none) // there is no budget to be incomplete
         return tr("uncertainty not stated");
     if (method && *method == UncertaintyMethod::direct)
         return tr("not every uncertainty stated");
@@ -239,7 +239,7 @@ QString UncertaintyPage::missingText(int count) const {
     return tr("%n input(s) of the budget missing", nullptr, count);
 }
 
-/// Nothing is to be stated: the simulation that is to decide was not started.
+/// True if the deciding simulation has not been started; nothing else needs to be stated.
 bool UncertaintyPage::awaitsSimulation() const {
     if (!m_simulation || test() >= evaluated().tests.size())
         return false;
@@ -318,7 +318,7 @@ void UncertaintyPage::prepare() {
         for (const StatedResult &result : statedResults(*shown, *evaluated().tests[test()]))
             wanted << QString::fromStdString(result.key);
     }
-    // What is being emptied keeps its field until the page is shown anew.
+    // The emptied value keeps its field until the page is shown again.
     const bool onlyLess =
         wanted.size() < m_built.size() && isAncestorOf(QApplication::focusWidget()) &&
         std::ranges::all_of(wanted, [&](const QString &word) { return m_built.contains(word); });
@@ -351,7 +351,7 @@ void UncertaintyPage::makeTypical() {
     addToBar(m_typical);
 }
 
-/// Which method decides.
+/// Buttons for the method that decides.
 void UncertaintyPage::addMethods() {
     beginRow();
     auto *bar = new QWidget(body());
@@ -375,7 +375,7 @@ void UncertaintyPage::addMethods() {
             [this](int id) { chooseMethod(methods.at(static_cast<std::size_t>(id))); });
     row->addStretch();
     addWidget(bar);
-    beginRow(); // beside the buttons there is no room for it
+    beginRow(); // it does not fit next to the buttons
     m_methodNote = new QLabel(body());
     m_methodNote->setObjectName(QStringLiteral("methodNote"));
     m_methodNote->setProperty("secondary", true);
@@ -408,7 +408,7 @@ void UncertaintyPage::fillTypical() {
     }
 }
 
-/// What E_VE is and where it comes from; the choice only where there is one.
+/// Value and source of E_VE; the choice is shown only if there are drift tests.
 void UncertaintyPage::addEnvironment(Quantity size, Member<Amount> member) {
     m_environment = addNumber(
         {"environmentalVariation", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Env. variation E_VE")},
@@ -423,7 +423,7 @@ void UncertaintyPage::addEnvironment(Quantity size, Member<Amount> member) {
               environmentFrom(m_drifts), false);
 }
 
-/// How the simulation is run.
+/// Settings of the simulation.
 void UncertaintyPage::addTrials(Member<std::optional<long long>> trials, Member<long long> seed) {
     m_trials = addNumber("trials", Quantity::count, trialsOf(std::move(trials)), 1, Allowed::counting);
     addNumber({"seed", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Seed")}, Quantity::count,
@@ -463,7 +463,7 @@ void UncertaintyPage::addInputs(const PositioningUncertaintyInputs & /*inputs*/)
     }
     addEnvironment(size, positioning<&Inputs::environmentalVariation>());
     if (!rotary) {
-        if (m_drifts.empty()) // the columns of the other rows
+        if (m_drifts.empty()) // aligns with the other rows
             addWidget(new QWidget(body()));
         beginRow();
         m_fields["temperatureMachine"] = addNumber(
@@ -558,7 +558,7 @@ void UncertaintyPage::addStatedUncertainties(const Edition &edition, bool rotary
                       1, Allowed::notNegative);
         field->setLabelArgument(result.symbol);
     }
-    for (; count % fieldsInRow != 0; ++count) // the last row has the columns of the others
+    for (; count % fieldsInRow != 0; ++count) // aligns the last row with the others
         addWidget(new QWidget(body()));
 }
 
@@ -628,7 +628,7 @@ void UncertaintyPage::addResults(bool linear) {
     }
 }
 
-/// How U goes into the verdict; the same fields as on the page of the limits.
+/// Use of U in the verdict; the same fields as on the limits page.
 void UncertaintyPage::addDecision() {
     beginRow();
     addWidget(makeRule(body()));
@@ -663,14 +663,14 @@ void UncertaintyPage::refreshOthers() {
     const TestEvaluation &evaluation = *evaluated().tests[test()];
     showMethods(evaluation);
     showPlaceholders(evaluation);
-    // Machine and instrument share the name of an input, of which one alone may be missing.
+    // Machine and instrument share the name of an input, though only one of them may be missing.
     for (const Contribution &contribution : evaluation.uncertainty.contributions) {
         const auto found = m_fields.find(contribution.id);
         if (found != m_fields.end() && contribution.defects.empty())
             found->second->setRequired(false);
     }
     if (evaluated().isPending(test()))
-        return; // the tables stay with what they were computed from
+        return; // the tables keep the former data until the results are ready
     if (m_contributions)
         showContributions(evaluation);
     if (m_results) {
@@ -714,7 +714,7 @@ void UncertaintyPage::showMethods(const TestEvaluation &evaluation) {
     m_typical->setVisible(usesContributions(method));
 }
 
-/// What is taken where a field is empty.
+/// Shows the values used for empty fields.
 void UncertaintyPage::showPlaceholders(const TestEvaluation &evaluation) {
     if (m_perMetre)
         m_perMetre->setUnit(tr("%1/m").arg(language().unit(
@@ -738,7 +738,7 @@ void UncertaintyPage::showPlaceholders(const TestEvaluation &evaluation) {
     }
 }
 
-/// E_VE of the drift test that is taken; empty where none is.
+/// E_VE of the selected drift test; empty if there is none.
 QString UncertaintyPage::driftPlaceholder() const {
     const std::string *id = driftTestOf(*shownTest());
     for (const TestPointer &drift : driftTestsFor(*evaluated().document, *shownTest())) {
@@ -848,7 +848,7 @@ void UncertaintyPage::nameResultColumns(UncertaintyMethod method) {
     m_results->setHead(column::budget, (linear ? tr("Annex A") : tr("Budget")) + tr(", k = 2"), true);
     m_results->setHead(column::actual, tr("actual targets"), true);
     m_results->setHead(column::simulation, tr("Monte Carlo, 95.45 %"), true);
-    // There is little room: the report has this line in any case.
+    // Space is short, and the report always has this line.
     m_results->setColumnHidden(column::actual, method != UncertaintyMethod::budgetActual);
     m_results->setHead(column::interval, tr("interval"), true);
     m_results->setHead(column::distribution, tr("distribution"), false);
@@ -856,7 +856,7 @@ void UncertaintyPage::nameResultColumns(UncertaintyMethod method) {
     m_results->setHead(column::difference, tr("difference"), false);
 }
 
-/// The U of all methods; nothing yet in the columns of the simulation alone.
+/// Shows the U of all methods; the columns of the simulation remain empty.
 void UncertaintyPage::showResult(int row, const Parameter &parameter, const TestEvaluation &evaluation) {
     namespace column = resultColumn;
     const Quantity quantity = deviation();
@@ -873,7 +873,7 @@ void UncertaintyPage::showResult(int row, const Parameter &parameter, const Test
     symbol->setData(RowTable::keyRole, QString::fromStdString(parameterId(parameter)));
     const auto showMethod = [&](int at, const std::optional<double> &value, UncertaintyMethod method) {
         const bool decides = parameter.decidedBy == method;
-        // The U that decides reads as in the results.
+        // The deciding U is formatted as in the results.
         const QString text =
             value && decides
                 ? QStringLiteral("± ") +
@@ -898,7 +898,7 @@ void UncertaintyPage::showResult(int row, const Parameter &parameter, const Test
                            empty != column::difference);
 }
 
-/// Interval and shift of a parameter that was simulated, and how sure its U is.
+/// Shows interval and shift of a simulated parameter, and how certain its U is.
 void UncertaintyPage::showSimulated(int row, const Parameter &parameter) {
     namespace column = resultColumn;
     const SimulatedParameter &simulated = *parameter.simulated;
@@ -930,7 +930,7 @@ void UncertaintyPage::showSimulated(int row, const Parameter &parameter) {
     }
 }
 
-/// What a simulation before the last edit gave stands back, and nothing of it is bold.
+/// Dims the results of a simulation made before the last edit; none of them is bold.
 void UncertaintyPage::showOutdated(int row) {
     namespace column = resultColumn;
     for (const int at :
@@ -948,7 +948,7 @@ void UncertaintyPage::showOutdated(int row) {
     }
 }
 
-/// Of the U of the simulation from that of the budget.
+/// Shows the difference of the simulation's U from the budget's.
 void UncertaintyPage::showDifference(int row, const Parameter &parameter) {
     const double ratio = parameter.simulated->expanded() / *parameter.budgetUncertainty - 1;
     constexpr double percent = 100;
@@ -964,7 +964,7 @@ void UncertaintyPage::showDifference(int row, const Parameter &parameter) {
     }
 }
 
-/// The histogram of the result that is chosen in the table.
+/// Shows the histogram of the result selected in the table.
 void UncertaintyPage::showDistribution() {
     if (!m_distribution || test() >= evaluated().tests.size())
         return;

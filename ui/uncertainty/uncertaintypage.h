@@ -21,9 +21,9 @@ class FigureCard;
 class RowTable;
 class SimulationRow;
 
-/// How the uncertainty of a test is found: the method that decides, its inputs, the contributions of the
-/// budget with the largest first, the U of each result by budget and simulation side by side with the
-/// distribution of the trials, and the decision rule. The simulation is started here, never by an edit.
+/// The uncertainty of a test: the method that decides, its inputs, the contributions of the budget in
+/// descending order, the U of each result by budget and simulation side by side with the distribution of the
+/// trials, and the decision rule. The simulation is only started here, never by an edit.
 class UncertaintyPage : public Form {
     Q_OBJECT
 
@@ -72,12 +72,12 @@ private:
     [[nodiscard]] Quantity deviation() const;
 
     Simulator m_simulator;
-    QStringList m_built;                  ///< for which kind of test, edition and method there are fields
+    QStringList m_built;                  ///< kind of test, edition and method the fields were built for
     QString m_chosen;                     ///< parameter whose distribution is shown
-    std::vector<std::string> m_drifts;    ///< ids of the drift tests offered
-    std::vector<QByteArray> m_driftNames; ///< likewise, UTF-8
-    // Parts that are made anew with the fields; null where the method has no use for them.
-    std::map<std::string, Field *> m_fields; ///< by contribution: where its size is entered
+    std::vector<std::string> m_drifts;    ///< IDs of the drift tests offered
+    std::vector<QByteArray> m_driftNames; ///< their names, UTF-8
+    // Parts rebuilt with the fields; null if the method does not use them.
+    std::map<std::string, Field *> m_fields; ///< field of its size by contribution
     std::array<QToolButton *, 5> m_methods{};
     QLabel *m_methodNote = nullptr;
     QToolButton *m_typical = nullptr;

@@ -13,8 +13,7 @@ namespace palmer::ui {
 
 namespace {
 
-/// The titles inside the files are data; these are the names in the list, which is there before any file is
-/// read.
+/// Names of the examples in the list, which is shown before any file is read; titles in the files are data.
 struct Row {
     const char *file = nullptr;
     const char *name = nullptr;
@@ -50,7 +49,7 @@ constexpr std::array rows{
         true},
 };
 
-// What an example of the kind holds.
+// Content of an example by kind of test.
 
 QString words(const PositioningMeasurement &measurement, const Test &test) {
     const char *counted = QT_TRANSLATE_N_NOOP("examples", "%1 · %2 targets, %n run(s)");

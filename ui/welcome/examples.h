@@ -7,7 +7,7 @@
 
 namespace palmer::ui {
 
-/// An example the program carries.
+/// A built-in example.
 struct Example {
     QString path; ///< in the resources
     QString name; ///< in the window's language
@@ -18,10 +18,10 @@ struct Example {
 /// The examples, the published one first.
 [[nodiscard]] std::vector<Example> examples();
 
-/// Edition and size of an example, in the window's language; reads it.
+/// Edition and size of an example, in the window's language; reads the file.
 [[nodiscard]] QString exampleDetail(const QString &path);
 
-/// Whether the path is that of an example, which is opened as a document without file.
+/// True if the path is that of an example, which is opened as a document without file.
 [[nodiscard]] bool isExample(const QString &path);
 
 } // namespace palmer::ui

@@ -18,7 +18,7 @@ namespace {
 constexpr std::size_t mostFiles = 12;
 constexpr auto arrayKey = "recentFiles";
 
-// Words of the settings; none may change, or former entries lose their verdict.
+// Settings values; never change them, or former entries lose their verdict.
 template <class Enumeration>
 QString word(std::optional<Enumeration> value) {
     return value ? QString::fromLatin1(fileWord(*value)) : QString();

@@ -12,32 +12,32 @@
 
 namespace palmer::ui {
 
-/// A file that was opened or saved, with what the welcome page says of it.
+/// A file opened or saved before, with its description on the welcome page.
 struct RecentFile {
     QString path;
     QString machine;
     QString axes; ///< "X, Y, XY"
-    QDate date;   ///< of the latest test; null: not stated
+    QDate date;   ///< of the latest test; null if not stated
     bool circular = false;
-    std::optional<Verdict> verdict;            ///< on the limits, of the report
-    std::optional<Accordance> accordance = {}; ///< the worst of the tests it rests on; null: not known
+    std::optional<Verdict> verdict;            ///< on the limits, as in the report
+    std::optional<Accordance> accordance = {}; ///< the worst of the tests it is based on; null if unknown
 
     bool operator==(const RecentFile &) const = default;
 };
 
-/// What a document says of itself on the welcome page.
+/// Description of a document for the welcome page.
 [[nodiscard]] RecentFile describeFile(const QString &path, const EvaluatedDocument &evaluated);
 
-/// The files opened last, the latest first, without those that are gone; kept in the settings of the user.
+/// Recently opened files, latest first, without missing ones; stored in the user's settings.
 [[nodiscard]] std::vector<RecentFile> recentFiles();
 
-/// The name of a file, with as many of its folders as tell it from the others.
+/// File name with as many folders as needed to distinguish it from the others.
 [[nodiscard]] QString shortName(const RecentFile &file, const std::vector<RecentFile> &others);
 
 /// Empties the list.
 void forgetFiles();
 
-/// Puts a file first in the list; twelve are kept.
+/// Moves a file to the front of the list, which is limited to twelve.
 void rememberFile(const RecentFile &file);
 
 } // namespace palmer::ui

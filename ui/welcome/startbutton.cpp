@@ -20,7 +20,7 @@ constexpr int lineHeight = 18;
 constexpr int pictureHeight = 98;
 constexpr int pictureMargin = 16;
 
-// What a picture shows is nobody's measurement: the shapes of one, from 0 to 1.
+// Illustration only, not a measurement; values from 0 to 1.
 constexpr int points = 11;
 constexpr std::array upward{0.62, 0.45, 0.80, 0.38, 0.97, 0.72, 0.80, 0.72, 0.84, 0.80, 0.83};
 constexpr std::array downward{0.38, 0.16, 0.58, 0.26, 0.98, 0.76, 0.76, 0.74, 0.70, 0.68, 0.54};
@@ -123,7 +123,7 @@ void StartButton::paintPicture(QPainter &painter, const QRectF &area) const {
     drawTrace(painter, area.center(), radius, -0.1, down);
 }
 
-/// Painted once: under the pointer and with the keyboard the ground alone is another.
+/// Painted once: hover and focus change only the background.
 const QPixmap &StartButton::picture() {
     const double ratio = devicePixelRatioF();
     const QSize wanted(width(), height() - textHeight - lineHeight);
@@ -172,7 +172,7 @@ void StartButton::paintEvent(QPaintEvent *) {
     const int title = QFontMetrics(titleFont).size(Qt::TextShowMnemonic, text()).width();
     painter.setFont(themeFont(TextSize::tiny));
     const int keys = painter.fontMetrics().horizontalAdvance(m_shortcut) + 8;
-    const bool above = title + keys <= upper.width(); // else the keys give way to the title
+    const bool above = title + keys <= upper.width(); // otherwise the shortcut moves down
     painter.setPen(token(Token::secondaryText, palette()));
     painter.drawText(above ? upper : lower, Qt::AlignRight | Qt::AlignVCenter, m_shortcut);
     painter.setFont(themeFont(TextSize::small));

@@ -9,8 +9,8 @@ class QPainter;
 
 namespace palmer::ui {
 
-/// A card to click: icon, title with its shortcut, one line of explanation; the large one with a picture of
-/// what it makes above them and the standard below the title.
+/// A clickable card: icon, title with shortcut and a line of explanation; the large one also has a picture of
+/// the result above and the standard below the title.
 class StartButton : public QAbstractButton {
     Q_OBJECT
 
@@ -19,10 +19,10 @@ public:
 
     explicit StartButton(QString icon, QWidget *parent = nullptr, Picture picture = Picture::none);
 
-    /// The text of the button is its title; `&` marks the mnemonic.
+    /// `title` is the button's text; `&` marks the mnemonic.
     void setTexts(const QString &title, const QString &detail, const QString &shortcut);
 
-    /// By which standard the new test can be evaluated, on a line of its own.
+    /// Standard for evaluating the new test, on a separate line.
     void setStandard(const QString &standard);
 
     [[nodiscard]] QSize sizeHint() const override;
@@ -42,7 +42,7 @@ private:
     QString m_detail;
     QString m_standard;
     QString m_shortcut;
-    QPixmap m_painted; ///< the picture; null: to be painted
+    QPixmap m_painted; ///< cached picture; null if outdated
 };
 
 } // namespace palmer::ui

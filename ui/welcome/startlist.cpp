@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    /// One line: what it is and of which year.
+    /// One line: name and year.
     static void paintLine(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) {
         const QRect area = option.rect;
         const QColor text = option.palette.color(QPalette::WindowText);
@@ -188,7 +188,7 @@ QSize StartList::sizeHint() const {
     if (!isCompact())
         return {200, rowHeight * std::min(model()->rowCount(), m_mostRows)};
     const int lines = (model()->rowCount() + columns() - 1) / columns();
-    return {leastColumn, lineHeight * lines + 2}; // what fills it to the last pixel Qt wraps already
+    return {leastColumn, lineHeight * lines + 2}; // Qt wraps a row that fills the last pixel
 }
 
 QSize StartList::minimumSizeHint() const {
@@ -203,7 +203,7 @@ void StartList::resizeEvent(QResizeEvent *event) {
     }
 }
 
-/// It looks the same in the window in front and behind others: at the start it is not painted twice.
+/// Looks the same in active and inactive windows: avoids painting twice at the start.
 bool StartList::viewportEvent(QEvent *event) {
     if (event->type() == QEvent::WindowActivate || event->type() == QEvent::WindowDeactivate)
         return true;

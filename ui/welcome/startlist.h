@@ -11,7 +11,7 @@
 
 namespace palmer::ui {
 
-/// A file that a list of the welcome page offers.
+/// A file offered in a list of the welcome page.
 struct StartEntry {
     QString path;
     QString icon;
@@ -48,8 +48,8 @@ private:
     std::vector<StartEntry> m_entries;
 };
 
-/// Files to start from; a click or Enter chooses one. Of two lines each and as high as its rows, up to
-/// `mostRows`; or of one line each, in as many columns as the width has room for, all in sight.
+/// Files to start from; a click or Enter chooses one. Either two lines each, as high as its rows up to
+/// `mostRows`, or one line each in as many columns as fit, all visible.
 class StartList : public QListView {
     Q_OBJECT
 
@@ -60,7 +60,7 @@ public:
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override;
     [[nodiscard]] bool isCompact() const { return m_mostRows == 0; }
-    /// Of an entry of one line.
+    /// Size of a one-line entry.
     [[nodiscard]] QSize compactSize() const;
 
     static constexpr int rowHeight = 52;

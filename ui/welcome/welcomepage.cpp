@@ -30,7 +30,7 @@ QString kindIcon(bool circular) {
     return circular ? QStringLiteral("circle") : QStringLiteral("axis");
 }
 
-/// "ISO 230-2 · 1988, 1997, 2006, 2014": what a new test of the kind can be evaluated by.
+/// "ISO 230-2 · 1988, 1997, 2006, 2014": editions for evaluating a new test of the kind.
 QString standardOf(Kind kind) {
     QString standard;
     QStringList years;
@@ -45,7 +45,7 @@ QString standardOf(Kind kind) {
     return standard + QStringLiteral(" · ") + years.join(QStringLiteral(", "));
 }
 
-/// The dashed field that says where files may be dropped; the whole window takes them.
+/// Dashed frame that tells where to drop files; the whole window accepts them.
 class DropField : public QLabel {
 public:
     explicit DropField(QWidget *parent)
@@ -68,7 +68,7 @@ protected:
     }
 };
 
-/// A card with a title row and a list below it.
+/// A card with a title row and a list below.
 QFrame *makeCard(QWidget *parent, QLabel *title, QLabel *note, const QList<QWidget *> &content) {
     auto *card = new QFrame(parent);
     card->setProperty("card", true);

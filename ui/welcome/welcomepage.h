@@ -13,14 +13,14 @@ namespace palmer::ui {
 
 class StartButton;
 
-/// What a window shows before a file is open: ways to start, the files opened last, the examples.
+/// The window's page before a file is open: ways to start, recent files, examples.
 class WelcomePage : public QWidget {
     Q_OBJECT
 
 public:
     explicit WelcomePage(QWidget *parent = nullptr);
 
-    /// Reads the recent files anew.
+    /// Reads the recent files again.
     void refresh();
 
 signals:
@@ -39,9 +39,9 @@ private:
 
     StartModel m_recent;
     StartModel m_examples;
-    // Parts are made in the place they keep: to move them costs the styles of all below them anew.
+    // Parts are made with their final parent: reparenting recomputes all styles below them.
     QScrollArea *m_place;
-    QWidget *m_page; ///< on low screens higher than its place
+    QWidget *m_page; ///< scrolls on low screens
     QWidget *m_body;
     QLabel *m_subtitle;
     QLabel *m_dropHint;
