@@ -16,7 +16,7 @@ namespace {
 /// The double of the decimal that was written: a change of unit may miss it by the last bit, which a table
 /// that shows all digits would tell.
 void tidy(std::vector<double> &values) {
-    constexpr double grid = 1e10; // finer than anybody writes millimetres or degrees
+    constexpr double grid = 1e10; // finer than anyone writes millimetres or degrees
     constexpr double lastBits = 4 * std::numeric_limits<double>::epsilon();
     for (double &value : values) {
         const double decimal = std::round(value * grid) / grid;

@@ -12,7 +12,7 @@
 
 namespace palmer {
 
-/// One reading of a drift test: s, and mm (rotary: degrees).
+/// A reading of a drift test: s, and mm (rotary: degrees).
 struct DriftReading {
     double time = 0;
     double deviation = 0;
@@ -20,20 +20,20 @@ struct DriftReading {
     bool operator==(const DriftReading &) const = default;
 };
 
-// Edits of the readings of a drift test. Rows count from 0; tests of other kinds stay as they are.
+// Edits of the readings of a drift test. Rows count from 0; other kinds of test are unchanged.
 
-/// Puts readings from `row` on in the place of those that are there; what lies beyond the end is added.
+/// Replaces readings from `row` on; those beyond the end are appended.
 void setDriftReadings(Test &test, std::size_t row, const std::vector<DriftReading> &readings);
 
-/// Removes readings; those beyond the end are none.
+/// Removes readings; rows beyond the end are ignored.
 void removeDriftReadings(Test &test, std::size_t row, std::size_t count);
 
 struct PastedDrift : Pasted {
     std::vector<DriftReading> readings;
 };
 
-/// A table of times and deviations, read as a file is; where it says no units, times are in s and deviations
-/// in the unit shown. `answers`: to its questions, and other units. Throws Error for what is none.
+/// Reads a table of times and deviations as a file is read; without units, times are in s and deviations in
+/// the displayed unit. `answers`: to its questions, and other units. Throws Error if it is not such a table.
 [[nodiscard]] PastedDrift driftReadingsFrom(const std::string &pasted, Motion motion,
                                             const DisplayUnits &units = {},
                                             const ImportOptions &answers = {});

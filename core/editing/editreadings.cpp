@@ -16,9 +16,9 @@ namespace palmer {
 
 namespace {
 
-constexpr double firstInterval = 100; ///< mm or degrees, where there is no other to follow
+constexpr double firstInterval = 100; ///< mm or degrees, if there is no other interval
 
-/// Both kinds of readings that stand beside the runs count from 1.
+/// Excluded and refused readings count runs and targets from 1.
 template <class Beside>
 bool isAt(const Beside &reading, const ReadingPlace &place) {
     return reading.run == static_cast<int>(place.run) + 1 &&
@@ -38,7 +38,7 @@ void forget(PositioningMeasurement &measurement, const ReadingPlace &place) {
     std::erase_if(measurement.refused, there);
 }
 
-/// Indices in descending order, each once, as far as they exist: removing one leaves the rest where it is.
+/// Existing indices in descending order without repetition, so that removing one does not shift the others.
 std::vector<std::size_t> fromTheEnd(std::span<const std::size_t> indices, std::size_t size) {
     const std::set<std::size_t, std::greater<>> ordered(indices.begin(), indices.end());
     std::vector<std::size_t> result(ordered.begin(), ordered.end());
@@ -53,7 +53,7 @@ int &indexOf(Beside &reading, Index which) {
     return which == Index::run ? reading.run : reading.target;
 }
 
-/// Runs (targets) from `index` on, counted from 0, have one more before them.
+/// Shifts runs (targets) from `index`, counted from 0, up by one.
 void shiftUp(PositioningMeasurement &measurement, Index which, std::size_t index) {
     const auto shift = [&](auto &readings) {
         for (auto &reading : readings) {
@@ -65,7 +65,7 @@ void shiftUp(PositioningMeasurement &measurement, Index which, std::size_t index
     shift(measurement.refused);
 }
 
-/// Run (target) `index` is gone.
+/// Removes run (target) `index` and shifts those after it down.
 void shiftDown(PositioningMeasurement &measurement, Index which, std::size_t index) {
     const int removed = static_cast<int>(index) + 1;
     const auto shift = [&](auto &readings) {
@@ -79,7 +79,7 @@ void shiftDown(PositioningMeasurement &measurement, Index which, std::size_t ind
     shift(measurement.refused);
 }
 
-/// Every run has a place for every target.
+/// Gives every run an entry for every target.
 void complete(PositioningMeasurement &measurement) {
     for (Run &run : measurement.runs)
         run.deviations.resize(measurement.targets.size());
@@ -114,7 +114,7 @@ void setReading(PositioningMeasurement &measurement, const ReadingPlace &place,
                 std::optional<double> deviation) {
     if (!holds(measurement, place))
         return;
-    if (!readingAt(measurement, place)) // where there is one nothing stands beside the runs
+    if (!readingAt(measurement, place)) // an excluded or refused reading has no value
         forget(measurement, place);
     complete(measurement);
     measurement.runs[place.run].deviations[place.target] = deviation;

@@ -12,75 +12,75 @@
 
 namespace palmer {
 
-// What a user does to the readings of a positioning test. Each function changes the measurement it is given
-// and keeps what the file format demands: targets ascend strictly, every run has a place for every target, a
-// reading set aside is null in its run. Deviations in mm, rotary: degrees. Places that the measurement does
-// not have are passed over.
+// Edits of the readings of a positioning test. Each function changes the given measurement and keeps the
+// invariants of the file format: targets ascend strictly, every run has an entry for every target, an
+// excluded reading is null in its run. Deviations in mm, rotary: degrees. Places not in the measurement are
+// ignored.
 
-/// Whether the measurement has such a run and such a target.
+/// True if the measurement has such a run and target.
 [[nodiscard]] bool holds(const PositioningMeasurement &measurement, const ReadingPlace &place);
 
-/// The deviation at that place; null where it is missing or was set aside.
+/// The deviation at that place; null if missing or excluded.
 [[nodiscard]] std::optional<double> readingAt(const PositioningMeasurement &measurement,
                                               const ReadingPlace &place);
 
-/// What was set aside at that place; null for none.
+/// The excluded reading at that place; null if there is none.
 [[nodiscard]] const ExcludedReading *excludedAt(const PositioningMeasurement &measurement,
                                                 const ReadingPlace &place);
 
-/// What was typed at that place and is no number; null for none.
+/// The refused text at that place, which is not a number; null if there is none.
 [[nodiscard]] const RefusedReading *refusedAt(const PositioningMeasurement &measurement,
                                               const ReadingPlace &place);
 
-/// Puts a deviation there, or nothing; what was set aside or refused at that place is replaced by it.
+/// Sets a deviation, or null; replaces an excluded or refused reading at that place.
 void setReading(PositioningMeasurement &measurement, const ReadingPlace &place,
                 std::optional<double> deviation);
 
-/// Keeps a text that is no number: shown at that place, and missing in every statistic.
+/// Stores a text that is not a number: shown at that place, and missing in all statistics.
 void setRefused(PositioningMeasurement &measurement, const ReadingPlace &place, const std::string &text);
 
-/// Sets the readings aside that have a value. Nothing is lost: value and reason stay in the file.
+/// Excludes the readings that have a value. Value and reason stay in the file.
 void setAside(PositioningMeasurement &measurement, std::span<const ReadingPlace> places,
               const std::string &reason);
 
-/// Takes readings that were set aside back.
+/// Restores excluded readings.
 void bringBack(PositioningMeasurement &measurement, std::span<const ReadingPlace> places);
 
-/// Why a position cannot be that of a target: "ascending" is what the file demands.
+/// Why a position is invalid for a target; the file format requires ascending targets.
 enum class TargetProblem { none, notFinite, notAbovePrevious, notBelowNext };
 
-/// Whether target `index` may move to `position` (mm, rotary: degrees).
+/// Checks whether target `index` may move to `position` (mm, rotary: degrees).
 [[nodiscard]] TargetProblem problemOfTarget(const PositioningMeasurement &measurement, std::size_t index,
                                             double position);
 
-/// Moves a target; its deviations stay. False, and no change, where problemOfTarget has one.
+/// Moves a target; its deviations stay. False without a change if problemOfTarget reports a problem.
 bool setTarget(PositioningMeasurement &measurement, std::size_t index, double position);
 
-/// Puts targets in the place of those there are; the readings of a number stay with it. Readings of
-/// surplus targets go. False, and no change, unless they ascend strictly.
+/// Replaces the targets; readings stay with their target number. Readings of surplus targets are removed.
+/// False without a change unless the positions ascend strictly.
 bool setTargets(PositioningMeasurement &measurement, std::span<const double> positions);
 
-/// A new target before `index` (at the end for the number of targets), halfway to its neighbours, beyond the
-/// ends as far as the next interval goes; without readings. Returns its index.
+/// Inserts a target without readings before `index` (at the end if `index` is the number of targets), midway
+/// between its neighbours, or beyond an end by the adjacent interval. Returns its index.
 std::size_t insertTarget(PositioningMeasurement &measurement, std::size_t index);
 
-/// Targets that nothing was read at in any run, set aside or refused readings included; none as long as a run
-/// is empty, for it is still to be measured.
+/// Targets without readings in any run; excluded and refused ones count as readings. Empty while a run is
+/// empty, as that is still to be measured.
 [[nodiscard]] std::vector<std::size_t> unmeasuredTargets(const PositioningMeasurement &measurement);
 
 /// Removes targets with their readings.
 void removeTargets(PositioningMeasurement &measurement, std::span<const std::size_t> indices);
 
-/// New runs without readings before run `index` (at the end for the number of runs): one, or at the end of a
-/// test that is approached from both sides one each way, ↑ first.
+/// Inserts a run without readings before run `index`; addRuns appends one run, or if the test is
+/// bidirectional one in each direction, ↑ first.
 void insertRun(PositioningMeasurement &measurement, std::size_t index, Direction approach);
 void addRuns(PositioningMeasurement &measurement);
 
 /// Removes runs with their readings.
 void removeRuns(PositioningMeasurement &measurement, std::span<const std::size_t> indices);
 
-/// Lets `change` alter a copy of the measurement of a positioning test and puts it in its place: tests are
-/// shared between documents and never changed where they are. Nothing happens where there is no such test.
+/// Replaces the measurement of a positioning test by a copy changed by `change`: tests are shared between
+/// documents and immutable. Does nothing if there is no such test.
 void editReadings(Document &document, std::size_t index,
                   const std::function<void(PositioningMeasurement &)> &change);
 

@@ -35,7 +35,7 @@ void forEachColumn(AnyTest &test, Use use) {
         test.measurement);
 }
 
-/// A column whatever it holds: readings that may be missing, or numbers.
+/// A column of readings that may be missing, or of numbers.
 using AnyColumn = std::variant<const std::vector<std::optional<double>> *, const std::vector<double> *>;
 
 std::vector<AnyColumn> columnsOf(const Test &test) {
@@ -46,9 +46,9 @@ std::vector<AnyColumn> columnsOf(const Test &test) {
 
 using OwnCells = std::vector<std::pair<std::size_t, std::optional<double>>>;
 
-constexpr std::size_t sizeOfColumn = 5; ///< of a column that stands in the other test, in readings
+constexpr std::size_t sizeOfColumn = 5; ///< memory of a column that refers to the other test, in readings
 
-/// The cells in which a column is another one; null where they are more than an eighth.
+/// The cells that differ; null if they are more than an eighth.
 std::optional<OwnCells> ownCells(const AnyColumn &column, const AnyColumn &other) {
     return std::visit(
         [&](const auto *cells) -> std::optional<OwnCells> {
@@ -85,7 +85,7 @@ KeptDocument::Part KeptDocument::part(const Document &document, std::size_t inde
     const std::size_t readings = readingsOf(*test);
     if (readings < least)
         return {test, 0, {}};
-    // Taken apart only where tests stand at the same place: the document is edited one test at a time.
+    // Tests are compared only at the same index, as a document is edited one test at a time.
     std::vector<std::optional<Column>> found;
     std::size_t kept = readings;
     if (document.tests.size() == beside.tests.size()) {
@@ -93,7 +93,7 @@ KeptDocument::Part KeptDocument::part(const Document &document, std::size_t inde
         const auto others = columnsOf(*beside.tests[index]);
         kept = 0;
         for (std::size_t i = 0; i < columns.size(); ++i) {
-            // The column at its place, or where it is when a run or an arc was put in or taken out before it.
+            // The same column, or the one shifted by inserting or removing a run or arc before it.
             const std::size_t moved = i + others.size() - columns.size();
             found.emplace_back();
             for (const std::size_t from : {i, moved}) {

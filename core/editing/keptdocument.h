@@ -11,28 +11,28 @@
 
 namespace palmer {
 
-/// A document kept by what tells it from another one: of the long columns of readings that both have it says
-/// where they stand in the other. A step of undo in a test of 10⁶ readings is no copy of them.
+/// A document stored as its difference from another one: long columns of readings contained in both refer to
+/// the other document. An undo step in a test of 10⁶ readings does not copy them.
 class KeptDocument {
 public:
-    /// Tests of fewer than `least` readings are kept as they are.
+    /// Tests of fewer than `least` readings are stored whole.
     KeptDocument(const Document &document, const Document &beside, std::size_t least);
 
-    /// The document again, of the one that it was kept beside.
+    /// Restores the document, given the one it was stored relative to.
     [[nodiscard]] Document with(const Document &beside) const;
 
-    /// About, of large tests: what is kept alive here.
+    /// Approximate number of readings kept alive here by large tests.
     [[nodiscard]] std::size_t readings() const { return m_readings; }
 
 private:
     struct Column {
-        std::size_t from = 0; ///< the column beside it that holds the rest
+        std::size_t from = 0; ///< column of the other document that holds the rest
         std::vector<std::pair<std::size_t, std::optional<double>>> own;
     };
     struct Part {
-        TestPointer test;                           ///< null: the one at `beside`
-        std::size_t beside = 0;                     ///< its place in the other document
-        std::vector<std::optional<Column>> columns; ///< of `test`; null: it stands there; empty: all do
+        TestPointer test;                           ///< null: the one at index `beside`
+        std::size_t beside = 0;                     ///< index in the other document
+        std::vector<std::optional<Column>> columns; ///< of `test`; null: stored in it; empty: all are
     };
     Part part(const Document &document, std::size_t index, const Document &beside, std::size_t least);
 

@@ -61,7 +61,7 @@ std::optional<Amount> amountIn(const QString &cell) {
     return amount;
 }
 
-/// What a line says.
+/// Content of a line.
 struct LimitLine {
     int number = 0; ///< from 1
     const LimitName *name = nullptr;
@@ -85,7 +85,7 @@ public:
              {std::pair(u'\t', Delimiter::tab), std::pair(u';', Delimiter::semicolon),
               std::pair(u'|', Delimiter::bar)}) {
             if (!options.delimiter && block.contains(sign))
-                options.delimiter = delimiter; // "≤ 20" is no number that would tell it
+                options.delimiter = delimiter; // "≤ 20" is not a number that readTable could go by
         }
         const CellTable table = readTable(block.toStdString(), options);
         for (const TableRow &row : table.rows()) {

@@ -14,7 +14,7 @@
 
 namespace palmer {
 
-/// What a limit can be agreed for: its id, and the symbol people write: "A↑", "G(b)".
+/// ID of a parameter that may have a limit, and its usual symbol: "A↑", "G(b)".
 struct LimitName {
     std::string id;
     QString symbol;

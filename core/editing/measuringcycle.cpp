@@ -9,8 +9,8 @@ namespace palmer {
 
 namespace {
 
-/// Number of the place in the cycle, and back: both orders are a rectangle walked line by line, of which the
-/// standard cycle turns every run from the negative side round.
+/// Number of a place in the cycle, and the inverse: both orders traverse a rectangle line by line; the
+/// standard cycle reverses every run from the negative side.
 std::size_t numberOf(const PositioningMeasurement &measurement, const ReadingPlace &place) {
     const std::size_t targets = measurement.targets.size();
     if (measurement.cycle == Cycle::step)

@@ -9,11 +9,11 @@
 
 namespace palmer {
 
-// The order in which the machine visits the readings of a positioning test, and in which they are typed.
+// The order in which the machine visits the readings of a positioning test and in which they are typed.
 //
-// Standard cycle: run after run as they stand in the test, from the positive side targets 1…m, from the
-// negative side m…1. Step cycle: target after target, at each the runs as they stand in the test. A place
-// that the test does not have has no neighbours.
+// Standard cycle: run by run in the order of the test, from the positive side targets 1…m, from the negative
+// side m…1. Step cycle: target by target, at each the runs in the order of the test. A place not in the test
+// has no neighbours.
 
 /// The reading after this one; null after the last.
 [[nodiscard]] std::optional<ReadingPlace> nextInCycle(const PositioningMeasurement &measurement,
@@ -23,11 +23,11 @@ namespace palmer {
 [[nodiscard]] std::optional<ReadingPlace> previousInCycle(const PositioningMeasurement &measurement,
                                                           const ReadingPlace &place);
 
-/// Where the cycle begins; null without targets or runs.
+/// The first reading of the cycle; null without targets or runs.
 [[nodiscard]] std::optional<ReadingPlace> firstOfCycle(const PositioningMeasurement &measurement);
 
-/// The first reading of the cycle that is missing and was not set aside: where typing goes on. Null when
-/// all are there.
+/// The first reading of the cycle that is missing and not excluded, where typing continues. Null if none is
+/// missing.
 [[nodiscard]] std::optional<ReadingPlace> firstMissing(const PositioningMeasurement &measurement);
 
 } // namespace palmer

@@ -85,7 +85,7 @@ std::vector<double> evenTargets(double first, double last, std::size_t count, do
             count == 1 ? first
                        : first + (last - first) * static_cast<double>(i) / static_cast<double>(count - 1);
         const double steps = std::round(position / resolution);
-        // Below 1 by a quotient and not a product: 3 · 0.1 is not 0.3.
+        // For resolutions below 1 divides instead of multiplying, as 3 · 0.1 is not 0.3.
         const double whole = !(resolution > 0) ? position
                              : resolution < 1  ? steps / std::round(1 / resolution)
                                                : steps * resolution;

@@ -10,7 +10,7 @@ namespace palmer {
 namespace {
 
 constexpr double spreadsOfOutliers = 6;
-constexpr double normalOfMedian = 1.4826; ///< standard deviation by the median absolute deviation
+constexpr double normalOfMedian = 1.4826; ///< factor from median absolute deviation to standard deviation
 constexpr std::size_t leastAtTarget = 3;
 constexpr std::size_t leastInAll = 10;
 

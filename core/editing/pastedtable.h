@@ -23,16 +23,16 @@ struct Pasted {
 /// The units that a user reads and types: what a pasted table means where it says nothing.
 [[nodiscard]] ImportOptions usualUnits(Motion motion, const DisplayUnits &units);
 
-/// A table that is pasted into an open test, read as a file is. `known` holds whatever it says, `usual` where
-/// it says nothing; what only a test states as a whole (correction to 20 °C, axis …) is neither asked nor
-/// remarked. A sign is asked where the table speaks of it. Throws Error as importMeasurement does.
+/// Reads a table pasted into an open test as a file is read. `known` overrides the table, `usual` applies
+/// where it states nothing; what only the test states (correction to 20 °C, axis …) is neither asked nor
+/// remarked. A sign is asked if the table mentions it. Throws Error as importMeasurement does.
 [[nodiscard]] Imported readPastedTable(const std::string &text, ImportOptions known,
                                        const ImportOptions &usual = {});
 
-/// What is to be said of it: what could not be used, and what was assumed.
+/// Remarks for the user: what could not be used, and what was assumed.
 [[nodiscard]] std::vector<Message> remarksOfPaste(const Imported &imported);
 
-/// The questions that want an answer of their own: nothing is put before.
+/// The questions that must be answered before anything is pasted.
 [[nodiscard]] std::vector<Question> doubtsOf(const Imported &imported);
 
 } // namespace palmer

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double sameTarget = 1e-6; ///< mm or degrees
 
-/// A line of the block; null: an empty line, which has a place all the same.
+/// A line of the block; null: an empty line, which still counts.
 using BlockLine = std::optional<TableRow>;
 
 bool hasNumber(const CellTable &table, const TableRow &row) {
@@ -74,7 +74,7 @@ public:
     }
 
 private:
-    /// The lines from the first with a number on, each in its place.
+    /// Takes the lines from the first with a number on, each in its place.
     void takeLines() {
         std::size_t headings = 0;
         std::uint32_t next = 0;
@@ -99,7 +99,7 @@ private:
                                         {Number{static_cast<double>(headings), Quantity::count, 0}}});
     }
 
-    /// Also of targets across, whose line has their name and their numbers.
+    /// Notes headings that name targets, also in a row of targets headed by their name.
     void noteNames(const TableRow &row) {
         const auto cells = m_table.cells(row);
         m_namesTargets |= std::ranges::any_of(cells, [this](const TableCell &cell) {
@@ -117,10 +117,10 @@ private:
         }
     }
 
-    /// What the headings say of the numbers in the cells of a column; null: nothing.
+    /// The unit for the numbers of a column from its heading; null if there is none.
     [[nodiscard]] const Unit *unitOfColumn(std::size_t cell) const {
         const std::size_t left = firstRunOfBlock - std::min(m_place.column, firstRunOfBlock);
-        const std::size_t first = std::max(m_skipped, left); // of the readings
+        const std::size_t first = std::max(m_skipped, left); // column with readings
         if (!m_choices.unitsOfHeading)
             return nullptr;
         while (cell > first && (cell >= m_said.size() || !m_said[cell].isSaid()))
@@ -136,7 +136,7 @@ private:
         return unit ? unit->toBase(value) : palmer::inBase(value, quantity, m_choices.units);
     }
 
-    /// A line of readings that happen to be no numbers is no heading when its cells look like numbers.
+    /// True for a line of readings that are not numbers but look like them: not a heading.
     [[nodiscard]] bool isFirstRefused(const TableRow &row) const {
         return std::ranges::any_of(m_table.cells(row), [](const TableCell &cell) {
             return cell.kind == CellKind::broken || cell.kind == CellKind::grouped;
@@ -149,7 +149,7 @@ private:
         return &m_table.cells(*line)[column];
     }
 
-    /// Whether a column of the block holds what `expected` says of every row.
+    /// True if a column of the block equals `expected` in every row.
     template <class Expected>
     [[nodiscard]] bool columnIs(std::size_t column, const Expected &expected) const {
         const auto &targets = m_result.measurement.targets;
@@ -175,7 +175,7 @@ private:
         const auto isNumber = [](double value, std::size_t row) {
             return value == static_cast<double>(row + 1);
         };
-        // Not for a single column: readings may be as large as their targets where these are small.
+        // Not for a single column: small targets may look like readings.
         const bool wide =
             std::ranges::all_of(m_lines, [](const BlockLine &line) { return line && line->count > 1; });
         if (m_lines.size() < 2 || !wide)
@@ -189,10 +189,10 @@ private:
                 {REPORT_TEXT("report", "the target positions that the block begins with are left out")});
     }
 
-    /// The column of the table in which a cell of the block stands.
+    /// The table column of a cell of the block.
     [[nodiscard]] std::size_t columnOf(std::size_t cell) const { return m_place.column + cell - m_skipped; }
 
-    /// A table whose headings say which column holds the targets, read as a file is.
+    /// Reads a table whose headings name the target column as a file is read.
     [[nodiscard]] std::optional<Imported> readNamed() const {
         if (!m_choices.unitsOfHeading || !m_namesTargets)
             return std::nullopt;
@@ -210,16 +210,16 @@ private:
             if (!movesTargets ||
                 std::ranges::all_of(block.targets, [this](double t) { return placeOf(t).has_value(); }))
                 return imported;
-        } catch (const Error &) { // what can be put cell by cell is
+        } catch (const Error &) { // then pasted cell by cell
         }
         return std::nullopt;
     }
 
-    /// Each run of the block into the next column of its direction, each reading to its target; nothing where
-    /// the block wants an answer first.
+    /// Puts each run of the block into the next column of its direction, each reading to its target; nothing
+    /// if the block raises questions.
     void putNamed(const Imported &imported) {
         m_result.questions = doubtsOf(imported);
-        m_result.remarks.clear(); // its lines of headings are not left out
+        m_result.remarks.clear(); // its heading lines were not skipped
         if (!m_result.questions.empty())
             return;
         m_result.remarks = remarksOfPaste(imported);
@@ -254,7 +254,7 @@ private:
         return static_cast<std::ptrdiff_t>(std::min(first, m_place.runs.size()));
     }
 
-    /// Whether nothing was entered yet.
+    /// True if nothing has been entered yet.
     [[nodiscard]] bool isBare() const {
         const PositioningMeasurement &m = m_result.measurement;
         return m.refused.empty() && m.excluded.empty() && std::ranges::all_of(m.runs, [](const Run &run) {
@@ -263,7 +263,7 @@ private:
                });
     }
 
-    /// Which target of the test that is; null: none.
+    /// The index of the test's target at that position; null if there is none.
     [[nodiscard]] std::optional<std::size_t> placeOf(double target) const {
         const std::vector<double> &all = m_result.measurement.targets;
         const auto found =
@@ -272,7 +272,7 @@ private:
                                   : std::optional(static_cast<std::size_t>(found - all.begin()));
     }
 
-    /// A test without readings takes over the targets of a block.
+    /// Target indices of a block's positions; a test without readings adopts its targets.
     [[nodiscard]] std::vector<std::optional<std::size_t>> placesOf(const std::vector<double> &block) {
         std::vector<std::optional<std::size_t>> places;
         const auto place = [&] {
@@ -333,7 +333,7 @@ private:
         }
     }
 
-    /// Of a single column an empty cell is an empty line.
+    /// In a single column an empty cell is an empty line.
     [[nodiscard]] bool isOneColumn() const {
         return std::ranges::all_of(m_lines, [](const BlockLine &line) { return !line || line->count <= 1; });
     }
@@ -345,10 +345,10 @@ private:
             m_result.left += cell.kind != CellKind::empty ? 1 : 0;
     }
 
-    /// Whether nothing may be put there: the reading is set aside.
+    /// True if the reading is excluded and must not be overwritten.
     [[nodiscard]] bool isAside(const ReadingPlace &place, bool isNone) {
         if (!m_aside)
-            m_aside.emplace(m_result.measurement); // its targets are set
+            m_aside.emplace(m_result.measurement); // the targets are final by now
         const bool isAside = m_aside->at(place.run, place.target);
         m_result.aside += isAside && !isNone ? 1 : 0;
         return isAside;
@@ -435,7 +435,7 @@ private:
             remarks.push_back({REPORT_TEXT("report", "all readings are very small: is this the unit?")});
     }
 
-    /// Deviations of a machine in µm are not all below a tenth: these are mm.
+    /// Not all deviations of a machine in µm are below 0.1: these are mm.
     [[nodiscard]] bool looksLong() const {
         return m_choices.content == BlockContent::deviations && m_units.empty() && m_result.readings > 3 &&
                m_largest < 0.1 && m_choices.units.lengths != LengthDisplay::millimetres;
@@ -445,13 +445,13 @@ private:
     BlockChoices m_choices;
     Quantity m_position;
     PastedBlock m_result;
-    std::optional<ReadingsAside> m_aside; ///< of the result
+    std::optional<ReadingsAside> m_aside; ///< of m_result
     CellTable m_table;
     std::vector<BlockLine> m_lines;
-    bool m_namesTargets = false;       ///< the headings do
-    std::vector<SaidUnit> m_said;      ///< by the headings, of each column of the block
-    std::vector<const Unit *> m_units; ///< of these the units of readings that were taken
-    std::size_t m_skipped = 0; ///< cells at the beginning of each line that are the targets themselves
+    bool m_namesTargets = false;       ///< by the headings
+    std::vector<SaidUnit> m_said;      ///< by the headings, per column of the block
+    std::vector<const Unit *> m_units; ///< the units among them that were used for readings
+    std::size_t m_skipped = 0;         ///< leading cells of each line that hold the targets
     bool m_allZero = true;
     double m_largest = 0;
 };

@@ -13,11 +13,11 @@ namespace palmer {
 
 namespace {
 
-/// Points of agreement that hold for every axis of a machine.
+/// Agreed points that hold for every axis of a machine.
 constexpr std::array<std::string_view, 8> commonPoints{"gradient", "warmUp",    "feed",           "cycle",
                                                        "dwell",    "stepCycle", "testParameters", "results"};
 
-/// Whether they are made with the same instruments and state the same: of one kind, of axes of one motion.
+/// True if both use the same instruments and statements: the same kind, and axes of the same motion.
 bool areAlike(const Test &test, const Test &other) {
     return kindOf(test) == kindOf(other) && motionOf(test) == motionOf(other);
 }

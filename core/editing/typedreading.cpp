@@ -28,7 +28,7 @@ const Unit &unitOfHeading(const SaidUnit &said, UnitKind kind) {
 
 namespace {
 
-/// A list of targets on its way out of a table.
+/// Reads a list of targets from a table.
 class TargetList {
 public:
     TargetList(const CellTable &table, const Axis &axis, const DisplayUnits &units)
@@ -71,7 +71,7 @@ private:
                 return false;
             m_unit = said.unit;
         }
-        return m_column || m_unit; // else words that say nothing of the numbers below
+        return m_column || m_unit; // otherwise words without a meaning for the numbers below
     }
 
     bool takeNumbers(std::span<const TableCell> cells) {

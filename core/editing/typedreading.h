@@ -14,19 +14,19 @@
 
 namespace palmer {
 
-/// Reads a deviation (mm, rotary: degrees) as it is typed, in the unit it is shown in; with a `target` an
-/// actual position in the unit positions are shown in, of which the deviation is the distance from the
-/// target. A dash alone says, as it does where it is shown, that there is no reading.
+/// Reads a typed deviation (mm, rotary: degrees) in its displayed unit; with a `target`, an actual position
+/// in the displayed unit of positions, converted to its distance from the target. A single dash means no
+/// reading, as in the display.
 [[nodiscard]] NumberEntry typedReading(QStringView text, const Axis &axis, const DisplayUnits &units,
                                        std::optional<double> target = std::nullopt);
 
-/// A target position as it is typed: its value, or why it cannot be one.
+/// A typed target position: its value, or why it is invalid.
 struct TargetEntry {
     std::optional<double> value; ///< mm or degrees
     std::optional<Message> refusal;
 };
 
-/// Reads the position of a target, in the unit positions are shown in; it has to lie between its neighbours.
+/// Reads a target position in the displayed unit of positions; it must lie between its neighbours.
 [[nodiscard]] TargetEntry typedTarget(QStringView text, const PositioningMeasurement &measurement,
                                       std::size_t target, const DisplayUnits &units);
 
@@ -41,16 +41,16 @@ struct PastedTargets : Pasted {
                                                        const DisplayUnits &units,
                                                        const ImportOptions &answers = {});
 
-/// The unit that a heading says, of that kind. Throws Error where numbers are not converted from it.
+/// The unit in a heading, of that kind. Throws Error for one without conversion.
 [[nodiscard]] const Unit &unitOfHeading(const SaidUnit &said, UnitKind kind);
 
-/// Of the readings and the positions of an axis.
+/// Kind of unit of an axis's readings and positions.
 [[nodiscard]] constexpr UnitKind unitKindOf(Motion motion) {
     return motion == Motion::linear ? UnitKind::length : UnitKind::angle;
 }
 
-/// The deviation of an actual position from its target, without the rounding errors of the difference: to a
-/// millionth of a micrometre.
+/// The deviation of an actual position from its target, rounded to a millionth of a micrometre to remove the
+/// rounding error of the difference.
 [[nodiscard]] double deviationFrom(double target, double position);
 
 } // namespace palmer

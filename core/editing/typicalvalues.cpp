@@ -15,7 +15,7 @@ namespace palmer {
 namespace {
 
 constexpr double micrometresPerMm = 1000;
-constexpr double typicalExpansion = 1; ///< u of what has U = 2 at k = 2, µm/(m·°C)
+constexpr double typicalExpansion = 1; ///< standard uncertainty for U = 2 at k = 2, µm/(m·°C)
 
 QString said(const Language &language, const Text &text, const QString &argument) {
     return language.sentence({text, {argument.toStdString()}});

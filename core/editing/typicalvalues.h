@@ -13,27 +13,27 @@
 
 namespace palmer {
 
-/// A value that a budget may take, and where it comes from.
+/// A value offered for a budget, and its source.
 struct TypicalValue {
     QString value;  ///< "R(α) of the machine 3.4 µm/(m·°C)"
     QString source; ///< "the typical minimum of ISO 230-2"
-    /// Paths in the test and what withField takes there.
+    /// Paths in the test with values for withField.
     std::vector<std::pair<std::string, std::string>> fields;
 };
 
-/// What can be offered for the inputs of the budget of a test: what the standard gives, what the instruments
-/// of the test and its drift tests say. Never invented ones.
+/// Values offered for the budget inputs of a test, from the standard, the instruments of the test and its
+/// drift tests. Never invented.
 [[nodiscard]] std::vector<TypicalValue> typicalValues(const Document &document, const Test &test,
                                                       const Language &language);
 
-/// The document with such a value in its test.
+/// Returns the document with such a value set in its test.
 [[nodiscard]] Document withTypicalValue(Document document, std::size_t test, const TypicalValue &value);
 
-/// The path of a field of a test in its file.
+/// The path of a test's field in the file.
 [[nodiscard]] std::string pathInFile(std::size_t test, const std::string &field);
 
-/// The drift tests of a document that E_VE of a test can be taken from: those of the same kind of axis, and
-/// the one it names already. In the order of the document.
+/// The drift tests that can provide E_VE of a test: those of the same kind of axis, and the one already
+/// selected. In document order.
 [[nodiscard]] std::vector<TestPointer> driftTestsFor(const Document &document, const Test &test);
 
 /// Title of a drift test, or the name of its axis.

@@ -6,7 +6,7 @@
 
 namespace palmer {
 
-/// Whether a wrong guess of that choice would be a wrong number or direction: it is a question then.
+/// True if a wrong guess of that choice would give a wrong number or direction, so that it is a question.
 [[nodiscard]] bool isAsked(std::string_view choice);
 
 } // namespace palmer

@@ -182,7 +182,7 @@ std::string listOf(std::span<const ImportWord> words) {
     return list;
 }
 
-/// A number as people write it, with point or comma.
+/// A typed number with point or comma.
 std::optional<double> numberOf(std::string_view text) {
     const bool comma = text.find(',') != std::string_view::npos;
     const CellValue value = readCell(text, comma ? DecimalMark::comma : DecimalMark::point);

@@ -17,10 +17,10 @@
 
 namespace palmer {
 
-/// What the user has chosen for an import: key → word, as after --set and in a profile.
+/// The user's choices for an import: key → word, as for --set and in profiles.
 using ImportOptions = std::map<std::string, std::string, std::less<>>;
 
-/// A word that a choice can have, and what it is called.
+/// A word that a choice can have, and its displayed name.
 struct ImportWord {
     const char *word = nullptr;
     Text name;
@@ -28,26 +28,26 @@ struct ImportWord {
 
 enum class ImportValue { word, number, text };
 
-/// A choice that importers know.
+/// A choice known to importers.
 struct ImportKey {
     const char *key = nullptr;
     Text name;
     ImportValue value = ImportValue::word;
-    std::span<const ImportWord> words = {}; ///< of `word`
+    std::span<const ImportWord> words = {}; ///< if `value` is `word`
 };
 
-/// All of them, in the order they are shown in.
+/// All keys, in display order.
 [[nodiscard]] std::span<const ImportKey> importKeys();
 [[nodiscard]] const ImportKey *findImportKey(std::string_view key);
 
-/// What a choice is called, and a word it can have: in sentences, which know no keys.
+/// Names of a choice and of its word for sentences, which do not show keys.
 [[nodiscard]] Argument nameOfChoice(std::string_view key);
 [[nodiscard]] Argument nameOfWord(std::string_view key, std::string_view word);
 
-/// Throws Error(content) for a key or word that is unknown, with those that are known.
+/// Throws Error(content) for an unknown key or word, listing the known ones.
 void demandKnown(const ImportOptions &options);
 
-/// A choice as it stands after reading: to be shown, confirmed or changed.
+/// A choice after reading, to be shown, confirmed or changed.
 struct ImportChoice {
     std::string key;
     std::string value;
@@ -56,28 +56,28 @@ struct ImportChoice {
     bool operator==(const ImportChoice &) const = default;
 };
 
-/// The choices of one reading: what the user chose wins, else what was found.
+/// The choices of one reading: the user's take precedence over what was found.
 class Choices {
 public:
-    /// `usual` holds where neither the user nor the file says anything: the units that a window shows.
+    /// `usual` applies if neither the user nor the file states anything: the units shown in a window.
     explicit Choices(ImportOptions options, ImportOptions usual = {})
         : m_options(std::move(options))
         , m_usual(std::move(usual)) {}
 
     [[nodiscard]] const ImportOptions &options() const { return m_options; }
     [[nodiscard]] bool isChosen(std::string_view key) const;
-    /// What the user chose for it, empty if nothing.
+    /// The user's choice, empty if there is none.
     [[nodiscard]] std::string_view chosen(std::string_view key) const;
     [[nodiscard]] std::optional<double> chosenNumber(std::string_view key) const;
 
-    /// What is usual for it, empty if nothing.
+    /// The usual value, empty if there is none.
     [[nodiscard]] std::string_view usual(std::string_view key) const;
 
-    /// Settles a choice: the user's, or what was found; remembers it.
+    /// Settles and remembers a choice: the user's, otherwise what was found.
     Choice<std::string> settle(std::string_view key, std::string_view found, Origin origin);
     Choice<double> settleNumber(std::string_view key, double found, Origin origin);
-    /// Under which a test of the kind is read: the default unless one is chosen. Throws Error(content) when
-    /// that is one of another kind.
+    /// The edition for reading a test of the kind: the chosen one, otherwise the default. Throws
+    /// Error(content) if it is of another kind.
     std::string settleEdition(Kind kind);
 
     [[nodiscard]] std::vector<ImportChoice> take() { return std::move(m_settled); }

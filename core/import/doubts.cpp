@@ -62,7 +62,7 @@ bool equalTargets(const PositioningMeasurement &measurement, const Run &run) {
             continue;
         if (!same && !opposite)
             return false;
-        // As numbers of any unit: 100 µm at 100 mm.
+        // In any unit: 100 µm at 100 mm.
         const double value = *run.deviations[i];
         const auto equals = [&](double target) {
             return value == target || value == target / 1000 || std::abs(value * 3600 - target) < 1e-9;

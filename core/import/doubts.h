@@ -9,8 +9,8 @@
 
 namespace palmer {
 
-/// Red questions about numbers that look wrong, each with its run: deviations above 1 mm or 0.1°, runs whose
-/// spread is a hundred times that of the others, deviations that equal the targets, readings that are all 0.
+/// Adds red questions about suspicious numbers, each with its run: deviations above 1 mm or 0.1°, runs whose
+/// spread is a hundred times that of the others, deviations equal to the targets, readings that are all 0.
 void questionNumbers(const Test &test, std::vector<Remark> &remarks);
 
 } // namespace palmer

@@ -36,7 +36,7 @@ std::optional<double> positiveNumber(const std::optional<QString> &text) {
     return value.kind == CellKind::number && value.value > 0 ? std::optional(value.value) : std::nullopt;
 }
 
-/// What "Unit: mm" says; letters that are units in brackets only may stand behind the colon, too.
+/// The unit in "Unit: mm"; letters that are units only in brackets may also follow the colon.
 SaidUnit unitOfNote(const std::string &line) {
     SaidUnit said = saidUnit(line);
     const std::size_t colon = line.find_first_of(":=;");
@@ -47,7 +47,7 @@ SaidUnit unitOfNote(const std::string &line) {
     return saidUnit('(' + value + ')');
 }
 
-/// "Air temperature: 20.5 °C": a sensor with the value at the start.
+/// "Air temperature: 20.5 °C": a sensor with its start value.
 bool readTemperature(const QString &line, FileNotes &notes) {
     constexpr std::size_t mostSensors = 20;
     const auto match =
@@ -72,7 +72,7 @@ bool readTemperature(const QString &line, FileNotes &notes) {
     return true;
 }
 
-/// The cells of a row as labels with their values: "Machine:" beside "HAAS", several pairs in a row.
+/// The cells of a row as labels with values: "Machine:" followed by "HAAS", several pairs per row.
 std::string lineOf(const CellTable &table, const TableRow &row) {
     std::string line;
     std::size_t filled = 0;
@@ -148,7 +148,7 @@ bool read(const QString &line, FileNotes &notes) {
     return understood;
 }
 
-/// As it stands, from its first cell to its last.
+/// The row as written, from its first cell to its last.
 std::string textOf(const CellTable &table, const TableRow &row) {
     std::string text;
     for (const TableCell &cell : table.cells(row))

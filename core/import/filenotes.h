@@ -12,25 +12,25 @@
 
 namespace palmer {
 
-/// What the comments and first lines of a table say about the measurement, as far as it is understood.
+/// The recognised statements in the comments and first lines of a table.
 struct FileNotes {
     std::string axis;
     std::string plane;               ///< "XY"
     SaidUnit unit;                   ///< "unit: µm"
     std::optional<std::string> date; ///< YYYY-MM-DD
-    std::string dateText;            ///< a date that is not ISO, as it stands there
+    std::string dateText;            ///< a date that is not ISO, as written
     std::string operatorName;
     std::string machine;
     std::string serialNumber;
     SaidSign sign;                ///< "Deviation = actual - target"
     std::optional<double> radius; ///< mm
     std::optional<double> feed;   ///< mm/min
-    std::vector<Sensor> sensors;  ///< temperatures that are named
+    std::vector<Sensor> sensors;  ///< named temperatures
     UnusedLines unused;
 };
 
-/// Whether a row is a label with its value, as "Date" beside "05.03.2024": words before at most one number,
-/// that are understood or end with a colon.
+/// True if a row is a label with its value, such as "Date" followed by "05.03.2024": words before at most one
+/// number that are understood or end with a colon.
 [[nodiscard]] bool isLabelledValue(const CellTable &table, const TableRow &row);
 
 [[nodiscard]] FileNotes notesOf(const CellTable &table, const TableBody &body);

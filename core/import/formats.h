@@ -14,23 +14,23 @@ class Choices;
 struct Imported;
 struct ImportSource;
 
-/// A format of measurements: how it is called, how it is known by its content, and its reader, which throws
-/// Error for what cannot be used.
+/// A measurement format: its name, how its content is recognised, and its reader, which throws Error for
+/// unusable content.
 struct ImportFormat {
     const char *word = nullptr; ///< in --set format=…
-    Text name;                  ///< none: nobody asks for it
-    const char *endings = "";   ///< of its files, with blanks between: "csv tsv txt"
+    Text name;                  ///< empty: not listed for users
+    const char *endings = "";   ///< of its files, separated by blanks: "csv tsv txt"
     bool (*recognises)(QByteArrayView bytes) = nullptr;
     void (*read)(const ImportSource &source, Choices &choices, Imported &imported) = nullptr;
 };
 
-/// The formats in the order they are asked in; a table takes what no other recognises.
+/// The formats in the order they are tried; a table is whatever no other recognises.
 [[nodiscard]] std::span<const ImportFormat *const> importFormats();
 
-/// The endings of files of measurements, once each: "csv", "xlsx", …
+/// The file suffixes of measurements, without repetition: "csv", "xlsx", …
 [[nodiscard]] QStringList importEndings();
 
-/// The same for dialogs that choose files: "*.csv *.xlsx …".
+/// The same for file dialogs: "*.csv *.xlsx …".
 [[nodiscard]] QString importPatterns();
 
 } // namespace palmer

@@ -30,7 +30,7 @@ bool isUtf16(QByteArrayView bytes) {
     return bytes.startsWith("\xFF\xFE") || bytes.startsWith("\xFE\xFF");
 }
 
-/// For those who look for words; the readers decode what they read. Empty: no text.
+/// The text for keyword searches; readers decode the bytes themselves. Empty if they are not text.
 QByteArray inUtf8(QByteArrayView bytes) {
     try {
         return QByteArray::fromStdString(decodeText(bytes).text);
@@ -58,8 +58,7 @@ CorrectionTo20 correctionOf(std::string_view word) {
     return word == "applied here" ? CorrectionTo20::appliedHere : CorrectionTo20::notStated;
 }
 
-/// Whether a correction to 20 °C changes what is measured: long targets, and something is known of
-/// temperatures.
+/// True if a correction to 20 °C could change the result: long targets, and temperatures are known.
 bool couldMatter(const Imported &imported) {
     constexpr double isLong = 100; // mm
     const Conditions &conditions = *conditionsOf(*imported.test);
@@ -73,12 +72,12 @@ bool couldMatter(const Imported &imported) {
     return isWarm && length > isLong && motionOf(*imported.test) == Motion::linear;
 }
 
-/// Whether the instrument has corrected to 20 °C is asked where it matters, never assumed.
+/// Asks if the instrument has corrected to 20 °C where that matters; never assumed.
 void settleCorrection(Imported &imported, Choices &choices) {
     Conditions *conditions = imported.test ? conditionsOf(*imported.test) : nullptr;
     if (!conditions)
         return;
-    const CorrectionTo20 stated = conditions->correctionTo20; // by a file that can say it
+    const CorrectionTo20 stated = conditions->correctionTo20; // by a file whose format can state it
     const auto choice =
         choices.settle("correctionTo20", fileWord(stated),
                        stated == CorrectionTo20::notStated ? Origin::guessed : Origin::recognised);
@@ -97,7 +96,7 @@ bool hasSense(const std::vector<double> &values) {
     return std::ranges::all_of(values, [](double value) { return std::abs(value) <= largestNumber; });
 }
 
-/// Targets have to differ in mm, too.
+/// Targets must also differ in mm.
 bool hasSense(const PositioningMeasurement &measurement) {
     const auto sensible = [](const auto &value) { return !value || std::abs(*value) <= largestNumber; };
     return hasSense(measurement.targets) &&
@@ -119,7 +118,7 @@ bool hasSense(const DriftMeasurement &measurement) {
     return hasSense(measurement.times) && hasSense(measurement.deviations);
 }
 
-/// Files may hold any number; what is beyond sense is no measurement.
+/// Throws Error for numbers beyond any machine, as files may hold any number.
 void demandSense(const Test &test) {
     if (!std::visit([](const auto &measurement) { return hasSense(measurement); }, test.measurement))
         throw Error(
@@ -128,7 +127,7 @@ void demandSense(const Test &test) {
                          "there are numbers in it that no machine has; check units and decimal mark")});
 }
 
-/// Hours of the series before the test; nothing where one of the two is not dated.
+/// Hours of the series before the test; null if one of the two is not dated.
 std::optional<double> hoursBefore(const Test &test, const Imported &imported) {
     const auto date = test.date ? dayOf(*test.date) : std::nullopt;
     const auto time = test.time ? clockTime(*test.time) : std::nullopt;
@@ -178,13 +177,13 @@ std::string wishedId(const Test &test) {
     return name;
 }
 
-/// A test file has to hold all that comes in: texts and readings keep to its bounds.
+/// Throws Error if a test file cannot store the data: texts and readings have bounds.
 void demandStorable(const Imported &imported) {
     Document document;
     document.machine = imported.machine;
     document.report.operatorName = imported.operatorName;
     document.instruments = imported.instruments;
-    if (imported.test) // looked at, not kept
+    if (imported.test) // checked, not stored
         document.tests.push_back(std::shared_ptr<const Test>(std::shared_ptr<const Test>(), &*imported.test));
     Test measured = testOf(Kind::positioning);
     conditionsOf(measured)->sensors = imported.sensors;
@@ -192,8 +191,7 @@ void demandStorable(const Imported &imported) {
     demandBounds(document);
 }
 
-/// What the reader of the format makes of the bytes; what it finds before it has to give up stays.
-/// The files of most instruments are of one kind: another choice is no choice.
+/// Throws Error if the user chose another kind than the reader's: most instrument files have only one.
 void demandKind(const Imported &imported, const Choices &choices) {
     const char *kind = "temperatures";
     if (imported.test)
@@ -204,6 +202,7 @@ void demandKind(const Imported &imported, const Choices &choices) {
                                             nameOfWord("kind", kind)}});
 }
 
+/// Reads the bytes; on an Error sets `refusal` and keeps what was found before.
 void readInto(Imported &imported, QByteArrayView bytes, const ImportFormat &format, Choices &choices) {
     try {
         format.read({bytes, choices.options()}, choices, imported);
@@ -229,7 +228,7 @@ bool showsAnything(const Imported &imported) {
     return !imported.table.rows().empty() || !imported.text.empty() || !imported.sheets.empty();
 }
 
-/// The id of an instrument; one that the document does not know is added to it.
+/// The ID of an instrument, which is added to the document if unknown there.
 std::string idAmong(std::vector<Instrument> &known, Instrument instrument) {
     const std::string wish = instrument.id.empty() ? "instrument" : instrument.id;
     instrument.id.clear();
@@ -317,14 +316,14 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
         return;
     }
     Test test = std::move(*imported.test);
-    // Remarked, not asked: nothing says it.
+    // Only remarked, not asked, as the file does not state it.
     if (std::holds_alternative<PositioningMeasurement>(test.measurement) &&
         std::ranges::find(imported.remarks, "sign", &Remark::choice) != imported.remarks.end())
         file.signAssumed = true;
     test.id = freeId(wishedId(test), document.tests);
     test.imports = {file};
     if (!isJudged(test)) {
-        test.imports.clear(); // the format keeps none for drift tests
+        test.imports.clear(); // the format stores no imports for drift tests
         fill(test.remarks, file.fileName + ", SHA-256 " + file.sha256);
     }
     test.instruments.clear();

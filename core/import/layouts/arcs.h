@@ -12,8 +12,8 @@
 
 namespace palmer {
 
-/// Settles what every circular test has: plane, feed, calibrated length, correction to 20 °C, edition.
-/// `plane`, `feed`: as the file says, or empty.
+/// Settles the common properties of circular tests: plane, feed, calibrated length, correction to 20 °C,
+/// edition. `plane`, `feed`: from the file, or empty.
 void settleCircle(CircularMeasurement &measurement, std::string &edition, std::string_view plane,
                   std::optional<double> feed, Choices &choices, std::vector<Remark> &remarks);
 
@@ -23,7 +23,7 @@ void settleCircle(CircularMeasurement &measurement, std::string &edition, std::s
 /// Angles made continuous: no step beyond 180°.
 void unwrap(std::vector<double> &degrees);
 
-/// The sense in which the angles of a path run.
+/// The sense in which a path's angles run.
 [[nodiscard]] Sense senseOf(const std::vector<double> &unwrapped);
 
 } // namespace palmer

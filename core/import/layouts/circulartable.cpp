@@ -19,12 +19,12 @@ namespace palmer {
 namespace {
 
 double rounded(double value, double step) {
-    // Divided by whole parts, so that 13.3 is the number people write.
+    // Divides by an integer, so that 13.3 is the number people write.
     return step < 1 ? std::round(value * std::round(1 / step)) / std::round(1 / step)
                     : std::round(value / step) * step;
 }
 
-/// The nearest round number that a programmed radius may be.
+/// The nearest round number that may be a programmed radius.
 double nominalOf(double radius) {
     for (const double step : {10.0, 5.0, 1.0, 0.5, 0.1}) {
         if (std::abs(rounded(radius, step) - radius) < std::min(0.2 * step, 0.3))
@@ -116,7 +116,7 @@ private:
         return found;
     }
 
-    /// Called so, else by their unit: "Angular position (°)".
+    /// Columns named as angles, otherwise those with an angle's unit: "Angular position (°)".
     [[nodiscard]] std::vector<std::size_t> angleColumns() const {
         std::vector<std::size_t> angles = numbersOf(Meaning::angle);
         if (!angles.empty())
@@ -130,7 +130,7 @@ private:
         return angles;
     }
 
-    /// The columns of a role by their headings; those of several roles are never paths of one test.
+    /// Sets the roles of columns by their headings; columns of different roles are never paths of one test.
     void takeRoles() {
         const TableBody &body = m.body;
         m.result.columns.clear();
@@ -140,7 +140,7 @@ private:
         const std::vector<std::size_t> angle = angleColumns();
         const auto coordinates = coordinateColumns();
         m_named = coordinates || !angle.empty();
-        // "angle, x, y": the points, and where on their way they were taken.
+        // "angle, x, y": points, and the angles at which they were taken.
         const bool isXy =
             coordinates && (angle.empty() || (of(Meaning::radius).empty() && of(Meaning::deviation).empty()));
         const std::vector<std::size_t> columns = body.numberColumns();
@@ -175,7 +175,7 @@ private:
             setRole(*runs, ColumnRole::number);
     }
 
-    /// Two columns called by their axes, in the order of the plane: as it is stated, else of the table.
+    /// Two columns named after axes, in the order of the plane: the stated one, otherwise the table's.
     [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> coordinateColumns() const {
         std::vector<std::size_t> found;
         const auto letter = [&](std::size_t c) { return m.body.columns[c].words.axis; };
@@ -209,7 +209,7 @@ private:
         return columns[counts ? 1 : 0];
     }
 
-    /// Columns whose headings do not say what they are: those that name a sense, else all of one size.
+    /// Columns with undefined headings: those that name a sense, otherwise all of similar size.
     [[nodiscard]] std::vector<std::size_t> unnamed() {
         std::vector<std::size_t> columns;
         std::vector<std::size_t> sensed;
@@ -285,14 +285,14 @@ private:
             takeSenses();
     }
 
-    /// A column of senses is read also where its role is not among those that were chosen.
+    /// Reads a column of senses even if its role is not among those chosen.
     void takeSenses() {
         const auto senses = columnOfSenses();
         if (senses && m.result.columns[*senses].role == ColumnRole::ignored)
             setRole(*senses, ColumnRole::direction);
     }
 
-    /// A column that holds the nominal radius in every line.
+    /// Takes the nominal radius from a column with the same value in every line.
     void takeNominal() {
         for (std::size_t c = 0; c < m.result.columns.size(); ++c) {
             if (m.result.columns[c].role != ColumnRole::nominal || m.notes.radius)
@@ -338,7 +338,7 @@ private:
             refuseColumns();
         if (choice.origin == Origin::guessed)
             m.remark(RemarkGrade::assumption, contentOf(choice.value), 0, "layout");
-        // The columns are what the layout says they are, also where it was chosen against their headings.
+        // The layout determines the columns, even if it was chosen against their headings.
         const bool isXy = choice.value == "xy";
         if (m_first)
             setRole(*m_first, isXy ? ColumnRole::x : ColumnRole::angle);
@@ -358,7 +358,7 @@ private:
         askForSenses();
     }
 
-    /// Two columns beside the same angles run the same way unless a word tells them apart.
+    /// Two columns with common angles have the same sense unless a word distinguishes them.
     void askForSenses() {
         if (!m_unknownSense.empty())
             m.remark(RemarkGrade::problem,
@@ -375,7 +375,7 @@ private:
                      0, "columns");
     }
 
-    /// Columns that part the lines of a block into paths.
+    /// Columns that split the lines of a block into paths.
     struct Parting {
         std::optional<std::size_t> senses;
         std::optional<std::size_t> runs;
@@ -383,7 +383,7 @@ private:
         std::string_view lastRun = {};
     };
 
-    /// Of a block and its column: another where a column says another sense or run.
+    /// Collects the paths of a block and column: a new one where another sense or run is named.
     void collectPaths(const TableBlock &block, std::size_t second, std::optional<Sense> stated) {
         const auto direction =
             std::ranges::find(m.result.columns, ColumnRole::direction, &ImportColumn::role);
@@ -412,7 +412,7 @@ private:
         finish(path);
     }
 
-    /// Ends the path where the line belongs to another one.
+    /// Ends the path if the line belongs to another one.
     void part(Parting &parting, std::uint32_t row, RawPath &path) {
         auto sense = path.stated;
         bool ends = false;
@@ -436,7 +436,7 @@ private:
         path.stated = sense;
     }
 
-    /// Numbers of the paths: each has its own arc.
+    /// The column of path numbers: each path has its own arc.
     [[nodiscard]] std::optional<std::size_t> columnOfRuns() const {
         const std::vector<std::size_t> found = numbersOf(Meaning::run);
         return found.size() == 1 && found.front() != m_first.value_or(m_seconds.front()) &&
@@ -445,7 +445,7 @@ private:
                    : std::nullopt;
     }
 
-    /// Of words that say the sense, else of words below a heading that says so.
+    /// The column of words that name the sense, otherwise of words below a heading that names it.
     [[nodiscard]] std::optional<std::size_t> columnOfSenses() const {
         if (const auto known = m.body.columnOf(ColumnKind::senses))
             return known;
@@ -502,7 +502,7 @@ private:
         return a.size() == 1 && b.size() == 1 ? upper(a + b) : std::string();
     }
 
-    /// What the heading says of the unit, else the lines above.
+    /// The unit in the heading, otherwise in the lines above.
     [[nodiscard]] SaidUnit saidFor(const TableColumn &column) const {
         return column.said().isSaid() ? column.said() : m.notes.unit;
     }
@@ -576,11 +576,11 @@ private:
         askForCircle(measurement, points, fit.radius);
     }
 
-    /// A line of a straightness is a circle of 78 m to a fit.
+    /// Asks if the points are a circle: a fit to a straightness line is a circle of 78 m.
     void askForCircle(const CircularMeasurement &measurement, const Points &points, double radius) {
         constexpr std::size_t fewest = 8;
         constexpr double shortest = 45; // °
-        constexpr double largest = 3;   // radius to the extent of the points
+        constexpr double largest = 3;   // radius as a multiple of the extent of the points
         double span = 0;
         for (const Arc &arc : measurement.arcs) {
             const auto [from, to] = std::ranges::minmax(arc.angles);
@@ -607,13 +607,13 @@ private:
                      0, "nominalRadius");
     }
 
-    /// What the numbers of a list of angles are.
+    /// Meaning of the numbers in a list of angles.
     struct AngleForm {
-        bool radii = false; ///< else radial deviations
+        bool radii = false; ///< otherwise radial deviations
         const Unit *angle = nullptr;
         const Unit *reading = nullptr;
         double radius = 0;     ///< nominal, mm
-        bool inverted = false; ///< deviations that are positive inwards
+        bool inverted = false; ///< deviations are positive inwards
         AngleReference reference = AngleReference::polar;
     };
 
@@ -640,7 +640,7 @@ private:
         form.reading = settleUnit(
             "unit", saidFor(second), UnitKind::length, form.radii || size < 0.5 ? "mm" : "um",
             REPORT_TEXT("report", "Unit of the radial deviations: nothing in the file says it; read as %1."));
-        constexpr double anyRadius = 150; // to go on reading: the deviations hold for any
+        constexpr double anyRadius = 150; // to continue reading, as deviations do not depend on it
         form.radius =
             settleRadius(form.radii ? nominalOf(form.reading->toBase(mean)) : anyRadius, Origin::guessed);
         if (form.radii)
@@ -652,7 +652,7 @@ private:
                      0, "nominalRadius");
     }
 
-    /// Outwards positive is what a radial deviation is; the other sign is a choice.
+    /// A radial deviation is positive outwards; the other sign is a choice.
     void settleRadialSign(AngleForm &form) {
         if (form.radii)
             return;
@@ -699,8 +699,8 @@ private:
         }
     }
 
-    /// A path that turns round is two arcs. A stated sense that the angles contradict: the points were listed
-    /// by angle, so their order is turned.
+    /// A path that reverses is two arcs. If a stated sense contradicts the angles, the points were listed by
+    /// angle, and their order is reversed.
     void addArcs(CircularMeasurement &measurement, Arc path, std::optional<Sense> stated) {
         const std::size_t turn = turningPoint(path.angles);
         if (turn > 0 && !stated) {
@@ -731,12 +731,11 @@ private:
         measurement.arcs.push_back(std::move(path));
     }
 
-    /// Where a path that goes forth and back turns: the index of the first point of the way back; 0: it does
-    /// not.
+    /// Index of the first point of the way back of a path that goes there and back; 0 if it does not reverse.
     [[nodiscard]] static std::size_t turningPoint(const std::vector<double> &angles) {
         if (angles.size() < 8)
             return 0;
-        // The first of equal ones: the way back may begin with the point again where the way there ended.
+        // The first of equal ones, as the way back may repeat the last point of the way there.
         const auto low = std::ranges::min_element(angles);
         const auto high = std::ranges::max_element(angles);
         const auto farthest = std::abs(*high - angles.front()) > std::abs(*low - angles.front()) ? high : low;
@@ -753,7 +752,7 @@ private:
     std::vector<RawPath> m_paths;
     std::size_t m_missing = 0;
     std::optional<Message> m_question;
-    std::string_view m_unknownSense; ///< the first word of a column of senses that says none
+    std::string_view m_unknownSense; ///< the first word of a column of senses that names none
     bool m_named = false;
     bool m_turned = false;
 };
@@ -787,7 +786,7 @@ bool areOnCircle(const TableReading &reading, std::size_t xColumn, std::size_t y
             worst, std::abs(std::hypot(points.x[i] - fit.centre.x, points.y[i] - fit.centre.y) - fit.radius));
     const auto [left, right] = std::ranges::minmax(points.x);
     const auto [low, high] = std::ranges::minmax(points.y);
-    // Small deviations over a whole turn lie on a huge circle as on a straight line: its bend has to be seen.
+    // Small deviations over a whole turn fit a huge circle as well as a line: the curvature must be visible.
     const double bend = std::min(right - left, high - low);
     return worst < 0.02 * fit.radius && worst < 0.1 * bend && right - left > 0.1 * fit.radius;
 }

@@ -14,15 +14,15 @@
 
 namespace palmer {
 
-/// What the numbers of a column are. Columns of different roles are never pooled.
+/// Meaning of a column's numbers. Columns of different roles are never pooled.
 enum class ColumnRole : std::uint8_t {
     ignored,
     target,
     actual, ///< actual positions, of one run or of all
     deviation,
-    run,       ///< readings of one run: positions or deviations, after the choice "content"
-    direction, ///< the direction of approach of each line, or the sense of contouring
-    number,    ///< the number of the run of each line
+    run,       ///< readings of one run: positions or deviations, by the choice "content"
+    direction, ///< direction of approach of each line, or sense of contouring
+    number,    ///< run number of each line
     angle,
     radius,
     x, ///< the first coordinate
@@ -36,20 +36,20 @@ enum class ColumnRole : std::uint8_t {
 /// A column of the recognised table with its role.
 struct ImportColumn {
     ColumnRole role = ColumnRole::ignored;
-    std::optional<Direction> direction = {}; ///< of a run, where the heading states it
+    std::optional<Direction> direction = {}; ///< of a run, if stated by the heading
     unsigned number = 0;                     ///< of a run, from 1; 0: not stated
-    const Unit *unit = nullptr;              ///< of the heading, or null
+    const Unit *unit = nullptr;              ///< of the heading; may be null
     std::string heading = {};
 
     bool operator==(const ImportColumn &) const = default;
 
-    /// Whether the column holds readings of a positioning test.
+    /// True if the column holds readings of a positioning test.
     [[nodiscard]] bool hasReadings() const {
         return role == ColumnRole::run || role == ColumnRole::actual || role == ColumnRole::deviation;
     }
 };
 
-/// Rows of the same columns, one of several tables of a file.
+/// Rows of the same columns: one of several tables of a file.
 struct ListedTable {
     std::size_t firstLine = 0; ///< of its numbers, from 1
     std::size_t lastLine = 0;
@@ -59,11 +59,11 @@ struct ListedTable {
     bool operator==(const ListedTable &) const = default;
 };
 
-/// The roles as the choice "columns" has them: "target,ignored,run+1,run-1,run"; `+` and `-` are the
-/// direction, the number that of the run.
+/// The roles in the format of the choice "columns": "target,ignored,run+1,run-1,run"; `+` and `-` are the
+/// direction, the number is that of the run.
 [[nodiscard]] std::string wordOf(const std::vector<ImportColumn> &columns);
 
-/// The roles that such a text names; nothing where a word is unknown, which is put into `unknown`.
+/// The roles named by such a text; null for an unknown word, which is stored in `unknown`.
 [[nodiscard]] std::optional<std::vector<ImportColumn>> columnsOf(std::string_view text, std::string &unknown);
 
 /// The words for roles, for help and errors.

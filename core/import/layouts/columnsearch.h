@@ -8,18 +8,18 @@
 
 namespace palmer {
 
-/// The columns of a table of a positioning test on the way to their roles: what the steps know so far.
+/// State of the search for the column roles of a positioning table.
 struct ColumnSearch {
     TableReading &reading;
     PositioningColumns result = {};
     std::vector<std::size_t> targets = {};   ///< columns that may hold the targets
-    std::vector<std::size_t> positions = {}; ///< actual positions beside the deviations
-    std::optional<Message> question = {};    ///< the first doubt about the columns, else the first guess
-    bool isDoubtful = false;                 ///< it is a doubt
+    std::vector<std::size_t> positions = {}; ///< actual positions in addition to deviations
+    std::optional<Message> question = {};    ///< the first doubt about the columns, otherwise the first guess
+    bool isDoubtful = false;                 ///< the question is a doubt
     bool hasProposal = true;                 ///< what was read may be right
 };
 
-/// What the steps share.
+/// Shared by the steps.
 class ColumnStep {
 protected:
     explicit ColumnStep(ColumnSearch &search)
@@ -32,10 +32,10 @@ protected:
     [[nodiscard]] bool isNumeric(std::size_t c) const { return m_heads[c].kind == ColumnKind::numbers; }
     [[nodiscard]] ColumnRole &role(std::size_t c) { return m_result.columns[c].role; }
     [[nodiscard]] std::vector<double> valuesOf(std::size_t column) const; ///< of the first rows
-    /// Whether the values stay near the targets, line by line.
+    /// True if the values stay close to the targets, line by line.
     [[nodiscard]] bool followsTarget(std::size_t column) const;
-    void ask(Message message);    ///< a doubt; the first one stays
-    void assume(Message message); ///< a guess, which stands behind doubts
+    void ask(Message message);    ///< a doubt; only the first is kept
+    void assume(Message message); ///< a guess; doubts take precedence
 
     TableReading &m;
     const std::vector<TableColumn> &m_heads;
@@ -51,7 +51,7 @@ void keepReadingsOfOneKind(ColumnSearch &search);
 void takeDirectionsOfHeadings(ColumnSearch &search);
 void findOwnTargets(ColumnSearch &search);
 void proveSign(ColumnSearch &search);
-/// Takes what the user chose in the place of what was found. Throws Error for roles that make no test.
+/// Replaces what was found by the user's choice. Throws Error for roles that make no test.
 void takeChosenColumns(ColumnSearch &search, const std::string &text);
 
 } // namespace palmer

@@ -9,7 +9,7 @@ namespace palmer {
 
 namespace {
 
-/// 1, 1, 2, 2 … in any order: numbers of runs. Readings are hardly ever small whole numbers that repeat.
+/// True for run numbers, 1, 1, 2, 2 … in any order. Readings are hardly ever small repeated integers.
 bool areRunNumbers(const std::vector<double> &values) {
     std::size_t changes = 0;
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -52,7 +52,7 @@ private:
         if (head.unit && head.unit->kind == UnitKind::temperature)
             return ColumnRole::temperature;
         if (head.unit && head.unit->kind == UnitKind::time && !saysReading(head))
-            return ColumnRole::time; // else "(sec)" is of arc, perhaps, and is asked for
+            return ColumnRole::time; // otherwise "(sec)" may be of arc, and is asked
         switch (head.meaning) {
         case Meaning::statistic:
             return ColumnRole::statistic;
@@ -93,7 +93,7 @@ private:
         return ColumnRole::ignored;
     }
 
-    /// "↑ 3", "2", "X+": a direction or a number and no word that is not understood.
+    /// "↑ 3", "2", "X+": a direction or a number without unknown words.
     [[nodiscard]] static bool isRunHeading(const HeadingWords &heading) {
         const bool known = heading.unknownWords == 0 || (heading.hint && heading.unknownWords <= 1);
         return known &&

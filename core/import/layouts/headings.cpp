@@ -18,7 +18,7 @@ bool isLetter(char c) {
     return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// The words of a folded text: letters together.
+/// The words of a folded text: sequences of letters.
 std::vector<std::string_view> wordsOf(std::string_view text) {
     std::vector<std::string_view> words;
     for (std::size_t i = 0; i < text.size();) {
@@ -35,7 +35,7 @@ std::vector<std::string_view> wordsOf(std::string_view text) {
     return words;
 }
 
-/// "G2", "Radius (G03)": neither "G21" nor "DG2".
+/// Finds "G2", "Radius (G03)", but not "G21" or "DG2".
 bool hasCode(std::string_view text, std::string_view code) {
     const auto isPart = [](char c) { return isLetter(c) || (c >= '0' && c <= '9'); };
     for (std::size_t at = text.find(code); at != std::string_view::npos; at = text.find(code, at + 1)) {
@@ -46,7 +46,7 @@ bool hasCode(std::string_view text, std::string_view code) {
     return false;
 }
 
-/// "soll - ist": one of both sides of the sign is the target, the other what was measured.
+/// "soll - ist": one side of the minus is the target, the other the measured value.
 std::string signOfDifference(std::string_view left, std::string_view right) {
     const HeadingWords from = readHeading(left);
     const HeadingWords to = readHeading(right);
@@ -66,7 +66,8 @@ std::optional<Sense> senseIn(std::string_view text) {
     const std::string low = folded(text);
     const std::vector<std::string_view> words = wordsOf(low);
     const auto has = [&](std::string_view word) { return std::ranges::find(words, word) != words.end(); };
-    // "Gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre": the clock with a word against it.
+    // "Gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre": the clock with a word for
+    // against.
     constexpr std::array<std::string_view, 9> clocks{"clockwise", "horaire",       "orario",
                                                      "horario",   "uhrzeigersinn", "uhrzeigers",
                                                      "aiguilles", "lancette",      "agujas"};
@@ -75,7 +76,7 @@ std::optional<Sense> senseIn(std::string_view text) {
                                                        "contro",  "contra"};
     if (std::ranges::any_of(clocks, has) && std::ranges::any_of(against, has))
         return Sense::counterclockwise;
-    // "Sens trigonométrique": as angles are counted in mathematics.
+    // "Sens trigonométrique": the mathematical sense of angles.
     constexpr std::array<std::string_view, 4> counted{"trigo", "trigonometrique", "trigonometrico",
                                                       "trigonometrica"};
     if (std::ranges::any_of(counted, has))
@@ -96,7 +97,7 @@ std::optional<Sense> senseIn(std::string_view text) {
 }
 
 std::optional<double> clockTime(std::string_view text) {
-    // The last blank-separated part, or what stands behind the T of ISO 8601.
+    // The last blank-separated part, or what follows the T of ISO 8601.
     const std::size_t blank = text.find_last_of(" T");
     std::string_view clock = blank == std::string_view::npos ? text : text.substr(blank + 1);
     if (clock.ends_with('Z'))

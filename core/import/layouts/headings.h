@@ -11,21 +11,21 @@
 
 namespace palmer {
 
-/// The sense of contouring a word or heading names: ccw, cw, G2, G3, horaire, antihoraire.
+/// The sense of contouring named by a word or heading: ccw, cw, G2, G3, horaire, antihoraire.
 [[nodiscard]] std::optional<Sense> senseIn(std::string_view text);
 
-/// Seconds of the day of "10:25", "10:25:30,5", also behind a date; nothing for any other text.
+/// Seconds of the day for "10:25" or "10:25:30,5", also after a date; null for any other text.
 [[nodiscard]] std::optional<double> clockTime(std::string_view text);
 
-/// What a text says of the sign of deviations.
+/// The sign of deviations stated by a text.
 struct SaidSign {
-    std::string sign;  ///< as of the choice; empty: nothing
-    std::string words; ///< of the text that say it
+    std::string sign;  ///< a word of the choice; empty if none is stated
+    std::string words; ///< the words of the text that state it
 };
 
-/// "Deviation = actual - target", "Abweichung (Soll − Ist)", "moins" or "minus" for the dash, in the
-/// languages of headings. A dash without blanks counts in brackets or behind an equals sign only: a
-/// "Soll-Ist-Vergleich" compares both and says nothing.
+/// Reads "Deviation = actual - target", "Abweichung (Soll − Ist)", or "moins" and "minus" for the dash, in
+/// the languages of headings. A dash without blanks counts only in brackets or after an equals sign: a
+/// "Soll-Ist-Vergleich" compares both without stating a sign.
 [[nodiscard]] SaidSign saidSign(std::string_view text);
 
 } // namespace palmer

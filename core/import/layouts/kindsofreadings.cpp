@@ -78,7 +78,7 @@ private:
         }
     }
 
-    /// "1A" beside "1R": no axis A.
+    /// "1A" next to "1R" is not an axis A.
     [[nodiscard]] bool isLetterHint(std::size_t c) const {
         return words(c).hint && (words(c).axis == 'A' || words(c).axis == 'B');
     }
@@ -100,7 +100,7 @@ private:
             takeContent(kept);
             return;
         }
-        // Deviations and the positions they come from say the same; the deviations are read.
+        // Deviations and the positions they are computed from are equivalent; the deviations are read.
         if (kept != 0 || counts[2] > 0)
             ask({REPORT_TEXT("report", "Columns: the headings name readings of different kinds; those like "
                                        "“%1” are read, the others are not."),
@@ -111,7 +111,7 @@ private:
             std::ranges::copy_if(m_result.values, std::back_inserter(m_search.positions),
                                  [&](std::size_t c) { return role(c) == ColumnRole::actual; });
         }
-        // Positions that belong to the deviations keep their role: they prove the sign.
+        // Positions belonging to the deviations keep their role, as they prove the sign.
         std::erase_if(m_result.values, [&](std::size_t c) {
             const bool goes = sortOf(c) != kept;
             if (goes && !(kept == 0 && role(c) == ColumnRole::actual))
@@ -146,10 +146,10 @@ private:
         setAside([&](std::size_t c) { return m_heads[c].said() == m_result.unit; });
     }
 
-    /// Runs of one kind have the same words; a word that is not understood is a kind of its own.
+    /// Runs of one kind have the same words; an unknown word makes another kind.
     void keepOneStem() {
         const auto stemOf = [&](std::size_t c) {
-            const std::size_t letters = words(c).hint ? 1 : 0; // "1A" beside "1R"
+            const std::size_t letters = words(c).hint ? 1 : 0; // "1A" next to "1R"
             return words(c).group + (words(c).unknownWords > letters ? words(c).stem : std::string());
         };
         std::map<std::string, std::size_t> counts;
@@ -170,7 +170,7 @@ private:
         setAside([&](std::size_t c) { return stemOf(c) == kept; });
     }
 
-    /// Among columns with a direction one without is no run, unless a column of directions says it.
+    /// Among columns with a direction, one without is not a run, unless a column of directions gives it.
     void keepDirected() {
         const auto isDirected = [&](std::size_t c) { return words(c).direction || words(c).hint; };
         const auto directed = std::ranges::count_if(m_result.values, isDirected);
@@ -183,7 +183,7 @@ private:
             }
             setAside(isDirected);
         }
-        // A number beside columns that number their runs: "Run 1", "Run 2", "Deviation".
+        // A column without number among numbered runs: "Run 1", "Run 2", "Deviation".
         const auto isNumbered = [&](std::size_t c) { return words(c).number.has_value(); };
         const auto numbered = std::ranges::count_if(m_result.values, isNumbered);
         if (numbered > 1 && static_cast<std::size_t>(numbered) < m_result.values.size()) {
@@ -193,7 +193,7 @@ private:
         }
     }
 
-    /// What has a number or a direction and the unit of the readings is hardly anything but a run.
+    /// A column with a number or direction and the unit of readings is very likely a run.
     void askForRuns() {
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             const bool isOfAxis =

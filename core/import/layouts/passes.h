@@ -16,21 +16,21 @@
 
 namespace palmer {
 
-/// A reading of a file: where, and what; in the file's units. There are millions: as small as may be.
+/// A reading of a file: position and value in the file's units. Kept small, as there may be millions.
 struct PassReading {
     double position = 0;
     double value = 0;
-    std::uint32_t line = 0; ///< of the file, 0: not known
-    bool isMissing = false; ///< no reading: its value says nothing
+    std::uint32_t line = 0; ///< of the file; 0: unknown
+    bool isMissing = false; ///< no reading; `value` is undefined
 };
 
-/// One pass over the targets in one direction, in the order of the file.
+/// One pass over the targets in one direction, in file order.
 struct Pass {
     Direction direction = Direction::positive;
     std::vector<PassReading> readings;
 };
 
-/// How the values of passes are to be understood. The texts and origins are those of the choices.
+/// How to interpret the values of passes. Texts and origins are those of the choices.
 struct PassForm {
     std::string content = "deviations"; ///< or "positions"
     std::string sign = "actualMinusTarget";
@@ -38,55 +38,55 @@ struct PassForm {
     const Unit *positionUnit = nullptr; ///< of the targets
 };
 
-/// Targets ascending without repetition, one run a pass, readings that are not there null; deviations =
-/// actual − target in mm or degrees. Differences of positions are rounded to 1e-10, far below any
-/// instrument: 150.712 − 150.71 is 0.002. Remarks: two readings in one place (the first stays; others than
-/// it are data that were not read), a run of zeros, gaps, runs that differ in number.
+/// Makes a measurement with ascending targets without repetition, one run per pass, missing readings null;
+/// deviations = actual − target in mm or degrees. Differences of positions are rounded to 1e-10, far below
+/// any instrument: 150.712 − 150.71 is 0.002. Remarks: two readings at one place (the first is kept;
+/// differing ones are unread data), a run of zeros, gaps, unequal numbers of runs.
 [[nodiscard]] PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &form,
                                                    std::vector<Remark> &remarks);
 
-/// The test of a measurement: its edition and the name of its axis are chosen, else the default and `axis`.
+/// Makes a test of a measurement; edition and axis name are the chosen ones, otherwise the default and
+/// `axis`.
 [[nodiscard]] Test testFrom(PositioningMeasurement measurement, std::string_view axis, Choices &choices);
 
-/// A table of an instrument is of lengths, or of angles: one unit of each is refused.
+/// Throws Error unless the units of readings and positions are both lengths or both angles.
 void demandOneMotion(const PassForm &form);
 
-/// Targets of a list that have a reading in no run are targets all the same: those a pass lacks are added to
-/// it as missing readings.
+/// Adds the targets of a list that a pass lacks as missing readings, so that targets without any reading are
+/// kept.
 void addMissing(Pass &pass, std::span<const double> targets);
 
-/// The numbers of both directions, one after the other: ↑1 ↓1 ↑2 ↓2 …, as the standard cycle measures.
+/// Alternates the passes of both directions, ↑1 ↓1 ↑2 ↓2 …, as measured in the standard cycle.
 [[nodiscard]] std::vector<Pass> inCycles(std::vector<Pass> passes);
 
-/// Whether the values follow the positions they stand at, and hence are positions: their differences are
-/// small against the range of the positions, and the values are not.
+/// True if the values follow their positions and hence are positions: the differences are small compared with
+/// the range of positions, and the values are not.
 [[nodiscard]] bool arePositions(const std::vector<Pass> &passes);
 
-/// What a file says of its values; empty or null: nothing.
+/// Statements of a file about its values; empty or null if there are none.
 struct StatedForm {
     std::string content; ///< "deviations" or "positions"
-    std::string sign;    ///< as of the choice, where the file proves it
+    std::string sign;    ///< a word of the choice, if the file proves it
     SaidUnit unit = {};
     SaidUnit positionUnit = {};
-    SaidSign said = {};        ///< what words of the file say, which is asked
-    bool isCorrection = false; ///< a heading of what is read names one
+    SaidSign said = {};        ///< in words of the file, to be confirmed
+    bool isCorrection = false; ///< a heading of the data read names a correction
 };
 
-/// How a unit is asked for.
+/// How to ask for a unit.
 struct UnitQuestion {
-    Text guessed;                                ///< nothing says it: "… read as %1."
-    RemarkGrade grade = RemarkGrade::assumption; ///< of that
-    std::optional<Message> contradiction =
-        {}; ///< what is said cannot be taken; null: it is quoted, without more
+    Text guessed;                                ///< nothing states it: "… read as %1."
+    RemarkGrade grade = RemarkGrade::assumption; ///< grade of `guessed`
+    std::optional<Message> contradiction = {};   ///< why the stated unit is unusable; null: it is only quoted
 };
 
-/// Settles the unit of a choice: that of the user, `found` (the one said, where numbers can be read in it),
-/// the usual one where nothing is said, else `guess` with its question. Null where the user's is no unit.
+/// Settles the unit of a choice: the user's, otherwise `found` (the stated one, if usable), otherwise the
+/// usual one if none is stated, otherwise `guess` with its question. Null if the user's is not a unit.
 const Unit *settleUnit(std::string_view choice, const SaidUnit &said, const Unit *found, const Unit &guess,
                        const UnitQuestion &question, Choices &choices, std::vector<Remark> &remarks);
 
-/// Settles content, unit, positionUnit, sign and motion for passes: what the file says, else a guess with its
-/// question.
+/// Settles content, unit, positionUnit, sign and motion of passes: as stated in the file, otherwise guessed
+/// with a question.
 [[nodiscard]] PassForm settleForm(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
                                   std::vector<Remark> &remarks);
 
