@@ -17,13 +17,13 @@ namespace palmer {
 
 namespace {
 
-constexpr double finest = 1e10; ///< parts of a mm or degree that differences are rounded to
+constexpr double finest = 1e10; ///< differences are rounded to this fraction of a mm or degree
 
 Number count(std::size_t n) {
     return {static_cast<double>(n), Quantity::count};
 }
 
-/// What is the same for all readings is settled once: millions are asked for.
+/// Computes once what is common to all readings, as there are millions.
 struct DeviationForm : PassForm {
     explicit DeviationForm(const PassForm &form)
         : PassForm(form) {}
@@ -35,7 +35,7 @@ struct DeviationForm : PassForm {
 double deviation(double position, double value, const DeviationForm &form) {
     double result = 0;
     if (form.arePositions) {
-        // Subtracted in the file's units where they are the same: the decimals of the file stay.
+        // If both units are the same, subtracts in the file's units, to keep its decimals.
         result = form.unit == form.positionUnit
                      ? std::round((value - position) * finest) / finest
                      : std::round((form.unit->toBase(value) - form.positionUnit->toBase(position)) * finest) /
@@ -80,7 +80,8 @@ void remarkGaps(const PositioningMeasurement &measurement, std::vector<Remark> &
 
 namespace {
 
-/// The positions of all passes, each once, rising. Most files list the same ones for each pass, in order.
+/// The positions of all passes in ascending order without repetition. Most files list the same ones in every
+/// pass, in order.
 std::vector<double> positionsOf(const std::vector<Pass> &passes) {
     std::vector<double> positions;
     if (!passes.empty())
@@ -98,28 +99,28 @@ std::vector<double> positionsOf(const std::vector<Pass> &passes) {
     return positions;
 }
 
-/// Where a position stands among all; `next` is looked at first.
+/// Index of a position; tries `next` first.
 std::size_t placeOf(double position, const std::vector<double> &positions, std::size_t next) {
     if (next < positions.size() && positions[next] == position)
         return next;
     return static_cast<std::size_t>(std::ranges::lower_bound(positions, position) - positions.begin());
 }
 
-/// A run, its readings at the positions of all.
+/// A run with its readings at the positions of all passes.
 struct SortedPass {
     Run run;
-    /// Readings where one is already.
+    /// Repeated readings at a place.
     struct Repeated {
         std::size_t times = 0;
-        std::size_t line = 0; ///< of the first of them
+        std::size_t line = 0; ///< of the first one
 
         void add(const Repeated &other) {
             line = times == 0 ? other.line : line;
             times += other.times;
         }
     };
-    Repeated same = {};  ///< say the same once more
-    Repeated other = {}; ///< say another number: what was measured there is not known
+    Repeated same = {};  ///< with the same number
+    Repeated other = {}; ///< with another number, so that the true one is unknown
 };
 
 SortedPass sortedPass(Pass &pass, const std::vector<double> &positions, const DeviationForm &form) {
@@ -139,7 +140,7 @@ SortedPass sortedPass(Pass &pass, const std::vector<double> &positions, const De
         if (!reading.isMissing)
             result.run.deviations[at] = deviation(reading.position, reading.value, form);
     }
-    pass.readings = {}; // the next run stands where they did
+    pass.readings = {}; // frees its memory for the next run
     return result;
 }
 
@@ -168,7 +169,7 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
         other.add(sorted.other);
         result.runs.push_back(std::move(sorted.run));
     };
-    // Two passes at once where they are long.
+    // Handles two passes in parallel if they are long.
     constexpr std::size_t isLong = 100'000;
     for (std::size_t j = 0; j < passes.size(); j += 2) {
         std::future<SortedPass> second;
@@ -242,16 +243,17 @@ std::vector<Pass> inCycles(std::vector<Pass> passes) {
 
 namespace {
 
-/// Of all readings.
+/// Range of all readings.
 struct PassRange {
     double low = INFINITY; ///< of the positions
     double high = -INFINITY;
     double lowValue = INFINITY;
     double highValue = -INFINITY;
-    double difference = 0; ///< of value and position
+    double difference = 0; ///< maximum difference of value and position
     std::size_t readings = 0;
 
-    /// Values that follow the positions. Deviations differ from the farthest position by half of the range.
+    /// True if the values follow the positions. Deviations differ from the farthest position by half of the
+    /// range.
     [[nodiscard]] bool arePositions() const {
         const double size = std::max(high - low, std::abs(high));
         return readings > 1 && high > low && difference < 0.1 * size;
@@ -283,7 +285,7 @@ bool arePositions(const std::vector<Pass> &passes) {
 
 namespace {
 
-/// The choices of the form, one after the other: each may hang on those before.
+/// Settles the choices of the form in turn, as each may depend on those before.
 class FormSettler {
 public:
     FormSettler(const PassRange &range, const StatedForm &stated, Choices &choices,
@@ -311,12 +313,12 @@ private:
 
     void settleContent() {
         const bool anyValue = m_low <= m_high;
-        // Readings in a smaller unit than the targets are no positions.
+        // Readings in a smaller unit than the targets are not positions.
         const Unit *unit = m_stated.unit.unit;
         const Unit *positionUnit = m_stated.positionUnit.unit;
         const bool isSmall =
             unit && positionUnit && !m_followTargets && unit->toBase(1) < positionUnit->toBase(1);
-        // "Medida 1 (µm)" is a measured position to some, and a measured deviation to others.
+        // "Medida 1 (µm)" is a measured position to some and a measured deviation to others.
         const bool areSmall = std::max(std::abs(m_low), std::abs(m_high)) < 0.5 * m_farthest;
         const bool contradicted = m_stated.content == "positions" && !m_followTargets && anyValue && areSmall;
         const std::string stated = contradicted ? std::string() : m_stated.content;
@@ -340,7 +342,7 @@ private:
                 "content");
     }
 
-    /// All near zero in the units that the file states, along an axis that is much longer: no positions.
+    /// True if all values in the stated units are close to zero compared with the axis, so not positions.
     [[nodiscard]] bool areNoPositions() const {
         constexpr double part = 0.1; // of the farthest target
         const Unit *unit = m_stated.unit.unit;
@@ -350,7 +352,7 @@ private:
                    part * positionUnit->toBase(m_farthest);
     }
 
-    /// What is chosen in the place of a unit, else what the file says.
+    /// The kind of the chosen unit, otherwise of the stated one.
     [[nodiscard]] std::optional<UnitKind> kindOf(std::string_view key, const SaidUnit &said) const {
         const Unit *unit = m_choices.isChosen(key) ? unitOf(m_choices.chosen(key)) : said.unit;
         return unit && (unit->kind == UnitKind::length || unit->kind == UnitKind::angle)
@@ -358,7 +360,7 @@ private:
                    : std::nullopt;
     }
 
-    /// The motion: what is chosen, else what the units say; where they differ it is that of the file.
+    /// Settles the motion: the chosen one, otherwise from the units; if they differ, from the file's.
     void settleMotion() {
         const auto position = kindOf("positionUnit", m_stated.positionUnit);
         const auto reading = kindOf("unit", m_stated.unit);
@@ -375,7 +377,7 @@ private:
                          kind ? Origin::recognised : Origin::guessed);
     }
 
-    /// A chosen motion does not change what the headings say; who knows better chooses the units, too.
+    /// A chosen motion does not override stated units; the user must choose these too.
     void demandUnitsOf(UnitKind kind) const {
         const std::array stated{std::pair("positionUnit", &m_stated.positionUnit),
                                 std::pair("unit", &m_stated.unit)};
@@ -404,7 +406,7 @@ private:
             m_choices, m_remarks);
     }
 
-    /// An angle along millimetres.
+    /// An angle along an axis in millimetres.
     [[nodiscard]] std::optional<Message> contradiction(const SaidUnit &said, std::string_view key) const {
         const Unit *position = m_stated.positionUnit.unit;
         const bool isAngle = said.unit && said.unit->kind == UnitKind::angle;
@@ -417,8 +419,8 @@ private:
             {said.words(), std::string(position->sign)}};
     }
 
-    /// Whether deviations of that size can be meant in one unit only: 3 is no mm and 0.003 no µm. In inches
-    /// it is the targets that say it.
+    /// True if deviations of that size fit only one unit: 3 is not mm and 0.003 not µm. In inches the targets
+    /// decide.
     [[nodiscard]] bool isClearSize() const {
         constexpr double smallest = 0.05;
         constexpr double largest = 1;
@@ -439,7 +441,7 @@ private:
             base,
             REPORT_TEXT("report", "Unit of the target positions: nothing in the file says it; read as %1."));
         const double largest = m_low <= m_high ? std::max(std::abs(m_low), std::abs(m_high)) : 0;
-        constexpr double finestGuess = 0.5; // a deviation of half a millimetre or degree is none
+        constexpr double finestGuess = 0.5; // no deviation is half a millimetre or degree
         const Unit *small = unitOf(m_angular ? "arcsec" : "um");
         const Unit *guess = m_positions ? m_form.positionUnit : largest < finestGuess ? base : small;
         m_form.unit = settleUnit(
@@ -485,7 +487,7 @@ private:
     PassForm m_form;
     double m_low;
     double m_high;
-    double m_farthest; ///< target, by size
+    double m_farthest; ///< target with the largest magnitude
     bool m_followTargets;
     bool m_positions = false;
     bool m_angular = false;

@@ -17,21 +17,21 @@ namespace palmer {
 
 namespace {
 
-/// What a phrase of the dictionary means.
+/// Meaning of a phrase in the dictionary.
 enum class Sign {
     none,
     up,
     down,
-    hintUp, ///< short for ↑ beside its opposite only
+    hintUp, ///< ↑ only next to its opposite
     hintDown,
-    filler, ///< says nothing: articles, the words "value", "laser", a unit
-    from,   ///< a direction behind it is where the axis comes from
+    filler, ///< ignored: articles, the words "value", "laser", a unit
+    from,   ///< the direction after it is where the axis comes from
     found,  ///< before an adjustment
-    left,   ///< after it
+    left,   ///< after an adjustment
 };
 
-/// A row of the dictionary: whole words, folded; phrases parted by bars, their words by blanks. `languages`
-/// is for the reader of this table.
+/// A row of the dictionary: whole words, folded; phrases separated by bars, their words by blanks.
+/// `languages` is for readers of this table.
 struct Phrases {
     Meaning meaning;
     Sign sign;
@@ -66,7 +66,7 @@ constexpr std::array phrases{
     Phrases{Meaning::unknown, Sign::down, "it es", "negativo|negativa"},
     Phrases{Meaning::unknown, Sign::down, "es",
             "vuelta|regreso|retorno|atras|retroceso|bajada|descendente|decreciente"},
-    // "pos" alone is a place, too.
+    // "pos" alone may also be a place.
     Phrases{Meaning::direction, Sign::up, "en", "pos direction|pos dir"},
     Phrases{Meaning::direction, Sign::down, "en", "neg direction|neg dir"},
     Phrases{Meaning::direction, Sign::up, "de", "pos richtung"},
@@ -283,8 +283,8 @@ constexpr std::array phrases{
     Phrases{Meaning::unknown, Sign::from, "en de fr es it", "from|von|depuis|desde|da|dal|dalla"},
 };
 
-/// Where words of two meanings stand in one heading, the one that comes first here counts: "standard
-/// deviation" is no deviation, "Measured position" no target, "Target position" no place.
+/// If a heading has words of two meanings, the first one here takes precedence: "standard deviation" is not a
+/// deviation, "Measured position" not a target, "Target position" not a place.
 constexpr std::array precedence{
     Meaning::statistic, Meaning::temperature, Meaning::other,  Meaning::nominal,   Meaning::deviation,
     Meaning::radius,    Meaning::angle,       Meaning::actual, Meaning::target,    Meaning::time,
@@ -296,11 +296,11 @@ bool isWordByte(char c) {
     return (c >= 'a' && c <= 'z') || static_cast<unsigned char>(c) >= 0x80;
 }
 
-/// Arrows and their likes stand for themselves, whatever is beside them.
+/// Length of an arrow or similar sign, which is a token of its own next to any character.
 std::size_t arrowLength(std::string_view text) {
     constexpr std::array<std::string_view, 18> arrows{"↑",   "↓",  "⇑",  "⇓",  "↗",  "↘",  "→",  "←", "-->",
                                                       "<--", "->", "<-", ">>", "<<", "=>", "<=", "»", "«"};
-    constexpr std::string_view beginnings = "-<>=\xC2\xE2"; // most text holds none of them
+    constexpr std::string_view beginnings = "-<>=\xC2\xE2"; // most text contains none of them
     if (text.empty() || beginnings.find(text.front()) == std::string_view::npos)
         return 0;
     for (const std::string_view arrow : arrows) {
@@ -313,10 +313,10 @@ std::size_t arrowLength(std::string_view text) {
 struct Token {
     std::string_view text;
     bool isNumber = false;
-    bool isWeak = false; ///< a dash between words: perhaps a minus
+    bool isWeak = false; ///< a dash between words, possibly a minus
 };
 
-/// A sign at the edge of a word is one; between letters it is a hyphen.
+/// A sign at the edge of a word is a token; between letters it is a hyphen.
 std::optional<Token> signAt(std::string_view text, std::size_t i) {
     const auto isPart = [](char c) { return isWordByte(c) || isDigit(c); };
     std::size_t before = i;
@@ -345,11 +345,11 @@ struct HeadingPhrase {
 
 using Dictionary = std::unordered_map<std::string_view, std::vector<HeadingPhrase>>;
 
-/// By the first word, the longest phrase first.
+/// By first word, with the longest phrases first.
 const Dictionary &dictionary() {
     static const Dictionary rows = [] {
         Dictionary result;
-        static std::deque<std::string> lists; // as headings are compared
+        static std::deque<std::string> lists; // folded like headings
         for (const Phrases &row : phrases) {
             for (std::string_view rest = lists.emplace_back(folded(row.list)); !rest.empty();) {
                 const std::string_view words = rest.substr(0, rest.find('|'));
@@ -365,8 +365,8 @@ const Dictionary &dictionary() {
     return rows;
 }
 
-/// Chinese and Japanese have no blanks between words: the longest one that is known, else one sign. 0: no
-/// such sign.
+/// Chinese and Japanese have no blanks between words: length of the longest known one, otherwise of one
+/// character. 0: no such character.
 std::size_t ideographsAt(std::string_view text) {
     constexpr std::size_t sign = 3; // bytes of kana and ideographs
     constexpr std::size_t longest = 8 * sign;
@@ -413,7 +413,7 @@ std::vector<Token> tokensOf(std::string_view text) {
     return tokens;
 }
 
-/// How many tokens the phrase covers there; 0: it does not stand there.
+/// Number of tokens that the phrase covers here; 0 if it does not match.
 std::size_t covered(const HeadingPhrase &phrase, std::span<const Token> tokens) {
     std::size_t count = 0;
     for (std::string_view rest = phrase.words; !rest.empty(); ++count) {
@@ -441,8 +441,8 @@ public:
         }
         if (m_up != m_down)
             m.direction = m_up ? Direction::positive : Direction::negative;
-        if (m_dash && !m_up && !m_down)   // else it parts words: "Run 2 - forward"
-            m.hint = Direction::negative; // "Meas. pos. - 1" beside "Meas. pos. + 1"
+        if (m_dash && !m_up && !m_down)   // otherwise it separates words: "Run 2 - forward"
+            m.hint = Direction::negative; // "Meas. pos. - 1" next to "Meas. pos. + 1"
         else if (m_hintUp != m_hintDown)
             m.hint = m_hintUp ? Direction::positive : Direction::negative;
         for (const Meaning meaning : precedence) {
@@ -482,7 +482,7 @@ private:
         return 1;
     }
 
-    /// What the dictionary has for the words that begin there; the number of tokens.
+    /// Applies the phrases of the dictionary that begin here; returns the number of tokens.
     std::size_t takePhrases(std::size_t i) {
         const auto found = dictionary().find(m_tokens[i].text);
         if (found == dictionary().end())
@@ -491,7 +491,7 @@ private:
         const bool isOrigin = i == m_origin;
         for (const HeadingPhrase &phrase : found->second) {
             const std::size_t here = covered(phrase, std::span(m_tokens).subspan(i));
-            // Several rows for one phrase: "pos" is a place and short for positive.
+            // A phrase may have several rows: "pos" is a place and short for positive.
             if (here == 0 || (tokens > 0 && here != tokens))
                 continue;
             tokens = here;
@@ -505,7 +505,7 @@ private:
         return tokens;
     }
 
-    /// "From +" goes towards −; some mean the opposite.
+    /// "From +" moves towards −; some mean the opposite.
     void comeFrom(Sign sign) {
         m.comesFrom = true;
         m_hintUp |= sign == Sign::down;
@@ -534,7 +534,7 @@ private:
 
     void takeUnknown(const Token &token) {
         constexpr std::string_view axes = "xyzuvwabc";
-        constexpr std::string_view symbols = "smera"; // of ISO 230-2: "R↑", "2s↓"
+        constexpr std::string_view symbols = "smera"; // in ISO 230-2: "R↑", "2s↓"
         m_symbol = token.text.size() == 1 && symbols.find(token.text[0]) != std::string_view::npos;
         if (token.text.size() == 1 && axes.find(token.text[0]) != std::string_view::npos) {
             if (m.axis == 0)
@@ -551,7 +551,7 @@ private:
         }
     }
 
-    /// "1A", "R 2": letters for a direction, only beside their opposite.
+    /// "1A", "R 2": letters that are directions only next to their opposite.
     void takeLetter(char letter) {
         if (m_tokens.size() > 1) {
             m_letterUp |= letter == 'a' || letter == 'f' || letter == 'h' || letter == 'v';
@@ -561,20 +561,20 @@ private:
 
     std::vector<Token> m_tokens;
     std::vector<Meaning> m_meanings;
-    std::optional<std::size_t> m_origin; ///< the token behind "from"
+    std::optional<std::size_t> m_origin; ///< the token after "from"
     HeadingWords m;
     bool m_up = false;
     bool m_down = false;
     bool m_hintUp = false;
     bool m_hintDown = false;
-    bool m_letterUp = false; ///< counts where no word says it: "V neg. 1" is of the axis V
+    bool m_letterUp = false; ///< used if no word names a direction: "V neg. 1" belongs to axis V
     bool m_letterDown = false;
     bool m_dash = false;
-    bool m_symbol = false; ///< a letter that the standard has for what is computed, and no number behind it
+    bool m_symbol = false; ///< a letter the standard uses for a computed value, without a number after it
     bool m_isDirection = false;
 };
 
-/// A letter alone is short for what people compute, or for an axis.
+/// A single letter is short for a computed value or an axis.
 Meaning meaningOfLetter(std::string_view letter) {
     constexpr std::string_view statistics = "smebau";
     if (letter == "r")
@@ -588,7 +588,7 @@ Meaning meaningOfLetter(std::string_view letter) {
     return statistics.find(letter) != std::string_view::npos ? Meaning::statistic : Meaning::unknown;
 }
 
-/// The words of "gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre".
+/// True for words of "gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre".
 bool isOfSense(const Token &token) {
     constexpr std::string_view words =
         "|cw|ccw|acw|clockwise|counterclockwise|anticlockwise|counter|anti"

@@ -14,8 +14,8 @@ namespace palmer {
 
 namespace {
 
-/// Sum of the squares of the readings about the mean of their position and direction: small where the
-/// directions are right.
+/// Sum of squares of the readings about the mean at their position and direction: small if the directions are
+/// right.
 double scatter(std::span<const PlacedPass> passes, const std::function<Direction(std::size_t)> &direction) {
     double sum = 0;
     for (const Direction wanted : {Direction::positive, Direction::negative}) {
@@ -30,7 +30,8 @@ double scatter(std::span<const PlacedPass> passes, const std::function<Direction
             for (const PassReading &reading : passes[j].pass.readings) {
                 if (reading.isMissing)
                     continue;
-                // Welford's method: readings may be positions, whose squares leave no digits for the scatter.
+                // Welford's method: readings may be positions, whose squares would leave no digits for the
+                // scatter.
                 auto &[count, mean] = moments[reading.position];
                 const double d = reading.value - mean;
                 mean += d / ++count;
@@ -50,7 +51,7 @@ Direction directionUnder(std::string_view word, std::size_t j, std::size_t n) {
     return first ? Direction::positive : Direction::negative;
 }
 
-/// Nothing says the directions: in turn or one half after the other, whichever scatters less.
+/// Directions unknown: alternating or in halves, whichever scatters less.
 std::string guessOf(const std::vector<PlacedPass> &passes) {
     const std::size_t n = passes.size();
     if (n % 2 == 1)
@@ -60,8 +61,8 @@ std::string guessOf(const std::vector<PlacedPass> &passes) {
     return n > 2 && scatter(passes, halves) < 0.5 * scatter(passes, inTurn) ? "sideBySide" : "alternating";
 }
 
-/// Whether the readings show the directions that were guessed: ↑ and ↓ lie apart by more than they scatter.
-/// One run each way without a number is what people measure.
+/// True if the readings support the guessed directions: ↑ and ↓ differ by more than their scatter. Also for
+/// one unnumbered run each way, which is usual.
 bool isPlain(std::string_view word, const std::vector<PlacedPass> &passes) {
     const std::size_t n = passes.size();
     if (word != "alternating" && word != "sideBySide")
@@ -165,7 +166,7 @@ BlockDirection directionOfBlock(const TableReading &reading, const TableBlock &b
             continue;
         const HeadingWords heading = readHeading(reading.textOf(*head));
         if (heading.direction && heading.hint && heading.direction != heading.hint)
-            continue; // "avance 1; retroceso 1": headings of columns, no title
+            continue; // "avance 1; retroceso 1": column headings, not a title
         if (heading.isDirectionOnly())
             result.stated = heading.direction;
         else if (!result.hint)

@@ -11,7 +11,7 @@
 
 namespace palmer {
 
-/// A pass with the cells its readings stand in, for the colours, and what the table says of it.
+/// A pass with the cells of its readings, for the colours, and the direction and number stated by the table.
 struct PlacedPass {
     std::optional<Direction> direction;
     unsigned number = 0; ///< of the run, from 1; 0: not stated
@@ -19,7 +19,7 @@ struct PlacedPass {
     std::vector<std::uint32_t> cells; ///< of the table
 
     void add(TableReading &reading, std::uint32_t row, double position, std::size_t column) {
-        PassReading &added = pass.readings.emplace_back(); // in its place: each copy waited for its parts
+        PassReading &added = pass.readings.emplace_back(); // built in place, as a copy is slower
         added.position = position;
         added.line = reading.row(row).line;
         const auto value = reading.number(row, column);
@@ -30,36 +30,37 @@ struct PlacedPass {
     }
 };
 
-/// What is found in a table of a positioning test, before units and signs.
+/// Content of a positioning table before units and signs are settled.
 struct FoundPasses {
     std::vector<PlacedPass> passes;
     std::string content; ///< "deviations", "positions", or empty
     std::string sign;    ///< proven by the table, or empty
     SaidUnit unit = {};
     SaidUnit positionUnit = {};
-    bool hasHints = false;  ///< directions come from letters, abbreviations or titles
-    bool hasSenses = false; ///< directions come from senses of rotation
+    bool hasHints = false;  ///< directions are from letters, abbreviations or titles
+    bool hasSenses = false; ///< directions are from senses of rotation
     bool isBlockwise = false;
-    bool isByLine = false; ///< a pass a line
+    bool isByLine = false; ///< one pass per line
 };
 
-/// The directions of all passes: what the table says, else the user's choice or a guess with its question.
+/// Settles the directions of all passes: stated by the table, otherwise chosen by the user or guessed with a
+/// question.
 void settleDirections(FoundPasses &found, TableReading &reading);
 
-/// The order of numbers that count the runs of both directions; else directions in turn, with a remark where
-/// the table does not have them so.
+/// Orders the passes by run numbers that count both directions, otherwise alternating directions, with a
+/// remark if the table has another order.
 [[nodiscard]] std::vector<Pass> inOrder(std::vector<PlacedPass> placed, TableReading &reading);
 
-/// What the titles above a block say of the direction.
+/// The direction in the titles above a block.
 struct BlockDirection {
-    std::optional<Direction> stated; ///< a title that says nothing else
-    std::optional<Direction> hint;   ///< among other words: counts beside a block with the opposite only
+    std::optional<Direction> stated; ///< from a title with nothing else
+    std::optional<Direction> hint;   ///< among other words: used only next to a block with the opposite
 };
 [[nodiscard]] BlockDirection directionOfBlock(const TableReading &reading, const TableBlock &block);
 
-/// Targets down and runs across, or one reading a line.
+/// Reads targets down and runs across, or one reading per line.
 [[nodiscard]] FoundPasses readTargetsDown(TableReading &reading);
-/// A run a line, targets across.
+/// Reads one run per line with targets across.
 [[nodiscard]] FoundPasses readRunsDown(TableReading &reading);
 
 } // namespace palmer

@@ -11,7 +11,7 @@ namespace palmer {
 
 namespace {
 
-/// Numbers without a heading behind the targets, where others have one.
+/// True for numbers without a heading after the targets if other columns have one.
 bool isUntitled(const ColumnSearch &search, std::size_t c) {
     const std::vector<TableColumn> &heads = search.reading.body.columns;
     const auto isTitled = [](const TableColumn &head) { return !head.heading.empty(); };
@@ -19,7 +19,7 @@ bool isUntitled(const ColumnSearch &search, std::size_t c) {
            !isCounter(search.reading, c);
 }
 
-/// Whether a column that is not read is headed, or stands, as readings do.
+/// True if an unread column has a heading or position typical of readings.
 bool looksLikeReadings(const ColumnSearch &search, std::size_t c) {
     const TableColumn &head = search.reading.body.columns[c];
     const std::string &axis = search.reading.axisFound;
@@ -45,7 +45,7 @@ bool looksLikeReadings(const ColumnSearch &search, std::size_t c) {
     }
 }
 
-/// What is not read is said; that readings are left out is asked, whatever else is.
+/// Remarks on unread columns; those that look like readings become a question.
 void remarkIgnored(ColumnSearch &search) {
     const std::vector<TableColumn> &heads = search.reading.body.columns;
     const bool isChosen = search.reading.choices.isChosen("columns");
@@ -58,7 +58,7 @@ void remarkIgnored(ColumnSearch &search) {
                             std::ranges::find(search.result.values, c) != search.result.values.end();
         const bool isCounted =
             heads[c].meaning == Meaning::index ||
-            (heads[c].meaning == Meaning::axis && heads[c].kind == ColumnKind::words); // it chooses the lines
+            (heads[c].meaning == Meaning::axis && heads[c].kind == ColumnKind::words); // it selects the lines
         if (isRead || isCounted || heads[c].kind == ColumnKind::empty)
             continue;
         const bool isReading = !isChosen && looksLikeReadings(search, c);
@@ -79,7 +79,7 @@ void remarkIgnored(ColumnSearch &search) {
                               {REPORT_TEXT("report", "Columns that are not read: %1."), {excerpt(names)}});
 }
 
-/// "Target ↑; Dev ↑; Target ↓; Dev ↓": the readings stand at the targets to their left.
+/// "Target ↑; Dev ↑; Target ↓; Dev ↓": readings belong to the targets on their left.
 void placeOwnTargets(PositioningColumns &columns) {
     std::size_t nearest = columns.target.value_or(0);
     for (std::size_t c = 0; c < columns.columns.size(); ++c) {
@@ -90,7 +90,7 @@ void placeOwnTargets(PositioningColumns &columns) {
     }
 }
 
-/// What the user chose, else what was found, with its question.
+/// Settles the columns: the user's choice, otherwise what was found, with its question.
 void settle(ColumnSearch &search) {
     TableReading &m = search.reading;
     const std::string found = wordOf(search.result.columns);
@@ -103,8 +103,7 @@ void settle(ColumnSearch &search) {
                  "columns");
     if (!search.hasProposal && choice.origin != Origin::chosen)
         m.result.remarks.back().isOwed = true;
-    m.result.columns =
-        search.result.columns; // to be shown, and changed there, where that is all that is known
+    m.result.columns = search.result.columns; // to be shown and changed even if nothing else is known
     if (!search.result.target || search.result.values.empty())
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "the columns of the targets and of the readings are not known; "

@@ -12,30 +12,30 @@
 
 namespace palmer {
 
-/// Which columns of a table of a positioning test are what.
+/// The columns of a positioning table by role.
 struct PositioningColumns {
-    std::vector<ImportColumn> columns; ///< all of the table, each with its role
+    std::vector<ImportColumn> columns; ///< all columns of the table, each with its role
     std::optional<std::size_t> target;
-    std::optional<std::size_t> direction;          ///< a column of directions
-    std::optional<std::size_t> number;             ///< a column of numbers of runs
-    std::vector<std::size_t> values;               ///< readings: of one role, one unit, one axis
-    std::map<std::size_t, std::size_t> ownTargets; ///< readings beside a column of targets of their own
-    std::string content;    ///< "deviations", "positions", or empty: the headings do not say
-    std::string sign;       ///< proven by actual positions beside the deviations, else empty
+    std::optional<std::size_t> direction;          ///< column of directions
+    std::optional<std::size_t> number;             ///< column of run numbers
+    std::vector<std::size_t> values;               ///< readings of one role, one unit and one axis
+    std::map<std::size_t, std::size_t> ownTargets; ///< readings next to their own column of targets
+    std::string content;    ///< "deviations", "positions", or empty if the headings do not tell
+    std::string sign;       ///< proven by actual positions in addition to deviations, otherwise empty
     SaidUnit unit = {};     ///< of the readings
-    bool hasSenses = false; ///< directions were taken from senses of rotation
-    bool hasHints = false;  ///< directions were taken from letters or abbreviations
+    bool hasSenses = false; ///< directions are from senses of rotation
+    bool hasHints = false;  ///< directions are from letters or abbreviations
 };
 
-/// Settles the role of every column: what the user chose ("columns"), else what the whole words of the
-/// headings and the units say. What is not understood is ignored, with a remark; what can be understood in
-/// two ways is asked. Throws Error where there are no targets or no readings.
+/// Settles the role of every column: chosen by the user ("columns"), otherwise from the whole words and units
+/// of the headings. Columns not understood are ignored with a remark; ambiguous ones become questions. Throws
+/// Error if there are no targets or no readings.
 [[nodiscard]] PositioningColumns positioningColumns(TableReading &reading);
 
-/// The question which of several axes in one table is read.
-/// Which state is read, where a table has readings before and after an adjustment, with its question.
+/// Settles which readings to read if a table has some before and some after an adjustment, with its question.
 [[nodiscard]] TestRole settleState(TableReading &reading);
 
+/// The question which of several axes in a table to read.
 [[nodiscard]] Remark askForAxis(const std::vector<std::string> &axes, const std::string &axis);
 
 } // namespace palmer

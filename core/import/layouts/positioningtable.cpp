@@ -19,7 +19,7 @@ bool isStrictlyMonotone(std::span<const double> values) {
            std::ranges::adjacent_find(values, std::ranges::less_equal()) == values.end();
 }
 
-/// 1, 2, 3 … or 1, 1, 2, 2 …: numbers of runs, no positions.
+/// True for 1, 2, 3 … or 1, 1, 2, 2 …: run numbers, not positions.
 bool areNumbersOfRuns(std::span<const double> values) {
     double last = 0;
     for (const double value : values) {
@@ -50,7 +50,8 @@ HeadingWords labelOf(const TableReading &reading, std::uint32_t row) {
     return readHeading(label);
 }
 
-/// The first line is called targets or runs, the others name their run: "Run; 0; 100" over "1 ↑; 1.2; 0.7".
+/// True if the first line is headed as targets or runs and the others name their run: "Run; 0; 100" above "1
+/// ↑; 1.2; 0.7".
 bool hasLabelledRuns(const TableReading &reading) {
     const auto &rows = reading.body.blocks.front().rows;
     if (reading.body.blocks.size() != 1 || rows.size() < 2 || reading.body.numberColumns().front() == 0)
@@ -68,7 +69,7 @@ bool hasLabelledRuns(const TableReading &reading) {
     return 2 * named >= rows.size() - 1;
 }
 
-/// Without any heading: the first line rises as targets do and the first column does not.
+/// Without headings: the first line ascends like targets and the first column does not.
 bool looksLikeRunsDown(const TableReading &reading) {
     const TableBody &body = reading.body;
     if (body.blocks.size() != 1 || !body.columnHeads.empty() || body.blocks.front().rows.size() < 2)
@@ -117,7 +118,7 @@ std::string axisName(const TableReading &reading) {
         return reading.axisFound;
     if (!reading.notes.axis.empty())
         return reading.notes.axis;
-    // "X (mm)": the targets are called by the axis.
+    // "X (mm)": a target column named after the axis.
     for (const TableColumn &column : reading.body.columns) {
         std::string bare = withoutUnit(column.heading);
         if (bare.size() == 1 && std::string_view("XYZABCUVW").find(bare[0]) != std::string_view::npos &&
@@ -135,7 +136,7 @@ void colour(const std::vector<PlacedPass> &passes, TableReading &reading) {
     }
 }
 
-/// What the lines beside the table or its headings say of the sign.
+/// The sign stated in the headings or in the lines around the table.
 SaidSign signOf(const TableReading &reading) {
     for (const TableColumn &column : reading.body.columns) {
         if (SaidSign said = saidSign(column.heading); !said.sign.empty())
@@ -144,7 +145,7 @@ SaidSign signOf(const TableReading &reading) {
     return reading.notes.sign;
 }
 
-/// "Korrektur", "correction", "correzione": what is to be added, whose sign is turned.
+/// True for "Korrektur", "correction", "correzione": values to be added, with the opposite sign.
 bool namesCorrection(const TableReading &reading) {
     return std::ranges::any_of(reading.result.columns, [](const ImportColumn &column) {
         const std::string low = folded(column.heading);
@@ -154,7 +155,7 @@ bool namesCorrection(const TableReading &reading) {
     });
 }
 
-/// The word of a text for what is measured along an axis beside its positions; empty: none.
+/// The word for a quantity measured along an axis other than its position; empty if there is none.
 std::string otherQuantity(std::string_view text) {
     constexpr std::array<std::string_view, 26> words{
         "straightness", "squareness", "flatness", "yaw",          "geradheit",         "rechtwinkligkeit",
@@ -205,7 +206,7 @@ void readPositioning(TableReading &reading) {
     settleDirections(found, reading);
     colour(found.passes, reading);
     std::vector<Pass> passes = inOrder(std::move(found.passes), reading);
-    // "Unit: µm" above positions is that of something else: asked.
+    // "Unit: µm" above positions belongs to something else, so the unit is asked.
     const SaidUnit &noted = reading.notes.unit;
     const bool isTooSmall = noted.unit && noted.unit->toBase(1) < 1 && arePositions(passes);
     const SaidUnit unit = found.unit.isSaid() || isTooSmall ? found.unit : noted;

@@ -11,7 +11,7 @@ namespace palmer {
 
 namespace {
 
-/// +1 and −1, or two of 0, 1, 2: codes of directions.
+/// Codes of directions: +1 and −1, or two of 0, 1, 2.
 bool areDirectionCodes(const std::vector<double> &values) {
     return !values.empty() && std::ranges::all_of(values, [](double value) {
         return value == -1 || value == 0 || value == 1 || value == 2;
@@ -40,7 +40,7 @@ public:
     }
 
 private:
-    /// A column headed "direction" that holds numbers.
+    /// Finds a column of numbers headed "direction".
     void findCodes() {
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             if (role(c) != ColumnRole::direction || !isNumeric(c))
@@ -52,7 +52,7 @@ private:
         }
     }
 
-    /// "Messung 1, 2, 3 …" on lines of different targets counts lines, not runs.
+    /// "Messung 1, 2, 3 …" in lines of different targets counts lines, not runs.
     void dropRowCounter() {
         if (!m_result.number || !m_result.target)
             return;
@@ -66,8 +66,8 @@ private:
         m_result.number.reset();
     }
 
-    /// Columns without headings whose numbers differ by more than a hundred times what they spread are hardly
-    /// runs of one test.
+    /// Columns without headings whose means differ by more than a hundred times their spread are hardly runs
+    /// of one test.
     void askForSizes() {
         constexpr double most = 100;
         double spread = 0;
@@ -94,7 +94,7 @@ private:
         m_search.hasProposal = false;
     }
 
-    /// No heading says what is read: what is left are the runs.
+    /// No heading names the readings: takes the remaining columns as runs.
     void takeUnnamed() {
         bool named = false;
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
@@ -107,7 +107,7 @@ private:
             m_result.values.push_back(c);
             named |= !m_heads[c].heading.empty() && words(c).axis == 0;
         }
-        // A number of the run and nothing else that could be read: the readings themselves.
+        // If nothing but a run number could be a reading, it is one.
         if (m_result.values.empty() && m_result.number) {
             m_result.values.push_back(*m_result.number);
             role(*m_result.number) = ColumnRole::run;
@@ -127,7 +127,7 @@ private:
         return m_result.target && c < *m_result.target && isCounter(m, c);
     }
 
-    /// Without headings: columns that follow the targets are positions, and no runs of the others.
+    /// Without headings: columns that follow the targets are positions, and do not belong to the other runs.
     void separatePositions() {
         if (!m_result.target)
             return;
@@ -144,7 +144,7 @@ private:
                          "Columns: some hold positions and some deviations; the deviations are read.")});
     }
 
-    /// A column that is headed as readings and holds words: "(1.2)", "1.2 µm".
+    /// Asks for columns headed as readings that contain words: "(1.2)", "1.2 µm".
     void askForWords() {
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             const Meaning meaning = m_heads[c].meaning;
@@ -157,7 +157,7 @@ private:
                 ask({REPORT_TEXT("report",
                                  "Columns: “%1” is headed as readings, but holds words; it is not read."),
                      {excerpt(m_heads[c].heading)}});
-            // What stands behind it would be read at the targets before.
+            // The readings after it would be read at the targets before it.
             const bool hasNone = m_heads[c].kind == ColumnKind::words || m_heads[c].kind == ColumnKind::empty;
             const bool isBeforeReadings = m_result.target && c > *m_result.target &&
                                           !m_result.values.empty() && c < m_result.values.back();
@@ -169,7 +169,7 @@ private:
         }
     }
 
-    /// A column of numbers without a heading among others that have one.
+    /// Asks for a column of numbers without a heading among others that have one.
     void askForUntitled() {
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             if (m_heads[c].isSpread && m_result.columns[c].hasReadings())

@@ -101,8 +101,8 @@ private:
         m_labels.push_back({heading, said, label, m.row(row).line});
     }
 
-    /// Lines whose words are not understood beside lines that name their run or direction are no runs; a
-    /// short word means a direction beside its opposite.
+    /// Removes lines with unknown words if other lines name their run or direction; an abbreviation is a
+    /// direction next to its opposite.
     void keepUnderstood() {
         const auto isKnown = [](const Label &label) {
             return label.words.unknownWords == 0 && label.words.words > 0;
@@ -164,7 +164,7 @@ private:
             m_found.content = content;
     }
 
-    /// Readings that say their unit, all the same.
+    /// Takes the unit stated by the readings if it is the same for all.
     void takeUnitOfCells() {
         const Unit *said = nullptr;
         for (const auto &[column, position] : m_targets) {

@@ -19,29 +19,29 @@ struct SectionLine {
     std::string_view value;
 };
 
-/// What stands below "NAME::" alone on a line, up to the next such line.
+/// The content below "NAME::" alone on a line, up to the next such line.
 struct Section {
     std::string_view name;
     std::size_t line = 1;
     std::vector<SectionLine> lines;
 
-    /// The value of the first line of that key (case does not count), trimmed; nothing if there is none.
+    /// The trimmed value of the first line with that key (case-insensitive); null if there is none.
     [[nodiscard]] std::optional<std::string_view> value(std::string_view key) const;
 };
 
-/// The sections of a text; lines ended by CR, LF or both. The text has to live as long.
+/// The sections of a text; lines end with CR, LF or both. The text must outlive them.
 [[nodiscard]] std::vector<Section> sectionsOf(std::string_view text);
 
-/// The section of that name, or null.
+/// The section of that name; null if there is none.
 [[nodiscard]] const Section *findSection(const std::vector<Section> &sections, std::string_view name);
 
-/// The decimal mark of a number that stands alone: instruments write no thousands separators, so a comma is
-/// a decimal comma, as under the regional settings of many countries.
+/// The decimal mark of a single number: instruments write no thousands separators, so a comma is a decimal
+/// comma, as in the regional settings of many countries.
 [[nodiscard]] inline DecimalMark decimalMarkIn(std::string_view number) {
     return number.find(',') != std::string_view::npos ? DecimalMark::comma : DecimalMark::point;
 }
 
-/// The numbers of a line, separated by blanks; decimal point or comma. Nothing where something else stands.
+/// The numbers of a line, separated by blanks; decimal point or comma. Null if it contains anything else.
 [[nodiscard]] std::optional<std::vector<double>> numbersIn(std::string_view text);
 
 } // namespace palmer

@@ -91,7 +91,7 @@ private:
         return columns[counts ? 1 : 0];
     }
 
-    /// The readings of the kind that is wanted; others are not read as if they were of it.
+    /// Takes the readings of the wanted kind and no others.
     void chooseValues() {
         std::vector<std::size_t> temperatures;
         std::vector<std::size_t> deviations;
@@ -155,7 +155,7 @@ private:
         m.result.columns = std::move(chosen);
     }
 
-    /// A log of several process variables: one of them is read.
+    /// Takes one of several process variables in a log.
     void chooseSeries() {
         for (std::size_t c = 0; c < m_time; ++c) {
             if (m.body.columns[c].kind != ColumnKind::words || !m_clock)
@@ -192,7 +192,7 @@ private:
         return m_names && m.cellText(row, *m_names) != m_series;
     }
 
-    /// Seconds: of the clock and its date, or what the column says.
+    /// Time in seconds: from clock and date, or from the column.
     [[nodiscard]] std::optional<double> timeOf(std::uint32_t row) {
         if (!m_clock)
             return m.number(row, m_time);
@@ -207,7 +207,7 @@ private:
         return time;
     }
 
-    /// "t min", "t/s": a unit of time without brackets.
+    /// "t min", "t/s": a time unit without brackets.
     [[nodiscard]] static SaidUnit lastWord(std::string_view heading) {
         const std::size_t before = heading.find_last_of(" /");
         if (before == std::string_view::npos)
@@ -216,13 +216,13 @@ private:
         return said.unit && said.unit->kind == UnitKind::time ? said : SaidUnit{};
     }
 
-    /// Seconds of one unit of the times.
+    /// Settles the unit of the times; returns it in seconds.
     double settleTimeUnit() {
         SaidUnit said = m.body.columns[m_time].said();
         if (!said.isSaid())
             said = lastWord(m.body.columns[m_time].heading);
         const bool isTime = said.unit && said.unit->kind == UnitKind::time;
-        // Milliseconds are a unit of the file, none of the choices.
+        // Milliseconds are a unit of files, not a choice.
         return settleUnit(
                    "timeUnit", said, isTime ? said.unit : nullptr, *unitOf("s"),
                    {REPORT_TEXT("report", "Unit of the times: nothing in the file says it; read as %1.")},
@@ -293,7 +293,7 @@ private:
             }
             if (series.times.empty())
                 continue;
-            // The editions speak of the environment.
+            // The editions refer to the environment.
             const bool ofAir = sensor.measures == SensorMeasures::air;
             air = air || ofAir;
             const auto gradient = ofAir ? gradientPerHour(series) : std::nullopt;
@@ -372,7 +372,7 @@ private:
     std::size_t m_time = 0;
     std::vector<std::size_t> m_values;
     std::optional<std::size_t> m_date;
-    std::optional<std::size_t> m_names; ///< of process variables
+    std::optional<std::size_t> m_names; ///< column of process variable names
     std::string m_series;
     std::optional<Message> m_question;
     bool m_isDated = false;

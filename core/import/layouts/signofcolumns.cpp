@@ -39,7 +39,7 @@ public:
                 m_result.hasHints = true;
                 allClear = allClear && isClear(c);
             }
-            // "Dev + 1" beside "Dev - 1": signs, and no dash between words.
+            // "Dev + 1" next to "Dev - 1": signs, not dashes between words.
             allSigns = allSigns && !words(c).comesFrom &&
                        folded(m_heads[c].heading).find_first_of("+-") != std::string::npos;
         }
@@ -53,7 +53,7 @@ public:
         }));
     }
 
-    /// Deviation = actual − target, or the opposite: where both stand there, the numbers say which.
+    /// Finds deviation = actual − target or the opposite from the numbers, if positions are given too.
     void proveSign() {
         if (m_search.positions.empty() || m_search.positions.size() != m_result.values.size() ||
             !m_result.target)
@@ -80,7 +80,7 @@ public:
                 }
             }
         }
-        constexpr double part = 0.05; // of the largest difference: decimals of the positions
+        constexpr double part = 0.05; // of the largest difference; allows for the decimals of the positions
         if (same < part * size)
             m_result.sign = "actualMinusTarget";
         else if (opposite < part * size)

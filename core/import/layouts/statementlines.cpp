@@ -15,7 +15,7 @@ namespace palmer {
 
 namespace {
 
-/// A part of a line: a cell, or in columns parted by blanks what stands between two blanks and more.
+/// Part of a line: a cell, or in blank-separated columns the text between two or more blanks.
 struct Entry {
     std::string_view text;
     CellKind kind = CellKind::text;
@@ -39,13 +39,13 @@ Entries entriesOf(const CellTable &table, const TableRow &row) {
     const std::string_view all = table.text();
     for (const TableCell &cell : cells) {
         if (cell.kind == CellKind::empty)
-            continue; // of columns of fixed width: it stands nowhere
+            continue; // from fixed-width columns: not in the text
         const std::string_view text = table.text(cell);
         const std::size_t behind =
             entries.empty() ? 0 : static_cast<std::size_t>(endOf(entries.back().text) - all.data());
         if (entries.empty() || cell.begin > behind + 1 || all[behind] == '\t')
             entries.push_back({text, cell.kind});
-        else // one blank: they belong together
+        else // a single blank does not separate
             entries.back() = {{entries.back().text.data(), endOf(text)}, CellKind::text};
     }
     return entries;
@@ -57,8 +57,8 @@ std::size_t count(const Entries &entries, CellKind kind) {
 
 /// Rows without an empty line between them.
 struct Paragraph {
-    std::vector<std::size_t> rows;   ///< no comments
-    std::vector<std::size_t> titles; ///< of these: texts without a number
+    std::vector<std::size_t> rows;   ///< without comments
+    std::vector<std::size_t> titles; ///< those of them with a text and no number
     std::size_t numbers = 0;
 };
 
@@ -83,7 +83,7 @@ std::vector<Paragraph> paragraphsOf(const CellTable &table) {
     return paragraphs;
 }
 
-/// "Number of runs": how many there are is no run.
+/// True for "Number of runs", which is not a run.
 bool isCount(std::string_view label) {
     constexpr std::array<std::string_view, 5> beginnings{"number of ", "nombre d", "anzahl ", "numero di ",
                                                          "numero de "};
@@ -91,7 +91,7 @@ bool isCount(std::string_view label) {
     return std::ranges::any_of(beginnings, [&](std::string_view each) { return text.starts_with(each); });
 }
 
-/// Whether a text tells columns or blocks apart: "Run 1", "Target", "↑", "As found".
+/// True if a text distinguishes columns or blocks: "Run 1", "Target", "↑", "As found".
 bool tellsReadings(std::string_view text) {
     const HeadingWords words = readHeading(text);
     constexpr std::array readings{Meaning::target,  Meaning::place,     Meaning::actual, Meaning::deviation,
@@ -120,14 +120,14 @@ public:
 private:
     [[nodiscard]] Entries entries(std::size_t row) const { return entriesOf(m_table, m_table.rows()[row]); }
 
-    /// "Test after ISO 230-2:2014" is no title of a block.
+    /// "Test after ISO 230-2:2014" is not the title of a block.
     [[nodiscard]] static bool isSentence(const Entries &all) {
         constexpr std::size_t longestTitle = 3;
         const HeadingWords words = readHeading(all.front().text);
         return all.size() == 1 && words.words > longestTitle && words.unknownWords > 0 && !words.direction;
     }
 
-    /// A label with what belongs to it; no row of a table with more columns, and no title of one of several
+    /// True for a label with its values, but not for a row of a wider table or the title of one of several
     /// blocks.
     [[nodiscard]] bool isStatement(std::size_t row) const {
         constexpr std::size_t mostEntries = 4; // "Air", "20.1", "20.3", "°C"
@@ -140,7 +140,7 @@ private:
                isLabelledValue(m_table, m_table.rows()[row]) || !tellsReadings(label);
     }
 
-    /// Numbers under the words of the only row above them: "Lower limit; Upper limit" and "0; 500".
+    /// Numbers below a single row of words: "Lower limit; Upper limit" and "0; 500".
     [[nodiscard]] bool isLoneRow(std::size_t index) const {
         const auto &rows = m_paragraphs[m_at].rows;
         if (rows.size() != 2 || index != 1)
@@ -152,7 +152,7 @@ private:
                std::ranges::none_of(words, tellsReadings, &Entry::text);
     }
 
-    /// The last row above numbers that have no heading of their own.
+    /// True for the last row above numbers without their own heading.
     [[nodiscard]] bool isHeading(std::size_t row) const {
         const Entries all = entries(row);
         if (count(all, CellKind::text) < all.size() || isSentence(all))
@@ -167,7 +167,7 @@ private:
         return false;
     }
 
-    /// Blocks below have the same title, or that of another axis.
+    /// True if blocks below have the same title, or that of another axis.
     [[nodiscard]] bool recurs(std::string_view label) const {
         const HeadingWords words = readHeading(label);
         const bool isAxis = words.axis != 0 && words.unknownWords == 0 && words.meaning != Meaning::other;
@@ -189,7 +189,7 @@ private:
 } // namespace
 
 void setStatementsAside(CellTable &table) {
-    constexpr std::size_t mostLines = 300; // of what stands above
+    constexpr std::size_t mostLines = 300; // above the table
     const std::vector<Paragraph> paragraphs = paragraphsOf(table);
     const auto hasAsMany = [](const Paragraph &paragraph) {
         return [&paragraph](const Paragraph &other) { return other.numbers >= paragraph.numbers; };

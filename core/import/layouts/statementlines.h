@@ -6,9 +6,9 @@
 
 namespace palmer {
 
-/// Makes comments of what stands above the first table and an empty line apart from it, where it says nothing
-/// of columns: "Air temperature; 20.1; 20.3", "Travel; 0; 500", "Machine: DMU 50". Notes are read from it,
-/// and it decides no layout. Headings, also of blocks titled by direction, axis or state, are left.
+/// Makes comments of the lines above the first table and an empty line if they do not describe columns: "Air
+/// temperature; 20.1; 20.3", "Travel; 0; 500", "Machine: DMU 50". They are read as notes and do not affect
+/// the layout. Headings are kept, including blocks titled by direction, axis or state.
 void setStatementsAside(CellTable &table);
 
 } // namespace palmer

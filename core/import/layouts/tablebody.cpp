@@ -24,13 +24,13 @@ bool isNumeric(const TableCell &cell) {
            cell.kind == CellKind::grouped || cell.kind == CellKind::broken;
 }
 
-/// Signs of direction are no missing readings where the column is one of directions.
+/// In a column of directions their signs are not missing readings.
 bool isDirectionCell(const CellTable &table, const TableCell &cell) {
     return (cell.kind == CellKind::text || cell.kind == CellKind::missing || cell.kind == CellKind::broken) &&
            directionOf(table.text(cell)).has_value();
 }
 
-/// "X" stands for a missing reading among numbers, for an axis among axes.
+/// "X" is a missing reading among numbers, and an axis among axes.
 bool isAxisLetter(const CellTable &table, const TableCell &cell) {
     const std::string_view text = table.text(cell);
     return text == "X" || text == "x";
@@ -40,7 +40,7 @@ std::size_t numberCount(std::span<const TableCell> cells) {
     return static_cast<std::size_t>(std::ranges::count(cells, CellKind::number, &TableCell::kind));
 }
 
-/// The number of columns under which most numbers stand.
+/// The row width that contains most of the numbers.
 std::size_t widthOf(const CellTable &table) {
     std::map<std::size_t, std::size_t> numbers;
     for (const TableRow &row : table.rows()) {
@@ -58,7 +58,7 @@ std::size_t widthOf(const CellTable &table) {
     return width;
 }
 
-/// How many cells of a column say what.
+/// Numbers of cells in a column by kind.
 struct CellCount {
     std::size_t numbers = 0;
     std::size_t directions = 0;
@@ -67,7 +67,7 @@ struct CellCount {
     std::size_t dates = 0;
     std::size_t words = 0;
     std::size_t upward = 0;                                       ///< of the directions
-    std::map<std::string, std::size_t, std::less<>> unknown = {}; ///< the first of the words
+    std::map<std::string, std::size_t, std::less<>> unknown = {}; ///< first distinct words
 };
 
 void remember(CellCount &count, std::string_view word) {
@@ -102,14 +102,14 @@ ColumnKind kindOf(const CellCount &count) {
         return ColumnKind::directions;
     if (2 * count.senses >= others)
         return ColumnKind::senses;
-    // Readings that a spreadsheet has made dates and times of are no series.
+    // Readings that a spreadsheet turned into dates and times are not a series.
     if (2 * count.clocks >= others && 4 * count.numbers <= count.clocks)
         return ColumnKind::clock;
     return 2 * count.dates >= others && 4 * count.numbers <= count.dates ? ColumnKind::dates
                                                                          : ColumnKind::words;
 }
 
-/// Whether a line of words calls the column one of directions.
+/// True if a line of words heads the column as directions.
 bool isCalledDirection(const CellTable &table, std::size_t column) {
     return std::ranges::any_of(table.rows(), [&](const TableRow &row) {
         const auto cells = table.cells(row);
@@ -118,7 +118,7 @@ bool isCalledDirection(const CellTable &table, std::size_t column) {
     });
 }
 
-/// Words of one direction, and one that nobody knows on a good part of the lines.
+/// Finds a single unknown word in a considerable part of the lines, the others naming one direction.
 std::optional<OppositeWord> oppositeIn(const CellTable &table, std::size_t column, const CellCount &count) {
     constexpr std::size_t part = 4;
     const bool isOneDirection =
@@ -181,7 +181,7 @@ public:
         for (const TableRow &row : m_table.rows())
             areBody.push_back(!row.comment && isBodyRow(row));
         const bool gapsCount = gapsSeparate(areBody);
-        std::uint32_t lastLine = 0; // that belongs to the table
+        std::uint32_t lastLine = 0; // of the last row of the table
         for (std::uint32_t i = 0; i < m_table.rows().size(); ++i) {
             const TableRow &row = m_table.rows()[i];
             if (isRule(row)) {
@@ -192,7 +192,7 @@ public:
                 else if (takeHead(i, row))
                     lastLine = row.line;
             } else if (hasNumbersBeyond(row) || hasGapAmongBlanks(row)) {
-                remarkUnread(row); // "50,1,234.5": which number is whose cannot be known
+                remarkUnread(row); // "50,1,234.5" cannot be assigned to columns
                 lastLine = row.line;
             } else {
                 if (gapsCount && row.line > lastLine + 1)
@@ -202,18 +202,18 @@ public:
             }
         }
         finish();
-        m_body.notes = std::move(m_heads); // behind the last block
+        m_body.notes = std::move(m_heads); // after the last block
     }
 
 private:
-    /// The block that was open ends.
+    /// Ends the current block.
     void finish() {
         if (!m_block.rows.empty())
             m_body.blocks.push_back(std::move(m_block));
         m_block = {};
     }
 
-    /// A row that is none of the body; false: it is not like the others and stays unread.
+    /// Takes a row outside the body. False if it is unlike the others and remains unread.
     bool takeHead(std::uint32_t index, const TableRow &row) {
         const bool hasNumbers = !row.comment && isNumericHead(row) && !isComputedRow(m_table, row);
         const bool unread =
@@ -226,13 +226,13 @@ private:
         if (hasNumbers)
             m_numericHead = index;
         else if (isWholeHeading(row))
-            m_numericHead.reset(); // what stood above belongs to something else
+            m_numericHead.reset(); // what was above belongs to something else
         finish();
         m_heads.push_back(index);
         return true;
     }
 
-    /// A line that calls its columns targets and readings.
+    /// A line that heads its columns as targets and readings.
     [[nodiscard]] bool isWholeHeading(const TableRow &row) const {
         const auto cells = m_table.cells(row);
         const auto callsTargets = [&](const TableCell &cell) {
@@ -264,7 +264,7 @@ private:
             return false;
         if (m_clock && (cells.size() <= *m_clock || !clockTime(m_table.text(cells[*m_clock]))))
             return false;
-        // Words among the numbers: a heading that begins with a number, not a row with a remark in it.
+        // Words among the numbers: a heading that begins with a number, not a row with a remark.
         std::size_t numbers = 0;
         std::size_t words = 0;
         for (std::size_t c = 0; c < std::min(cells.size(), m_body.columns.size()); ++c) {
@@ -276,7 +276,7 @@ private:
         return words <= numbers && (m_numberColumns > 2 || words == 0 || words < numbers);
     }
 
-    /// Also a word that nobody knows: it is asked for, and its points are not lost. A heading is none.
+    /// True also for an unknown word, which is asked so that its points are not lost; not for a heading.
     [[nodiscard]] bool couldBeSense(const TableCell &cell) const {
         const std::string_view text = m_table.text(cell);
         return senseIn(text) || (cell.kind == CellKind::text && !saidUnit(text).isSaid() &&
@@ -288,7 +288,7 @@ private:
                (m_body.opposite && m_body.opposite->word == m_table.text(cell));
     }
 
-    /// "-" alone among rows of several numbers: the title of a block, not a missing number.
+    /// A single "-" among rows of several numbers is the title of a block, not a missing number.
     [[nodiscard]] bool isLoneDirection(std::span<const TableCell> cells) const {
         const auto isFilled = [](const TableCell &cell) { return cell.kind != CellKind::empty; };
         const auto first = std::ranges::find_if(cells, isFilled);
@@ -301,7 +301,7 @@ private:
         std::size_t dashes = 0;
         for (const TableCell &cell : m_table.cells(row)) {
             const std::string_view text = m_table.text(cell);
-            if (!text.empty() && isDigit(text.front())) // as in most rows
+            if (!text.empty() && isDigit(text.front())) // in most rows
                 return false;
             if (text.find_first_not_of("-:=_+ ") != std::string_view::npos)
                 return false;
@@ -310,7 +310,7 @@ private:
         return dashes > 0 && 2 * dashes >= m_table.cells(row).size();
     }
 
-    /// Made of digits for the most part, or beginning with a number: "12O.5", "~97.1", "1.2x5".
+    /// Mostly digits, or beginning with a number: "12O.5", "~97.1", "1.2x5".
     [[nodiscard]] bool isDamagedNumber(std::string_view text, bool alone) const {
         constexpr std::size_t shortest = 3;
         const auto digits = static_cast<std::size_t>(std::ranges::count_if(text, isDigit));
@@ -319,7 +319,7 @@ private:
         return (alone ? mostly && begins : mostly || begins) && !isDate(text) && !clockTime(text);
     }
 
-    /// Numbers, and in the place of the others what was one. Neither words nor dates.
+    /// Numbers, with damaged ones in place of the others. Neither words nor dates.
     [[nodiscard]] bool isDamaged(const TableRow &row) const {
         if (row.comment || isComputedRow(m_table, row))
             return false;
@@ -339,7 +339,7 @@ private:
         return damaged > 0 && 2 * (numbers + damaged) >= m_numberColumns;
     }
 
-    /// A row that is none of the body, but has its numbers: below it, unless it begins with what is computed.
+    /// A row outside the body with as many numbers: below it, unless it begins with a computed quantity.
     [[nodiscard]] bool looksLikeData(const TableRow &row, bool inBody) const {
         const auto cells = m_table.cells(row);
         const std::size_t numbers = numberCount(cells);
@@ -364,14 +364,14 @@ private:
         return cells.size() > m_body.columns.size() && numberCount(cells.subspan(m_body.columns.size())) > 0;
     }
 
-    /// Fewer numbers than columns, and nothing but blanks between them.
+    /// Fewer numbers than columns, separated only by blanks.
     [[nodiscard]] bool hasGapAmongBlanks(const TableRow &row) const {
         const auto isOfNumbers = [](const TableColumn &column) { return column.kind == ColumnKind::numbers; };
         return m_table.delimiter.value == Delimiter::blanks && row.count < m_body.columns.size() &&
                std::any_of(m_body.columns.begin() + row.count, m_body.columns.end(), isOfNumbers);
     }
 
-    /// A row like those of the body, but with a word or nothing where their first number stands.
+    /// A row like those of the body, but with a word or nothing in place of their first number.
     [[nodiscard]] bool isNumericHead(const TableRow &row) const {
         const auto cells = m_table.cells(row);
         const std::size_t numbers = numberCount(cells);
@@ -379,9 +379,9 @@ private:
                numbers + 2 >= trimmed(cells).size() && !areYears(cells);
     }
 
-    /// ";2024;;2025;" above the headings of columns.
+    /// ";2024;;2025;" above column headings.
     [[nodiscard]] static bool areYears(std::span<const TableCell> cells) {
-        constexpr std::size_t few = 4; // targets are more
+        constexpr std::size_t few = 4; // there are more targets
         return numberCount(cells) <= few && std::ranges::all_of(cells, [](const TableCell &cell) {
                    return cell.kind != CellKind::number || isYear(cell.value);
                });
@@ -404,7 +404,7 @@ private:
                   "unread");
     }
 
-    /// Empty lines part blocks, unless they stand everywhere.
+    /// Empty lines separate blocks unless they are everywhere.
     [[nodiscard]] bool gapsSeparate(const std::vector<bool> &areBody) const {
         std::size_t gaps = 0;
         std::size_t rows = 0;
@@ -422,8 +422,8 @@ private:
 
     const CellTable &m_table;
     TableBody &m_body;
-    TableBlock m_block;                 ///< still open
-    std::vector<std::uint32_t> m_heads; ///< of the next block
+    TableBlock m_block;                 ///< current block
+    std::vector<std::uint32_t> m_heads; ///< for the next block
     std::optional<std::uint32_t> m_numericHead;
     std::size_t m_firstNumber = 0;
     std::size_t m_numberColumns = 0;
@@ -432,7 +432,7 @@ private:
     std::optional<std::size_t> m_clock;
 };
 
-/// Whether the columns of two sections mean the same, but for directions and numbers of runs.
+/// True if the columns of two sections have the same meaning except for directions and run numbers.
 bool areAlike(const std::vector<TableColumn> &a, const std::vector<TableColumn> &b) {
     const auto meaningOf = [](const TableColumn &column) {
         return column.meaning == Meaning::place ? Meaning::target : column.meaning;
@@ -445,7 +445,7 @@ bool areAlike(const std::vector<TableColumn> &a, const std::vector<TableColumn> 
     });
 }
 
-/// How much columns are those of a measurement: 2 with places and readings, or two axes, 1 with one of them.
+/// How likely columns are a measurement: 2 with places and readings, or two axes; 1 with one of them.
 int likeness(const std::vector<TableColumn> &columns) {
     bool places = false;
     bool readings = false;
@@ -463,11 +463,11 @@ int likeness(const std::vector<TableColumn> &columns) {
     return axes == 2 ? 2 : (places ? 1 : 0) + (readings ? 1 : 0);
 }
 
-/// Keeps the blocks of one table; the others are listed.
+/// Keeps the blocks of one table and lists the others.
 void keepOneTable(const CellTable &table, TableBody &body, std::optional<std::size_t> chosen) {
-    constexpr std::size_t mostKinds = 50; // a report of more is none to be read as a whole
+    constexpr std::size_t mostKinds = 50; // a report with more is not read as a whole
     constexpr std::size_t longestHeadings = 60;
-    std::vector<std::size_t> sections; // the first of each kind
+    std::vector<std::size_t> sections; // first section of each kind
     std::vector<std::size_t> kindOf;
     for (std::size_t s = 0; s < body.sections.size(); ++s) {
         const auto found = std::ranges::find_if(

@@ -19,59 +19,60 @@ enum class ColumnKind { empty, numbers, directions, senses, clock, dates, words 
 
 struct TableColumn {
     ColumnKind kind = ColumnKind::empty;
-    std::string heading; ///< all rows of the heading joined
-    std::string group;   ///< of it what stands above several columns
-    HeadingWords words;  ///< what it says
+    std::string heading; ///< all heading rows joined
+    std::string group;   ///< the part of the heading above several columns
+    HeadingWords words;  ///< meaning of the heading
     Meaning meaning = Meaning::unknown;
-    const Unit *unit = nullptr; ///< of the heading, or null
-    std::string foreignUnit;    ///< of the heading, where it is none that numbers are converted from
+    const Unit *unit = nullptr; ///< of the heading; may be null
+    std::string foreignUnit;    ///< of the heading, if it is a unit without conversion
 
-    bool isSpread = false; ///< its heading is that of a column before it
-    bool isChosen = false; ///< the user says that it holds numbers, whatever its cells look like
+    bool isSpread = false; ///< its heading is that of an earlier column
+    bool isChosen = false; ///< the user assigned it a role of numbers, whatever its cells look like
 
     [[nodiscard]] SaidUnit said() const { return {unit, foreignUnit}; }
 };
 
-/// Rows of numbers that belong together, and the words above them. Indexes of rows of the table.
+/// Related rows of numbers and the words above them, as row indices of the table.
 struct TableBlock {
     std::vector<std::uint32_t> rows;
-    std::vector<std::uint32_t> heads;         ///< since the block before
-    std::optional<std::uint32_t> numericHead; ///< a heading of numbers: "Run; 0; 150; 300"
-    std::size_t section = 0;                  ///< whose headings hold for it
+    std::vector<std::uint32_t> heads;         ///< since the former block
+    std::optional<std::uint32_t> numericHead; ///< a heading with numbers: "Run; 0; 150; 300"
+    std::size_t section = 0;                  ///< index of the section with its headings
 };
 
-/// A word that nobody knows in a column of one direction, whose heading says that it holds directions.
+/// An unknown word in a column headed as directions whose known words are all the same direction.
 struct OppositeWord {
     std::string word;
-    Direction direction = Direction::negative; ///< the other one than that of the words that are known
+    Direction direction = Direction::negative; ///< the opposite of the known words' direction
 };
 
-/// The rows of a table sorted into what is measured and what is said about it.
+/// The rows of a table sorted into measured data and statements about them.
 struct TableBody {
     std::vector<TableColumn> columns;               ///< of the first section
-    std::vector<std::vector<TableColumn>> sections; ///< alike but for directions and numbers of runs
+    std::vector<std::vector<TableColumn>> sections; ///< with the same meanings except for directions and run
+                                                    ///< numbers
     std::vector<TableBlock> blocks;
-    std::vector<std::uint32_t> notes;       ///< comments and lines that are no heading
-    std::vector<std::uint32_t> columnHeads; ///< rows that the headings are made of
+    std::vector<std::uint32_t> notes;       ///< comments and lines that are not headings
+    std::vector<std::uint32_t> columnHeads; ///< rows of the headings
     std::vector<Remark> remarks;
-    std::vector<ListedTable> tables; ///< in the order of the file, with the one that is read
-    std::size_t table = 0;           ///< of them, the one that is read
+    std::vector<ListedTable> tables; ///< in file order, including the one read
+    std::size_t table = 0;           ///< index of the one read
     std::optional<OppositeWord> opposite;
 
-    /// The direction a cell of the column of directions says.
+    /// The direction named by a cell of the direction column.
     [[nodiscard]] std::optional<Direction> directionIn(std::string_view cell) const {
         return opposite && opposite->word == cell ? opposite->direction : directionOf(cell);
     }
     [[nodiscard]] std::size_t rowCount() const;
-    /// Columns of numbers, from the left.
+    /// Columns of numbers, from left to right.
     [[nodiscard]] std::vector<std::size_t> numberColumns() const;
     [[nodiscard]] std::optional<std::size_t> columnOf(Meaning meaning) const;
     [[nodiscard]] std::optional<std::size_t> columnOf(ColumnKind kind) const;
 };
 
-/// Reads the table that was chosen (from 1); without a choice the one with targets and readings, the longest
-/// where several have them. Throws Error(content) where there are no rows of numbers. `ofNumbers` are columns
-/// that the user has given a role of numbers.
+/// Reads the chosen table (counted from 1), by default the longest one with targets and readings. Throws
+/// Error(content) if there are no rows of numbers. `ofNumbers`: columns to which the user assigned a role of
+/// numbers.
 [[nodiscard]] TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbers = {},
                                std::optional<std::size_t> chosen = {});
 

@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t headingRows = 5;
 
-/// "Forward", "Rev", "Run 2": what stands above several columns.
+/// True for "Forward", "Rev", "Run 2": headings above several columns.
 bool namesRuns(const HeadingWords &heading) {
     return heading.direction || (heading.unknownWords == 0 &&
                                  (heading.hint || (heading.meaning == Meaning::run && heading.number)));
@@ -47,13 +47,13 @@ bool isLabelWithValue(const CellTable &table, const TableRow &row) {
     return number.size > 0 && isUnit && (texts.size() == 2 || rest.empty());
 }
 
-/// A line of one text between the headings and the body: "* door opened". It hides no heading.
+/// A line with a single text between headings and body: "* door opened". It does not hide the heading.
 bool isLoneText(const CellTable &table, const TableRow &row) {
     const auto cells = trimmed(table.cells(row));
     return cells.size() == 1 && cells.front().kind == CellKind::text;
 }
 
-/// Whether a row above the body says something about its columns.
+/// True if a row above the body describes its columns.
 bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
     if (row.comment || isComputedRow(table, row) || isLabelWithValue(table, row))
         return false;
@@ -70,7 +70,7 @@ bool isHeading(const CellTable &table, const TableRow &row, std::size_t width) {
     }
     if (directions >= 2 && words >= 2)
         return true;
-    // Beyond the numbers stand headings of columns that are empty, or prose cut into pieces.
+    // Texts beyond the numbers are headings of empty columns, or prose split into cells.
     const auto isUnderstood = [&](const TableCell &cell) {
         return readHeading(table.text(cell)).unknownWords == 0;
     };
@@ -84,8 +84,8 @@ bool saysYear(const TableCell &cell) {
     return cell.kind == CellKind::number && isYear(cell.value);
 }
 
-/// ";Linear;;Pitch;", ";2024;;2025;", "X;X;Y;Y": what stands above several columns each, and no label with
-/// its value.
+/// ";Linear;;Pitch;", ";2024;;2025;", "X;X;Y;Y": headings above several columns each, not a label with its
+/// value.
 bool isGroupRow(const CellTable &table, const TableRow &row, std::size_t width) {
     const auto cells = trimmed(table.cells(row));
     if (row.comment || cells.empty() || cells.size() > width || width < 3)
@@ -99,7 +99,8 @@ bool isGroupRow(const CellTable &table, const TableRow &row, std::size_t width) 
             continue;
         }
         const std::string_view text = table.text(cells[c]);
-        const bool isLetter = cells[c].kind == CellKind::missing && folded(text) == "x"; // no missing number
+        const bool isLetter = cells[c].kind == CellKind::missing && folded(text) == "x"; // not a missing
+                                                                                         // number
         if ((cells[c].kind != CellKind::text && !saysYear(cells[c]) && !isLetter) || text.ends_with(':'))
             return false;
         repeated += c > 0 && cells[c - 1].kind != CellKind::empty && table.text(cells[c - 1]) == text ? 1 : 0;
@@ -109,7 +110,7 @@ bool isGroupRow(const CellTable &table, const TableRow &row, std::size_t width) 
     return beginsBehindTargets ? filled > 0 : filled > 1 && filled < width && (gaps > 0 || repeated > 0);
 }
 
-/// Whether a row above headings that name every column adds to them: groups, directions, axes, and no label
+/// True if a row above headings that name every column adds to them: groups, directions, axes, not a label
 /// with its value.
 bool addsToHeadings(const CellTable &table, const TableRow &row) {
     const auto cells = table.cells(row);
@@ -129,7 +130,7 @@ bool addsToHeadings(const CellTable &table, const TableRow &row) {
     return known > 1 || (known == 1 && trimmed(table.cells(row)).size() > 1);
 }
 
-/// "# angle; x; y": as many words as there are columns.
+/// "# angle; x; y": takes as many words as there are columns.
 void takeFromComment(const CellTable &table, const TableRow &row, std::vector<TableColumn> &columns) {
     const std::string_view text = table.text(table.cells(row).front());
     TableOptions options;
@@ -139,7 +140,7 @@ void takeFromComment(const CellTable &table, const TableRow &row, std::vector<Ta
     if (line.rows().empty() || columns.size() < 2)
         return;
     const auto cells = line.cells(line.rows().front());
-    // "#;Target;…": the mark itself is the heading of a counter.
+    // "#;Target;…": the mark is the heading of a counter.
     const std::size_t first = cells.size() > 1 && cells.size() + 1 == columns.size() ? 1 : 0;
     if (cells.size() + first != columns.size())
         return;
@@ -151,7 +152,7 @@ bool saysUnit(std::string_view text) {
     return saidUnit(text).isSaid();
 }
 
-/// Whether a row of the heading says units: a dash in it stands for none.
+/// True for a heading row of units, in which a dash means none.
 bool isRowOfUnits(const CellTable &table, std::span<const TableCell> cells) {
     const auto isUnit = [&](const TableCell &cell) {
         const std::string_view text = table.text(cell);
@@ -162,8 +163,8 @@ bool isRowOfUnits(const CellTable &table, std::span<const TableCell> cells) {
     return std::ranges::any_of(cells, isUnit);
 }
 
-/// "Name; X position; Y position" and below it "Unit; mm; mm": properties of each column, as oscilloscopes of
-/// controls write them. Nothing where no line calls the columns.
+/// "Name; X position; Y position" above "Unit; mm; mm": properties of each column, as written by
+/// oscilloscopes of controls. Does nothing if no line names the columns.
 void takeFromProperties(const CellTable &table, const TableBlock &block, std::vector<TableColumn> &columns) {
     const auto rowCalled = [&](std::string_view labels) -> const TableRow * {
         for (const std::uint32_t head : block.heads) {
@@ -188,10 +189,10 @@ void takeFromProperties(const CellTable &table, const TableBlock &block, std::ve
     }
 }
 
-/// The rows directly above a block that are the headings of its columns, from above.
+/// The rows directly above a block that are its column headings, from top to bottom.
 std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBlock &block,
                                          const std::vector<TableColumn> &all) {
-    std::size_t width = 0; // of this block, which may be narrower than the widest of the file
+    std::size_t width = 0; // of this block, which may be narrower than the file's widest
     for (const std::uint32_t row : block.rows)
         width = std::max<std::size_t>(width, table.rows()[row].count);
     const auto columns = std::span(all).first(std::min(width, all.size()));
@@ -201,8 +202,8 @@ std::vector<std::uint32_t> headingRowsOf(const CellTable &table, const TableBloc
         const TableRow &row = table.rows()[*at];
         if (rows.empty() &&
             (row.comment || isComputedRow(table, row) || (columns.size() > 2 && isLoneText(table, row))))
-            continue; // the title of the block
-        // Numbers of runs stand below what they number: "Forward;;Reverse;" over "1;2;1;2".
+            continue; // the block's title
+        // Run numbers are below what they number: "Forward;;Reverse;" above "1;2;1;2".
         const bool isGroup = !rows.empty() && isGroupRow(table, row, columns.size());
         if (*at != block.numericHead && !isGroup && !isHeading(table, row, columns.size()))
             break;
@@ -231,12 +232,12 @@ void addWords(std::string &heading, std::string_view words) {
     heading += (heading.empty() ? "" : " ") + plain;
 }
 
-/// The headings that rows make, joined from above.
+/// Joins the heading rows downwards.
 void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &rows,
                      std::vector<TableColumn> &columns) {
     for (const std::uint32_t index : rows) {
         const auto cells = trimmed(table.cells(table.rows()[index]));
-        // "Forward;;;Reverse": a heading over several columns; workbooks leave the last cells away.
+        // "Forward;;;Reverse": a heading over several columns; workbooks omit the last cells.
         const auto filled = cells.size() - static_cast<std::size_t>(
                                                std::ranges::count(cells, CellKind::empty, &TableCell::kind));
         const bool spans = filled + 1 < columns.size() && index != rows.back();
@@ -253,7 +254,7 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
                 text = last;
             if (isGroup)
                 addWords(columns[c].group, text);
-            // Some are units in brackets only: "m", "V", a quotation mark.
+            // Some are units only in brackets: "m", "V", a quotation mark.
             const std::string inBrackets = '(' + std::string(text) + ')';
             addWords(columns[c].heading,
                      hasUnits && !saysUnit(text) && saysUnit(inBrackets) ? inBrackets : text);
@@ -261,8 +262,8 @@ void composeHeadings(const CellTable &table, const std::vector<std::uint32_t> &r
     }
 }
 
-/// "Forward;;;Reverse;;" in the last row of the heading: merged cells. Each that names a run holds for the
-/// columns of numbers behind it, where they are as many behind each.
+/// "Forward;;;Reverse;;" in the last heading row: merged cells. Each that names a run applies to the columns
+/// of numbers after it, if each has the same number of them.
 void spreadHeadings(std::vector<TableColumn> &columns) {
     std::vector<std::size_t> named;
     std::vector<std::size_t> behind;
@@ -288,7 +289,7 @@ void spreadHeadings(std::vector<TableColumn> &columns) {
     }
 }
 
-/// Cells that say their unit know it better than the heading, but both are to be looked at.
+/// Units in cells take precedence over the heading, but both must be checked.
 void takeUnitOfCells(const CellTable &table, std::size_t c, TableColumn &column,
                      std::vector<Remark> &remarks) {
     const ColumnUnit cells = table.unitOfColumn(c);
@@ -312,13 +313,12 @@ void takeUnitOfCells(const CellTable &table, std::size_t c, TableColumn &column,
     column.foreignUnit.clear();
 }
 
-/// Without what stands above several columns.
+/// The heading without the part above several columns.
 std::string_view ownHeading(const TableColumn &column) {
     return std::string_view(column.heading).substr(std::min(column.group.size(), column.heading.size()));
 }
 
-/// "Reading (Zg)": what stands in brackets at the end and is no word that is known is a unit that is not
-/// known.
+/// "Reading (Zg)": an unknown word in brackets at the end is an unknown unit.
 std::string wordInBrackets(std::string_view heading) {
     constexpr std::size_t longest = 8;
     const std::size_t open = heading.find_last_of("([");
@@ -332,7 +332,7 @@ std::string wordInBrackets(std::string_view heading) {
                                                                                : std::string();
 }
 
-/// A group whose words are not understood does not hide what stands below it, but is a kind of its own.
+/// A group of unknown words does not hide the headings below it, but is a kind of its own.
 void takeGroup(TableColumn &column) {
     const HeadingWords group = readHeading(column.group);
     const bool isUnderstood = group.unknownWords == 0 && !isYear(group.number.value_or(0));
@@ -363,7 +363,7 @@ void readHeadings(const CellTable &table, std::vector<TableColumn> &columns, std
         const SaidUnit ofGroup = saidUnit(column.group.empty() ? std::string() : '(' + column.group + ')');
         const SaidUnit own = saidUnit(ownHeading(column));
         if (ofGroup.isSaid() && own.isSaid() && !(ofGroup == own)) {
-            column.unit = nullptr; // "arcsec" over "Forward (µm)"
+            column.unit = nullptr; // "arcsec" above "Forward (µm)"
             column.foreignUnit = ofGroup.words() + ", " + own.words();
         } else if (ofGroup.isSaid() && !said.isSaid()) {
             column.unit = ofGroup.unit;
@@ -372,23 +372,22 @@ void readHeadings(const CellTable &table, std::vector<TableColumn> &columns, std
         if (!said.isSaid() && column.kind == ColumnKind::numbers)
             column.foreignUnit = wordInBrackets(column.heading);
         takeUnitOfCells(table, c, column, remarks);
-        // "Point (mm)" is no counter.
+        // "Point (mm)" is not a counter.
         if (column.meaning == Meaning::index && column.unit &&
             (column.unit->kind == UnitKind::length || column.unit->kind == UnitKind::angle))
             column.meaning = Meaning::place;
     }
 }
 
-/// Whether a heading says what stands below it, and no readings.
+/// True if a heading tells that its column has no readings.
 bool isNoReading(const HeadingWords &heading) {
     return !heading.direction && !heading.hint &&
            (heading.meaning == Meaning::unknown || heading.meaning == Meaning::other ||
             heading.meaning == Meaning::statistic);
 }
 
-/// Headings further to the right than any line: either what they name was left out in all lines, or the
-/// headings do not stand above their columns. A remark behind headings that begin with the targets is the
-/// former.
+/// Headings extend further right than any line: either their columns were omitted in all lines, or the
+/// headings are not above their columns. A remark after headings that begin with the targets is the former.
 void askForHeadingsBeyond(const CellTable &table, const std::vector<std::uint32_t> &heads,
                           const TableBlock &block, const std::vector<TableColumn> &columns,
                           std::vector<Remark> &remarks) {
@@ -419,7 +418,7 @@ void askForHeadingsBeyond(const CellTable &table, const std::vector<std::uint32_
     }
 }
 
-/// "2s", "± 4 s": so many standard deviations; "1 s" could number a run.
+/// "2s", "± 4 s": a multiple of the standard deviation; "1 s" could number a run.
 bool isSpread(std::string_view label) {
     std::string bare;
     for (const char c : label) {
@@ -475,7 +474,7 @@ void findSections(const CellTable &table, TableBody &body) {
         std::vector<TableColumn> columns = bare;
         if (rows.empty() && !block.heads.empty() && table.rows()[block.heads.back()].comment &&
             !table.rows()[block.heads.back()].aside)
-            takeFromComment(table, table.rows()[block.heads.back()], columns); // the headings themselves
+            takeFromComment(table, table.rows()[block.heads.back()], columns); // the comment is the heading
         composeHeadings(table, rows, columns);
         spreadHeadings(columns);
         if (std::ranges::all_of(columns, [](const TableColumn &column) { return column.heading.empty(); }))

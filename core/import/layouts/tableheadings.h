@@ -8,17 +8,17 @@
 
 namespace palmer {
 
-/// Cells without the empty ones at the end.
+/// Cells without trailing empty ones.
 [[nodiscard]] std::span<const TableCell> trimmed(std::span<const TableCell> cells);
 
-/// 2024, 2025 above columns: neither a number of a run nor a target.
+/// True for 2024, 2025 above columns: neither a run number nor a target.
 [[nodiscard]] bool isYear(double number);
 
-/// Finds the headings of the columns: above each block of rows those that stand over it, joined from above.
-/// Blocks without headings of their own belong to the section before them.
+/// Finds the column headings: for each block of rows those above it, joined downwards. Blocks without
+/// headings belong to the section before them.
 void findSections(const CellTable &table, TableBody &body);
 
-/// "Tolerance; 8; 8; 8": a label of what is computed or asked for, and numbers.
+/// "Tolerance; 8; 8; 8": a label of computed or required values, with numbers.
 [[nodiscard]] bool isComputedRow(const CellTable &table, const TableRow &row);
 
 } // namespace palmer

@@ -10,7 +10,7 @@ namespace palmer {
 
 namespace {
 
-/// The columns that the user gives a role of numbers.
+/// Columns to which the user assigned a role of numbers.
 std::vector<std::size_t> chosenNumbers(const Choices &choices) {
     std::vector<std::size_t> numbers;
     std::string unknown;
@@ -40,7 +40,7 @@ TableReading::TableReading(Imported &imported, Choices &chosen)
     , notes(notesOf(imported.table, body)) {
     std::size_t cells = 0;
     for (const TableRow &each : result.table.rows())
-        cells = std::max<std::size_t>(cells, each.first + each.count); // in any order
+        cells = std::max<std::size_t>(cells, each.first + each.count); // rows may be in any order
     result.roles.assign(cells, CellRole::ignored);
     for (const std::uint32_t head : body.columnHeads) {
         for (std::size_t c = 0; c < row(head).count; ++c)
@@ -133,7 +133,7 @@ std::string TableReading::titleOf(const TableBlock &block) const {
 }
 
 bool isCounter(const TableReading &reading, std::size_t column) {
-    // Some instruments count on over the blocks, some begin again.
+    // Some instruments continue counting across blocks, some restart.
     std::size_t rows = 0;
     for (const TableBlock &block : reading.body.blocks) {
         std::optional<double> last;

@@ -34,7 +34,7 @@ public:
         findPositions();
     }
 
-    /// Further columns of targets in another order, each before readings: those are theirs.
+    /// Finds further target columns in another order, each before the readings it belongs to.
     void findOwnTargets() {
         if (!m_result.target || m_result.values.size() < 2)
             return;
@@ -65,8 +65,8 @@ private:
         return !m.axisFound.empty() && words(c).axis != 0 && words(c).axis != m.axisFound[0];
     }
 
-    /// A list without headings: the reading is the last number of a line, the target that with the largest
-    /// range, a column that stays the same from line to line the number of the run.
+    /// A list without headings: the reading is the last number of a line, the target the one with the largest
+    /// range, and a column constant from line to line the run number.
     void placeBareList() {
         std::vector<std::size_t> columns = m.body.numberColumns();
         const bool isBare =
@@ -121,7 +121,7 @@ private:
     }
 
     void findPositions() {
-        // "Position" beside "Target": where it follows the target, the actual position.
+        // "Position" next to "Target" is the actual position if it follows the target.
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             if (c != m_search.targets.front() && isNumeric(c) && role(c) == ColumnRole::ignored &&
                 m_heads[c].meaning == Meaning::place)
@@ -131,7 +131,7 @@ private:
         }
     }
 
-    /// The axis that the user chose wants its own targets.
+    /// True if the user chose another axis, which has its own targets.
     [[nodiscard]] bool hasOtherAxis(std::size_t c) const {
         const std::string_view chosen = m.choices.chosen("axis");
         return chosen.size() == 1 && words(c).axis != 0 && words(c).axis != chosen[0] && isTwoAxes();
@@ -158,7 +158,7 @@ private:
         return m_heads[c].meaning == Meaning::unknown && !words(c).direction && !words(c).number;
     }
 
-    /// A first column that counts, and an axis beside it.
+    /// Drops a first column that counts, next to an axis.
     void dropCounter() {
         if (m_search.targets.size() < 2 || m_heads[m_search.targets.front()].meaning == Meaning::target ||
             !isCounter(m, m_search.targets.front()))
@@ -168,7 +168,7 @@ private:
             m_search.targets.erase(m_search.targets.begin());
     }
 
-    /// Whether a column rises or falls strictly and by more than the values beside it.
+    /// True if a column is strictly monotonic over a longer range than the values next to it.
     [[nodiscard]] bool isAxisLike(std::size_t column, std::size_t beside) const {
         const std::vector<double> values = valuesOf(column);
         const std::vector<double> others = valuesOf(beside);
