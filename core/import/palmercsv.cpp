@@ -25,7 +25,7 @@ std::size_t startOf(std::string_view text) {
     return start;
 }
 
-/// The delimiter is the character after the key of the first line; null: another file.
+/// The delimiter follows the key of the first line; null for other files.
 std::optional<std::pair<char, Delimiter>> delimiterOf(std::string_view text) {
     constexpr std::array signs{std::pair{'\t', Delimiter::tab}, std::pair{';', Delimiter::semicolon},
                                std::pair{',', Delimiter::comma}, std::pair{'|', Delimiter::bar}};
@@ -44,7 +44,7 @@ std::optional<std::pair<char, Delimiter>> delimiterOf(std::string_view text) {
     return found != signs.end() && at <= 2 ? std::optional(*found) : std::nullopt; // quoted or not
 }
 
-/// A list of JSON.
+/// A JSON array.
 class List {
 public:
     void add(std::optional<double> value) {
@@ -60,7 +60,7 @@ std::string lineOf(const TableRow &row) {
     return std::to_string(row.line) + ":1";
 }
 
-/// Takes the file apart: what is stated, the headings of the readings, their rows.
+/// Splits the file into statements, headings and rows of readings.
 class Reader {
 public:
     Reader(Choices &choices, Imported &imported, char delimiter)
@@ -113,7 +113,7 @@ private:
         }
     }
 
-    /// The value that a line states; it may be longer than a cell can hold.
+    /// The value of a statement line; it may be longer than a cell can hold.
     [[nodiscard]] std::string valueOf(const TableRow &row) const {
         const std::string &all = m_table.text();
         const std::size_t cell = m_table.cells(row).front().begin;
@@ -134,7 +134,7 @@ private:
         return cells.size() > 1 ? cells[1] : std::string();
     }
 
-    /// A comment without a value stands before each arc.
+    /// A comment without value precedes each arc.
     void takeStatement(const TableRow &row, const std::string &key) {
         std::string value = valueOf(row);
         const bool isSpecial = key == palmercsv::format || key == palmercsv::unit || key == palmercsv::sign;
@@ -172,7 +172,7 @@ private:
                              "there are no readings in it; expected target positions and deviations")});
     }
 
-    /// A column of that heading, by the unit it says.
+    /// The unit in a column heading.
     [[nodiscard]] const Unit *unitOfHeading(std::size_t column) const {
         const std::string heading = textOf(*m_heading, column);
         const Unit *said = unitIn(heading);
@@ -238,7 +238,7 @@ private:
             m_statements.push_back({"runs", "[]"});
     }
 
-    /// The first column whose heading is that, whatever its unit.
+    /// The first column with that heading, whatever its unit.
     [[nodiscard]] std::size_t columnOf(std::string_view name) const {
         for (std::size_t column = 0; column < m_heading->count; ++column) {
             if (withoutUnit(textOf(*m_heading, column)) == name)
@@ -275,10 +275,10 @@ private:
     Imported &m_imported;
     const CellTable &m_table;
     char m_delimiter;
-    std::vector<Statement> m_special;    ///< of the file itself
-    std::vector<Statement> m_statements; ///< of the test
+    std::vector<Statement> m_special;    ///< about the file itself
+    std::vector<Statement> m_statements; ///< about the test
     const TableRow *m_heading = nullptr;
-    std::vector<std::vector<const TableRow *>> m_blocks; ///< the readings; of each arc
+    std::vector<std::vector<const TableRow *>> m_blocks; ///< rows of readings; one block per arc
     const Unit *m_unit = nullptr;
 };
 
@@ -292,7 +292,7 @@ void readPalmerCsv(const ImportSource &source, Choices &choices, Imported &impor
     std::string text = decodedText(source.bytes, choices, imported);
     TableOptions options;
     options.comments = false;
-    options.decimalMark = DecimalMark::point; // a comma of a number is seen where it is read
+    options.decimalMark = DecimalMark::point; // a decimal comma is recognised when a number is read
     const auto delimiter = delimiterOf(text).value_or(std::pair{',', Delimiter::comma});
     options.delimiter = delimiter.second;
     imported.table = readTable(std::move(text), options);

@@ -2,16 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-/// The words of the CSV in which readings are written and read back (see readingsCsv).
+/// Keywords of the CSV format in which readings are written and read back (see readingsCsv).
 namespace palmer::palmercsv {
 
-inline constexpr const char *mark = "# ";       ///< before what is stated: "# unit,mm"
+inline constexpr const char *mark = "# ";       ///< before statements: "# unit,mm"
 inline constexpr const char *format = "format"; ///< key of the first line
 inline constexpr const char *formatWord = "palmer readings";
-inline constexpr const char *unit = "unit";           ///< of all lengths, of a rotary axis all angles
+inline constexpr const char *unit = "unit";           ///< of all lengths, or of all angles of a rotary axis
 inline constexpr const char *sign = "sign";           ///< of the deviations of an axis
-inline constexpr const char *target = "P";            ///< heading of the targets
-inline constexpr const char *deviation = "deviation"; ///< of readings: "deviation 2 ↑ (mm)"
+inline constexpr const char *target = "P";            ///< heading of the target column
+inline constexpr const char *deviation = "deviation"; ///< heading of readings: "deviation 2 ↑ (mm)"
 inline constexpr const char *parameter = "parameter"; ///< first heading of the results
 
 } // namespace palmer::palmercsv

@@ -41,7 +41,7 @@ ImportProfiles readImportProfiles(const QString &path) {
         refuse();
     ImportProfiles profiles;
     QJsonObject all = json.object();
-    // Without a version: by a program that kept its guesses, too, which were answers of nobody.
+    // Files without a version also contain guesses that no user confirmed.
     const bool hasGuesses = !all.value(versionKey).isDouble();
     if (!hasGuesses && !all.value(profilesKey).isObject())
         refuse();

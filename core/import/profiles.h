@@ -9,18 +9,18 @@
 
 namespace palmer {
 
-/// Named choices for a kind of file, as the user keeps them.
+/// Named choices of the user for a kind of file.
 using ImportProfiles = std::map<std::string, ImportOptions>;
 
-/// Where they are kept: import-profiles.json in the user's configuration folder.
+/// Path of the profiles: import-profiles.json in the user's configuration folder.
 [[nodiscard]] QString importProfilesPath();
 
-/// The profiles of the file at that path; none if there is no file. Throws Error for what is no such file,
-/// and for choices that are unknown. Files of earlier programs held guesses beside answers: what would be
-/// asked is left out of them, and asked again.
+/// Reads the profiles at that path; empty if there is no file. Throws Error for another kind of file and for
+/// unknown choices. Earlier programs stored guesses with answers: choices that would be asked are dropped
+/// from their files and asked again.
 [[nodiscard]] ImportProfiles readImportProfiles(const QString &path);
 
-/// Writes them in one step; the folder is made. Throws Error(unwritable).
+/// Writes atomically, creating the folder if needed. Throws Error(unwritable).
 void saveImportProfiles(const ImportProfiles &profiles, const QString &path);
 
 } // namespace palmer

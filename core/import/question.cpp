@@ -13,17 +13,17 @@ namespace palmer {
 
 namespace {
 
-/// The choices a wrong guess of which would be a wrong number or direction.
+/// Choices for which a wrong guess would give a wrong number or direction.
 constexpr std::array<std::string_view, 27> asked{
     "kind",       "layout",        "columns",     "directions", "content", "unit",           "positionUnit",
     "timeUnit",   "sign",          "decimalMark", "axis",       "series",  "nominalRadius",  "sheet",
     "startAngle", "arc",           "motion",      "unread",     "large",   "correctionTo20", "spread",
     "zeros",      "equalsTargets", "unequalRuns", "hidden",     "state",   "table"};
 
-/// Doubts about the numbers: their answer is that they are right.
+/// Doubts about the numbers, answered by confirming them.
 constexpr std::array<std::string_view, 5> doubts{"large", "spread", "equalsTargets", "zeros", "unequalRuns"};
 
-/// Numbers nothing in the file says, and units it says that cannot be taken: who knows them has to answer.
+/// Numbers not stated in the file, and stated units that cannot be used: only the user can answer.
 constexpr std::array<std::string_view, 4> owed{"nominalRadius", "unit", "positionUnit", "timeUnit"};
 
 template <std::size_t size>
@@ -37,7 +37,7 @@ std::string proposalFor(const Remark &remark, std::span<const ImportChoice> choi
     if (remark.isOwed)
         return {};
     if (isOneOf(owed, remark.choice) && remark.grade == RemarkGrade::problem)
-        return {}; // what stands in its place, to go on reading, is no answer
+        return {}; // a placeholder to continue reading is not an answer
     const auto choice = std::ranges::find(choices, remark.choice, &ImportChoice::key);
     return choice == choices.end() ? std::string() : choice->value;
 }

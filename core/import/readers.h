@@ -11,31 +11,31 @@
 
 namespace palmer {
 
-/// What a reader is given: the bytes of the file, and what the user decided.
+/// Input of a reader: the bytes of the file and the user's choices.
 struct ImportSource {
     QByteArrayView bytes;
     const ImportOptions &options;
 };
 
-// One row a format, at the end of its reader's file.
+// One format per row, defined at the end of its reader's file.
 extern const ImportFormat palmerCsvFormat, workbookFormat, rtlFormat, rtxFormat, ballbarFormat, indexedFormat,
     renFormat, compensationFormat, posFormat, tableFormat;
 
-/// In the order they are asked in; the table is last, for it takes what no other recognises.
+/// In the order they are tried; the table is last, as it accepts whatever no other recognises.
 inline constexpr std::array formatsInOrder{&palmerCsvFormat, &workbookFormat, &rtlFormat, &rtxFormat,
                                            &ballbarFormat,   &indexedFormat,  &renFormat, &compensationFormat,
                                            &posFormat,       &tableFormat};
 
-/// The text of a file with its encoding settled, and a remark where that is a guess.
+/// The decoded text of a file, with a remark if its encoding is a guess.
 [[nodiscard]] std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &imported);
 
-/// The table of a text or sheet → measurement; used by both.
+/// Reads a measurement from the table of a text or sheet.
 void readMeasurementTable(Choices &choices, Imported &imported);
 
-/// Throws Error with advice for a compensation table of a control, which is known by its ending, too.
+/// Throws Error with advice for a compensation table of a control, recognised also by its suffix.
 void refuseCompensationTable(QByteArrayView bytes, const QString &fileName);
 
-/// Throws Error with advice for a format that is known by name or content, but not described publicly.
+/// Throws Error with advice for a format recognised by name or content but not publicly described.
 void refuseUndocumented(QByteArrayView bytes, const QString &fileName);
 
 } // namespace palmer

@@ -9,7 +9,7 @@ namespace palmer {
 
 void UnusedLines::add(std::size_t line, std::string_view text) {
     constexpr std::size_t mostQuoted = 5;
-    constexpr std::size_t longest = 40; // bytes, without the rest of a character
+    constexpr std::size_t longest = 40; // bytes, shortened to whole characters
     if (++m_count > mostQuoted + 1)
         return;
     m_quoted += m_count > 1 ? "; " : "";

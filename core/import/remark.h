@@ -13,37 +13,38 @@
 namespace palmer {
 
 enum class RemarkGrade {
-    problem,    ///< something in the file could not be used as it stands
-    assumption, ///< something was guessed and wants to be confirmed
+    problem,    ///< something in the file could not be used as written
+    assumption, ///< a guess to be confirmed
     note,       ///< what was understood or ignored
 };
 
-/// What the reader of a measurement file understood, assumed or ignored; shown before anything is accepted.
+/// What the reader of a measurement file understood, assumed or ignored; shown before the measurement is
+/// accepted.
 struct Remark {
     RemarkGrade grade = RemarkGrade::note;
     Message message;
-    std::size_t line = 0;                  ///< of the file or sheet, from 1; 0: the whole
-    std::size_t column = 0;                ///< cell of the line, from 1; 0: the whole line
-    std::string choice = {};               ///< key of the choice it is about, or empty
-    std::size_t times = 1;                 ///< how often it holds; it is said once
-    std::vector<std::size_t> further = {}; ///< lines of the further times
-    std::vector<std::string> answers = {}; ///< of a question: the words there are, where the choice has none
-    bool isOwed = false;                   ///< of a question: what was read is no answer
+    std::size_t line = 0;                  ///< of the file or sheet, from 1; 0: not a line
+    std::size_t column = 0;                ///< cell in the line, from 1; 0: the whole line
+    std::string choice = {};               ///< key of the choice it is about; may be empty
+    std::size_t times = 1;                 ///< number of occurrences, reported once
+    std::vector<std::size_t> further = {}; ///< lines of the further occurrences
+    std::vector<std::string> answers = {}; ///< of a question: possible answers, if the choice defines none
+    bool isOwed = false;                   ///< of a question: what was read is not an answer
 
     bool operator==(const Remark &) const = default;
 };
 
-/// `line` and `choice` as above.
+/// `line` and `choice` as in Remark.
 inline void addRemark(std::vector<Remark> &remarks, RemarkGrade grade, Message message, std::size_t line = 0,
                       std::string choice = {}) {
     remarks.push_back({grade, std::move(message), line, 0, std::move(choice)});
 }
 
-/// Lines of text that nothing is made of: counted, the first of them quoted.
+/// Counts unused lines of text and quotes the first ones.
 class UnusedLines {
 public:
     void add(std::size_t line, std::string_view text);
-    /// A note, where there are any.
+    /// Adds a note if there are any.
     void remark(std::vector<Remark> &remarks) const;
 
 private:

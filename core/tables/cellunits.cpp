@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t longestWithUnit = 60;
 
-// Quotation marks are doubled in quoted cells; the longer ones first.
+// Quotation marks are doubled in quoted cells; longer ones first.
 constexpr std::array<std::string_view, 7> secondSigns{
     "\"\"", "\u2032\u2032", "\u2019\u2019", "''", "\u2033", "\u201D", "\""};
 constexpr std::array<std::string_view, 3> minuteSigns{"\u2032", "\u2019", "'"};
@@ -31,7 +31,7 @@ bool takeSign(std::string_view &text, const std::array<std::string_view, size> &
     return false;
 }
 
-/// The number that a text begins with, without a sign; whole unless `decimals`.
+/// The unsigned number at the beginning of a text; an integer unless `decimals`.
 std::optional<double> takeNumber(std::string_view &text, DecimalMark mark, bool decimals) {
     if (text.empty() || !isDigit(text.front()))
         return {};
@@ -44,7 +44,7 @@ std::optional<double> takeNumber(std::string_view &text, DecimalMark mark, bool 
     return number.value;
 }
 
-/// "12°30′15.5″", "-0°0′2″", "12°30′": degrees. One division of whole numbers and seconds.
+/// "12°30′15.5″", "-0°0′2″", "12°30′": degrees, by one division of integers and seconds.
 std::optional<double> degreesOf(std::string_view text, DecimalMark mark) {
     constexpr double sixty = 60;
     const LeadingNumber whole = leadingNumber(text, mark); // for its sign
@@ -68,7 +68,7 @@ std::optional<double> degreesOf(std::string_view text, DecimalMark mark) {
     return minus ? -size : size;
 }
 
-/// One word for a length, an angle or a temperature; letters alone number or name something.
+/// A single word for a length, angle or temperature; single letters number or name something.
 const Unit *unitBehind(std::string_view text) {
     const bool isLetter = text.size() == 1 && static_cast<unsigned char>(text.front()) < 0x80 && text != "\"";
     if (text.empty() || isLetter || text.find_first_of(" \t:=;,/_()[]{}|") != std::string_view::npos)
@@ -77,7 +77,7 @@ const Unit *unitBehind(std::string_view text) {
     return unit && unit->kind != UnitKind::time ? unit : nullptr;
 }
 
-/// Units that differ by powers of ten: how many, from the largest.
+/// For units that differ by powers of ten: the number of decimals relative to the largest.
 std::optional<int> decimalsOf(const Unit &unit, const Unit &base) {
     struct Power {
         std::string_view word;

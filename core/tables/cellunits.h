@@ -18,15 +18,15 @@ struct CellWithUnit {
     std::size_t size = 0; ///< of the number, bytes; 0: degrees, minutes and seconds
 };
 
-/// "1.234 mm", "-2,1µm", "0.5″", "12°30′15.5″", "12°30'"; nothing for any other text. Minutes and seconds of
-/// degrees are below 60 and have no sign.
+/// Reads "1.234 mm", "-2,1µm", "0.5″", "12°30′15.5″", "12°30'"; null for any other text. Minutes and seconds
+/// of degrees are below 60 and unsigned.
 [[nodiscard]] std::optional<CellWithUnit> cellWithUnit(std::string_view cell, DecimalMark mark);
 
-/// The number of such a cell in another unit: decimals are moved in its text, angles divided once. Nothing
-/// where that is not exact.
+/// The number of such a cell in another unit: decimals are moved in the text, angles divided once. Null if
+/// that is not exact.
 [[nodiscard]] std::optional<double> numberIn(const Unit &wanted, std::string_view cell, DecimalMark mark);
 
-/// Whether `text` is one of the signs of units that stand behind numbers, a blank between: "mm", "µm", "°".
+/// True if `text` is a unit sign that may follow a number after a blank: "mm", "µm", "°".
 [[nodiscard]] bool isUnitSign(std::string_view text);
 
 } // namespace palmer

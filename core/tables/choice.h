@@ -4,10 +4,10 @@
 
 namespace palmer {
 
-/// How a choice of an importer came about.
+/// Origin of an importer's choice.
 enum class Origin {
-    recognised, ///< the file says so, or nothing hangs on it
-    guessed,    ///< assumed: to be shown as a guess and confirmed
+    recognised, ///< stated in the file, or it does not matter
+    guessed,    ///< assumed: shown as a guess to be confirmed
     chosen,     ///< by the user
 };
 

@@ -10,7 +10,7 @@
 
 namespace palmer {
 
-/// Finds what unit a column is in, and makes numbers of its cells.
+/// Finds the unit of each column and converts its cells to numbers.
 class UnitTaker {
 public:
     explicit UnitTaker(CellTable &table)
@@ -29,7 +29,7 @@ public:
 
 private:
     struct Count {
-        std::map<const Unit *, std::size_t> units; ///< those of the first row, too
+        std::map<const Unit *, std::size_t> units; ///< including those of the first row
         std::size_t said = 0;
         std::size_t bare = 0;
         std::uint32_t bareLine = 0;
@@ -44,7 +44,7 @@ private:
         return cell.kind == CellKind::text ? cellWithUnit(m_table.text(cell), m_mark) : std::nullopt;
     }
 
-    /// Whether a row is one of numbers, some of them with units: no label with its value.
+    /// True for a row of numbers, some with units, not a label with its value.
     [[nodiscard]] bool isOfNumbers(std::uint32_t row) {
         std::size_t withUnit = 0;
         std::size_t numbers = 0;
@@ -78,7 +78,7 @@ private:
         }
     }
 
-    /// Targets across: the first row says one unit, which stands in none of its columns again.
+    /// Targets across: the first row has one unit, which does not recur in its columns.
     void findRow() {
         const std::uint32_t row = m_rows.front();
         const auto cells = cellsOf(row);
@@ -95,7 +95,7 @@ private:
         }
         if (units.size() != 1 || values.size() < 2)
             return;
-        // "1°; 2°; 3°": the first, second and third run.
+        // "1°; 2°; 3°" are the first, second and third run.
         bool countsOn = *units.begin() == unitOf("deg");
         for (std::size_t i = 0; i < values.size(); ++i)
             countsOn = countsOn && values[i] == static_cast<double>(i + 1);
@@ -112,7 +112,8 @@ private:
         m_rows.erase(m_rows.begin());
     }
 
-    /// The finest of lengths that differ by powers of ten, degrees for angles in several units; null: none.
+    /// The finest of lengths that differ by powers of ten, degrees for angles in several units; null if there
+    /// is none.
     [[nodiscard]] static const Unit *commonUnit(const std::map<const Unit *, std::size_t> &units) {
         if (units.size() == 1)
             return units.begin()->first;
@@ -158,7 +159,7 @@ private:
 
     CellTable &m_table;
     DecimalMark m_mark;
-    std::vector<std::uint32_t> m_rows; ///< of numbers with units
+    std::vector<std::uint32_t> m_rows; ///< rows of numbers with units
     std::vector<Count> m_counts;
 };
 

@@ -12,8 +12,7 @@ namespace palmer {
 
 namespace {
 
-/// The first letters of the months, folded, in five languages; the longest that are needed to tell them
-/// apart.
+/// Beginnings of the months, folded, in five languages, as long as needed to distinguish them.
 constexpr std::array<std::array<std::string_view, 5>, 12> monthWords{{
     {"jan", "janv", "gen", "ene", "janner"},
     {"feb", "fev", "febr", "feb", "feb"},

@@ -18,7 +18,7 @@ namespace {
 constexpr qsizetype sizeLimit = qsizetype(1) << 30;
 constexpr std::string_view utf8Mark = "\xEF\xBB\xBF";
 
-// 0x80 … 0x9F; 0: not used.
+// 0x80 … 0x9F; 0: unused.
 constexpr std::array<char16_t, 32> windows1252{
     0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
     0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
@@ -50,7 +50,7 @@ std::size_t firstInvalid(std::string_view text) {
     };
     const auto continues = [&](std::size_t i) { return (byte(i) & 0xC0U) == 0x80U; };
     for (std::size_t i = 0; i < text.size();) {
-        // Eight at once while it is plain ASCII.
+        // Eight bytes at once while plain ASCII.
         std::uint64_t block = 0;
         while (i + sizeof block <= text.size()) {
             std::memcpy(&block, text.data() + i, sizeof block);
@@ -122,8 +122,8 @@ std::string fromWindows1252(std::string_view bytes) {
     return text;
 }
 
-// Chinese text: bytes beyond ASCII come in pairs of GB2312, the characters of all common words and units. In
-// Western text such a letter stands alone as a rule, so one pair proves nothing.
+// Chinese text: non-ASCII bytes are pairs of GB2312, which has the characters of all common words and units.
+// In Western text such letters are usually single, so one pair proves nothing.
 bool looksChinese(std::string_view bytes) {
     constexpr std::size_t fewest = 2;
     const auto within = [&](std::size_t i, unsigned low, unsigned high) {
@@ -142,7 +142,7 @@ bool looksChinese(std::string_view bytes) {
     return pairs >= fewest;
 }
 
-// By the tables of ICU, which Qt of the distributions is built with.
+// Uses the tables of ICU, with which distributions build Qt.
 std::string fromGb18030(std::string_view bytes) {
     QStringDecoder decode("GB18030", QStringConverter::Flag::Stateless);
     if (!decode.isValid())
@@ -157,8 +157,7 @@ std::string fromGb18030(std::string_view bytes) {
     return utf8;
 }
 
-// A text has no control characters but tab, line breaks, form feed, and the end mark of old systems at its
-// end.
+// Allows no control characters but tab, line breaks, form feed, and at the end the end mark of old systems.
 void demandText(std::string &text) {
     if (text.ends_with('\x1A'))
         text.pop_back();
@@ -171,7 +170,7 @@ void demandText(std::string &text) {
     for (std::uint64_t block = 0; text.end() - found >= static_cast<std::ptrdiff_t>(sizeof block);
          found += sizeof block) {
         std::memcpy(&block, &*found, sizeof block);
-        // Whether one of eight bytes is below 0x20 (then it is looked at; others may be suspected beside it).
+        // True if one of eight bytes is below 0x20, possibly with false positives, so they are examined.
         const bool suspicious = (block - 0x2020202020202020U) & ~block & 0x8080808080808080U;
         if (suspicious && std::any_of(found, found + sizeof block, isControl))
             break;

@@ -19,13 +19,13 @@ struct DecodedText {
     Choice<Encoding> encoding;
 };
 
-/// The text that bytes stand for: UTF-16 by its byte order mark; UTF-8 where the bytes are valid UTF-8;
-/// GB18030 (GBK) where all that is not ASCII are pairs of bytes of Chinese characters and signs, Windows-1252
-/// else, which are guesses. `chosen` overrules the bytes. Throws Error: nothing there, binary
-/// data (with line and column), bytes the chosen encoding does not know, more than 1 GiB.
+/// Decodes bytes: UTF-16 by its byte order mark; UTF-8 if valid; otherwise a guess: GB18030 (GBK) if all
+/// non-ASCII bytes are pairs of Chinese characters and signs, or Windows-1252. `chosen` overrides this.
+/// Throws Error for no data, binary data (with line and column), bytes invalid in the chosen encoding, and
+/// more than 1 GiB.
 [[nodiscard]] DecodedText decodeText(QByteArrayView bytes, std::optional<Encoding> chosen = {});
 
-/// `line:column` of a byte of a text, both from 1; columns count characters.
+/// `line:column` of a byte in a text, both from 1; columns count characters.
 [[nodiscard]] std::string lineAndColumn(std::string_view text, std::size_t at);
 
 } // namespace palmer

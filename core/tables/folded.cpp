@@ -9,7 +9,7 @@ namespace palmer {
 
 namespace {
 
-/// One sign in the place of its likes; 0: none.
+/// A common character for similar ones; 0: none.
 char16_t plainSign(char16_t sign) {
     constexpr char16_t firstWide = 0xFF01; // full-width forms of ASCII
     constexpr char16_t lastWide = 0xFF5E;
@@ -35,7 +35,7 @@ char16_t plainSign(char16_t sign) {
 }
 
 std::string foldedBeyondAscii(std::string_view text) {
-    constexpr char16_t meanSign = 0x304; // the bar of a mean
+    constexpr char16_t meanSign = 0x304; // combining macron, the bar of a mean
     constexpr char16_t firstMark = 0x300;
     constexpr char16_t lastMark = 0x36F;
     QString result = QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()))

@@ -13,11 +13,11 @@ namespace {
 
 struct ForeignUnits {
     bool bracketsOnly = false;
-    std::string_view list; ///< parted by bars
+    std::string_view list; ///< separated by bars
 };
 
-// No single letters, which are axes and directions, and no words that people put into brackets behind a
-// heading for other reasons: "(rev)", "(inc)", "(pm)", "(turn)", "(NA)".
+// No single letters, which are axes and directions, and no words used in brackets after headings for other
+// reasons: "(rev)", "(inc)", "(pm)", "(turn)", "(NA)".
 constexpr std::array<ForeignUnits, 7> foreignUnits{{
     {false, "ppm|ppb|%|‰|°f|degf|fahrenheit|kelvin|percent|prozent|pourcent"},
     {false, "angstrom|ångström|ångstrom|furlong|furlongs|thou|thous|mils|nrad|mgon|cgon"},
@@ -30,7 +30,7 @@ constexpr std::array<ForeignUnits, 7> foreignUnits{{
            "jours|tag|tage|week|weeks"},
 }};
 
-/// By the spelling in small letters: whether it counts in brackets only.
+/// By lower-case spelling: true if it counts only in brackets.
 const std::unordered_map<std::string_view, bool> &dictionaryOfForeignUnits() {
     static const auto words = [] {
         std::unordered_map<std::string_view, bool> result;

@@ -6,8 +6,8 @@
 
 namespace palmer {
 
-/// Whether a text is the spelling of a unit that numbers are not converted from: "ppm", "mA", "°F". `µ` is
-/// `u` in it. What may as well be another word counts in brackets only.
+/// True if a text is a unit without conversion: "ppm", "mA", "°F". `µ` is written `u` in it. Ambiguous words
+/// count only in brackets.
 [[nodiscard]] bool isForeignUnit(std::string_view text, bool inBrackets);
 
 } // namespace palmer

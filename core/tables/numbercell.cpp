@@ -15,15 +15,15 @@ namespace palmer {
 
 namespace {
 
-// Exact in double: a whole number below 2^53 times or by one of these is rounded once.
+// Exact in double: an integer below 2^53 multiplied or divided by one of these is rounded once.
 constexpr std::array powersOfTen{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                  1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr std::uint64_t exactWhole = std::uint64_t(1) << 53U;
 constexpr std::ptrdiff_t mostScale = powersOfTen.size() - 1;
-constexpr std::ptrdiff_t mostDigits = 18; // fit 64 bits whatever they are
+constexpr std::ptrdiff_t mostDigits = 18; // always fit into 64 bits
 constexpr std::size_t longestNumber = 400;
 
-// U+2212 minus, en dash, hyphens, and the small and full-width ones.
+// U+2212 minus, en dash, hyphens, and their small and full-width forms.
 constexpr std::array<std::string_view, 6> minusSigns{"\u2212", "\u2013", "\u2010",
                                                      "\u2011", "\uFE63", "\uFF0D"};
 
@@ -57,7 +57,7 @@ std::size_t signLength(std::string_view text, bool &negative) {
     return 0;
 }
 
-// Whether a text without meaning is made of what numbers are made of.
+// True if a text that is not a value consists of characters of numbers.
 bool looksLikeNumber(std::string_view text) {
     bool digit = false;
     for (std::size_t i = 0; i < text.size();) {
@@ -81,7 +81,7 @@ bool looksLikeNumber(std::string_view text) {
     return digit;
 }
 
-// Digits in groups of three, or a number with the other mark: what another convention would read.
+// Digits in groups of three, or a number with the other mark, which another convention would read.
 bool isGrouped(std::string_view text, DecimalMark mark) {
     const DecimalMark other = mark == DecimalMark::point ? DecimalMark::comma : DecimalMark::point;
     if (leadingNumber(text, other).size == text.size())
@@ -149,7 +149,7 @@ std::string_view withoutBlanks(std::string_view text) {
 
 namespace {
 
-// A number of any length, whose digits and signs are known to be in order. NaN beyond the range of double.
+// Parses a number of any length whose syntax has been checked. NaN outside the range of double.
 double valueOf(std::string_view number, char point, bool large) {
     std::array<char, longestNumber> plain{};
     std::size_t size = 0;
@@ -169,7 +169,7 @@ double valueOf(std::string_view number, char point, bool large) {
     const auto read = std::from_chars(plain.data(), plain.data() + size, value);
     if (read.ec == std::errc() && std::isfinite(value))
         return value;
-    // Too near to zero is zero.
+    // Underflow gives zero.
     return read.ec == std::errc::result_out_of_range && !large ? 0 : std::nan("");
 }
 
@@ -178,7 +178,7 @@ inline void takeDigits(const char *&at, const char *end, std::uint64_t &number) 
         number = number * 10 + static_cast<std::uint64_t>(*at - '0');
 }
 
-/// "e-3" at that place; 0, and nothing taken, where there is none.
+/// Reads "e-3" there; 0 without advancing if there is none.
 inline std::ptrdiff_t takeExponent(const char *&at, const char *end) {
     if (at == end || (*at != 'e' && *at != 'E'))
         return 0;
@@ -204,7 +204,7 @@ LeadingNumber leadingNumber(std::string_view text, DecimalMark mark) {
     if (at != end && !isDigit(*at))
         at += signLength(text, negative);
     const char *const first = at;
-    std::uint64_t whole = 0; // may overflow, then it is not used
+    std::uint64_t whole = 0; // unused after an overflow
     takeDigits(at, end, whole);
     std::ptrdiff_t digits = at - first;
     const std::ptrdiff_t wholes = digits;

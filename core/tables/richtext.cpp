@@ -14,7 +14,7 @@ namespace palmer {
 
 namespace {
 
-/// Control words that stand for text.
+/// Control words that represent text.
 struct ControlWord {
     std::string_view word;
     const char *text = nullptr;
@@ -65,7 +65,7 @@ public:
 private:
     struct Group {
         bool isSilent = false;
-        int skipped = 1; ///< characters behind each \u that stand for it in older programs
+        int skipped = 1; ///< characters after each \u that replace it in older programs
     };
 
     void step() {
@@ -108,7 +108,7 @@ private:
             ++m_at;
         const bool isWord = m_at > begin;
         if (!isWord)
-            ++m_at; // a sign, which has no number
+            ++m_at; // a control symbol, without parameter
         const std::string_view word = m_rtf.substr(begin, m_at - begin);
         int number = 0;
         const auto [end, error] = std::from_chars(m_rtf.data() + m_at, m_rtf.data() + m_rtf.size(), number);
@@ -138,7 +138,7 @@ private:
                 return;
             flush();
             if (word.ends_with("row") && m_text.ends_with('\t'))
-                m_text.pop_back(); // behind the last cell
+                m_text.pop_back(); // after the last cell
             m_text += sign->text;
         }
     }
@@ -157,7 +157,7 @@ private:
         if (!m_bytes.empty()) {
             try {
                 m_text += decodeText(m_bytes, Encoding::windows1252).text;
-            } catch (const Error &) { // bytes that are no characters say nothing
+            } catch (const Error &) { // ignores bytes that are not characters
             }
             m_bytes.clear();
         }
@@ -170,8 +170,8 @@ private:
     Group m_group;
     std::vector<Group> m_groups;
     int m_toSkip = 0;
-    std::string m_bytes; ///< of Windows-1252, not yet in the text
-    QString m_utf16;     ///< likewise
+    std::string m_bytes; ///< in Windows-1252, not yet appended
+    QString m_utf16;     ///< not yet appended
     std::string m_text;
 };
 

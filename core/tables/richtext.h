@@ -7,8 +7,8 @@
 
 namespace palmer {
 
-/// The text of a document in Rich Text Format, in UTF-8: a line for each paragraph and row of a table, tabs
-/// between cells. Formats, pictures, fields and notes say nothing. Never fails: what is no RTF has no text.
+/// The text of a Rich Text Format document in UTF-8: a line per paragraph and table row, tabs between cells.
+/// Formats, pictures, fields and notes are ignored. Never fails: anything that is not RTF gives no text.
 /// (Microsoft, Rich Text Format Specification, version 1.9.1)
 [[nodiscard]] std::string textOfRtf(std::string_view rtf);
 

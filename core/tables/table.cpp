@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t rowLimit = 10'000'000;
 constexpr std::size_t cellLimit = 10'000'000;
 constexpr std::size_t longestCell = std::numeric_limits<std::uint16_t>::max();
-constexpr std::size_t quoteReach = 4096; ///< a quotation mark that is not closed within is a character
+constexpr std::size_t quoteReach = 4096; ///< an unclosed quotation mark is a character beyond this
 constexpr std::size_t sampleRows = 300;
 
 bool isLineEnd(char c) {
@@ -45,7 +45,7 @@ char character(Delimiter delimiter) {
     return ' ';
 }
 
-// "#N/A" in the first cell is a value, no comment; "#;Target" heads a column of numbers.
+// "#N/A" in the first cell is a value, not a comment; "#;Target" heads a column of numbers.
 std::size_t commentMark(std::string_view line, char delimiter) {
     if (line.starts_with("//"))
         return 2;
@@ -67,7 +67,7 @@ std::size_t commentMark(std::string_view line, char delimiter) {
                 std::to_string(line) + ":1");
 }
 
-/// Bytes of a cell that are kept: never half a character.
+/// Bytes of a cell to keep, without splitting a character.
 std::uint16_t keptSize(std::string_view cell) {
     std::size_t size = std::min(cell.size(), longestCell);
     while (size < cell.size() && size > 0 && (static_cast<unsigned char>(cell[size]) & 0xC0U) == 0x80U)
@@ -75,7 +75,7 @@ std::uint16_t keptSize(std::string_view cell) {
     return static_cast<std::uint16_t>(size);
 }
 
-/// One pass over a text.
+/// A single pass over a text.
 class Scanner {
 public:
     Scanner(std::string_view text, Delimiter delimiter, DecimalMark mark, bool comments)
@@ -169,10 +169,10 @@ private:
         }
     }
 
-    /// Stops at a delimiter or at the end of the line.
+    /// Stops at a delimiter or the end of the line.
     void scanCell() {
         skipBlanks();
-        // Numbers, which tables are made of, in one pass.
+        // Numbers, the bulk of tables, in one pass.
         const LeadingNumber number = leadingNumber(m_text.substr(m_at, 64), m_mark);
         if (number.size > 0) {
             const std::size_t begin = m_at;
@@ -198,7 +198,7 @@ private:
         addText(begin, m_at);
     }
 
-    /// "1.234 mm" among blanks: one cell.
+    /// "1.234 mm" in a blank-separated line is one cell.
     bool addWithUnit(std::size_t begin, std::size_t end) {
         if (end == m_text.size() || m_text[end] != ' ')
             return false;
@@ -210,7 +210,7 @@ private:
         return true;
     }
 
-    /// Between the signs of seconds in a row of units: "°;";"".
+    /// True between signs of seconds in a row of units: "°;";"".
     [[nodiscard]] bool isMadeOfDelimiters(std::string_view text) const {
         return !m_blanks && text.find(m_delimiter) != std::string_view::npos &&
                std::ranges::all_of(text, [&](char c) { return c == m_delimiter || c == '"' || isBlank(c); });
@@ -261,57 +261,57 @@ private:
     bool m_comments;
 };
 
-/// How a sample of the text reads under a delimiter and a decimal mark.
+/// A sample of the text read with a delimiter and decimal mark.
 struct Reading {
     Delimiter delimiter = Delimiter::tab;
     DecimalMark mark = DecimalMark::point;
     double score = 0;
-    double rival = 0;            ///< the score before the reading was put behind others
+    double rival = 0;            ///< the score before a penalty
     bool hasMark = false;        ///< a number with decimals
-    bool mayBeGrouped = false;   ///< all of them may be thousands
-    double broken = 0;           ///< cells that are no whole number and no word
+    bool mayBeGrouped = false;   ///< all of them may have thousands separators
+    double broken = 0;           ///< cells that are neither a complete number nor a word
     std::size_t columns = 0;     ///< of most rows
     std::vector<double> numbers; ///< of the rows that are alike
     std::vector<double> all;     ///< of all rows, sorted
 };
 
-/// Whether blanks part what another delimiter parts, and words besides: the numbers are the same.
+/// True if blanks split the same numbers as another delimiter, and words too.
 bool onlyPartsWords(const Reading &blanks, const Reading &best) {
     return blanks.delimiter == Delimiter::blanks && best.delimiter != Delimiter::blanks &&
            best.delimiter != Delimiter::comma && blanks.mark == best.mark &&
            std::ranges::includes(blanks.all, best.all);
 }
 
-// Whole numbers written as "05" are the decimals of something.
+// Integers written as "05" are decimals of a split number.
 bool isTorn(std::string_view number) {
     return number.size() > 1 && number[0] == '0' && number[1] >= '0' && number[1] <= '9';
 }
 
-// Several numbers in one cell, with units or without: the delimiter is another one.
+// Several numbers in one cell, with or without units: the delimiter is another one.
 bool isUncut(std::string_view text) {
     return text.find_first_of("0123456789") != std::string_view::npos &&
            text.find_first_of(";|,\t") != std::string_view::npos &&
            text.find_first_not_of("0123456789.,;|\t+-eE mnuµ°′″'\"") == std::string_view::npos;
 }
 
-/// A row of a sample with a number in it.
+/// A row of a sample with at least one number.
 struct SampleRow {
-    std::size_t count = 0; ///< of its cells
+    std::size_t count = 0; ///< number of cells
     std::vector<double> numbers;
 };
 
-/// What the cells of a sample say about its form.
+/// Evidence in the cells of a sample about its form.
 struct SampleSigns {
-    double broken = 0; ///< cells that are no whole number and no word
+    double broken = 0; ///< cells that are neither a complete number nor a word
     double torn = 0;
     bool words = false; ///< a row of several cells without a number
     bool spaced = false;
     bool hasMark = false; ///< a number with decimals
-    bool proven = false;  ///< one whose mark cannot part thousands
+    bool proven = false;  ///< a number whose mark cannot separate thousands
 };
 
-/// "1.000", "25,400": thousands, or decimals of a small axis. "0.125", "1.5" and "1200.000" are no thousands,
-/// and none is 100 m long.
+/// "1.000", "25,400": thousands, or decimals of a short axis. "0.125", "1.5" and "1200.000" are not
+/// thousands, and no axis is 100 m long.
 bool mayBeGrouped(std::string_view number, char mark) {
     constexpr std::size_t decimals = 3;
     constexpr std::size_t longest = 2;
@@ -348,7 +348,7 @@ SampleRow readSampleRow(std::string_view sample, std::span<const TableCell> cell
     return row;
 }
 
-/// The number of cells of rows under which most numbers stand.
+/// The number of cells in the rows that contain most of the numbers.
 std::size_t usualColumns(const std::vector<SampleRow> &rows) {
     std::map<std::size_t, std::size_t> numbersUnder;
     for (const SampleRow &row : rows)
@@ -400,14 +400,14 @@ Reading readSample(std::string_view sample, Delimiter delimiter, DecimalMark mar
     result.score = static_cast<double>(alike) / static_cast<double>(rows.size()) *
                    (static_cast<double>(all) - 2 * signs.broken);
     result.rival = signs.torn > 0 ? 0 : result.score;
-    // A comma between whole numbers, and nothing that says it is no decimal mark.
+    // A comma between integers, and no evidence against a decimal mark.
     const bool decimals = result.columns < 3 && !signs.words && !signs.spaced;
     if (delimiter == Delimiter::comma && !result.hasMark && (decimals || signs.torn > 0))
         result.score = std::min(result.score, 0.0);
     return result;
 }
 
-/// The beginning of the text, and a piece from its middle, each of whole lines.
+/// The beginning of the text and a piece from its middle, each of whole lines.
 std::string sampleOf(std::string_view text) {
     constexpr std::size_t piece = 40'000;
     const auto lineAfter = [&](std::size_t at) {
@@ -430,8 +430,8 @@ std::string sampleOf(std::string_view text) {
     return sample;
 }
 
-/// Blanks stand between words, too: another delimiter that parts nearly as many numbers is the one. A tab
-/// stands in few texts that are no table: "+ 1" between tabs are not two numbers.
+/// Blanks also separate words, so another delimiter that splits nearly as many numbers is preferred. Tabs are
+/// rare outside tables: "+ 1" between tabs is not two numbers.
 bool isAsGood(const Reading &best, const Reading &blanks) {
     const double nearly = best.delimiter == Delimiter::tab ? 0.3 : 0.6;
     return best.columns > 1 && best.score > nearly * blanks.score;
@@ -445,7 +445,7 @@ void settleForm(CellTable &table, std::string_view text, const TableOptions &opt
     for (const Delimiter delimiter : {Delimiter::tab, Delimiter::semicolon, Delimiter::bar, Delimiter::comma,
                                       Delimiter::colon, Delimiter::blanks}) {
         for (const DecimalMark mark : {DecimalMark::point, DecimalMark::comma}) {
-            // Both only where quotes tell them apart.
+            // Both only if quotes distinguish them.
             if (delimiter == Delimiter::comma && mark == DecimalMark::comma && !areQuoted &&
                 !(options.delimiter == delimiter && options.decimalMark == mark))
                 continue;
@@ -468,12 +468,12 @@ void settleForm(CellTable &table, std::string_view text, const TableOptions &opt
     table.decimalMark = {best.mark, options.decimalMark ? Origin::chosen : origin};
 }
 
-/// Before anything is read: a line of that length is no row of a table.
+/// Checked before reading: a line of that length is not a table row.
 void demandLines(std::string_view text) {
     constexpr std::size_t longestLine = std::size_t(1) << 20U;
     std::size_t begin = 0;
     while (text.size() - begin > longestLine) {
-        // The last end within reach: the lines before it are short enough, however many.
+        // The last line end within reach; all lines before it are short enough.
         const std::size_t end = text.substr(begin, longestLine + 1).find_last_of("\r\n");
         if (end == std::string_view::npos)
             throw Error(Error::Kind::tooLarge,
@@ -515,8 +515,8 @@ CellTable readTable(std::string text, const TableOptions &options) {
     return table;
 }
 
-/// "Position mm   Run 1 fwd   Run 1 rev" above three numbers: where single blanks part a line of words into
-/// more pieces than there are columns and wider gaps into as many, the words between two gaps are one cell.
+/// "Position mm   Run 1 fwd   Run 1 rev" above three numbers: if single blanks split a line of words into
+/// more pieces than columns and wider gaps into as many, the words between two gaps are one cell.
 void CellTable::joinWords() {
     const auto beginsWithNumber = [this](const TableRow &row) {
         return row.count > 0 && m_cells[row.first].isNumber();
@@ -536,7 +536,7 @@ void CellTable::joinWords() {
             continue;
         std::vector<TableCell> joined = joinedWords(row, false);
         if (joined.size() < width)
-            joined = joinedWords(row, true); // "t (ms) x (mm)" has single blanks alone
+            joined = joinedWords(row, true); // "t (ms) x (mm)" has only single blanks
         if (joined.size() != width)
             joined = joinedWords(row, false);
         if (joined.size() != width)
@@ -602,8 +602,8 @@ std::vector<TableCell> CellTable::joinedWords(const TableRow &row, bool brackets
     return joined;
 }
 
-/// The columns of fixed width that fewer words stand over, the others empty: of each word the column whose
-/// number it is nearest to. Nothing where two stand over one.
+/// Fixed-width columns below fewer words, the others empty: each word belongs to the column with the nearest
+/// number. Empty if two belong to one.
 std::vector<TableCell> CellTable::placedOver(const std::vector<TableCell> &words,
                                              const TableRow &numbers) const {
     const auto placeOf = [this](const TableCell &cell) {
@@ -661,7 +661,7 @@ void TableBuilder::beginRow(std::size_t line) {
 TableCell &TableBuilder::append(std::string_view cell) {
     TableRow &row = m_table.m_rows.back();
     constexpr std::size_t textLimit = std::size_t(1) << 28U;
-    constexpr std::size_t builtLimit = 10'000'000; // cells of a sheet that is nearly empty, too
+    constexpr std::size_t builtLimit = 10'000'000; // cells, including those of nearly empty sheets
     if (m_table.m_cells.size() >= builtLimit || m_table.m_text.size() > textLimit)
         refuseSize(row.line);
     if (row.count++ > 0)
@@ -695,7 +695,7 @@ void TableBuilder::add(double number, std::string_view shown) {
 
 CellTable TableBuilder::take(std::optional<DecimalMark> mark) {
     m_table.isPlaced = true;
-    std::array<std::size_t, 2> marked{}; // numbers with decimals under either mark
+    std::array<std::size_t, 2> marked{}; // numbers with decimals for each mark
     for (const std::size_t i : m_texts) {
         const std::string_view text = m_table.text(m_table.m_cells[i]);
         for (const DecimalMark each : {DecimalMark::point, DecimalMark::comma}) {

@@ -24,7 +24,7 @@ struct Spelling {
     bool bracketsOnly = false;
 };
 
-// After µ and its likes have become u.
+// After replacing µ and similar characters by u.
 constexpr std::array spellings{
     Spelling{"mm", "mm"},           Spelling{"millimetre", "mm"},  Spelling{"millimeter", "mm"},
     Spelling{"um", "um"},           Spelling{"micron", "um"},      Spelling{"microns", "um"},
@@ -48,7 +48,7 @@ constexpr std::array spellings{
     Spelling{"ミクロン", "um"},     Spelling{"ミリ", "mm"},        Spelling{"度", "deg", true},
 };
 
-/// Units as they are called in full, in the languages of headings.
+/// Full names of units in the languages of headings.
 constexpr std::array<std::pair<const char *, std::string_view>, 12> fullNames{{
     {"mm", "millimetres|millimeters|millimètre|millimètres|millimetri|milímetros"},
     {"um", "micrometres|micrometers|micromètres|mikrometer|mikron|micrometri|micrómetros|microns|micras"},
@@ -92,7 +92,7 @@ struct KnownUnit {
     bool bracketsOnly = false;
 };
 
-/// By the spelling in small letters; each word of a column of texts is looked up.
+/// By lower-case spelling; each word of a text column is looked up.
 const std::unordered_map<std::string_view, KnownUnit> &dictionaryOfUnits() {
     static const auto words = [] {
         std::unordered_map<std::string_view, KnownUnit> result;
@@ -128,7 +128,7 @@ const Unit *spelled(std::string_view text, bool inBrackets) {
 constexpr std::string_view openings = "([{";
 constexpr std::string_view closings = ")]}";
 
-/// What stands in the first brackets, from opening to closing; empty if there is none.
+/// The first brackets with their content; empty if there are none.
 std::string_view bracketed(std::string_view text) {
     const std::size_t open = text.find_first_of(openings);
     if (open == std::string_view::npos)
@@ -137,8 +137,8 @@ std::string_view bracketed(std::string_view text) {
     return close == std::string_view::npos ? std::string_view() : text.substr(open, close - open + 1);
 }
 
-/// "1/1000 mm", "0,001 mm", "10^-3 mm", "10⁻³ mm": a part of the unit that stands behind it, where a number
-/// of runs or a feed does not. Nothing: no such part.
+/// "1/1000 mm", "0,001 mm", "10^-3 mm", "10⁻³ mm": a fraction of the unit after it, unless it is a run number
+/// or feed. Empty if there is no such fraction.
 SaidUnit partOfUnit(const std::string &text) {
     static const QRegularExpression part(QStringLiteral(
         R"((?<![\d.,])(?:1\s*/\s*(10+)|0[.,](0*)1|10\s*(?:\^|\*\*)?\s*[-−⁻]\s*([1-9¹²³⁴⁵⁶⁷⁸⁹]))\s*[x×*·]?\s*(mm|um|nm|cm|m|in|inch|deg|°|arcsec|″)(?![A-Za-z]))"));
@@ -151,7 +151,7 @@ SaidUnit partOfUnit(const std::string &text) {
         decimals = found.captured(2).size() + 1;
     if (!found.captured(3).isEmpty())
         decimals = QStringLiteral("0123456789⁰¹²³⁴⁵⁶⁷⁸⁹").indexOf(found.captured(3)) % 10;
-    // "x0.1 um" may be a step as well.
+    // "x0.1 um" may also be a step.
     const qsizetype before = found.capturedStart() - 1;
     const bool isTimes = before >= 0 && QStringLiteral("x×*·").contains(line[before]);
     const bool isKnown = found.captured(4) == QLatin1StringView("mm") && !isTimes;
@@ -161,8 +161,8 @@ SaidUnit partOfUnit(const std::string &text) {
             (isTimes ? line.mid(before, found.capturedLength() + 1) : found.captured()).toStdString()};
 }
 
-/// The words by which a heading makes another unit of the one it names: "tenths of µm", "µm/m", "µm x 10",
-/// "mm/min", "E-3 mm", "x0.1um". What it makes is not known here. Empty: none.
+/// The words with which a heading modifies its unit: "tenths of µm", "µm/m", "µm x 10", "mm/min", "E-3 mm",
+/// "x0.1um". The result is an unknown unit. Empty if there are none.
 std::string scaleIn(const std::string &text) {
     constexpr std::size_t shortest = 4; // "um/m"
     if (text.size() < shortest)
@@ -181,7 +181,7 @@ std::string scaleIn(const std::string &text) {
     return scale.match(QString::fromStdString(text)).captured().toStdString();
 }
 
-/// "0.1 µm", "10 mm", "µm/V" in brackets: a length or angle with a factor, or for each of another.
+/// "0.1 µm", "10 mm", "µm/V" in brackets: a length or angle with a factor, or per another unit.
 bool isMadeOfUnits(const std::string &text) {
     static const QRegularExpression factor(QStringLiteral(R"(^\s*[x×*·]?\s*(\d+(?:[.,]\d+)?)\s*(\D+)$)"));
     static const QRegularExpression multiple(QStringLiteral(R"(^\s*(\S+?)\s*[x×*·/]\s*\d+(?:[.,]\d+)?\s*$)"));
@@ -192,7 +192,7 @@ bool isMadeOfUnits(const std::string &text) {
         return (unit && (unit->kind == UnitKind::length || unit->kind == UnitKind::angle)) ||
                (!unit && isForeignUnit(bare, true));
     };
-    // Most words are no candidates.
+    // Most words are not candidates.
     if (text.size() > 30 || text.find_first_of("/0123456789") == std::string::npos)
         return false;
     const QString line = QString::fromStdString(text);
@@ -204,8 +204,8 @@ bool isMadeOfUnits(const std::string &text) {
     return found.hasMatch() && isSize(found.captured(1)) && found.captured(2) != QLatin1StringView("out");
 }
 
-/// The words of a scaled unit as they stand there: those of the brackets that say it, else the unit alone,
-/// for it is that of the columns beside it, too.
+/// The words of a scaled unit as written: those of the brackets with it, otherwise only the unit, as it also
+/// applies to adjacent columns.
 std::string scaledWords(std::string_view text, const std::string &scale) {
     for (std::string_view rest = text;;) {
         const std::string_view inside = bracketed(rest);
@@ -225,7 +225,7 @@ std::string scaledWords(std::string_view text, const std::string &scale) {
         .toStdString();
 }
 
-/// What the brackets of a text say, from the left.
+/// The unit in the brackets of a text, from the left.
 SaidUnit unitInBrackets(std::string_view text) {
     for (std::string_view rest = text;;) {
         const std::string_view inside = bracketed(rest);
@@ -241,7 +241,7 @@ SaidUnit unitInBrackets(std::string_view text) {
     }
 }
 
-/// "Zeit t / s", "U_B1 / V", "dev_us": a unit as if it stood in brackets.
+/// "Zeit t / s", "U_B1 / V", "dev_us": a unit treated as if in brackets.
 SaidUnit unitBehindSlash(std::string_view text) {
     const std::size_t slash = text.rfind(" / ");
     const std::size_t line = text.rfind('_');

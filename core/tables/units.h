@@ -9,14 +9,14 @@
 
 namespace palmer {
 
-/// The unit a heading or comment names: "Dev (µm)", "P [mm]", "unité : µm", "Temp °C"; µ, μ, Âµ and u are
-/// one. Single letters count in brackets only. Null if there is none, or one that is scaled: "tenths of µm".
+/// The unit named by a heading or comment: "Dev (µm)", "P [mm]", "unité : µm", "Temp °C"; µ, μ, Âµ and u are
+/// equivalent. Single letters count only in brackets. Null if there is none or it is scaled: "tenths of µm".
 [[nodiscard]] const Unit *unitIn(std::string_view text);
 
-/// What a heading or comment says of a unit: one of those known here, or the words of another.
+/// The unit stated by a heading or comment: a known one, or the words of another.
 struct SaidUnit {
     const Unit *unit = nullptr;
-    std::string foreign = {}; ///< "ppm", "1/10 µm", "µm/m": a unit, but none that numbers are converted from
+    std::string foreign = {}; ///< "ppm", "1/10 µm", "µm/m": a unit without conversion
 
     [[nodiscard]] bool isSaid() const { return unit || !foreign.empty(); }
     [[nodiscard]] std::string words() const { return unit ? unit->sign : foreign; }

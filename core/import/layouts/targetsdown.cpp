@@ -15,12 +15,12 @@ namespace palmer {
 
 namespace {
 
-/// Rows in which the targets only rise or only fall: one pass of every column.
+/// Rows with monotonic targets: one pass of every column.
 struct Piece {
     std::size_t section = 0;
     std::vector<std::uint32_t> rows;
     std::optional<Direction> direction;
-    std::optional<Direction> hint; ///< of a title with other words in it
+    std::optional<Direction> hint; ///< from a title that contains other words
     const TableBlock *block = nullptr;
 };
 
@@ -62,7 +62,7 @@ public:
 private:
     [[nodiscard]] ImportColumn columnIn(std::size_t section, std::size_t column) const {
         ImportColumn result = m_columns.columns[column];
-        // Blocks with headings of their own: the second has those of the other direction.
+        // Blocks with their own headings: the second has those of the other direction.
         if (m.body.sections.size() > 1 && !m.choices.isChosen("columns")) {
             const HeadingWords &words = m.body.sections[section][column].words;
             result.direction = words.direction ? words.direction : result.direction;
@@ -71,7 +71,7 @@ private:
         return result;
     }
 
-    /// The target of a row; a row without one is data that were not read.
+    /// The target of a row; a row without one is remarked as unread data.
     std::optional<double> targetOf(std::uint32_t row) { return targetOf(row, m_target); }
     std::optional<double> targetOf(std::uint32_t row, std::size_t column) {
         const TableCell *cell = m.cell(row, column);
@@ -86,7 +86,7 @@ private:
 
     void add(PlacedPass &placed, std::uint32_t row, double target, std::size_t column) {
         std::size_t targets = m_target;
-        if (!m_columns.ownTargets.empty()) { // seldom, and this is done for each reading
+        if (!m_columns.ownTargets.empty()) { // rare, but checked for each reading
             if (const auto own = m_columns.ownTargets.find(column); own != m_columns.ownTargets.end()) {
                 const auto ofColumn = targetOf(row, own->second);
                 if (!ofColumn)
@@ -138,7 +138,7 @@ private:
                 continue;
             const HeadingWords heading = readHeading(m.textOf(*head));
             const bool says = heading.meaning == Meaning::axis || heading.words == 1;
-            std::string name(1, heading.axis); // in braces it would be two characters
+            std::string name(1, heading.axis); // braces would make it two characters
             if (says && heading.axis != 0)
                 return name;
         }
@@ -165,7 +165,7 @@ private:
             if (std::ranges::binary_search(m.body.columnHeads, *head))
                 continue;
             const HeadingWords heading = readHeading(m.textOf(*head));
-            if (heading.state != TestRole::notStated && heading.unknownWords < 3) // a title, no prose
+            if (heading.state != TestRole::notStated && heading.unknownWords < 3) // a title, not prose
                 return heading.state;
         }
         return TestRole::notStated;
@@ -174,7 +174,7 @@ private:
     [[nodiscard]] bool isOfOtherTest(const TableBlock &block) {
         if (m_hasStates) {
             if (const TestRole state = stateOfBlock(block); state != TestRole::notStated)
-                m_blockState = state; // holds until another is named
+                m_blockState = state; // applies until another is named
             if (m_blockState != m.stateFound)
                 return true;
         }
@@ -185,14 +185,14 @@ private:
         if (m_axis.empty() || m_axisColumn)
             return false;
         if (const std::string axis = axisOfBlock(block); !axis.empty())
-            m_blockAxis = axis; // holds until another is named
+            m_blockAxis = axis; // applies until another is named
         return m_blockAxis != m_axis;
     }
     [[nodiscard]] bool isOfOtherAxis(std::uint32_t row) const {
         return m_axisColumn && m.cellText(row, *m_axisColumn) != m_axis;
     }
 
-    // ---- a column says the direction or the number of the run of each line
+    // ---- a column with the direction or run number of each line
 
     void readLines() {
         for (const TableBlock &block : m.body.blocks) {
@@ -241,7 +241,7 @@ private:
             const ImportColumn what = columnIn(section, column);
             const auto direction = what.direction ? what.direction : stated ? stated : m_titled;
             const int side = direction ? static_cast<int>(*direction) : 2;
-            // The same target again in one run: the next pass.
+            // A repeated target within a run starts the next pass.
             const std::size_t time = m_times[{column, number, side, *target}]++;
             if (time > 0 && number > 0 && direction && !m_repeated)
                 m_repeated = m.row(row).line;
@@ -280,7 +280,8 @@ private:
         return *sense == Sense::clockwise ? Direction::positive : Direction::negative;
     }
 
-    /// +1 and −1 say it; of 0 and 1, or 1 and 2, the first is taken as ↑, which is asked.
+    /// Direction codes: +1 and −1 are unambiguous; of 0 and 1, or 1 and 2, the first is taken as ↑, which is
+    /// asked.
     [[nodiscard]] std::map<double, int> codesOfDirection() const {
         std::map<double, int> codes;
         for (const TableBlock &block : m.body.blocks) {
@@ -293,7 +294,7 @@ private:
         return codes;
     }
 
-    /// A run with rising targets is ↑, with falling ones ↓; where all rise, nothing says it.
+    /// A run with ascending targets is ↑, with descending ones ↓; unknown if all ascend.
     void directionsFromOrder() {
         bool falls = false;
         for (PlacedPass &placed : m_found.passes) {
@@ -336,7 +337,7 @@ private:
                 placed.cells.reserve(piece.rows.size());
                 for (const std::uint32_t row : piece.rows)
                     add(placed, row, m.cell(row, m_target)->value, column);
-                // A column that is not continued in a second block is no run there.
+                // A column not continued in a second block has no run there.
                 const bool hasValue = !std::ranges::all_of(placed.pass.readings, &PassReading::isMissing);
                 if (m_pieces.size() == 1 || hasValue)
                     m_found.passes.push_back(std::move(placed));
@@ -344,15 +345,15 @@ private:
         }
     }
 
-    /// The next page of a list, or what follows a line of comment: the targets go on, and no title says that
-    /// the direction changes.
+    /// True for the next page of a list or the lines after a comment: the targets continue, and no title
+    /// changes the direction.
     [[nodiscard]] bool continues(const Piece &piece, const Piece &next) const {
         const auto targetAt = [&](std::uint32_t row) { return m.cell(row, m_target)->value; };
         const bool isTitled = next.hint && next.hint != piece.hint;
         const bool isOther = piece.direction && next.direction && piece.direction != next.direction;
         if (isOther || isTitled || !haveSameRuns(piece, next))
             return false;
-        // Each is ordered; so have to be the steps from the one to the other and within each.
+        // Each piece is ordered; the step between them must have the same sign.
         const double step = targetAt(next.rows.front()) - targetAt(piece.rows.back());
         const auto goesOn = [&](const Piece &each) {
             const double way = targetAt(each.rows.back()) - targetAt(each.rows.front());
@@ -383,7 +384,7 @@ private:
         m_pieces = std::move(joined);
     }
 
-    /// Blocks that stand at other targets than the first: runs of their own, or the rest of the first?
+    /// Asks if blocks at other targets than the first are separate runs or its continuation.
     void askForOtherTargets() {
         const auto targetsOf = [&](const Piece &piece) {
             std::vector<double> targets;
@@ -416,7 +417,7 @@ private:
             line, "layout");
     }
 
-    /// 0, 100, 100, 200: a reading that was repeated, and no run that begins.
+    /// 0, 100, 100, 200: a repeated reading, not a new run.
     void askForRepeatedTargets() {
         const auto targetAt = [&](std::uint32_t row) { return m.cell(row, m_target)->value; };
         const auto rises = [&](const Piece &piece) {
@@ -431,7 +432,7 @@ private:
         }
     }
 
-    /// What stands directly above a block and is no heading of its columns.
+    /// The title directly above a block that is not a column heading.
     [[nodiscard]] HeadingWords titleOf(const TableBlock &block) const {
         for (auto head = block.heads.rbegin(); head != block.heads.rend(); ++head) {
             if (!std::ranges::binary_search(m.body.columnHeads, *head))
@@ -440,8 +441,8 @@ private:
         return {};
     }
 
-    /// "After compensation", "Machine 2" above a block, or runs of the numbers that the block before has:
-    /// perhaps another test.
+    /// "After compensation" or "Machine 2" above a block, or repeated run numbers of the former block:
+    /// possibly another test.
     void askForUnnamedBlocks() {
         std::set<std::tuple<std::size_t, Direction, unsigned>> known;
         for (std::size_t i = 0; i < m_pieces.size(); ++i) {
@@ -490,8 +491,8 @@ private:
         return std::ranges::any_of(m_pieces, [&](const Piece &piece) { return piece.*says == wanted; });
     }
 
-    /// Titles that say a direction among other words count where two say the opposite. Where some pieces say
-    /// a direction the others have the other one: blocks come in pairs, and where they do not it is asked.
+    /// Directions among other words of titles are used if two titles have opposite ones. If some pieces have
+    /// a direction, the others get the opposite: blocks come in pairs, otherwise it is asked.
     void completeDirections(bool shuffled) {
         bool up = anyPiece(&Piece::direction, Direction::positive);
         bool down = anyPiece(&Piece::direction, Direction::negative);
@@ -572,7 +573,7 @@ private:
     std::map<std::tuple<std::size_t, unsigned, int, std::size_t>, std::size_t> m_passes;
     std::map<std::tuple<std::size_t, unsigned, int, double>, std::size_t> m_times;
     std::map<double, int> m_codes;
-    std::optional<std::size_t> m_repeated; ///< the first line whose target its run has already
+    std::optional<std::size_t> m_repeated; ///< the first line that repeats a target of its run
     std::optional<Direction> m_titled;
     std::optional<std::size_t> m_axisColumn;
     std::string m_axis;

@@ -29,7 +29,7 @@ std::optional<Enumeration> chosenOf(const std::array<const char *, size> &words,
     return {};
 }
 
-/// Temperatures or a drift, where a column says the times. Without a word a log of positions is more likely.
+/// Temperatures or a drift, if a column has times. Without a keyword a log of positions is more likely.
 std::string seriesKindOf(const TableBody &body, Origin &origin) {
     const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
     const bool temperature = std::ranges::any_of(body.columns, [](const TableColumn &column) {
@@ -46,8 +46,8 @@ std::string seriesKindOf(const TableBody &body, Origin &origin) {
     return temperature && !readings ? "temperatures" : "drift";
 }
 
-/// Arrows and words for the directions of an axis: angles are those of its targets. So they are where the
-/// deviations are angles, too.
+/// True for arrows or words for the directions of an axis, or angular deviations: angles are then targets of
+/// the axis.
 bool isApproached(const TableBody &body) {
     return body.columnOf(ColumnKind::directions) ||
            std::ranges::any_of(body.columns, [](const TableColumn &column) {
@@ -67,7 +67,7 @@ bool hasTimes(const TableBody &body) {
     });
 }
 
-/// Lengths measured at angles are a circle's, not a rotary axis's.
+/// Lengths measured at angles belong to a circle, not to a rotary axis.
 bool areLengthsAtAngles(const TableBody &body) {
     const auto isIn = [](const TableColumn &column, UnitKind kind) {
         return column.kind == ColumnKind::numbers && column.unit && column.unit->kind == kind;
@@ -79,7 +79,7 @@ bool areLengthsAtAngles(const TableBody &body) {
         const bool isPlace = meaning == Meaning::place || meaning == Meaning::target ||
                              meaning == Meaning::angle || (meaning == Meaning::unknown && !angles);
         if (isPlace && isIn(column, UnitKind::length))
-            return false; // an angle beside the targets of a linear axis
+            return false; // an angle next to the targets of a linear axis
         angles |= isPlace && isIn(column, UnitKind::angle);
         lengths |= !isPlace && meaning != Meaning::nominal && isIn(column, UnitKind::length);
         if (meaning != Meaning::nominal && !isPlace && isIn(column, UnitKind::angle))
@@ -88,14 +88,14 @@ bool areLengthsAtAngles(const TableBody &body) {
     return angles && lengths && !body.columnOf(ColumnKind::directions);
 }
 
-/// A direction of approach; a sense of rotation is none.
+/// True for a direction of approach, but not for a sense of rotation.
 bool saysDirection(const TableBody &body) {
     return std::ranges::any_of(body.columns, [](const TableColumn &column) {
         return column.words.direction.has_value() && !senseIn(column.heading);
     });
 }
 
-/// Two columns of axes, whatever stands beside them: a time, a counter.
+/// Two columns of axes, ignoring others such as a time or counter.
 bool areAxesOnCircle(const TableReading &reading) {
     std::vector<std::size_t> axes;
     for (const std::size_t c : reading.body.numberColumns()) {
@@ -106,16 +106,16 @@ bool areAxesOnCircle(const TableReading &reading) {
     return axes.size() == 2 && areOnCircle(reading, axes[0], axes[1]);
 }
 
-/// By its words.
+/// True if the headings name a circle.
 bool isCircular(const TableBody &body) {
     const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
-    const auto angles = body.columnOf(Meaning::angle); // across, it heads a column of words
+    const auto angles = body.columnOf(Meaning::angle); // with targets across, it heads a column of words
     const bool hasAngles = angles && body.columns[*angles].kind == ColumnKind::numbers;
     if (hasAngles && !(has(Meaning::run) && !has(Meaning::radius)))
         return true;
     if (has(Meaning::x) && has(Meaning::y) && !has(Meaning::deviation) && !has(Meaning::place))
         return true;
-    // The planes without X: two axes, and nothing else is said.
+    // Planes without X: two axes and nothing else.
     std::set<char> axes;
     for (const TableColumn &column : body.columns) {
         if (column.kind == ColumnKind::numbers && column.meaning == Meaning::y)
@@ -123,11 +123,11 @@ bool isCircular(const TableBody &body) {
     }
     const bool isPlane =
         axes.size() == 2 && !hasTimes(body) && !has(Meaning::deviation) && !has(Meaning::place);
-    const bool isAcross = body.blocks.front().numericHead.has_value(); // the senses are of runs
+    const bool isAcross = body.blocks.front().numericHead.has_value(); // the senses belong to runs
     return isPlane || (body.columnOf(ColumnKind::senses) && !isAcross);
 }
 
-/// The numbers could be angles of a circle or of a good part of one, in degrees.
+/// True if the numbers could be angles in degrees of a circle or a large part of one.
 bool couldBeAngles(const TableReading &reading, std::size_t column) {
     double low = INFINITY;
     double high = -INFINITY;
@@ -143,7 +143,7 @@ bool couldBeAngles(const TableReading &reading, std::size_t column) {
     return high - low >= 85 && high - low <= 800 && high <= 800 && low >= -800;
 }
 
-/// Whether the numbers of a column differ from line to line.
+/// True if consecutive numbers of a column differ.
 bool moves(const TableReading &reading, std::size_t column) {
     std::optional<double> last;
     for (const TableBlock &block : reading.body.blocks) {
@@ -157,7 +157,7 @@ bool moves(const TableReading &reading, std::size_t column) {
     return true;
 }
 
-/// A radius, a sense or the words of a circle.
+/// True for a radius, a sense or the words of a circle.
 bool saysCircle(const TableReading &reading) {
     const TableBody &body = reading.body;
     const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
@@ -167,14 +167,14 @@ bool saysCircle(const TableReading &reading) {
            std::ranges::any_of(body.columns, namesSense);
 }
 
-/// Whether the user has said which column holds the targets.
+/// True if the user chose the target column.
 bool choosesTargets(const Choices &choices) {
     std::string unknown;
     const auto columns = palmer::columnsOf(choices.chosen("columns"), unknown);
     return columns && std::ranges::find(*columns, ColumnRole::target, &ImportColumn::role) != columns->end();
 }
 
-/// Two columns without a word, or three with a counter: points of a circle, if they are many.
+/// Two columns without words, or three with a counter: points of a circle, if there are many.
 std::string kindOfBareNumbers(const TableReading &reading, Origin &origin) {
     std::vector<std::size_t> data = reading.body.numberColumns();
     if (data.size() == 3 && isCounter(reading, data.front()))
@@ -187,7 +187,7 @@ std::string kindOfBareNumbers(const TableReading &reading, Origin &origin) {
                                                                                      : "positioning";
 }
 
-/// Kind of measurement that the columns show.
+/// The kind of measurement indicated by the columns.
 std::string kindOf(const TableReading &reading, Origin &origin) {
     const TableBody &body = reading.body;
     origin = Origin::recognised;
@@ -203,10 +203,10 @@ std::string kindOf(const TableReading &reading, Origin &origin) {
     if (isCircular(body) || areAxesOnCircle(reading))
         return "circular";
     const bool positions = has(Meaning::run) || has(Meaning::direction);
-    // A place beside what was measured there is a target, whatever the clock says.
+    // A place next to a measured value is a target, even with clock times.
     const bool placed = has(Meaning::place) && (!body.columnOf(ColumnKind::clock) || has(Meaning::actual));
     if (hasTimes(body) && !positions && !placed) {
-        // Places and deviations beside the time of day: a pass, or a series somewhere?
+        // Places and deviations with the time of day: a pass, or a series at one place.
         const bool isEither = has(Meaning::place) && has(Meaning::deviation);
         const bool goesOn = isEither && moves(reading, *body.columnOf(Meaning::place));
         const std::string series = seriesKindOf(body, origin);

@@ -26,9 +26,9 @@ namespace {
 
 constexpr int mostColumns = 16'384;
 constexpr std::size_t longestCell = 65'535;     ///< bytes
-constexpr std::size_t mostRepeated = 1'000'000; ///< cells that are written once and repeated
+constexpr std::size_t mostRepeated = 1'000'000; ///< repeated cells, which are stored once
 
-/// Walks through the elements of a part; nothing where there is none.
+/// Visits the elements of a part, if it exists.
 template <class Begin, class End, class Text>
 void walk(ZipFile &zip, const QString &part, Begin begin, End end, Text text) {
     class Handler : public XmlHandler {
@@ -53,7 +53,7 @@ void walk(ZipFile &zip, const QString &part, Begin begin, End end, Text text) {
 constexpr auto noEnd = [](std::string_view) {};
 constexpr auto noText = [](std::string_view) {};
 
-/// The whole number of an attribute; 0 for anything else.
+/// The integer value of an attribute; 0 for anything else.
 template <class Number = int>
 Number wholeNumber(std::string_view text) {
     Number number = 0;
@@ -65,13 +65,13 @@ QString inQt(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
-/// Cells of a sheet put into the table with those between them.
+/// Adds cells of a sheet to the table, including the empty ones between them.
 class Sheet {
 public:
     explicit Sheet(const Choices &choices)
         : m_leavesHidden(choices.chosen("hidden") == "leave") {}
 
-    /// Columns from 0, in the order in which they stand, as files describe them.
+    /// Columns from 0, in ascending order, as described in files.
     void hideColumns(int first, int count) {
         if (first < std::ssize(m_hiddenColumns))
             return;
@@ -86,7 +86,7 @@ public:
         m_numbers = 0;
         m_emptyFormulas = 0;
     }
-    /// A formula whose value is not in the file: a number for all that is known of it.
+    /// A formula without a stored value, which may be a number.
     void addEmptyFormula() {
         ++m_emptyFormulas;
         countEmptyFormulas();
@@ -95,8 +95,8 @@ public:
         if (text.empty() && !number)
             return;
         if (column < m_column)
-            column = m_column; // cells without place follow one another
-        // Numbers are written as text, too.
+            column = m_column; // cells without a reference follow one another
+        // Numbers may be stored as text.
         const bool isNumber = number || isDigit(text[0]) || text[0] == '-';
         if (isHiddenAt(column)) {
             hiddenNumbers += isNumber ? 1 : 0;
@@ -128,8 +128,8 @@ public:
                                                 : std::optional(DecimalMark::point));
     }
 
-    std::size_t hiddenNumbers = 0; ///< in rows or columns that are not shown
-    std::size_t emptyFormulas = 0; ///< in rows with numbers, as those of readings
+    std::size_t hiddenNumbers = 0; ///< in hidden rows or columns
+    std::size_t emptyFormulas = 0; ///< in rows with numbers, such as readings
     std::size_t emptyFormulaLine = 0;
 
 private:
@@ -146,14 +146,14 @@ private:
     }
 
     TableBuilder m_builder;
-    std::vector<bool> m_hiddenColumns; ///< up to the last that is
+    std::vector<bool> m_hiddenColumns; ///< up to the last hidden one
     bool m_leavesHidden;
     std::size_t m_line = 1;
     int m_column = 0;
     bool m_begun = false;
     bool m_isHidden = false;
-    std::size_t m_numbers = 0;       ///< of the row
-    std::size_t m_emptyFormulas = 0; ///< of the row, not yet counted
+    std::size_t m_numbers = 0;       ///< in the row
+    std::size_t m_emptyFormulas = 0; ///< in the row, not yet counted
 };
 
 bool isTrue(std::string_view value) {
@@ -167,13 +167,13 @@ std::optional<double> finiteNumber(std::string_view text) {
 
 struct SheetName {
     QString name;
-    QString member = {}; ///< of the archive (xlsx)
+    QString member = {}; ///< in the archive (xlsx)
     bool isHidden = false;
 };
 
 // ---- .xlsx
 
-/// "BC12" → 54 (from 0); −1 for none.
+/// "BC12" → 54 (from 0); −1 if there is none.
 int columnOfReference(std::string_view reference) {
     int column = 0;
     for (const char c : reference) {
@@ -187,7 +187,7 @@ int columnOfReference(std::string_view reference) {
     return column - 1;
 }
 
-/// What a part of the package refers to: by Id and by the last word of the Type, names from the root.
+/// Targets that a part of the package refers to, by Id and by the last word of the Type; names from the root.
 QMap<QString, QString> relationshipsOf(ZipFile &zip, const QString &part) {
     const qsizetype slash = part.lastIndexOf(u'/') + 1;
     const QString folder = part.first(slash);
@@ -207,7 +207,7 @@ QMap<QString, QString> relationshipsOf(ZipFile &zip, const QString &part) {
     return targets;
 }
 
-/// The part of an .xlsx that lists its sheets; empty in other archives.
+/// The part of an .xlsx that lists its sheets; empty for other archives.
 QString workbookPart(ZipFile &zip) {
     QString usual = QStringLiteral("xl/workbook.xml");
     if (zip.contains(usual))
@@ -222,7 +222,7 @@ QString workbookPart(ZipFile &zip) {
 
 struct XlsxBook {
     std::vector<SheetName> sheets;
-    double firstDay = 0; ///< serial number of days to those since 1899-12-30
+    double firstDay = 0; ///< offset from serial day numbers to days since 1899-12-30
 };
 
 XlsxBook bookOf(ZipFile &zip, const QString &part, const QMap<QString, QString> &relationships) {
@@ -235,7 +235,7 @@ XlsxBook bookOf(ZipFile &zip, const QString &part, const QMap<QString, QString> 
                 book.firstDay = daysTo1904;
             if (xml.name != "sheet" || book.sheets.size() > 10'000)
                 return;
-            // By its local name: the namespace of the strict form is another.
+            // By local name, as the namespace differs in the strict format.
             const std::string_view state = xml.attribute("state");
             book.sheets.push_back({inQt(xml.attribute("name")),
                                    relationships.value(inQt(xml.attribute("id"))),
@@ -245,10 +245,10 @@ XlsxBook bookOf(ZipFile &zip, const QString &part, const QMap<QString, QString> 
     return book;
 }
 
-/// What the number of a cell is shown as, as far as it matters.
+/// How a cell's number is displayed, where relevant.
 enum class Shown { number, time, date };
 
-/// By the code of the format, without what stands there literally: "dd/mm/yyyy", "[h]:mm:ss", "0.0 \"s\"".
+/// Display of a number format, without literal text: "dd/mm/yyyy", "[h]:mm:ss", "0.0 \"s\"".
 Shown shownBy(const QString &code) {
     static const QRegularExpression literal(QStringLiteral(R"("[^"]*"|\\.|_.|\*.|\[[^\]]*[^\]hms][^\]]*\])"));
     constexpr qsizetype longestCode = 255;
@@ -258,7 +258,7 @@ Shown shownBy(const QString &code) {
     return bare.contains(u'h') || bare.contains(u's') ? Shown::time : Shown::number;
 }
 
-/// The formats that every program knows by their number.
+/// Display of the built-in number formats.
 Shown shownBy(int builtIn) {
     const auto within = [&](int first, int last) { return builtIn >= first && builtIn <= last; };
     if (within(14, 17) || builtIn == 22 || within(27, 31) || builtIn == 36 || within(50, 54) ||
@@ -267,7 +267,7 @@ Shown shownBy(int builtIn) {
     return within(18, 21) || within(32, 33) || within(45, 47) ? Shown::time : Shown::number;
 }
 
-/// Of each style that cells name.
+/// Display of each style referenced by cells.
 std::vector<Shown> stylesOf(ZipFile &zip, const QString &part) {
     constexpr std::size_t mostStyles = 100'000;
     std::vector<Shown> styles;
@@ -287,16 +287,16 @@ std::vector<Shown> stylesOf(ZipFile &zip, const QString &part) {
     return styles;
 }
 
-/// "2024-03-05", "2024-03-05T10:22:11", "10:22:11.5" of a serial number of days; empty where it is none.
+/// "2024-03-05", "2024-03-05T10:22:11", "10:22:11.5" for a serial day number; empty if it is not one.
 std::string timeText(double days, Shown shown) {
-    constexpr double firstSure = 61; // before, programs disagree
+    constexpr double firstSure = 61; // programs disagree on earlier days
     constexpr double afterLast = 2'958'466;
     constexpr qint64 dayLength = 86'400'000; // ms
     if (!(days >= (shown == Shown::date ? firstSure : 0)) || !(days < (shown == Shown::date ? afterLast : 1)))
         return {};
     qint64 time = std::llround(days * static_cast<double>(dayLength));
     if (shown == Shown::time)
-        time = std::min(time, dayLength - 1); // no next day
+        time = std::min(time, dayLength - 1); // not the next day
     const QTime clock = QTime::fromMSecsSinceStartOfDay(static_cast<int>(time % dayLength));
     QString hours =
         clock.toString(clock.msec() == 0 ? QStringLiteral("HH:mm:ss") : QStringLiteral("HH:mm:ss.zzz"));
@@ -329,7 +329,7 @@ std::vector<std::string> sharedStrings(ZipFile &zip, const QString &part) {
     return strings;
 }
 
-/// What the cells of all sheets refer to.
+/// Data shared by the cells of all sheets.
 struct XlsxCells {
     std::vector<std::string> strings;
     std::vector<Shown> styles;
@@ -415,7 +415,7 @@ private:
                 m_sheet.addEmptyFormula();
             addNumber(m_value, m_shown, m_cells.firstDay, column, m_sheet);
         } else {
-            m_sheet.add(column, m_value, {}); // strings, errors as #N/A, truth values
+            m_sheet.add(column, m_value, {}); // strings, errors such as #N/A, booleans
         }
     }
 
@@ -432,7 +432,7 @@ private:
 
 // ---- .ods
 
-/// Reads the sheet of that number (from 0) out of content.xml; collects the names of all.
+/// Reads one sheet of content.xml by its index from 0; collects the names of all.
 class OdsReader {
 public:
     OdsReader(int wanted, std::vector<SheetName> &names, Sheet &sheet)
@@ -452,7 +452,7 @@ private:
         std::string text;
         std::optional<double> number;
         int repeats = 1;
-        std::string time = {}; ///< in ISO order, whatever the cell shows
+        std::string time = {}; ///< in ISO format, whatever the cell displays
         bool isEmptyFormula = false;
     };
 
@@ -538,7 +538,7 @@ private:
     }
 
     void addRows() {
-        // What is repeated is counted before it is written out.
+        // Repeated cells are counted before they are expanded.
         std::size_t repeated = 0;
         for (const OdsCell &each : m_cells)
             repeated += static_cast<std::size_t>(each.repeats);
@@ -581,7 +581,7 @@ private:
     int m_annotation = 0;
 };
 
-/// Which sheet: its name, or its number from 1; −1 where nothing is chosen.
+/// Index of the chosen sheet, by name or number from 1; −1 if none was chosen.
 int chosenSheet(const std::vector<SheetName> &sheets, const Choices &choices) {
     if (!choices.isChosen("sheet"))
         return -1;
@@ -608,7 +608,7 @@ std::size_t readingsOf(const Imported &imported) {
     return imported.sensors.size() + (imported.test ? readingsOf(*imported.test) : 0);
 }
 
-/// How many readings a table holds, if it is one of a measurement.
+/// Number of readings in a table; 0 if it is not a measurement.
 std::size_t readingsIn(const CellTable &table, const ImportOptions &options) {
     Imported trial;
     trial.table = table;
@@ -621,8 +621,8 @@ std::size_t readingsIn(const CellTable &table, const ImportOptions &options) {
     return readingsOf(trial);
 }
 
-/// The sheet chosen, else that with most readings: the visible ones first, hidden ones only where no other
-/// has any. All are listed, also where none can be read.
+/// Selects the chosen sheet, otherwise the visible one with most readings, or a hidden one if no visible one
+/// has any. Lists all sheets, even if none can be read.
 class SheetChooser {
 public:
     SheetChooser(const std::vector<SheetName> &sheets, Choices &choices, Imported &imported)
@@ -630,7 +630,7 @@ public:
         , m_choices(choices)
         , m(imported) {}
 
-    /// `read` fills a Sheet from the sheet of a number.
+    /// `read` fills a Sheet from the sheet of that index.
     template <class Read>
     void choose(Read read) {
         for (const SheetName &sheet : m_sheets)
@@ -662,7 +662,7 @@ public:
 private:
     static constexpr std::size_t none = -1;
 
-    /// More than a number or two on a cover.
+    /// True for more than the few numbers of a cover sheet.
     static bool isTable(const CellTable &table) {
         constexpr std::ptrdiff_t fewRows = 3;
         return std::ranges::count_if(table.rows(), [&](const TableRow &row) {
@@ -674,7 +674,7 @@ private:
         CellTable table = sheet.take(m_choices);
         if (table.rows().empty())
             return;
-        // A sheet alone is read for good soon enough.
+        // A single sheet needs no trial, as it is read later.
         const std::size_t readings = m_sheets.size() == 1 ? 1 : readingsIn(table, m_choices.options());
         m.sheets[i].hasMeasurement = readings > 0;
         m_measurements += readings > 0 ? 1 : 0;
@@ -689,7 +689,7 @@ private:
         m_emptyFormulaLine = sheet.emptyFormulaLine;
     }
 
-    /// What the sheet does not show, and what stands in it only as a formula.
+    /// Remarks on hidden cells and on formulas without values.
     void remarkOnCells() {
         if (m_hiddenNumbers > 0) {
             const auto choice = m_choices.settle("hidden", "read", Origin::guessed);

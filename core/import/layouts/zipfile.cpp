@@ -20,7 +20,7 @@ namespace {
 
 constexpr qint64 memberLimit = qint64(256) << 20;
 constexpr qint64 allLimit = qint64(512) << 20;
-constexpr qint64 ratioLimit = 1000; // of text in a workbook: below 100
+constexpr qint64 ratioLimit = 1000; // text in workbooks stays below 100
 constexpr Text damaged = REPORT_TEXT(
     "report", "the workbook is damaged or was cut off; save it again, or export the sheet as CSV");
 
@@ -33,7 +33,7 @@ constexpr Text damaged = REPORT_TEXT(
                 {REPORT_TEXT("report", "the workbook unpacks to more than a table of readings can be")});
 }
 
-/// By expat, a block at a time.
+/// Uses expat, block by block.
 class XmlParser {
 public:
     static constexpr zip_uint64_t roomSize = 1 << 16;
@@ -50,7 +50,7 @@ public:
     XmlParser(const XmlParser &) = delete;
     XmlParser &operator=(const XmlParser &) = delete;
 
-    /// Where the next block is put.
+    /// Buffer for the next block.
     [[nodiscard]] void *room() {
         void *buffer = XML_GetBuffer(m_parser, roomSize);
         if (!buffer)
@@ -73,7 +73,7 @@ private:
                         std::to_string(XML_GetCurrentColumnNumber(m_parser) + 1));
     }
 
-    /// No exception passes through the parser.
+    /// Keeps exceptions from passing through the C parser.
     template <class Call>
     void call(Call tell) {
         if (m_thrown)
@@ -126,7 +126,7 @@ public:
     void walk(const QString &name, XmlHandler &handler) override;
 
 private:
-    [[nodiscard]] qint64 find(const QString &name) const; ///< below 0: there is none
+    [[nodiscard]] qint64 find(const QString &name) const; ///< below 0 if there is none
 
     zip_t *m_archive = nullptr;
     std::map<qint64, qint64> m_unpacked; ///< bytes, by index
@@ -169,7 +169,7 @@ void ZipFileOfLibzip::walk(const QString &name, XmlHandler &handler) {
         left -= other == index ? 0 : size;
     const qint64 most = std::min({memberLimit, left, std::max<qint64>(packed, 1024) * ratioLimit});
     if ((stat.valid & ZIP_STAT_SIZE) && stat.size > static_cast<zip_uint64_t>(most))
-        refuseBomb(); // what it says of itself; what it is, is counted below
+        refuseBomb(); // by its stated size; the actual size is checked below
     const std::unique_ptr<zip_file_t, int (*)(zip_file_t *)> file(
         zip_fopen_index(m_archive, static_cast<zip_uint64_t>(index), 0), zip_fclose);
     if (!file)

@@ -9,16 +9,16 @@
 
 namespace palmer {
 
-/// An element begins; names without their prefixes. Valid as long as the handler is called.
+/// Start of an element; names without prefixes. Valid during the call of the handler.
 struct XmlElement {
     std::string_view name;
-    const char *const *attributes = nullptr; ///< name and value in turn, UTF-8; null at the end
+    const char *const *attributes = nullptr; ///< alternating names and values, UTF-8; null-terminated
 
-    /// Empty where there is none.
+    /// Empty if there is none.
     [[nodiscard]] std::string_view attribute(std::string_view wanted) const;
 };
 
-/// What is told of the elements of a part.
+/// Receives the elements of a part.
 class XmlHandler {
 public:
     XmlHandler() = default;
@@ -27,29 +27,30 @@ public:
     XmlHandler &operator=(const XmlHandler &) = delete;
     virtual void begin(const XmlElement &element) = 0;
     virtual void end(std::string_view name) = 0;
-    virtual void text(std::string_view text) = 0; ///< a part of it at a time
+    virtual void text(std::string_view text) = 0; ///< called with partial texts
 };
 
-/// A ZIP archive in memory, read only.
+/// A read-only ZIP archive in memory.
 class ZipFile {
 public:
     virtual ~ZipFile() = default;
     ZipFile(const ZipFile &) = delete;
     ZipFile &operator=(const ZipFile &) = delete;
 
-    /// Names are compared as those of workbooks are: without regard to case, and to which slash was written.
+    /// Names are compared as in workbooks: ignoring case and the kind of slash.
     [[nodiscard]] virtual bool contains(const QString &name) const = 0;
-    /// Walks through the elements of an XML member as it is unpacked; nothing where there is none. Entities
-    /// are refused. Throws Error(syntax) with line and column; Error(tooLarge) before more than 256 MiB or
-    /// more than a thousand times its compressed size are unpacked, all members together 512 MiB (each counts
-    /// once); what the handler throws.
+    /// Visits the elements of an XML member while unpacking, if it exists. Refuses entities. Throws
+    /// Error(syntax) with line and column; Error(tooLarge) before unpacking more than 256 MiB or a thousand
+    /// times its compressed size, or 512 MiB for all members (each counted once); and whatever the handler
+    /// throws.
     virtual void walk(const QString &name, XmlHandler &handler) = 0;
 
 protected:
     ZipFile() = default;
 };
 
-/// By libzip. The bytes have to live as long. Throws Error(content) for what is no archive or is damaged.
+/// Uses libzip. The bytes must outlive the archive. Throws Error(content) for data that are damaged or not an
+/// archive.
 [[nodiscard]] std::unique_ptr<ZipFile> openZip(QByteArrayView bytes);
 
 inline std::string_view localName(const char *name) {
