@@ -83,8 +83,7 @@ void beginWith(QWidget &window, QWidget *first) {
     for (QWidget *head = neighbour(window, next); head != first && head != before;
          head = neighbour(window, next)) {
         QWidget *last = neighbour(window, previous);
-        QWidget::setTabOrder(first, head); // for Qt `head` already follows `last`, apart from the window
-                                           // between
+        QWidget::setTabOrder(first, head); // for Qt `head` already follows `last`, except for the window
         QWidget::setTabOrder(last, head);
         before = head;
     }
@@ -99,8 +98,7 @@ public:
         if (event->type() != QEvent::Show || !watched->isWidgetType())
             return false;
         auto *dialog = qobject_cast<QDialog *>(watched);
-        const bool isOfQt = *watched->metaObject()->className() == 'Q'; // Qt's dialogs order their tabs
-                                                                        // themselves
+        const bool isOfQt = *watched->metaObject()->className() == 'Q'; // has its own order
         if (dialog && !isOfQt && dialog->isWindow() && dialog->layout() && !dialog->property(done).toBool()) {
             dialog->setProperty(done, true);
             orderTabs(*dialog);

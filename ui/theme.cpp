@@ -244,8 +244,8 @@ QString filledStyleSheet(const QPalette &palette) {
     const QColor base = palette.color(QPalette::Base);
     const QColor text = palette.color(QPalette::WindowText);
     const QColor accent = token(Token::accent, palette);
-    // Qt adds two spaces and three pixels after the word of a tool button; less padding there centres icon
-    // and word.
+    // Qt adds two spaces and three pixels after a tool button's word; less padding there centres icon and
+    // word.
     const int behind = 2 * QFontMetrics(QApplication::font()).horizontalAdvance(u' ') + 3;
     const std::array<std::pair<const char *, QString>, 20> values{{
         {"@afterWord", pixels(12 - behind)},

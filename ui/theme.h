@@ -47,8 +47,8 @@ enum class TextSize { base, small, tiny, head, title };
 /// The system font in one of the sizes; heads and titles are semi-bold.
 [[nodiscard]] QFont themeFont(TextSize size);
 
-/// The line icon `:/icons/<name>.svg` in the palette's colour for `role` when painted; enabled and disabled,
-/// sharp at any device pixel ratio.
+/// The line icon `:/icons/<name>.svg` in the palette's current colour for `role`; enabled and disabled, sharp
+/// at any pixel ratio.
 [[nodiscard]] QIcon lineIcon(const QString &name, QPalette::ColorRole role = QPalette::WindowText);
 
 /// An icon-only button that takes the keyboard focus.

@@ -24,8 +24,7 @@ constexpr auto anglesKey = "window/angles";
 constexpr std::array lengthWords{"micrometres", "millimetres", "inches"};
 constexpr std::array angleWords{"arcSeconds", "degrees"};
 
-/// Texts of Qt's file dialogs and message boxes that its French catalogue lacks or translates differently
-/// from ours.
+/// Texts of Qt's file dialogs and message boxes that its French catalogue lacks or translates differently.
 [[maybe_unused]] constexpr std::array textsOfQt{
     QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Drive"),
     QT_TRANSLATE_NOOP("QAbstractFileIconProvider", "Folder"),

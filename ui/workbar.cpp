@@ -97,8 +97,7 @@ void WorkBar::showProgress() {
         text = tr("%1 of %2 MiB").arg(sizeText(done), sizeText(of));
     m_count->setVisible(!text.isEmpty());
     m_count->setText(text);
-    m_count->setMinimumWidth(std::max(m_count->minimumWidth(), m_count->sizeHint().width())); // the width
-                                                                                              // never shrinks
+    m_count->setMinimumWidth(std::max(m_count->minimumWidth(), m_count->sizeHint().width())); // never shrinks
     const bool known = of > 0 && done < of;
     m_bar->setRange(0, known ? steps : 0);
     if (known)

@@ -26,7 +26,7 @@ namespace palmer {
 /// The first reading of the cycle; null without targets or runs.
 [[nodiscard]] std::optional<ReadingPlace> firstOfCycle(const PositioningMeasurement &measurement);
 
-/// The first reading of the cycle that is missing and not excluded, where typing continues. Null if none is
+/// The first reading of the cycle that is missing and not excluded: the next to type. Null if none is
 /// missing.
 [[nodiscard]] std::optional<ReadingPlace> firstMissing(const PositioningMeasurement &measurement);
 

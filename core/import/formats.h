@@ -14,8 +14,8 @@ class Choices;
 struct Imported;
 struct ImportSource;
 
-/// A measurement format: its name, how its content is recognised, and its reader, which throws Error for
-/// unusable content.
+/// A measurement format: its name, how to recognise its content, and its reader, which throws Error if
+/// unusable.
 struct ImportFormat {
     const char *word = nullptr; ///< in --set format=…
     Text name;                  ///< empty: not listed for users

@@ -18,8 +18,7 @@ enum class RemarkGrade {
     note,       ///< what was understood or ignored
 };
 
-/// What the reader of a measurement file understood, assumed or ignored; shown before the measurement is
-/// accepted.
+/// A remark on what a file's reader understood, assumed or ignored; shown before the measurement is accepted.
 struct Remark {
     RemarkGrade grade = RemarkGrade::note;
     Message message;

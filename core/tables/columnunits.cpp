@@ -112,8 +112,7 @@ private:
         m_rows.erase(m_rows.begin());
     }
 
-    /// The finest of lengths that differ by powers of ten, degrees for angles in several units; null if there
-    /// is none.
+    /// The finest of lengths that differ by powers of ten, degrees for angles in several units; null if none.
     [[nodiscard]] static const Unit *commonUnit(const std::map<const Unit *, std::size_t> &units) {
         if (units.size() == 1)
             return units.begin()->first;

@@ -11,8 +11,8 @@
 
 namespace palmer::ui {
 
-/// The arcs of a circular test in the order of measurement: number of points, start and end, the part left
-/// out and the least squares radius.
+/// The arcs of a circular test in measured order: points, start, end, the part left out, least squares
+/// radius.
 class ArcsModel : public QAbstractTableModel {
     Q_OBJECT
 

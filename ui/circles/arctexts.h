@@ -18,8 +18,7 @@ enum class PointUnit { deviations, coordinates, lengths };
 [[nodiscard]] QString senseWord(Sense sense);
 [[nodiscard]] QString arcName(const CircularMeasurement &measurement, std::size_t arc);
 
-/// Number of decimals that shows every number of an arc as entered, at most `most`; of many points only a
-/// sample is examined.
+/// Decimals that show every number of an arc as entered, at most `most`; of many points only a sample counts.
 [[nodiscard]] int decimalsOf(std::span<const double> values, Quantity quantity, int most);
 
 /// "anticlockwise, point 1: 0.1° · −2.211 µm": the reading at a point.

@@ -747,8 +747,7 @@ void CirclesPage::showParts() {
     const bool points = any && height() >= leastHeightForPoints;
     QWidget *main = points ? m_points : any ? m_arcs : static_cast<QWidget *>(m_newArc);
     setFocusProxy(main);
-    if (m_points->hasFocus() && !points) // otherwise the focus would leave the page and its shortcuts would
-                                         // not work
+    if (m_points->hasFocus() && !points) // keeps the focus, and thus the shortcuts, on the page
         main->setFocus();
     m_points->setVisible(points);
     m_curves->setVisible(any);

@@ -150,8 +150,7 @@ QString PointsModel::plainText(const QModelIndex &index, const ReadingPlace &pla
 
 Qt::ItemFlags PointsModel::flags(const QModelIndex &index) const {
     const Qt::ItemFlags flags = QAbstractTableModel::flags(index);
-    const bool coordinate = m_unit == PointUnit::coordinates && !isAngle(index); // a point has two
-                                                                                 // coordinates
+    const bool coordinate = m_unit == PointUnit::coordinates && !isAngle(index); // they come in pairs
     return placeAt(index) && !coordinate ? flags | Qt::ItemIsEditable : flags;
 }
 

@@ -8,8 +8,7 @@
 
 namespace palmer::ui {
 
-/// The mean deviations, or the paths, of several tests superimposed. Lines differ by colour, dashes and
-/// markers.
+/// The mean deviations or paths of several tests superimposed. Lines differ by colour, dashes and markers.
 class ComparisonView : public QWidget {
     Q_OBJECT
 

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] CompensationFormat format() const;
     /// Writes the table; on failure shows a message and returns false.
     bool saveTo(const QString &path);
-    /// Compares a control's table with the written one; if it cannot be read, shows a message and returns
+    /// Compares a control's table with the written one; if it is unreadable, shows a message and returns
     /// false.
     bool compareWith(const QString &path);
 

@@ -287,7 +287,7 @@ void ReportDialog::makeSimulation(QVBoxLayout &whole) {
     whole.addWidget(m_simulation);
 }
 
-/// What the file will contain, and what is missing.
+/// Notes on what the file will contain and what is missing.
 void ReportDialog::makeNotes(QVBoxLayout &whole) {
     m_originals = new QCheckBox(this);
     m_originals->setObjectName(QStringLiteral("withOriginals"));

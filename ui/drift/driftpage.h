@@ -16,8 +16,8 @@ namespace palmer::ui {
 
 class TablePaste;
 
-/// The page of a drift test: E_VE, the tests that use it, and the readings, typed or pasted. The figure next
-/// to it shows its curve.
+/// The page of a drift test: E_VE, the tests that use it, and the readings, typed or pasted, next to their
+/// curve.
 class DriftPage : public QWidget {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(DriftPage)

@@ -11,8 +11,7 @@ class QPainter;
 
 namespace palmer::ui {
 
-/// Paints a short framed text next to a point of a canvas, on the side with space and always within the
-/// canvas.
+/// Paints a short framed text next to a point of a canvas, on the side with space, always within the canvas.
 void paintCanvasLabel(QPainter &painter, const QWidget &canvas, QPointF beside, const QString &text,
                       const QColor &colour);
 

@@ -26,7 +26,7 @@ struct SyntheticPaths {
     bool operator==(const SyntheticPaths &) const = default;
 };
 
-/// What to show of a circle figure, for any test.
+/// Content of a circle figure, for any test.
 struct CircleCanvasContent {
     CircleFigureOptions options; ///< the canvas replaces the size
     bool counterclockwise = true;

@@ -103,8 +103,7 @@ void LineChart::build() {
     for (QCategoryAxis *axis : {m_x, m_y}) {
         axis->setVisible(!m_figure.lines.empty());
         axis->setLabelsFont(themeFont(TextSize::tiny));
-        axis->setTruncateLabels(false); // an elided number is useless; a low chart leaves out some labels
-                                        // instead
+        axis->setTruncateLabels(false); // an elided number is useless: leaves out labels
         axis->setLabelsColor(text);
         axis->setTitleFont(themeFont(TextSize::tiny));
         axis->setTitleBrush(text);

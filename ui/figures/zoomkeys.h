@@ -17,8 +17,7 @@ struct ZoomMoves {
     std::function<void()> fit;
 };
 
-/// Handles the keys shared by all figures: plus and minus zoom, arrows move, 0 shows the whole. False for any
-/// other key.
+/// Keys of all figures: plus and minus zoom, arrows move, 0 shows the whole. False for any other key.
 [[nodiscard]] inline bool takeZoomKey(const QKeyEvent &event, const ZoomMoves &moves) {
     constexpr double panStep = 40;
     switch (event.key()) {

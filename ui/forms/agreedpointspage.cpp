@@ -291,8 +291,7 @@ bool AgreedPointsPage::refuses(const Row &row, const QString &text) {
     return tooLong;
 }
 
-/// A text entered for a point not declared or not agreed makes it agreed; removing it makes the point
-/// undeclared.
+/// Text for a point not declared or not agreed makes it agreed; removing the text makes it undeclared.
 void AgreedPointsPage::setText(const AgreementPoint &point, const QString &text) {
     const AgreedPoint *before = agreed(point);
     std::optional<AgreementState> state = before ? std::optional(before->state) : std::nullopt;

@@ -8,8 +8,7 @@
 
 namespace palmer::ui {
 
-/// A form row of twelve columns, which have the same positions in all rows of a width, whatever their
-/// content.
+/// A form row of twelve columns, at the same positions in all rows of a width, whatever their content.
 class ColumnsLayout : public QLayout {
 public:
     static constexpr int columns = 12;

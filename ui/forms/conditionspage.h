@@ -45,8 +45,8 @@ private:
     void addSensor(SensorMeasures what, std::size_t ordinal);
     void addWarmUp();
     void addSpecifiedBy(int width);
-    /// Requirements that only a declaration can meet, by clause of the edition, with a button that answers
-    /// the rest with yes.
+    /// Requirements met only by declarations, by clause of the edition, with a button to answer the rest with
+    /// yes.
     void addDeclarations(const Edition *edition);
     void addDeclarationsOf(const Edition *edition, const std::string &clause);
     [[nodiscard]] QString temperatureSummary() const;

@@ -340,8 +340,7 @@ void Field::placeParts() {
     m_unit->setVisible(unitWidth > 0);
 }
 
-/// Places the reason in the gap below the field, only as long as needed, so that unfinished typing moves
-/// nothing.
+/// Places the reason in the gap below the field, as long as needed, so that unfinished typing moves nothing.
 void Field::placeReason() {
     if (!m_reasonRow)
         return;

@@ -130,8 +130,7 @@ protected:
                               [](const std::size_t &place) { return static_cast<Enumeration>(place); }),
                           weight);
     }
-    /// The statement of the test in view or its conditions under the thing's key; null if its kind of test
-    /// has no such key.
+    /// The statement of the test in view or its conditions under the thing's key; null if its kind has none.
     Field *addThing(const char *thing, int weight = 1);
     /// All things of a section in rows of twelve columns; in the first row `taken` columns are occupied.
     void addThings(FieldForm::Section section, int taken = 12);

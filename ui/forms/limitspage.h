@@ -26,8 +26,7 @@ protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
-    /// Inserts the limits of the clipboard, from that row on if they have no symbols; shows an error on
-    /// failure.
+    /// Inserts limits from the clipboard, from that row on if without symbols; shows an error on failure.
     void pasteLimits(std::size_t row);
 
     /// A limit as a table row: its parameter, value, edition and origin.

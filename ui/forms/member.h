@@ -63,8 +63,7 @@ template <class T, class Part, class... Rest>
     return reach(whole.*part, rest...);
 }
 
-/// The same member as another type: `there` converts the stored value to the displayed one, `back` the
-/// reverse.
+/// The same member as another type: `there` converts stored to displayed values, `back` the reverse.
 template <class Shown, class Kept>
 [[nodiscard]] Member<Shown> converted(Member<Kept> member, std::function<Shown(const Kept &)> there,
                                       std::function<Kept(const Shown &)> back) {

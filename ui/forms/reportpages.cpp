@@ -18,8 +18,8 @@ ReportPages::ReportPages(DocumentModel &model, Selection &selection, QWidget *pa
     setObjectName(QStringLiteral("reportPages"));
 }
 
-/// Missing statements of the report are the same for all tests, except for the instruments they use, so the
-/// first test is used.
+/// Missing statements of the report are the same for all tests, but for their instruments: uses the first
+/// test.
 void ReportPages::show(const EvaluatedDocument &evaluated) {
     m_evaluated = evaluated;
     for (const auto &[page, form] : m_forms)

@@ -14,8 +14,7 @@ class DocumentModel;
 class Form;
 class Selection;
 
-/// The pages of the report outside the tests: identification, machine, instruments. Each is made when first
-/// shown.
+/// The report's pages outside the tests: identification, machine, instruments. Each is made when first shown.
 class ReportPages : public QStackedWidget {
     Q_OBJECT
 

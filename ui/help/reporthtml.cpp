@@ -10,9 +10,8 @@ QString html(const Phrase &phrase) {
     QString text;
     for (const Span &span : phrase.spans) {
         QString part = span.text.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>"));
-        if (span.subscript)
-            part =
-                QStringLiteral("<sub style=\"font-size:medium\">%1</sub>").arg(part); // legible in tables too
+        if (span.subscript) // medium, to be legible in tables too
+            part = QStringLiteral("<sub style=\"font-size:medium\">%1</sub>").arg(part);
         if (span.italic)
             part = QStringLiteral("<i>%1</i>").arg(part);
         if (span.bold)

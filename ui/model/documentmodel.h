@@ -16,8 +16,7 @@ namespace palmer::ui {
 
 using DocumentPointer = std::shared_ptr<const Document>;
 
-/// The document of a window, its file and its undo stack. Changes to a document that is shown are made only
-/// with `edit`.
+/// The document of a window, its file and its undo stack. A document that is shown changes only with `edit`.
 class DocumentModel : public QObject {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(DocumentModel)
@@ -37,9 +36,9 @@ public:
     /// stack. `modified`: it differs from the file, or there is no file.
     void setDocument(Document document, const QString &path, bool modified = false);
 
-    /// Applies `change` to a copy of the document and makes it the current one, as one undo step. `text`
-    /// names the step for editName. A change without effect is dropped; successive steps with the same
-    /// non-empty `mergeKey` are merged.
+    /// Applies `change` to a copy of the document and makes it current, as one undo step. `text` names the
+    /// step for editName. Drops changes without effect; merges successive steps with the same non-empty
+    /// `mergeKey`.
     void edit(const char *text, const std::function<void(Document &)> &change, const QString &mergeKey = {});
 
     /// Writes the file and adopts its path. Throws Error and changes nothing on failure.

@@ -30,8 +30,8 @@ public:
     /// test's own edition, or an empty string, ends the view.
     void setView(std::size_t test, const std::string &edition);
 
-    /// Adds a simulation to a test's results, marked as outdated if the test was edited since it began. It is
-    /// dropped if the test was deleted.
+    /// Adds a simulation to a test's results, marked as outdated if the test was edited since. Dropped if the
+    /// test was deleted.
     void setSimulation(std::size_t test, const TestSimulation &simulation);
 
     /// The latest results; empty at first.

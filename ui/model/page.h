@@ -26,8 +26,7 @@ enum class Page {
 /// Missing instruments of a test are added on its conditions page once the document has instruments.
 [[nodiscard]] Page pageOf(const Finding &finding, const Document &document);
 
-/// The field of its page that a finding refers to: the last part of its path, or the whole path of a point to
-/// be agreed.
+/// The field of a finding: the last part of its path, or the whole path of a point to be agreed.
 [[nodiscard]] QString fieldOf(const Finding &finding);
 
 /// Number of statements, declarations or points missing on a page, as counted by badges and visited by F8.

@@ -14,9 +14,9 @@ namespace palmer::ui {
 
 using palmer::ReadingPlace;
 
-/// What the user points at in one window, shared by its pages, figure and results so that a choice in one
-/// shows in the others. It is not part of the document and not undoable. Setting the current value again
-/// emits nothing. Indices count from 0; views check that they exist.
+/// The user's selection in one window, shared by its pages, figure and results so that a choice in one shows
+/// in the others. It is not part of the document and not undoable. Setting the current value again emits
+/// nothing. Indices count from 0; views check that they exist.
 class Selection : public QObject {
     Q_OBJECT
 
@@ -47,8 +47,7 @@ public:
     [[nodiscard]] QString parameter() const { return m_parameter; }
     void setParameter(const QString &id);
 
-    /// ID of the finding whose statement is to be brought into view; empty if none. Setting it again emits
-    /// again.
+    /// ID of the finding whose statement is to be shown; empty if none. Setting it again emits again.
     [[nodiscard]] QString field() const { return m_field; }
     void setField(const QString &id);
 

@@ -81,7 +81,7 @@ private:
             paintWords(painter, option, index, selected);
     }
 
-    /// What a row shows next to its name.
+    /// Icon, marks and count of a row, shown next to its name.
     struct RowMarks {
         RowMarks(const QStyleOptionViewItem &option, const QModelIndex &index)
             : icon(index.data(NavigationModel::iconRole).toString())

@@ -8,8 +8,7 @@
 
 namespace palmer::ui {
 
-/// The list on the left of a window: 184 px wide, or collapsed to a rail of 48 px with icons and verdict
-/// marks.
+/// The list on the left of a window: 184 px wide, or collapsed to 48 px with icons and verdict marks.
 class NavigationList : public QListView {
     Q_OBJECT
 

@@ -13,8 +13,7 @@ class QPushButton;
 
 namespace palmer::ui {
 
-/// Bar above a document opened from a report: says if the report follows from its data, and lists each
-/// difference.
+/// Bar above a document opened from a report: says if the report follows from its data, or lists differences.
 class ReportBar : public QFrame {
     Q_OBJECT
 
@@ -24,8 +23,7 @@ public:
     void showResult(const Verification &verification);
     /// For a report whose pages cannot be read.
     void showProblem(const Message &sentence);
-    /// `edited`: the window no longer shows the verified data. The bar then says so; the result moves to the
-    /// details.
+    /// `edited`: the window no longer shows the verified data. The bar then says so; details keep the result.
     void setEdited(bool edited);
 
     [[nodiscard]] QString sentence() const;

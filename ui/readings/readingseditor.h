@@ -29,8 +29,7 @@ public:
     /// The current measurement, before evaluation; may be null.
     [[nodiscard]] const PositioningMeasurement *measurement() const;
 
-    /// Sets a text typed into a cell, in the cell's displayed unit. Text that is not a number is kept as
-    /// typed.
+    /// Sets a text typed into a cell, in the cell's unit. Text that is not a number is kept as typed.
     void type(const ReadingPlace &place, const QString &text, ReadingUnit unit, const Language &language);
 
     /// Sets a target position; returns null, or why the text is invalid.

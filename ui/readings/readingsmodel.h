@@ -71,8 +71,7 @@ public:
     [[nodiscard]] int computedColumn() const; ///< the first computed column
     [[nodiscard]] std::optional<ReadingPlace> placeAt(const QModelIndex &index) const;
     [[nodiscard]] QModelIndex indexOf(const ReadingPlace &place) const;
-    /// Explains why excluded readings among the places are unchanged and how to change them; empty if there
-    /// are none.
+    /// Explains why excluded readings among the places stay and how to change them; empty if there are none.
     [[nodiscard]] static QKeySequence bringBackKeys();
     [[nodiscard]] QString keptAside(const std::vector<ReadingPlace> &places) const;
     /// Mean and range of the readings among the indexes; empty if there are none.

@@ -319,8 +319,7 @@ void ReadingsPage::pasteAgain() {
 void ReadingsPage::pasteBlock(bool instead) {
     try {
         if (const auto pasted = m_editor.paste(m_block, m_blockPlace, m_blockChoices, instead)) {
-            m_blockChoices.delimiter = pasted->delimiter; // another decimal mark must not split the cells
-                                                          // differently
+            m_blockChoices.delimiter = pasted->delimiter; // another decimal mark must keep the cells
             showPasted(*pasted);
         }
     } catch (const Error &error) {

@@ -59,8 +59,7 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
     m_frozen->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_frozen->setFrameShape(QFrame::NoFrame);
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen})
-        view->setItemDelegate(new ReadingsDelegate(view)); // both before the model, which reports its current
-                                                           // cell
+        view->setItemDelegate(new ReadingsDelegate(view)); // before a model, which reports its current cell
     for (QTableView *view : {static_cast<QTableView *>(this), m_frozen}) {
         view->setModel(&model);
         view->setHorizontalHeader(new ReadingsHeader(model, view));
@@ -89,8 +88,7 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
     m_frozen->setSelectionModel(selectionModel());
     m_frozen->viewport()->installEventFilter(this);
     m_frozen->setFocusProxy(this);
-    m_frozen->setContextMenuPolicy(Qt::CustomContextMenu); // users expect target actions in the targets'
-                                                           // context menu
+    m_frozen->setContextMenuPolicy(Qt::CustomContextMenu); // target actions belong to the targets
     connect(m_frozen, &QWidget::customContextMenuRequested, this, [this](const QPoint &at) {
         auto *menu = new QMenu(this);
         menu->setAttribute(Qt::WA_DeleteOnClose);

@@ -9,8 +9,7 @@
 
 namespace palmer::ui {
 
-/// Draws the strip of a target; the reading under the pointer is highlighted here, in the table and in the
-/// figure.
+/// Draws the strip of a target; a hovered reading is highlighted here, in the table and in the figure.
 class TargetStripView : public QWidget {
     Q_OBJECT
 

@@ -11,7 +11,7 @@ class QPushButton;
 namespace palmer::ui {
 
 /// Shown in place of tests and trend before a folder is chosen: the purpose of the register, the only button,
-/// and what it does to the files.
+/// what it does to files.
 class RegisterFirstUse : public QWidget {
     Q_OBJECT
 

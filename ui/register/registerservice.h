@@ -32,8 +32,8 @@ public:
     [[nodiscard]] const QString &address() const { return m_address; }
     [[nodiscard]] const QStringList &folders() const { return m_folders; }
     void setFolders(const QStringList &folders);
-    /// Changes where the register is stored: path of a file, or a server that has been reached. Saved in the
-    /// settings without the password.
+    /// Changes where the register is stored: path of a file, or a server that was reached. The password is
+    /// not saved.
     void setAddress(const QString &address);
 
     [[nodiscard]] bool isScanning() const { return m_lane.isBusy(); }

@@ -531,8 +531,7 @@ void RegisterWindow::changeEvent(QEvent *event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
-    else if (event->type() == QEvent::PaletteChange && m_legend) { // parts whose colours are set when they
-                                                                   // are made
+    else if (event->type() == QEvent::PaletteChange && m_legend) { // their colours are set once
         showLegend();
         showTroubled();
     }

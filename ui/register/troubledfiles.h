@@ -8,8 +8,8 @@
 
 namespace palmer::ui {
 
-/// The files of the register that cannot be read or found, each with its reason. Accepted if those not found
-/// are to be removed.
+/// The register's files that cannot be read or found, each with its reason. Accepted to remove those not
+/// found.
 class TroubledFiles : public QDialog {
     Q_OBJECT
 

@@ -11,7 +11,7 @@
 
 namespace palmer::ui {
 
-/// The findings of a test as a list: those of the page in view one by one, those of each other page as one
+/// The findings of a test as a list: those of the page in view one by one, those of each other page in one
 /// line.
 class FindingsModel : public QAbstractListModel {
     Q_OBJECT

@@ -18,7 +18,7 @@ namespace palmer::ui {
 
 class ElidedLabel;
 
-/// What the edition requires and the test lacks. Never blocks anything.
+/// Requirements of the edition that the test does not meet. Never blocks anything.
 class FindingsPanel : public QWidget {
     Q_OBJECT
 

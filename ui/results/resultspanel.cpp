@@ -133,8 +133,7 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     m_chip->setObjectName(QStringLiteral("verdictChip"));
     m_limits->setObjectName(QStringLiteral("limitsChip"));
     m_accordance->setObjectName(QStringLiteral("accordanceChip"));
-    m_accordance->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed); // shrinks; its tooltip has the
-                                                                           // whole text
+    m_accordance->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed); // its tooltip has the whole text
     m_copy->setObjectName(QStringLiteral("copyResults"));
     m_table->setObjectName(QStringLiteral("results"));
     m_rule->setProperty("secondary", true);
@@ -337,8 +336,7 @@ void ResultsPanel::fitColumn(int place, int symbols, const QFontMetrics &metrics
                              (column.besideOnly && !other) || (m_narrow && saysNothing(m_model, place)));
 }
 
-/// Shows the standard's names if all fit, otherwise shorter ones, which still distinguish the senses of
-/// circles.
+/// Shows the standard's names if all fit, otherwise shorter ones that still distinguish senses of circles.
 void ResultsPanel::fitNames() {
     using Names = ResultsModel::Names;
     const QFontMetrics metrics(m_table->font());

@@ -11,8 +11,8 @@
 
 namespace palmer::ui {
 
-/// A quiet table without scrolling, on a page that scrolls as a whole; rows are selected. Cells contain a
-/// text or one of the pictures below.
+/// A quiet table without scrolling, whose page scrolls. Rows are selected; cells hold a text or a picture
+/// below.
 class RowTable : public QTableWidget {
     Q_OBJECT
 

@@ -9,8 +9,7 @@
 
 namespace palmer::ui {
 
-/// True if neither the program nor any other user may write to the file or its folder. False if there is no
-/// file.
+/// True if nobody may write to the file or its folder. False if there is no file.
 [[nodiscard]] bool mayNotBeWritten(const QString &path);
 
 /// Marks a file as open to other programs and machines for the lifetime of this object, with a file

@@ -90,8 +90,7 @@ constexpr std::array tools{WindowAction::newTest, WindowAction::open,   WindowAc
                            WindowAction::none,    WindowAction::import, WindowAction::plan,
                            WindowAction::report};
 
-/// True if a file is not a test file; for unreadable ones opening reports the error. Large files are checked
-/// while being read.
+/// True if a file is not a test file. Opening reports unreadable files; large ones are checked while read.
 bool isMeasurement(const QString &path) {
     if (isExample(path) || isTestFileName(path) || isLargeFile(QFileInfo(path).size()))
         return false;
@@ -291,8 +290,7 @@ Workplace &MainWindow::workplace() {
     return *m_workplace;
 }
 
-/// Makes the pages while a large file is read in the background, as taking it over is enough work for one
-/// event.
+/// Makes the pages while a large file is read in the background; taking it over is work enough by itself.
 void MainWindow::makePagesMeanwhile() {
     QTimer::singleShot(0, this, [this] { workplace(); });
 }
@@ -461,8 +459,7 @@ void MainWindow::openFile(const QString &path, std::optional<std::size_t> test) 
 void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
     struct Measurement {};
     using Outcome = std::variant<std::monostate, Document, OpenedReport, Measurement, Error>;
-    const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // reports repeat
-                                                                                            // simulations
+    const bool mayTakeLong = path.endsWith(QLatin1StringView(".pdf"), Qt::CaseInsensitive); // simulates again
     const bool beside = mayTakeLong || isLargeFile(QFileInfo(path).size());
     const auto progress = beside ? m_progress : std::make_shared<ReadProgress>();
     const auto open = [path, progress](const std::stop_token &stop) -> Outcome {
@@ -492,8 +489,7 @@ void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
             window = takeReport(*report, path);
         else if (std::holds_alternative<Measurement>(outcome))
             importFiles({path});
-        else if (auto *document = std::get_if<Document>(&outcome)) // foreign file names: to be saved under
-                                                                   // another
+        else if (auto *document = std::get_if<Document>(&outcome)) // not UTF-8: save under another name
             window = take(std::move(*document), isUtf8FileName(path) ? path : QString());
         if (window && test)
             window->workplace().showTest(*test);
@@ -1060,8 +1056,7 @@ void MainWindow::showCompensation() {
     dialog->open();
 }
 
-/// The focused widget decides where the help opens: at a field, at the edition of a result or at the
-/// workflow.
+/// The focus decides where the help opens: at a field, at the edition of a result or at the workflow.
 void MainWindow::showHelp() {
     const QWidget *focused = QApplication::focusWidget();
     const QString topic = focused ? focused->property("helpTopic").toString() : QString();

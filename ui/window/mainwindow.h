@@ -74,8 +74,7 @@ public:
     /// Saves under that path; on failure shows a message and returns false.
     bool saveTo(const QString &path);
 
-    /// Opens a recovered document with its unsaved changes; its copy is removed once this window has written
-    /// one.
+    /// Opens a recovered document with its unsaved changes; its copy is removed once this window wrote one.
     void openRecovery(const Recovery &recovery);
     /// Asks what to do with the copies left by a crash, if any.
     void offerRecoveries();
@@ -130,7 +129,7 @@ private:
     void watchFile(const std::optional<FileState> &known = {});
     /// Locks the file for other programs and machines, or reports where it is already open.
     void lockFile();
-    /// True if neither the program nor any other user may write to the file or its folder.
+    /// True if nobody may write to the file or its folder.
     [[nodiscard]] bool isReadOnly() const;
     bool mayForget(const QStringList &refused);
     [[nodiscard]] static QString notTaken(const QStringList &refused);

@@ -68,8 +68,7 @@ struct MainWindow::MenuRow {
         const char *iconText = nullptr; ///< next to the icon on a button; null: the text
         QList<QKeySequence> keys = {};
         bool (*possible)(const WindowSituation &) = nullptr; ///< null: always
-        bool checkable = false;                              ///< adjacent checkable actions exclude each
-                                                             ///< other
+        bool checkable = false;                              ///< adjacent ones are exclusive
         QAction::MenuRole role = QAction::TextHeuristicRole;
         WindowMenu opens = WindowMenu::none;
     };
@@ -273,7 +272,7 @@ void MainWindow::makeMenus() {
     const auto menuOf = [this](WindowMenu menu) -> QMenu *& {
         return m_menus.at(static_cast<std::size_t>(menu));
     };
-    QActionGroup *group = nullptr; // adjacent checkable actions exclude each other
+    QActionGroup *group = nullptr; // adjacent checkable actions are exclusive
     const QMenu *groupedIn = nullptr;
     for (const MenuRow &row : menuRows()) {
         QMenu *menu = menuOf(row.menu);

@@ -149,8 +149,7 @@ void RightSide::arrange() {
     for (std::size_t i = 0; i < widgets.size(); ++i) {
         const bool chosen = !m_tabbed || m_tabs->currentIndex() == figureTab + static_cast<int>(i);
         const bool visible = m_maximised ? i == 0 : chosen && (i != 1 || m_hasResults);
-        if (widgets[i]->isHidden() == visible) // showing it again would polish all widgets below it, even at
-                                               // startup
+        if (widgets[i]->isHidden() == visible) // showing it again would polish all below it
             widgets[i]->setVisible(visible);
     }
     setMaximumHeight(leavesToPage() ? m_tabs->sizeHint().height() : QWIDGETSIZE_MAX);

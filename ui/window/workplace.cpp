@@ -90,8 +90,8 @@ constexpr std::array kindViews{KindView{"positioning", 5}, KindView{"circular", 
                                KindView{"positioning", 1}};
 static_assert(kindViews.size() == allKinds.size());
 
-/// The widget of a pane that takes the keyboard: its table, otherwise a widget that is not a button,
-/// otherwise its first button.
+/// Widget of a pane for the keyboard: its table, otherwise a widget that is not a button, otherwise its
+/// first.
 QWidget *mainPart(QWidget *pane) {
     const auto takesKeys = [](const QWidget *widget) {
         return widget->isVisible() && widget->isEnabled() && (widget->focusPolicy() & Qt::TabFocus) != 0;

@@ -69,8 +69,7 @@ public:
     void showTest(std::size_t test);
     /// Sets the focus to the first field of the page in view.
     void focusPage();
-    /// Moves the focus to the next or previous pane, cyclically: navigation, tabs, page, figure, results,
-    /// findings.
+    /// Focuses the next or previous pane, cyclically: navigation, tabs, page, figure, results, findings.
     void focusNextPane(bool forward);
     /// Brings the change of a step into view and focuses it; `edit`: name of the step.
     void showChange(const Document &before, const Document &after, const QString &edit);

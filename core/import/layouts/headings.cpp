@@ -66,8 +66,7 @@ std::optional<Sense> senseIn(std::string_view text) {
     const std::string low = folded(text);
     const std::vector<std::string_view> words = wordsOf(low);
     const auto has = [&](std::string_view word) { return std::ranges::find(words, word) != words.end(); };
-    // "Gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre": the clock with a word for
-    // against.
+    // "Gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre": a clock with a word for against.
     constexpr std::array<std::string_view, 9> clocks{"clockwise", "horaire",       "orario",
                                                      "horario",   "uhrzeigersinn", "uhrzeigers",
                                                      "aiguilles", "lancette",      "agujas"};

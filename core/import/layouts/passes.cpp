@@ -80,8 +80,7 @@ void remarkGaps(const PositioningMeasurement &measurement, std::vector<Remark> &
 
 namespace {
 
-/// The positions of all passes in ascending order without repetition. Most files list the same ones in every
-/// pass, in order.
+/// All positions of the passes, ascending without repetition. Most files repeat the same ones in order.
 std::vector<double> positionsOf(const std::vector<Pass> &passes) {
     std::vector<double> positions;
     if (!passes.empty())
@@ -252,8 +251,7 @@ struct PassRange {
     double difference = 0; ///< maximum difference of value and position
     std::size_t readings = 0;
 
-    /// True if the values follow the positions. Deviations differ from the farthest position by half of the
-    /// range.
+    /// True if the values follow the positions; deviations differ from the farthest one by half of the range.
     [[nodiscard]] bool arePositions() const {
         const double size = std::max(high - low, std::abs(high));
         return readings > 1 && high > low && difference < 0.1 * size;
@@ -419,7 +417,7 @@ private:
             {said.words(), std::string(position->sign)}};
     }
 
-    /// True if deviations of that size fit only one unit: 3 is not mm and 0.003 not µm. In inches the targets
+    /// True if deviations of that size fit one unit only: 3 is not mm, 0.003 not µm. In inches targets
     /// decide.
     [[nodiscard]] bool isClearSize() const {
         constexpr double smallest = 0.05;

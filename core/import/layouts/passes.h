@@ -45,15 +45,13 @@ struct PassForm {
 [[nodiscard]] PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &form,
                                                    std::vector<Remark> &remarks);
 
-/// Makes a test of a measurement; edition and axis name are the chosen ones, otherwise the default and
-/// `axis`.
+/// Makes a test of a measurement; edition and axis name as chosen, otherwise the default and `axis`.
 [[nodiscard]] Test testFrom(PositioningMeasurement measurement, std::string_view axis, Choices &choices);
 
 /// Throws Error unless the units of readings and positions are both lengths or both angles.
 void demandOneMotion(const PassForm &form);
 
-/// Adds the targets of a list that a pass lacks as missing readings, so that targets without any reading are
-/// kept.
+/// Adds targets of a list that a pass lacks as missing readings, so that targets without reading are kept.
 void addMissing(Pass &pass, std::span<const double> targets);
 
 /// Alternates the passes of both directions, ↑1 ↓1 ↑2 ↓2 …, as measured in the standard cycle.

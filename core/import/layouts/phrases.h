@@ -68,8 +68,7 @@ struct HeadingWords {
 
 [[nodiscard]] HeadingWords readHeading(std::string_view text);
 
-/// The direction named by a cell of a direction column: + − ↑ ↓ up down fwd rev aller retour …; null for any
-/// other text.
+/// The direction named in a cell of directions: + − ↑ ↓ up down fwd rev aller retour …; null for other texts.
 [[nodiscard]] std::optional<Direction> directionOf(std::string_view cell);
 
 } // namespace palmer

@@ -14,8 +14,7 @@ namespace palmer {
 
 namespace {
 
-/// Sum of squares of the readings about the mean at their position and direction: small if the directions are
-/// right.
+/// Sum of squares of the readings about the mean at their position and direction: small if these are right.
 double scatter(std::span<const PlacedPass> passes, const std::function<Direction(std::size_t)> &direction) {
     double sum = 0;
     for (const Direction wanted : {Direction::positive, Direction::negative}) {
@@ -30,8 +29,8 @@ double scatter(std::span<const PlacedPass> passes, const std::function<Direction
             for (const PassReading &reading : passes[j].pass.readings) {
                 if (reading.isMissing)
                     continue;
-                // Welford's method: readings may be positions, whose squares would leave no digits for the
-                // scatter.
+                // Welford's method: positions as readings would leave no digits for the scatter of their
+                // squares.
                 auto &[count, mean] = moments[reading.position];
                 const double d = reading.value - mean;
                 mean += d / ++count;

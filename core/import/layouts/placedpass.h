@@ -43,8 +43,7 @@ struct FoundPasses {
     bool isByLine = false; ///< one pass per line
 };
 
-/// Settles the directions of all passes: stated by the table, otherwise chosen by the user or guessed with a
-/// question.
+/// Settles the directions of all passes: as stated by the table or chosen, otherwise guessed with a question.
 void settleDirections(FoundPasses &found, TableReading &reading);
 
 /// Orders the passes by run numbers that count both directions, otherwise alternating directions, with a

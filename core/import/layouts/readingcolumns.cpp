@@ -66,8 +66,8 @@ private:
         m_result.number.reset();
     }
 
-    /// Columns without headings whose midpoints differ by more than a hundred times their spread are hardly
-    /// runs of one test.
+    /// Unheaded columns whose midpoints differ by over a hundred times their spread are hardly runs of one
+    /// test.
     void askForSizes() {
         constexpr double most = 100;
         double spread = 0;

@@ -127,7 +127,7 @@ private:
         return all.size() == 1 && words.words > longestTitle && words.unknownWords > 0 && !words.direction;
     }
 
-    /// True for a label with its values, but not for a row of a wider table or the title of one of several
+    /// True for a label with values, but not for a row of a wider table or the title of one of several
     /// blocks.
     [[nodiscard]] bool isStatement(std::size_t row) const {
         constexpr std::size_t mostEntries = 4; // "Air", "20.1", "20.3", "°C"

@@ -49,8 +49,7 @@ struct OppositeWord {
 /// The rows of a table sorted into measured data and statements about them.
 struct TableBody {
     std::vector<TableColumn> columns;               ///< of the first section
-    std::vector<std::vector<TableColumn>> sections; ///< with the same meanings except for directions and run
-                                                    ///< numbers
+    std::vector<std::vector<TableColumn>> sections; ///< alike except for directions and run numbers
     std::vector<TableBlock> blocks;
     std::vector<std::uint32_t> notes;       ///< comments and lines that are not headings
     std::vector<std::uint32_t> columnHeads; ///< rows of the headings

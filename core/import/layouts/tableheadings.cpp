@@ -84,8 +84,7 @@ bool saysYear(const TableCell &cell) {
     return cell.kind == CellKind::number && isYear(cell.value);
 }
 
-/// ";Linear;;Pitch;", ";2024;;2025;", "X;X;Y;Y": headings above several columns each, not a label with its
-/// value.
+/// ";Linear;;Pitch;", ";2024;;2025;", "X;X;Y;Y": headings above several columns each, not label and value.
 bool isGroupRow(const CellTable &table, const TableRow &row, std::size_t width) {
     const auto cells = trimmed(table.cells(row));
     if (row.comment || cells.empty() || cells.size() > width || width < 3)
@@ -99,8 +98,7 @@ bool isGroupRow(const CellTable &table, const TableRow &row, std::size_t width) 
             continue;
         }
         const std::string_view text = table.text(cells[c]);
-        const bool isLetter = cells[c].kind == CellKind::missing && folded(text) == "x"; // not a missing
-                                                                                         // number
+        const bool isLetter = cells[c].kind == CellKind::missing && folded(text) == "x"; // not missing
         if ((cells[c].kind != CellKind::text && !saysYear(cells[c]) && !isLetter) || text.ends_with(':'))
             return false;
         repeated += c > 0 && cells[c - 1].kind != CellKind::empty && table.text(cells[c - 1]) == text ? 1 : 0;
@@ -110,8 +108,7 @@ bool isGroupRow(const CellTable &table, const TableRow &row, std::size_t width) 
     return beginsBehindTargets ? filled > 0 : filled > 1 && filled < width && (gaps > 0 || repeated > 0);
 }
 
-/// True if a row above headings that name every column adds to them: groups, directions, axes, not a label
-/// with its value.
+/// True if a row above headings of every column adds to them: groups, directions, axes, not label and value.
 bool addsToHeadings(const CellTable &table, const TableRow &row) {
     const auto cells = table.cells(row);
     if (std::ranges::count(cells, CellKind::number, &TableCell::kind) == 1 &&

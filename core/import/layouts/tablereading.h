@@ -42,8 +42,8 @@ public:
     TableBody body;
     FileNotes notes;
     std::string axisFound;                     ///< the axis read, if the table has several
-    TestRole stateFound = TestRole::notStated; ///< the state read, before or after an adjustment, if it has
-                                               ///< both
+    TestRole stateFound = TestRole::notStated; ///< the state read, if there are two: before or after an
+                                               ///< adjustment
 
 private:
     void askForTable();

@@ -280,8 +280,7 @@ private:
         return *sense == Sense::clockwise ? Direction::positive : Direction::negative;
     }
 
-    /// Direction codes: +1 and −1 are unambiguous; of 0 and 1, or 1 and 2, the first is taken as ↑, which is
-    /// asked.
+    /// Direction codes: +1 and −1 are clear; of 0 and 1, or 1 and 2, the first is taken as ↑, which is asked.
     [[nodiscard]] std::map<double, int> codesOfDirection() const {
         std::map<double, int> codes;
         for (const TableBlock &block : m.body.blocks) {
@@ -345,8 +344,8 @@ private:
         }
     }
 
-    /// True for the next page of a list or the lines after a comment: the targets continue, and no title
-    /// changes the direction.
+    /// True for the next page of a list or lines after a comment: targets continue, no title changes
+    /// direction.
     [[nodiscard]] bool continues(const Piece &piece, const Piece &next) const {
         const auto targetAt = [&](std::uint32_t row) { return m.cell(row, m_target)->value; };
         const bool isTitled = next.hint && next.hint != piece.hint;
@@ -441,8 +440,8 @@ private:
         return {};
     }
 
-    /// "After compensation" or "Machine 2" above a block, or repeated run numbers of the former block:
-    /// possibly another test.
+    /// "After compensation" or "Machine 2" above a block, or run numbers of the former block: perhaps another
+    /// test.
     void askForUnnamedBlocks() {
         std::set<std::tuple<std::size_t, Direction, unsigned>> known;
         for (std::size_t i = 0; i < m_pieces.size(); ++i) {

@@ -46,8 +46,7 @@ std::string seriesKindOf(const TableBody &body, Origin &origin) {
     return temperature && !readings ? "temperatures" : "drift";
 }
 
-/// True for arrows or words for the directions of an axis, or angular deviations: angles are then targets of
-/// the axis.
+/// True for arrows or words for the directions of an axis, or angular deviations: angles are then targets.
 bool isApproached(const TableBody &body) {
     return body.columnOf(ColumnKind::directions) ||
            std::ranges::any_of(body.columns, [](const TableColumn &column) {
