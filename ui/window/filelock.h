@@ -9,7 +9,8 @@
 
 namespace palmer::ui {
 
-/// True if nobody may write to the file or its folder. False if there is no file.
+/// True if the program cannot write to the file or its folder, or nobody may write to the file. False if
+/// there is no file.
 [[nodiscard]] bool mayNotBeWritten(const QString &path);
 
 /// Marks a file as open to other programs and machines for the lifetime of this object, with a file

@@ -129,7 +129,7 @@ private:
     void watchFile(const std::optional<FileState> &known = {});
     /// Locks the file for other programs and machines, or reports where it is already open.
     void lockFile();
-    /// True if nobody may write to the file or its folder.
+    /// True if the file cannot be written, see mayNotBeWritten().
     [[nodiscard]] bool isReadOnly() const;
     bool mayForget(const QStringList &refused);
     [[nodiscard]] static QString notTaken(const QStringList &refused);
