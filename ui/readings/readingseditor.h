@@ -37,7 +37,7 @@ public:
                                                     const Language &language);
 
     void clear(const std::vector<ReadingPlace> &places);
-    void cut(const std::vector<ReadingPlace> &places); ///< clear() under another name
+    void cut(const std::vector<ReadingPlace> &places); ///< as clear(), as a step with another name
     void setAside(const std::vector<ReadingPlace> &places, const QString &reason);
     void bringBack(const std::vector<ReadingPlace> &places);
     /// Copies the reading at the first place of each list to the others. False if there is none in any list.
