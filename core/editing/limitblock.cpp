@@ -40,7 +40,7 @@ Motion motionOf(Quantity quantity) {
     return quantity == Quantity::angularDeviation ? Motion::rotary : Motion::linear;
 }
 
-/// A number with its unit, where one stands behind it: "15 µm".
+/// A number with its unit, if one follows it: "15 µm".
 struct Amount {
     QString number;
     const Unit *unit = nullptr;

@@ -12,7 +12,7 @@
 
 namespace palmer {
 
-/// What every pasted table says of itself.
+/// The outcome of reading a pasted table.
 struct Pasted {
     std::size_t taken = 0;           ///< numbers that can be put
     std::vector<ImportChoice> units; ///< they were read in; each can be answered otherwise

@@ -25,7 +25,7 @@ struct PathProfile {
     std::size_t arc = 0;                  ///< index in the measurement
     std::vector<double> angles;           ///< degrees, unwrapped
     std::vector<double> deviations;       ///< distance from the centre − nominal radius (+ C for F), µm
-    std::vector<std::size_t> source;                 ///< of each point: its index in the arc; rising
+    std::vector<std::size_t> source;      ///< of each point: its index in the arc; rising
     bool ordered = true;                  ///< the angles never turn back
     std::optional<double> sampleInterval; ///< s
     bool synthetic = false;               ///< computed from sources of a diagnosis, not measured

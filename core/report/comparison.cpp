@@ -306,7 +306,7 @@ ComparisonCurve meanCurve(const PositioningMeasurement &measurement, const Posit
     return curve;
 }
 
-/// What of a profile is evaluated; `points` are indices of the arc.
+/// The evaluated part of a profile; `points` are indices of the arc.
 PathProfile onlyPoints(const PathProfile &profile, const std::vector<std::size_t> &points) {
     PathProfile result;
     result.ordered = profile.ordered;

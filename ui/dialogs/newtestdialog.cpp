@@ -304,7 +304,7 @@ std::optional<std::vector<double>> NewTestDialog::targets() const {
     return read ? std::optional(read->targets) : std::nullopt;
 }
 
-/// Of a table that was put into the list: how it was read.
+/// Shows how a pasted list was read.
 void NewTestDialog::showRead() {
     const auto read = m_listed && m_list->document()->blockCount() > 1 ? readTargets() : std::nullopt;
     if (read)

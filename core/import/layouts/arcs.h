@@ -17,7 +17,7 @@ namespace palmer {
 void settleCircle(CircularMeasurement &measurement, std::string &edition, std::string_view plane,
                   std::optional<double> feed, Choices &choices, std::vector<Remark> &remarks);
 
-/// What the columns of points of a circle can be, as words of the choice "layout".
+/// True for words of the choice "layout" that describe points of a circle.
 [[nodiscard]] bool isLayoutOfCircles(std::string_view word);
 
 /// Angles made continuous: no step beyond 180°.

@@ -312,7 +312,7 @@ private:
         return {REPORT_TEXT("report", "Content: the columns are read as angle and radial deviation.")};
     }
 
-    /// What the columns are called, else what their numbers look like, which is a guess.
+    /// The layout that the headings name, otherwise a guess from the numbers.
     [[nodiscard]] Choice<std::string> recognisedLayout() const {
         const Meaning meaning = m.body.columns[m_seconds.front()].meaning;
         if (!m_first)

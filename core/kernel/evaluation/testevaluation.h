@@ -51,7 +51,7 @@ struct EvaluatedPath {
     /// True if the step that closes the path is at most twice its largest inner step, and its holes (steps
     /// above four times the median step, including the closing one) total at most 90°.
     bool fullCircle = false;
-    Points points;        ///< evaluated points
+    Points points;                   ///< evaluated points
     std::vector<std::size_t> source; ///< of each point: its index in the arc; rising
 };
 

@@ -17,7 +17,7 @@ std::optional<double> width(const CircularCase &test, CircleOf of) {
     return circle ? std::optional(circle->width) : std::nullopt;
 }
 
-/// Of the values at some places, of which there are any.
+/// Range of the values at the places. Precondition: places is not empty.
 Interval extremes(std::span<const double> values, std::span<const std::size_t> places) {
     Interval result{values[places.front()], values[places.front()]};
     for (const std::size_t place : places)
