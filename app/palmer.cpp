@@ -4,8 +4,7 @@
 
 #include "document/filename.h"
 #include "ui/application.h"
-#include "ui/register/openregister.h"
-#include "ui/settings.h"
+#include "ui/model/settings.h"
 #include "ui/sizeonscreen.h"
 #include "ui/standardbuttons.h"
 #include "ui/taborder.h"
@@ -14,6 +13,7 @@
 #include "ui/wheelguard.h"
 #include "ui/window/endofsession.h"
 #include "ui/window/mainwindow.h"
+#include "ui/window/openregister.h"
 #include "ui/windowlanguage.h"
 
 #include <QApplication>

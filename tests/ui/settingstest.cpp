@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
-#include "ui/settings.h"
+#include "ui/model/settings.h"
 
 #include <QCoreApplication>
 #include <QDir>

@@ -9,7 +9,7 @@
 #include "language/entry.h"
 #include "tables/units.h"
 #include "ui/circles/arctexts.h"
-#include "ui/dialogs/formrows.h"
+#include "ui/formrows.h"
 #include "ui/remarklist.h"
 #include "ui/tabletext.h"
 #include "ui/theme.h"

@@ -8,13 +8,13 @@
 #include "language/entry.h"
 #include "ui/circles/arccurvesview.h"
 #include "ui/circles/arcdialog.h"
-#include "ui/circles/quiettable.h"
 #include "ui/elidedbox.h"
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
 #include "ui/measures.h"
 #include "ui/model/clipboardtext.h"
 #include "ui/model/editname.h"
+#include "ui/quiettable.h"
 #include "ui/theme.h"
 
 #include <QAction>

@@ -3,7 +3,7 @@
 #include "ui/circles/pointsmodel.h"
 
 #include "kernel/evaluation/iso230_4/paths.h"
-#include "ui/circles/quiettable.h"
+#include "ui/quiettable.h"
 #include "ui/theme.h"
 
 #include <QApplication>

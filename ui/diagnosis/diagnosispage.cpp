@@ -10,8 +10,8 @@
 #include "ui/figures/linechart.h"
 #include "ui/figures/zoombuttons.h"
 #include "ui/measures.h"
+#include "ui/rowtable.h"
 #include "ui/theme.h"
-#include "ui/uncertainty/rowtable.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>

@@ -4,8 +4,8 @@
 
 #include "kernel/evaluation/edition.h"
 #include "language/entry.h"
-#include "ui/dialogs/formrows.h"
 #include "ui/dialogs/statementsbox.h"
+#include "ui/formrows.h"
 #include "ui/testname.h"
 
 #include <QComboBox>

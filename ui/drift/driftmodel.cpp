@@ -4,7 +4,7 @@
 
 #include "language/decimals.h"
 #include "language/entry.h"
-#include "ui/circles/quiettable.h"
+#include "ui/quiettable.h"
 
 #include <algorithm>
 

@@ -8,6 +8,7 @@
 #include "kernel/measurement/testfacts.h"
 #include "language/entry.h"
 #include "report/words/agreedtext.h"
+#include "ui/chip.h"
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
 #include "ui/forms/agreedvalue.h"
@@ -15,7 +16,6 @@
 #include "ui/measures.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
-#include "ui/results/chip.h"
 #include "ui/theme.h"
 
 #include <QEvent>

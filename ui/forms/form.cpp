@@ -6,12 +6,12 @@
 #include "document/fields.h"
 #include "document/fieldvalue.h"
 #include "document/statedthings.h"
+#include "ui/chip.h"
 #include "ui/forms/columnslayout.h"
 #include "ui/forms/sectionhead.h"
 #include "ui/measures.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
-#include "ui/results/chip.h"
 #include "ui/theme.h"
 
 #include <QCoreApplication>

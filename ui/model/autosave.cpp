@@ -4,7 +4,7 @@
 
 #include "document/recovery.h"
 #include "document/savedocument.h"
-#include "ui/settings.h"
+#include "ui/model/settings.h"
 
 #include <QDir>
 #include <QStandardPaths>

@@ -4,10 +4,10 @@
 
 #include "report/parts/resultparts.h"
 #include "report/words/accordancetext.h"
+#include "ui/chip.h"
 #include "ui/elidedlabel.h"
 #include "ui/formulatext.h"
 #include "ui/measures.h"
-#include "ui/results/chip.h"
 #include "ui/results/resultsdelegate.h"
 #include "ui/theme.h"
 #include "ui/verdictmark.h"

@@ -3,7 +3,7 @@
 #include "ui/uncertainty/figurecard.h"
 
 #include "print/figures/drawfigure.h"
-#include "ui/uncertainty/rowtable.h"
+#include "ui/rowtable.h"
 
 #include <QEvent>
 #include <QPainter>

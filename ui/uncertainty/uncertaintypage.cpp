@@ -17,9 +17,9 @@
 #include "ui/forms/decisionrulemembers.h"
 #include "ui/forms/ofmeasurement.h"
 #include "ui/model/editname.h"
+#include "ui/rowtable.h"
 #include "ui/theme.h"
 #include "ui/uncertainty/figurecard.h"
-#include "ui/uncertainty/rowtable.h"
 #include "ui/uncertainty/simulationrow.h"
 
 #include <QApplication>

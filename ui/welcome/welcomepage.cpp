@@ -4,11 +4,11 @@
 
 #include "import/formats.h"
 #include "kernel/evaluation/edition.h"
+#include "ui/languageswitch.h"
 #include "ui/theme.h"
 #include "ui/welcome/examples.h"
 #include "ui/welcome/recentfiles.h"
 #include "ui/welcome/startbutton.h"
-#include "ui/window/languageswitch.h"
 #include "ui/windowlanguage.h"
 
 #include <QEvent>

@@ -3,10 +3,10 @@
 #include "kernel/measurement/testfacts.h"
 #include "ui/dialogs/aboutbox.h"
 #include "ui/model/editname.h"
-#include "ui/register/openregister.h"
 #include "ui/theme.h"
 #include "ui/typingguard.h"
 #include "ui/window/mainwindow.h"
+#include "ui/window/openregister.h"
 #include "ui/window/workplace.h"
 #include "ui/windowlanguage.h"
 

@@ -26,12 +26,12 @@
 #include "ui/results/findingspanel.h"
 #include "ui/results/resultspanel.h"
 #include "ui/theme.h"
+#include "ui/thinsplitter.h"
 #include "ui/typingguard.h"
 #include "ui/uncertainty/uncertaintypage.h"
 #include "ui/window/pagetabs.h"
 #include "ui/window/rightside.h"
 #include "ui/window/testhead.h"
-#include "ui/window/thinsplitter.h"
 #include "ui/windowlanguage.h"
 
 #include <QAbstractButton>

@@ -7,7 +7,7 @@
 #include "core/madecircles.h"
 #include "ui/diagnosis/feedsview.h"
 #include "ui/figures/linechart.h"
-#include "ui/uncertainty/rowtable.h"
+#include "ui/rowtable.h"
 
 #include <QCheckBox>
 #include <QLabel>

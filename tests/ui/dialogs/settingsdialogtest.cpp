@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
-#include "ui/dialogs/settingsdialog.h"
+#include "ui/window/settingsdialog.h"
 #include "ui/window/shownwindow.h"
 
 #include "document/savedocument.h"
-#include "ui/settings.h"
+#include "ui/model/settings.h"
 
 #include <QAction>
 #include <QCheckBox>

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/chip.h"
 #include "ui/circles.h"
 #include "ui/examples.h"
 #include "ui/forms/agreedpointspage.h"
@@ -9,7 +10,6 @@
 #include "ui/forms/limitspage.h"
 #include "ui/forms/machinepage.h"
 #include "ui/forms/sectionhead.h"
-#include "ui/results/chip.h"
 
 #include "document/readdocument.h"
 #include "document/writedocument.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/results/resultspanel.h"
 
+#include "ui/chip.h"
 #include "ui/examples.h"
-#include "ui/results/chip.h"
 #include "ui/results/explanationcard.h"
 #include "ui/results/findingsmodel.h"
 #include "ui/results/findingspanel.h"

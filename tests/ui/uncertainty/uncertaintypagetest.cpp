@@ -3,15 +3,15 @@
 #include "ui/uncertainty/uncertaintypage.h"
 #include "editing/typicalvalues.h"
 #include "kernel/evaluation/decideuncertainty.h"
+#include "ui/chip.h"
 #include "ui/circles.h"
 #include "ui/examples.h"
 #include "ui/forms/field.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/evaluator.h"
-#include "ui/results/chip.h"
+#include "ui/rowtable.h"
 #include "ui/theme.h"
 #include "ui/uncertainty/figurecard.h"
-#include "ui/uncertainty/rowtable.h"
 #include "ui/wheelguard.h"
 
 #include <QComboBox>

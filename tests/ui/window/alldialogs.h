@@ -13,7 +13,6 @@
 #include "ui/dialogs/plandialog.h"
 #include "ui/dialogs/recoverydialog.h"
 #include "ui/dialogs/reportdialog.h"
-#include "ui/dialogs/settingsdialog.h"
 #include "ui/dialogs/shortcutsdialog.h"
 #include "ui/help/helpwindow.h"
 #include "ui/import/importassistant.h"
@@ -21,6 +20,7 @@
 #include "ui/register/registerservice.h"
 #include "ui/register/registerwindow.h"
 #include "ui/register/troubledfiles.h"
+#include "ui/window/settingsdialog.h"
 #include "ui/window/shownwindow.h"
 
 #include <QMenuBar>

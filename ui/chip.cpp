@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/results/chip.h"
+#include "ui/chip.h"
 
 #include <QFontMetrics>
 #include <QPainter>

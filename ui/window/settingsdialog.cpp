@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/dialogs/settingsdialog.h"
+#include "ui/window/settingsdialog.h"
 
-#include "ui/dialogs/formrows.h"
+#include "ui/formrows.h"
 #include "ui/measures.h"
+#include "ui/model/settings.h"
 #include "ui/register/registerservice.h"
 #include "ui/register/registersettings.h"
-#include "ui/settings.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 

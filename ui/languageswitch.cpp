@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/languageswitch.h"
+#include "ui/languageswitch.h"
 
 #include "ui/windowlanguage.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/circles/quiettable.h"
+#include "ui/quiettable.h"
 
 #include "ui/elidedlabel.h"
 #include "ui/formulatext.h"

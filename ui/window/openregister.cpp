@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/register/openregister.h"
+#include "ui/window/openregister.h"
 
 #include "ui/register/registerservice.h"
 #include "ui/register/registerwindow.h"

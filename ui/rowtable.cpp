@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/uncertainty/rowtable.h"
+#include "ui/rowtable.h"
 
 #include "print/figures/drawbarfigure.h"
 #include "print/figures/drawhistogramfigure.h"
-#include "ui/circles/quiettable.h"
 #include "ui/measures.h"
+#include "ui/quiettable.h"
 #include "ui/theme.h"
 
 #include <QHeaderView>

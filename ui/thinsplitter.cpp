@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/thinsplitter.h"
+#include "ui/thinsplitter.h"
 
 #include "ui/theme.h"
 
