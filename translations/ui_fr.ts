@@ -3144,8 +3144,8 @@
     <message numerus="yes">
         <source>%n target(s) read</source>
         <translation>
-            <numerusform>%n position cible lue</numerusform>
-            <numerusform>%n positions cibles lues</numerusform>
+            <numerusform>%n position visée lue</numerusform>
+            <numerusform>%n positions visées lues</numerusform>
         </translation>
     </message>
     <message numerus="yes">

@@ -195,8 +195,10 @@ void PasteBar::showRemarks(const QStringList &remarks, const std::vector<Questio
 }
 
 void PasteBar::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
+    if (event->type() == QEvent::LanguageChange) {
         retranslate();
+        hide(); // its sentences are in the language before
+    }
     QFrame::changeEvent(event);
 }
 

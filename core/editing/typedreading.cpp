@@ -67,14 +67,13 @@ private:
                 m_column = c;
             if (!said.isSaid() || (!isTarget && cells.size() > 1))
                 continue;
-            if (!said.unit || said.unit->kind != unitKindOf(m_axis.motion))
-                return false;
-            m_unit = said.unit;
+            m_unit = m_chosen ? m_chosen : &unitOfHeading(said, unitKindOf(m_axis.motion));
         }
         return m_column || m_unit; // otherwise words without a meaning for the numbers below
     }
 
     bool takeNumbers(std::span<const TableCell> cells) {
+        const std::size_t before = targets.size();
         for (std::size_t c = 0; c < cells.size(); ++c) {
             if (cells[c].size == 0 || (m_column && c != *m_column))
                 continue;
@@ -87,7 +86,7 @@ private:
                 return false;
             targets.push_back(unit ? unit->toBase(*number) : *number);
         }
-        return true;
+        return targets.size() > before; // else the column has no target in this line
     }
 
     const CellTable &m_table;

@@ -36,7 +36,8 @@ struct PastedTargets : Pasted {
 
 /// Target positions that were typed or pasted: numbers parted by semicolons, blanks, tabs or lines, in the
 /// unit that a heading says, else in that of positions; `answers` may say another ("positionUnit"). Where
-/// headings name a column of targets, that one. Null: something is no number, or its unit none of the axis.
+/// headings name a column of targets, that one. Null if
+/// something is no number. Throws Error if a heading says a unit that is none of the axis.
 [[nodiscard]] std::optional<PastedTargets> targetsFrom(const std::string &text, const Axis &axis,
                                                        const DisplayUnits &units,
                                                        const ImportOptions &answers = {});

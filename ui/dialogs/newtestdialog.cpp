@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/newtestdialog.h"
 
+#include "document/documenterror.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/planning/cycleprogram.h"
 #include "language/decimals.h"
 #include "language/entry.h"
 #include "ui/dialogs/limits.h"
 #include "ui/dialogs/statementsbox.h"
+#include "ui/errorbox.h"
 #include "ui/formrows.h"
 #include "ui/pastebar.h"
 #include "ui/tabletext.h"
@@ -295,8 +297,14 @@ void NewTestDialog::writeTargets(const QString &text) {
     m_proposed = true;
 }
 
-std::optional<PastedTargets> NewTestDialog::readTargets() const {
-    return targetsFrom(m_list->toPlainText().toStdString(), axis(), m_language.units(), m_answers);
+std::optional<PastedTargets> NewTestDialog::readTargets(QString *problem) const {
+    try {
+        return targetsFrom(m_list->toPlainText().toStdString(), axis(), m_language.units(), m_answers);
+    } catch (const Error &error) {
+        if (problem)
+            *problem = capitalised(m_language.sentence(error.message)) + u'.';
+        return std::nullopt;
+    }
 }
 
 std::optional<std::vector<double>> NewTestDialog::targets() const {
@@ -321,7 +329,8 @@ NewTestDialog::Problem NewTestDialog::problem() const {
     const auto first = number(m_first);
     const auto last = number(m_last);
     const auto runs = whole(m_runs, 1, mostRuns);
-    const auto list = targets();
+    QString refusal = tr("The target positions are numbers, parted by semicolons, blanks or lines.");
+    const auto list = readTargets(&refusal);
     if (axis().name.empty())
         return {m_name, tr("The axis needs a name.")};
     if (!m_travel->text().trimmed().isEmpty() && !(axis().travel.value_or(0) > 0))
@@ -339,12 +348,13 @@ NewTestDialog::Problem NewTestDialog::problem() const {
         return {m_count, tr("The number of targets is a whole number from %1 to %2.")
                              .arg(count(fewestTargets), count(mostTargets))};
     if (!list)
-        return {m_list, tr("The target positions are numbers, parted by semicolons, blanks or lines.")};
-    if (list->size() < fewestTargets)
+        return {m_list, refusal};
+    const std::vector<double> &positions = list->targets;
+    if (positions.size() < fewestTargets)
         return {m_list, tr("A test has two targets at least.")};
-    if (std::ranges::adjacent_find(*list, std::greater_equal<>()) != list->end())
+    if (std::ranges::adjacent_find(positions, std::greater_equal<>()) != positions.end())
         return {m_list, tr("The target positions have to ascend.")};
-    if (list->size() * *runs * (m_both->isChecked() ? 2 : 1) > mostReadings)
+    if (positions.size() * *runs * (m_both->isChecked() ? 2 : 1) > mostReadings)
         return {m_runs,
                 tr("A new test has %1 readings at most: fewer targets or runs.").arg(count(mostReadings))};
     return {};

@@ -59,7 +59,7 @@ private:
                                                    std::size_t most) const;
     [[nodiscard]] Axis axis() const;
     [[nodiscard]] std::optional<double> number(const QLineEdit *field) const;
-    [[nodiscard]] std::optional<PastedTargets> readTargets() const;
+    [[nodiscard]] std::optional<PastedTargets> readTargets(QString *problem = nullptr) const;
     [[nodiscard]] std::optional<std::vector<double>> targets() const;
     void showRead();
     [[nodiscard]] TargetRequest request() const;

@@ -94,6 +94,8 @@ private slots:
         QTest::newRow("a heading with another unit") << QStringLiteral("P (m)\n0\n0.05\n1.0005") << three;
         QTest::newRow("a column of a table")
             << QStringLiteral("i\tP (mm)\t1 ↑ (µm)\n1\t0\t3\n2\t50\t4\n3\t1000.5\t5") << three;
+        QTest::newRow("a line without the column")
+            << QStringLiteral("i\tP (mm)\n1\t0\n2\t50\n0; 50; 100") << std::vector<double>();
         QTest::newRow("no number") << QStringLiteral("0; x; 100") << std::vector<double>();
         QTest::newRow("a unit of another motion") << QStringLiteral("P (°)\n0\n50") << std::vector<double>();
         QTest::newRow("words that say nothing") << QStringLiteral("hello\n0\n50") << std::vector<double>();
@@ -101,7 +103,13 @@ private slots:
     void listsOfTargets() {
         QFETCH(const QString, text);
         QFETCH(const std::vector<double>, targets);
-        const auto found = targetsFrom(text.toStdString(), axis(Motion::linear), usual);
+        std::optional<PastedTargets> found;
+        try {
+            found = targetsFrom(text.toStdString(), axis(Motion::linear), usual);
+        } catch (const Error &error) {
+            QVERIFY(text.contains("°") &&
+                    Language(Language::Id::english).sentence(error.message).contains("°"));
+        }
         QCOMPARE(found.value_or(PastedTargets()).targets, targets);
     }
 
