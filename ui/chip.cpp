@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/chip.h"
 
+#include "ui/elidedlabel.h"
+
 #include <QFontMetrics>
 #include <QPainter>
 
@@ -47,11 +49,8 @@ void Chip::paintEvent(QPaintEvent *) {
         drawLineIcon(painter, QRect(5, 0, chipMarkWidth - 2, height()), m_icon, colour);
         left = chipMarkWidth + 4;
     }
-    painter.setFont(themeFont(TextSize::small));
-    painter.setPen(colour);
-    const QRect room = rect().adjusted(left, 0, 0, 0);
-    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(m_text, Qt::ElideRight, room.width()));
+    drawElided(painter, rect().adjusted(left, 0, 0, 0), Qt::AlignLeft, m_text, themeFont(TextSize::small),
+               colour);
 }
 
 } // namespace palmer::ui

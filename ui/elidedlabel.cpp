@@ -4,12 +4,22 @@
 
 #include "ui/formulatext.h"
 
-#include <QPainter>
-
 namespace palmer::ui {
 
 bool namesSymbol(const QString &text) {
     return text.contains(QLatin1StringView("E_VE")) || text.contains(QLatin1StringView("R_LSC"));
+}
+
+void drawElided(QPainter &painter, const QRect &area, Qt::Alignment side, const QString &text) {
+    painter.drawText(area, static_cast<int>(side | Qt::AlignVCenter),
+                     painter.fontMetrics().elidedText(text, Qt::ElideRight, area.width()));
+}
+
+void drawElided(QPainter &painter, const QRect &area, Qt::Alignment side, const QString &text,
+                const QFont &font, const QColor &colour) {
+    painter.setFont(font);
+    painter.setPen(colour);
+    drawElided(painter, area, side, text);
 }
 
 ElidedLabel::ElidedLabel(QWidget *parent)

@@ -3,12 +3,19 @@
 #pragma once
 
 #include <QLabel>
+#include <QPainter>
 #include <QString>
 
 namespace palmer::ui {
 
 /// True if a text contains a symbol with a subscript.
 [[nodiscard]] bool namesSymbol(const QString &text);
+
+/// Draws a text on one line, vertically centred, elided with "…" if it does not fit.
+void drawElided(QPainter &painter, const QRect &area, Qt::Alignment side, const QString &text);
+/// The same in a font and colour, which the painter keeps.
+void drawElided(QPainter &painter, const QRect &area, Qt::Alignment side, const QString &text,
+                const QFont &font, const QColor &colour);
 
 /// A one-line label, elided with "…" if it does not fit; the tooltip then shows the whole text. Indices of
 /// symbols such as E_VE and R_LSC are subscripts.

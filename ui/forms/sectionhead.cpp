@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/forms/sectionhead.h"
 
+#include "ui/elidedlabel.h"
 #include "ui/theme.h"
 
 #include <QAccessibleWidget>
@@ -116,11 +117,8 @@ void SectionHead::paintEvent(QPaintEvent *) {
                  token(Token::secondaryText, palette()));
     if (!m_folded)
         return;
-    painter.setFont(themeFont(TextSize::small));
-    painter.setPen(token(m_asks ? Token::unsure : Token::secondaryText, palette()));
-    const QRect rest = room.adjusted(used, 0, 0, 0);
-    painter.drawText(rest, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(m_summary, Qt::ElideRight, rest.width()));
+    drawElided(painter, room.adjusted(used, 0, 0, 0), Qt::AlignLeft, m_summary, themeFont(TextSize::small),
+               token(m_asks ? Token::unsure : Token::secondaryText, palette()));
 }
 
 void SectionHead::keyPressEvent(QKeyEvent *event) {

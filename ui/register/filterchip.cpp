@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/filterchip.h"
 
+#include "ui/elidedlabel.h"
 #include "ui/theme.h"
 
 #include <QKeyEvent>
@@ -70,8 +71,7 @@ void FilterChip::paintEvent(QPaintEvent *) {
     const QRect sign(width() - padding - signSize, 0, signSize, height());
     const QRect room(padding, 0, sign.left() - chipGap - padding, height());
     painter.setPen(palette().color(QPalette::Text));
-    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                     fontMetrics().elidedText(text(), Qt::ElideRight, room.width()));
+    drawElided(painter, room, Qt::AlignLeft, text());
     drawLineIcon(painter, sign, isChecked() ? QStringLiteral("close") : QStringLiteral("down"),
                  isChecked() ? accent : palette().color(QPalette::Text));
 }

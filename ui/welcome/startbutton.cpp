@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/welcome/startbutton.h"
 
+#include "ui/elidedlabel.h"
 #include "ui/theme.h"
 
 #include <QEvent>
@@ -176,13 +177,10 @@ void StartButton::paintEvent(QPaintEvent *) {
     painter.setPen(token(Token::secondaryText, palette()));
     painter.drawText(above ? upper : lower, Qt::AlignRight | Qt::AlignVCenter, m_shortcut);
     painter.setFont(themeFont(TextSize::small));
-    const QRect below = lower.adjusted(0, 0, above ? 0 : -keys, 0);
-    painter.drawText(below, Qt::AlignLeft | Qt::AlignVCenter,
-                     painter.fontMetrics().elidedText(m_detail, Qt::ElideRight, below.width()));
+    drawElided(painter, lower.adjusted(0, 0, above ? 0 : -keys, 0), Qt::AlignLeft, m_detail);
     if (large) {
         const QRect middle(left, (upper.top() + lower.top()) / 2, upper.width(), lineHeight);
-        painter.drawText(middle, Qt::AlignLeft | Qt::AlignVCenter,
-                         painter.fontMetrics().elidedText(m_standard, Qt::ElideRight, middle.width()));
+        drawElided(painter, middle, Qt::AlignLeft, m_standard);
     }
     painter.setFont(titleFont);
     painter.setPen(palette().color(QPalette::WindowText));
