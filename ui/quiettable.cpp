@@ -7,6 +7,7 @@
 #include "ui/measures.h"
 #include "ui/theme.h"
 
+#include <QAbstractItemView>
 #include <QPainter>
 
 namespace palmer::ui {
@@ -26,7 +27,6 @@ void QuietHeader::paintEvent(QPaintEvent *) {
     QPainter painter(viewport());
     painter.fillRect(viewport()->rect(), palette().color(QPalette::Base));
     painter.setFont(themeFont(TextSize::small));
-    const QFontMetrics metrics(painter.font());
     for (int column = 0; column < count(); ++column) {
         const QRect section(sectionViewportPosition(column), 0, sectionSize(column), height());
         if (section.right() < 0 || section.left() > viewport()->width())
@@ -40,35 +40,68 @@ void QuietHeader::paintEvent(QPaintEvent *) {
         if (namesSymbol(text))
             drawFormula(painter, room, alignment, formulaFrom(text), painter.font(), painter.pen().color());
         else
-            painter.drawText(room, alignment, metrics.elidedText(text, Qt::ElideRight, room.width()));
+            drawElided(painter, room, alignment, text);
     }
     painter.setPen(token(Token::lineStrong, palette()));
     painter.drawLine(0, height() - 1, viewport()->width(), height() - 1);
 }
 
-void QuietDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
-                          const QModelIndex &index) const {
+void RowDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
+                        const QModelIndex &index) const {
+    const QRect area = option.rect;
     const QPalette &palette = option.palette;
-    const bool hovered = index == m_hovered;
-    const bool refused = index.data(refusedRole).toBool();
-    painter->fillRect(option.rect, refused                                 ? token(Token::badGround, palette)
-                                   : option.state & QStyle::State_Selected ? selectedGround(palette)
-                                   : hovered                               ? token(Token::hover, palette)
-                                                                           : palette.color(QPalette::Base));
-    painter->setPen(token(Token::line, palette));
-    painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
+    painter->save();
+    if (const QColor colour = ground(option, index); colour.isValid())
+        painter->fillRect(area, colour);
+    if ((m_parts & selectedBar) && (option.state & QStyle::State_Selected))
+        painter->fillRect(QRect(area.topLeft(), QSize(3, area.height())), token(Token::accent, palette));
+    if ((m_parts & focusFrame) && (option.state & QStyle::State_HasFocus)) {
+        painter->setPen(QPen(token(Token::accent, palette), 2));
+        painter->drawRect(area.adjusted(1, 1, -1, -1));
+    }
+    if (m_parts & rule) {
+        painter->setPen(token(Token::line, palette));
+        painter->drawLine(area.bottomLeft(), area.bottomRight());
+    }
+    paintContent(*painter, option, index);
+    painter->restore();
+}
+
+QColor RowDelegate::ground(const QStyleOptionViewItem &option, const QModelIndex &) const {
+    return option.state & QStyle::State_Selected    ? selectedGround(option.palette)
+           : option.state & QStyle::State_MouseOver ? token(Token::hover, option.palette)
+                                                    : QColor();
+}
+
+bool RowDelegate::isCurrentRow(const QStyleOptionViewItem &option, const QModelIndex &index) {
+    const auto *view = qobject_cast<const QAbstractItemView *>(option.widget);
+    return view && view->hasFocus() && view->currentIndex().row() == index.row();
+}
+
+QColor QuietDelegate::ground(const QStyleOptionViewItem &option, const QModelIndex &index) const {
+    const QPalette &palette = option.palette;
+    return index.data(refusedRole).toBool()        ? token(Token::badGround, palette)
+           : option.state & QStyle::State_Selected ? selectedGround(palette)
+           : index == m_hovered                    ? token(Token::hover, palette)
+                                                   : palette.color(QPalette::Base);
+}
+
+void QuietDelegate::paintContent(QPainter &painter, const QStyleOptionViewItem &option,
+                                 const QModelIndex &index) const {
+    const QPalette &palette = option.palette;
+    const QVariant font = index.data(Qt::FontRole);
     const QVariant colour = index.data(Qt::ForegroundRole);
-    painter->setFont(option.font);
-    painter->setPen(refused            ? token(Token::bad, palette)
-                    : colour.isValid() ? colour.value<QColor>()
-                                       : palette.color(QPalette::Text));
-    const QRect room = option.rect.adjusted(tablePadding, 0, -tablePadding, 0);
-    painter->drawText(room, alignmentOf(index.data(Qt::TextAlignmentRole)),
-                      option.fontMetrics.elidedText(index.data().toString(), Qt::ElideRight, room.width()));
+    drawElided(painter, option.rect.adjusted(tablePadding, 0, -tablePadding, 0),
+               alignmentOf(index.data(Qt::TextAlignmentRole)), index.data().toString(),
+               font.isValid() ? font.value<QFont>() : option.font,
+               index.data(refusedRole).toBool() ? token(Token::bad, palette)
+               : colour.isValid()               ? colour.value<QColor>()
+                                                : palette.color(QPalette::Text));
+    const bool hovered = index == m_hovered;
     if (hovered || (option.state & QStyle::State_HasFocus)) {
-        painter->setPen(QPen(token(Token::accent, palette), hovered ? 1 : 2));
-        painter->setBrush(Qt::NoBrush);
-        painter->drawRect(option.rect.adjusted(1, 1, -1, -2));
+        painter.setPen(QPen(token(Token::accent, palette), hovered ? 1 : 2));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(option.rect.adjusted(1, 1, -1, -2));
     }
 }
 

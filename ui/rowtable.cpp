@@ -29,54 +29,48 @@ int warningWidth(const QString &warning, const QFontMetrics &metrics) {
     return warning.isEmpty() ? 0 : markSize + 4 + metrics.horizontalAdvance(warning) + tablePadding;
 }
 
-/// Draws texts as QuietDelegate, bold if set, and the pictures of the roles.
-class RowDelegate : public QuietDelegate {
+/// Draws texts as QuietDelegate and the pictures of the roles.
+class PictureDelegate : public QuietDelegate {
 public:
-    explicit RowDelegate(RowTable *table)
+    explicit PictureDelegate(RowTable *table)
         : QuietDelegate(table)
         , m_table(*table) {}
 
-    void paint(QPainter *painter, const QStyleOptionViewItem &option,
-               const QModelIndex &index) const override {
+    void paintContent(QPainter &painter, const QStyleOptionViewItem &option,
+                      const QModelIndex &index) const override {
         QStyleOptionViewItem shown = option;
-        if (const QVariant font = index.data(Qt::FontRole); font.isValid()) {
-            shown.font = font.value<QFont>();
-            shown.fontMetrics = QFontMetrics(shown.font);
-        }
         shown.state &= ~QStyle::State_HasFocus; // the whole row is selected
         const QString warning = index.data(RowTable::warningRole).toString();
         const QFont small = themeFont(TextSize::small);
         const int room = warningWidth(warning, QFontMetrics(small));
-        QuietDelegate::paint(painter, shown, index);
-        painter->save();
+        QuietDelegate::paintContent(painter, shown, index);
         const Medium medium = screenMedium(option.palette);
         const QRectF inner = QRectF(option.rect).adjusted(tablePadding, 0, -tablePadding, -1);
         if (const QVariant part = index.data(RowTable::barRole); part.isValid()) {
             QRectF bar = inner;
             bar.setHeight(barHeight);
             bar.moveCenter(inner.center());
-            drawBar(*painter, bar, part.toDouble(), index.data(RowTable::firstRole).toBool(), medium);
+            drawBar(painter, bar, part.toDouble(), index.data(RowTable::firstRole).toBool(), medium);
         }
         if (const HistogramFigure *figure = m_table.histogram(index)) {
             QRectF plot = inner.adjusted(0, 3, 0, -2);
             plot.setWidth(std::min(plot.width(), widestHistogram));
-            painter->setRenderHint(QPainter::Antialiasing);
+            painter.setRenderHint(QPainter::Antialiasing);
             if (index.data(RowTable::outdatedRole).toBool())
-                painter->setOpacity(outdatedOpacity);
-            drawHistogramBars(*painter, plot, *figure, medium, 2);
+                painter.setOpacity(outdatedOpacity);
+            drawHistogramBars(painter, plot, *figure, medium, 2);
         }
         if (room > 0) {
             const QColor colour = token(Token::unsure, option.palette);
             const QRect place =
                 option.rect.adjusted(option.rect.width() - room - tablePadding, 0, -tablePadding, 0);
-            drawLineIcon(*painter, QRect(place.left(), place.top(), markSize, place.height()),
+            drawLineIcon(painter, QRect(place.left(), place.top(), markSize, place.height()),
                          QStringLiteral("warn"), colour);
-            painter->setPen(colour);
-            painter->setFont(small);
-            painter->drawText(place.adjusted(markSize + 4, 0, tablePadding, 0),
-                              Qt::AlignVCenter | Qt::AlignLeft, warning);
+            painter.setPen(colour);
+            painter.setFont(small);
+            painter.drawText(place.adjusted(markSize + 4, 0, tablePadding, 0),
+                             Qt::AlignVCenter | Qt::AlignLeft, warning);
         }
-        painter->restore();
     }
 
 private:
@@ -93,7 +87,7 @@ RowTable::RowTable(const char *name, int columns, QWidget *parent)
     : QTableWidget(0, columns, parent) {
     setObjectName(QString::fromLatin1(name));
     setHorizontalHeader(new QuietHeader(this));
-    setItemDelegate(new RowDelegate(this));
+    setItemDelegate(new PictureDelegate(this));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::SingleSelection);

@@ -53,37 +53,27 @@ class ComparedDelegate : public QuietDelegate {
 public:
     using QuietDelegate::QuietDelegate;
 
-    void paint(QPainter *painter, const QStyleOptionViewItem &option,
-               const QModelIndex &index) const override {
-        const QVariant symbol = index.data(symbolRole);
-        const bool differs = index.data(differsRole).toBool();
-        const bool isName = index.column() == nameColumn;
-        if (!symbol.isValid() && !differs && !isName) {
-            QuietDelegate::paint(painter, option, index);
-            return;
-        }
-        const bool isSelected = (option.state & QStyle::State_Selected) != 0;
-        painter->fillRect(option.rect, isSelected ? selectedGround(option.palette)
-                                       : differs  ? token(Token::unsureGround, option.palette)
-                                                  : option.palette.color(QPalette::Base));
-        painter->setPen(token(Token::line, option.palette));
-        painter->drawLine(option.rect.bottomLeft(), option.rect.bottomRight());
+    [[nodiscard]] QColor ground(const QStyleOptionViewItem &option, const QModelIndex &index) const override {
+        return index.data(differsRole).toBool() && !(option.state & QStyle::State_Selected)
+                   ? token(Token::unsureGround, option.palette)
+                   : QuietDelegate::ground(option, index);
+    }
+
+    void paintContent(QPainter &painter, const QStyleOptionViewItem &option,
+                      const QModelIndex &index) const override {
         const QRect room = option.rect.adjusted(cellMargin, 0, -cellMargin, 0);
         const QColor colour = option.palette.color(QPalette::Text);
-        if (symbol.isValid()) {
-            drawFormula(*painter, room, Qt::AlignLeft | Qt::AlignVCenter, symbol.value<Formula>(),
-                        option.font, colour, true);
-            return;
+        if (const QVariant symbol = index.data(symbolRole); symbol.isValid()) {
+            drawFormula(painter, room, Qt::AlignLeft | Qt::AlignVCenter, symbol.value<Formula>(), option.font,
+                        colour, true);
+        } else if (index.column() == nameColumn) {
+            painter.setFont(option.font);
+            painter.setPen(colour);
+            painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
+                             index.data().toString());
+        } else {
+            QuietDelegate::paintContent(painter, option, index);
         }
-        painter->setPen(colour);
-        if (isName) {
-            painter->setFont(option.font);
-            painter->drawText(room, Qt::AlignLeft | Qt::AlignVCenter | Qt::TextWordWrap,
-                              index.data().toString());
-            return;
-        }
-        painter->setFont(index.data(Qt::FontRole).value<QFont>());
-        painter->drawText(room, Qt::AlignRight | Qt::AlignVCenter, index.data().toString());
     }
 
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &option,
