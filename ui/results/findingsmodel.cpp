@@ -59,7 +59,7 @@ QString FindingsModel::gradeWord(Grade grade) {
 void FindingsModel::show(const EvaluatedDocument &evaluated, std::size_t test, Page page,
                          const Language &language) {
     beginResetModel();
-    m_lines.clear();
+    m_rows.clear();
     m_summary.clear();
     if (test < evaluated.tests.size()) {
         const std::vector<Finding> &findings = evaluated.tests[test]->findings;
@@ -84,8 +84,8 @@ void FindingsModel::addFindings(const std::vector<Finding> &findings, const Docu
     std::ranges::stable_sort(here, {},
                              [](const Finding *f) { return std::tuple(f->source, f->grade, f->state); });
     for (const Finding *finding : here) {
-        m_lines.push_back({finding->grade, page, fieldOf(*finding), findingText(*finding, language),
-                           clauseText(finding->clause, language)});
+        m_rows.push_back({finding->grade, page, fieldOf(*finding), findingText(*finding, language),
+                          clauseText(finding->clause, language)});
     }
 }
 
@@ -107,7 +107,7 @@ void FindingsModel::addPage(const std::vector<Finding> &findings, const Document
                              ? tr("%n required statement(s) missing", nullptr, all)
                              : tr("%n finding(s)", nullptr, all);
     const QString line = tr("%1: %2", "page: what is found there").arg(pageName(page), text);
-    m_lines.push_back({worst, page, {}, line, {}});
+    m_rows.push_back({worst, page, {}, line, {}});
 }
 
 QString FindingsModel::summaryOf(const std::vector<Finding> &findings) {
@@ -127,21 +127,14 @@ QString FindingsModel::summaryOf(const std::vector<Finding> &findings) {
     return parts.isEmpty() ? tr("none") : parts.join(QStringLiteral(" · "));
 }
 
-int FindingsModel::rowCount(const QModelIndex &parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_lines.size());
-}
-
-QVariant FindingsModel::data(const QModelIndex &index, int role) const {
-    if (!index.isValid())
-        return {};
-    const Line &shown = line(index.row());
+QVariant FindingsModel::cell(const FindingRow &line, int, int role) const {
     switch (role) {
     case Qt::DisplayRole:
-        return shown.text;
+        return line.text;
     case Qt::ToolTipRole:
-        return gradeWord(shown.grade) + QStringLiteral(" – ") + shown.text;
+        return gradeWord(line.grade) + QStringLiteral(" – ") + line.text;
     case Qt::AccessibleTextRole:
-        return gradeWord(shown.grade) + QStringLiteral(": ") + shown.text + u' ' + shown.clause;
+        return gradeWord(line.grade) + QStringLiteral(": ") + line.text + u' ' + line.clause;
     default:
         return {};
     }

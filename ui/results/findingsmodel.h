@@ -5,47 +5,46 @@
 #include "document/evaluateddocument.h"
 #include "language/language.h"
 #include "ui/model/page.h"
+#include "ui/quiettable.h"
 
-#include <QAbstractListModel>
 #include <vector>
 
 namespace palmer::ui {
 
+struct FindingRow {
+    Grade grade = Grade::note;
+    Page page = Page::readings;
+    QString id;     ///< of its field; empty if the line represents a page
+    QString text;   ///< as in the report
+    QString clause; ///< empty if unknown
+};
+
 /// The findings of a test as a list: those of the page in view one by one, those of each other page in one
 /// line.
-class FindingsModel : public QAbstractListModel {
+class FindingsModel : public RowModel<FindingRow> {
     Q_OBJECT
 
 public:
-    struct Line {
-        Grade grade = Grade::note;
-        Page page = Page::readings;
-        QString id;     ///< of its field; empty if the line represents a page
-        QString text;   ///< as in the report
-        QString clause; ///< empty if unknown
-    };
-
-    using QAbstractListModel::QAbstractListModel;
+    using Line = FindingRow;
+    using RowModel::RowModel;
 
     /// Shows nothing if `test` is not in the document.
     void show(const EvaluatedDocument &evaluated, std::size_t test, Page page, const Language &language);
-    [[nodiscard]] const Line &line(int row) const { return m_lines[static_cast<std::size_t>(row)]; }
+    [[nodiscard]] const Line &line(int row) const { return this->row(row); }
     /// "7 required missing · 1 warning · 2 notes".
     [[nodiscard]] QString summary() const { return m_summary; }
 
-    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
-
-    [[nodiscard]] static QString gradeWord(Grade grade);
+protected:
+    [[nodiscard]] QVariant cell(const FindingRow &line, int column, int role) const override;
 
 private:
+    [[nodiscard]] static QString gradeWord(Grade grade);
     [[nodiscard]] static QString pageName(Page page);
     [[nodiscard]] static QString summaryOf(const std::vector<Finding> &findings);
     void addFindings(const std::vector<Finding> &findings, const Document &document, Page page,
                      const Language &language);
     void addPage(const std::vector<Finding> &findings, const Document &document, Page page);
 
-    std::vector<Line> m_lines;
     QString m_summary;
 };
 

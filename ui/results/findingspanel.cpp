@@ -4,7 +4,6 @@
 
 #include "ui/elidedlabel.h"
 #include "ui/measures.h"
-#include "ui/results/findingsdelegate.h"
 #include "ui/theme.h"
 
 #include <QEvent>
@@ -12,6 +11,7 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QListView>
+#include <QPainter>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -20,6 +20,60 @@ namespace palmer::ui {
 namespace {
 
 constexpr int usualRows = 3;
+constexpr int findingRowHeight = 24;
+constexpr int findingMarkWidth = 22;
+constexpr int arrowWidth = 18;
+
+struct FindingLook {
+    const char *icon = nullptr;
+    Token colour = Token::secondaryText;
+};
+
+FindingLook lookOf(Grade grade) {
+    switch (grade) {
+    case Grade::requirement:
+        return {"miss", Token::bad};
+    case Grade::recommendation:
+        return {"warn", Token::unsure};
+    case Grade::note:
+        break;
+    }
+    return {"info", Token::secondaryText};
+}
+
+/// Draws a finding: mark of its grade, sentence, clause on the right.
+class FindingsDelegate : public RowDelegate {
+public:
+    explicit FindingsDelegate(QObject *parent)
+        : RowDelegate(parent, rule) {}
+
+    [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &, const QModelIndex &) const override {
+        return {100, findingRowHeight};
+    }
+
+    [[nodiscard]] QColor ground(const QStyleOptionViewItem &option, const QModelIndex &index) const override {
+        return isCurrentRow(option, index)              ? selectedGround(option.palette)
+               : option.state & QStyle::State_MouseOver ? token(Token::hover, option.palette)
+                                                        : QColor();
+    }
+
+    void paintContent(QPainter &painter, const QStyleOptionViewItem &option,
+                      const QModelIndex &index) const override {
+        const FindingRow &line = static_cast<const FindingsModel *>(index.model())->line(index.row());
+        const QRect row = option.rect;
+        const FindingLook look = lookOf(line.grade);
+        const QColor secondary = token(Token::secondaryText, option.palette);
+        drawLineIcon(painter, QRect(row.left(), row.top(), 16, row.height()), QLatin1StringView(look.icon),
+                     token(look.colour, option.palette));
+        drawLineIcon(painter, QRect(row.right() - 15, row.top(), 14, row.height()), QStringLiteral("right"),
+                     secondary);
+        const QFont font = themeFont(TextSize::small);
+        const int clause = line.clause.isEmpty() ? 0 : QFontMetrics(font).horizontalAdvance(line.clause) + 6;
+        drawElided(painter, row.adjusted(0, 0, -arrowWidth, 0), Qt::AlignRight, line.clause, font, secondary);
+        drawElided(painter, row.adjusted(findingMarkWidth, 0, -arrowWidth - clause, 0), Qt::AlignLeft,
+                   line.text, font, option.palette.color(QPalette::Text));
+    }
+};
 
 } // namespace
 
@@ -100,7 +154,7 @@ void FindingsPanel::setRows(int rows) {
 void FindingsPanel::activate(const QModelIndex &index) {
     if (!index.isValid())
         return;
-    const FindingsModel::Line line = m_model.line(index.row());
+    const FindingRow line = m_model.line(index.row());
     emit activated(line.page, line.id);
 }
 
