@@ -3,12 +3,12 @@
 #include "ui/results/resultsdelegate.h"
 
 #include "print/figures/style.h"
+#include "ui/elidedlabel.h"
 #include "ui/formulatext.h"
 #include "ui/results/resultsmodel.h"
 #include "ui/theme.h"
 #include "ui/verdictmark.h"
 
-#include <QAbstractItemView>
 #include <QPainter>
 #include <string_view>
 
@@ -76,61 +76,53 @@ void paintVerdict(QPainter &painter, const QRect &cell, const ResultLine &line, 
                  verdictMark(line.verdict).icon, colour);
     QFont font = option.font;
     font.setWeight(provisional ? QFont::Normal : QFont::DemiBold);
-    painter.setFont(font);
-    painter.setPen(colour);
-    const QRect room = cell.adjusted(resultMarkWidth, 0, 0, 0);
-    painter.drawText(room, Qt::AlignLeft | Qt::AlignVCenter,
-                     QFontMetrics(font).elidedText(line.cell("verdict"), Qt::ElideRight, room.width()));
+    drawElided(painter, cell.adjusted(resultMarkWidth, 0, 0, 0), Qt::AlignLeft, line.cell("verdict"), font,
+               colour);
 }
 
-/// With the keyboard, a row becomes current before it is selected.
-bool isCurrentRow(const QStyleOptionViewItem &option, const QModelIndex &index) {
-    const auto *table = qobject_cast<const QAbstractItemView *>(option.widget);
-    return table && table->hasFocus() && table->currentIndex().row() == index.row();
+const ResultLine &lineAt(const QModelIndex &index) {
+    return static_cast<const ResultsModel *>(index.model())->line(index.row());
 }
 
 } // namespace
 
-void ResultsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
-                            const QModelIndex &index) const {
-    const auto *model = static_cast<const ResultsModel *>(index.model());
-    const ResultLine &line = model->line(index.row());
+QColor ResultsDelegate::ground(const QStyleOptionViewItem &option, const QModelIndex &index) const {
+    const QColor base = option.palette.color(QPalette::Base);
+    return lineAt(index).id == m_explained ? blend(token(Token::explanation, option.palette), base, 0.13)
+           : isCurrentRow(option, index)   ? selectedGround(option.palette)
+                                           : base;
+}
+
+void ResultsDelegate::paintContent(QPainter &painter, const QStyleOptionViewItem &option,
+                                   const QModelIndex &index) const {
+    const ResultLine &line = lineAt(index);
+    const bool provisional = static_cast<const ResultsModel *>(index.model())->table().provisional;
     const QPalette &palette = option.palette;
     const QRect cell = option.rect;
-    const QColor base = palette.color(QPalette::Base);
     const ResultColumn &column = ResultsModel::column(index.column());
-    const bool explained = line.id == m_explained;
-    const QColor explanation = token(Token::explanation, palette);
-
-    QColor ground = base;
-    if (explained)
-        ground = blend(explanation, base, 0.13);
-    else if (isCurrentRow(option, index))
-        ground = selectedGround(palette);
-    painter->fillRect(cell, ground);
     if (line.isFirst && index.row() > 0) {
-        painter->setPen(token(Token::line, palette));
-        painter->drawLine(cell.topLeft(), cell.topRight());
+        painter.setPen(token(Token::line, palette));
+        painter.drawLine(cell.topLeft(), cell.topRight());
     }
-    if (explained && column.look == ResultLook::symbol)
-        painter->fillRect(QRect(cell.left(), cell.top(), 3, cell.height()), explanation);
+    if (line.id == m_explained && column.look == ResultLook::symbol)
+        painter.fillRect(QRect(cell.left(), cell.top(), 3, cell.height()),
+                         token(Token::explanation, palette));
 
     const QColor text = palette.color(QPalette::Text);
     const QColor secondary = token(Token::secondaryText, palette);
     QFont font = option.font;
     switch (column.look) {
     case ResultLook::symbol:
-        drawFormula(*painter, cell.adjusted(8, 0, 0, 0), Qt::AlignLeft, line.symbol, font,
+        drawFormula(painter, cell.adjusted(8, 0, 0, 0), Qt::AlignLeft, line.symbol, font,
                     line.main ? text : secondary, line.main);
         return;
     case ResultLook::picture:
         if (line.scale)
-            paintScale(*painter, cell, *line.scale, colourOf(line, model->table().provisional, palette),
-                       palette);
+            paintScale(painter, cell, *line.scale, colourOf(line, provisional, palette), palette);
         return;
     case ResultLook::verdict:
         if (line.verdict)
-            paintVerdict(*painter, cell, line, model->table().provisional, option);
+            paintVerdict(painter, cell, line, provisional, option);
         return;
     case ResultLook::text:
     case ResultLook::name:
@@ -146,12 +138,11 @@ void ResultsDelegate::paint(QPainter *painter, const QStyleOptionViewItem &optio
     const bool exceeded = key == "other" && line.otherVerdict == Verdict::doesNotConform;
     if (strong)
         font.setWeight(QFont::DemiBold);
-    painter->setFont(font);
-    painter->setPen(exceeded ? token(Token::bad, palette) : quiet ? secondary : text);
-    const QRect room = cell.adjusted(2, 0, -4, 0);
-    painter->drawText(
-        room, (ResultsModel::isNumber(index.column()) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
-        QFontMetrics(font).elidedText(shown, Qt::ElideRight, room.width()));
+    drawElided(painter, cell.adjusted(2, 0, -4, 0),
+               ResultsModel::isNumber(index.column()) ? Qt::AlignRight : Qt::AlignLeft, shown, font,
+               exceeded ? token(Token::bad, palette)
+               : quiet  ? secondary
+                        : text);
 }
 
 } // namespace palmer::ui

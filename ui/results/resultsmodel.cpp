@@ -15,20 +15,24 @@ int ResultsModel::columnOf(std::string_view key) {
     return static_cast<int>(std::ranges::find(columns(), key, &ResultColumn::key) - columns().begin());
 }
 
+ResultsModel::ResultsModel(QObject *parent)
+    : RowModel(parent) {
+    for (const ResultColumn *own : columns())
+        m_columns.push_back({{}, own->look == ResultLook::number ? Qt::AlignRight : Qt::AlignLeft});
+}
+
 void ResultsModel::setTable(const ResultTable &table, const Language &language) {
-    beginResetModel();
     m_table = table;
     m_language = language;
-    endResetModel();
+    reset(table.lines);
 }
 
 void ResultsModel::retranslate() {
     emit headerDataChanged(Qt::Horizontal, 0, columnCount() - 1);
 }
 
-QString ResultsModel::nameOf(int row, Names names) const {
-    const ResultLine &shown = line(row);
-    return names == Names::full ? shown.fullName : names == Names::brief ? shown.name : shown.narrowName;
+QString ResultsModel::nameOf(const ResultLine &line, Names names) {
+    return names == Names::full ? line.fullName : names == Names::brief ? line.name : line.narrowName;
 }
 
 void ResultsModel::setNames(Names names) {
@@ -40,44 +44,26 @@ void ResultsModel::setNames(Names names) {
 }
 
 int ResultsModel::rowOf(const QString &id) const {
-    for (std::size_t row = 0; row < m_table.lines.size(); ++row) {
-        if (m_table.lines[row].id == id)
-            return static_cast<int>(row);
-    }
-    return -1;
+    const auto found = std::ranges::find(m_rows, id, &ResultLine::id);
+    return found == m_rows.end() ? -1 : static_cast<int>(found - m_rows.begin());
 }
 
-int ResultsModel::rowCount(const QModelIndex &parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_table.lines.size());
-}
-
-int ResultsModel::columnCount(const QModelIndex &parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(columns().size());
-}
-
-QVariant ResultsModel::data(const QModelIndex &index, int role) const {
-    if (!index.isValid())
-        return {};
-    const ResultLine &shown = line(index.row());
-    const ResultColumn &own = column(index.column());
+QVariant ResultsModel::cell(const ResultLine &line, int place, int role) const {
+    const ResultColumn &own = column(place);
     const bool names = own.look == ResultLook::symbol || own.look == ResultLook::name;
     switch (role) {
     case Qt::ToolTipRole:
-        return own.besideOnly ? shown.otherVerdictWord : names ? shown.fullName : QVariant();
-    case Qt::TextAlignmentRole:
-        return static_cast<int>((isNumber(index.column()) ? Qt::AlignRight : Qt::AlignLeft) |
-                                Qt::AlignVCenter);
+        return own.besideOnly ? line.otherVerdictWord : names ? line.fullName : QVariant();
     case Qt::AccessibleTextRole:
         if (own.look != ResultLook::symbol)
             return {};
         return QStringLiteral("%1, %2: %3 %4 %5")
-            .arg(shown.symbol.plain(), shown.fullName, shown.cell("value"), m_table.unit,
-                 shown.cell("verdict"))
+            .arg(line.symbol.plain(), line.fullName, line.cell("value"), m_table.unit, line.cell("verdict"))
             .trimmed();
     case Qt::DisplayRole:
-        return own.look == ResultLook::symbol ? shown.symbol.plain()
-               : own.look == ResultLook::name ? nameOf(index.row(), m_names)
-                                              : shown.cell(own);
+        return own.look == ResultLook::symbol ? line.symbol.plain()
+               : own.look == ResultLook::name ? nameOf(line, m_names)
+                                              : line.cell(own);
     default:
         return {};
     }
@@ -97,11 +83,6 @@ QVariant ResultsModel::headerData(int section, Qt::Orientation orientation, int 
         return QStringLiteral("± U");
     title[0] = title[0].toLower();
     return title;
-}
-
-Qt::ItemFlags ResultsModel::flags(const QModelIndex &index) const {
-    return index.isValid() ? Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren
-                           : Qt::ItemFlags(Qt::NoItemFlags);
 }
 
 } // namespace palmer::ui

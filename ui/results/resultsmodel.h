@@ -3,15 +3,15 @@
 #pragma once
 
 #include "report/tables/resulttable.h"
+#include "ui/quiettable.h"
 
-#include <QAbstractTableModel>
 #include <string_view>
 #include <vector>
 
 namespace palmer::ui {
 
 /// The results of a test as rows, next to those of the same test before or after an adjustment, if any.
-class ResultsModel : public QAbstractTableModel {
+class ResultsModel : public RowModel<ResultLine> {
     Q_OBJECT
 
 public:
@@ -24,24 +24,22 @@ public:
     [[nodiscard]] static int columnOf(std::string_view key);
     [[nodiscard]] static bool isNumber(int place) { return column(place).look == ResultLook::number; }
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit ResultsModel(QObject *parent = nullptr);
 
     void setTable(const ResultTable &table, const Language &language);
     void retranslate();
     [[nodiscard]] const ResultTable &table() const { return m_table; }
-    [[nodiscard]] const ResultLine &line(int row) const {
-        return m_table.lines[static_cast<std::size_t>(row)];
-    }
+    [[nodiscard]] const ResultLine &line(int row) const { return this->row(row); }
     enum class Names { full, brief, narrow }; ///< full: as in the standard
-    [[nodiscard]] QString nameOf(int row, Names names) const;
+    [[nodiscard]] static QString nameOf(const ResultLine &line, Names names);
+    [[nodiscard]] QString nameOf(int row, Names names) const { return nameOf(line(row), names); }
     void setNames(Names names);
     [[nodiscard]] int rowOf(const QString &id) const; ///< −1 if there is none
 
-    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
     [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
-    [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
+
+protected:
+    [[nodiscard]] QVariant cell(const ResultLine &line, int place, int role) const override;
 
 private:
     ResultTable m_table;
