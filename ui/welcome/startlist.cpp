@@ -2,99 +2,76 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/welcome/startlist.h"
 
+#include "ui/elidedlabel.h"
 #include "ui/welcome/examples.h"
 
 #include <QKeyEvent>
 #include <QPainter>
-#include <QStyledItemDelegate>
 #include <algorithm>
 
 namespace palmer::ui {
 
 namespace {
 
-class StartDelegate : public QStyledItemDelegate {
+const StartEntry &startEntry(const QModelIndex &index) {
+    return static_cast<const StartModel *>(index.model())->row(index.row());
+}
+
+class StartDelegate : public RowDelegate {
 public:
     explicit StartDelegate(StartList *list)
-        : QStyledItemDelegate(list)
+        : RowDelegate(list, focusFrame)
         , m_list(*list) {}
 
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &, const QModelIndex &) const override {
         return m_list.isCompact() ? m_list.compactSize() : QSize(200, StartList::rowHeight);
     }
 
-    void paint(QPainter *painter, const QStyleOptionViewItem &option,
-               const QModelIndex &index) const override {
-        painter->save();
+    /// A click opens a file: none stays selected.
+    [[nodiscard]] QColor ground(const QStyleOptionViewItem &option, const QModelIndex &) const override {
+        return option.state & QStyle::State_MouseOver ? token(Token::hover, option.palette) : QColor();
+    }
+
+    void paintContent(QPainter &painter, const QStyleOptionViewItem &option,
+                      const QModelIndex &index) const override {
+        const StartEntry &entry = startEntry(index);
         const QRect area = option.rect;
-        if (option.state.testFlag(QStyle::State_MouseOver))
-            painter->fillRect(area, token(Token::hover, option.palette));
-        if (option.state.testFlag(QStyle::State_HasFocus)) {
-            painter->setPen(QPen(token(Token::accent, option.palette), 2));
-            painter->drawRect(area.adjusted(1, 1, -1, -1));
-        }
-        if (m_list.isCompact()) {
-            paintLine(*painter, option, index);
-            painter->restore();
+        const QColor text = option.palette.color(QPalette::WindowText);
+        const QColor secondary = token(Token::secondaryText, option.palette);
+        const QFont small = themeFont(TextSize::small);
+        if (m_list.isCompact()) { // one line: name and year
+            drawLineIcon(painter, QRect(area.left() + 12, area.top(), 16, area.height()), entry.icon, text);
+            drawElided(painter, area.adjusted(0, 0, -12, 0), Qt::AlignRight, entry.right, small, secondary);
+            const int year = painter.fontMetrics().horizontalAdvance(entry.right) + 8;
+            drawElided(painter, area.adjusted(36, 0, -12 - year, 0), Qt::AlignLeft, entry.name,
+                       themeFont(TextSize::base), text);
             return;
         }
         if (index.row() > 0) {
-            painter->setPen(token(Token::line, option.palette));
-            painter->drawLine(area.left() + 44, area.top(), area.right() - 12, area.top());
+            painter.setPen(token(Token::line, option.palette));
+            painter.drawLine(area.left() + 44, area.top(), area.right() - 12, area.top());
         }
-        const QColor text = option.palette.color(QPalette::WindowText);
-        const QColor secondary = token(Token::secondaryText, option.palette);
         const QRect upper(area.left(), area.top() + 8, area.width(), 18);
         const QRect lower(area.left(), area.top() + 28, area.width(), 18);
-        drawLineIcon(*painter, QRect(area.left() + 12, upper.top(), 20, upper.height()),
-                     index.data(StartModel::iconRole).toString(), text);
+        drawLineIcon(painter, QRect(area.left() + 12, upper.top(), 20, upper.height()), entry.icon, text);
         constexpr int left = 44;
-        constexpr int rightWidth = 96;
-        painter->setFont(themeFont(TextSize::base));
-        painter->setPen(text);
-        draw(*painter, upper.adjusted(left, 0, -rightWidth, 0), Qt::AlignLeft, index.data().toString());
-        painter->setFont(themeFont(TextSize::small));
-        painter->setPen(secondary);
-        draw(*painter, upper.adjusted(left, 0, -12, 0), Qt::AlignRight,
-             index.data(StartModel::rightRole).toString());
+        constexpr int dateWidth = 96;
+        drawElided(painter, upper.adjusted(left, 0, -dateWidth, 0), Qt::AlignLeft, entry.name,
+                   themeFont(TextSize::base), text);
+        drawElided(painter, upper.adjusted(left, 0, -12, 0), Qt::AlignRight, entry.right, small, secondary);
         int marks = area.right() - 12; // limits and accordance, side by side
-        for (const auto &[iconRole, colourRole] :
-             {std::pair(StartModel::accordanceRole, StartModel::accordanceColourRole),
-              std::pair(StartModel::markRole, StartModel::markColourRole)}) {
-            const QString mark = index.data(iconRole).toString();
-            if (mark.isEmpty())
+        for (const VerdictMark &mark : {entry.accordance, entry.mark}) {
+            if (mark.icon.isEmpty())
                 continue;
             marks -= 20;
-            drawLineIcon(*painter, QRect(marks + 4, lower.top(), 16, lower.height()), mark,
-                         token(static_cast<Token>(index.data(colourRole).toInt()), option.palette));
+            drawLineIcon(painter, QRect(marks + 4, lower.top(), 16, lower.height()), mark.icon,
+                         token(mark.colour, option.palette));
         }
-        draw(*painter, QRect(QPoint(area.left() + left, lower.top()), QPoint(marks - 4, lower.bottom())),
-             Qt::AlignLeft, index.data(StartModel::detailRole).toString());
-        painter->restore();
+        drawElided(painter, QRect(QPoint(area.left() + left, lower.top()), QPoint(marks - 4, lower.bottom())),
+                   Qt::AlignLeft, entry.detail, small, secondary);
     }
 
 private:
-    /// One line: name and year.
-    static void paintLine(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) {
-        const QRect area = option.rect;
-        const QColor text = option.palette.color(QPalette::WindowText);
-        drawLineIcon(painter, QRect(area.left() + 12, area.top(), 16, area.height()),
-                     index.data(StartModel::iconRole).toString(), text);
-        painter.setFont(themeFont(TextSize::small));
-        painter.setPen(token(Token::secondaryText, option.palette));
-        const QString year = index.data(StartModel::rightRole).toString();
-        const int yearWidth = painter.fontMetrics().horizontalAdvance(year) + 8;
-        draw(painter, area.adjusted(0, 0, -12, 0), Qt::AlignRight, year);
-        painter.setFont(themeFont(TextSize::base));
-        painter.setPen(text);
-        draw(painter, area.adjusted(36, 0, -12 - yearWidth, 0), Qt::AlignLeft, index.data().toString());
-    }
-
-    static void draw(QPainter &painter, const QRect &area, Qt::Alignment alignment, const QString &text) {
-        painter.drawText(area, static_cast<int>(alignment | Qt::AlignVCenter),
-                         painter.fontMetrics().elidedText(text, Qt::ElideRight, area.width()));
-    }
-
     const StartList &m_list;
 };
 
@@ -102,20 +79,7 @@ constexpr int leastColumn = 270; ///< of a list in columns
 
 } // namespace
 
-void StartModel::setEntries(std::vector<StartEntry> entries) {
-    beginResetModel();
-    m_entries = std::move(entries);
-    endResetModel();
-}
-
-int StartModel::rowCount(const QModelIndex &parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_entries.size());
-}
-
-QVariant StartModel::data(const QModelIndex &index, int role) const {
-    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
-        return {};
-    const StartEntry &entry = m_entries[static_cast<std::size_t>(index.row())];
+QVariant StartModel::cell(const StartEntry &entry, int, int role) const {
     switch (role) {
     case Qt::DisplayRole:
         return entry.name;
@@ -131,22 +95,6 @@ QVariant StartModel::data(const QModelIndex &index, int role) const {
         parts.removeAll(QString());
         return parts.join(QStringLiteral(", "));
     }
-    case detailRole:
-        return entry.detail;
-    case rightRole:
-        return entry.right;
-    case iconRole:
-        return entry.icon;
-    case markRole:
-        return entry.mark.icon;
-    case markColourRole:
-        return static_cast<int>(entry.mark.colour);
-    case accordanceRole:
-        return entry.accordance.icon;
-    case accordanceColourRole:
-        return static_cast<int>(entry.accordance.colour);
-    case pathRole:
-        return entry.path;
     default:
         return {};
     }
@@ -162,8 +110,7 @@ StartList::StartList(StartModel &model, int mostRows, QWidget *parent)
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Maximum);
     viewport()->setAutoFillBackground(false);
-    connect(this, &QListView::clicked, this,
-            [this](const QModelIndex &index) { emit chosen(index.data(StartModel::pathRole).toString()); });
+    connect(this, &QListView::clicked, this, &StartList::choose);
     connect(&model, &QAbstractItemModel::modelReset, this, [this] { updateGeometry(); });
 }
 
@@ -174,6 +121,10 @@ StartList::StartList(StartModel &model, QWidget *parent)
     setResizeMode(QListView::Adjust);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+void StartList::choose(const QModelIndex &index) {
+    emit chosen(startEntry(index).path);
 }
 
 int StartList::columns() const {
@@ -213,7 +164,7 @@ bool StartList::viewportEvent(QEvent *event) {
 void StartList::keyPressEvent(QKeyEvent *event) {
     const bool enter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (enter && currentIndex().isValid()) {
-        emit chosen(currentIndex().data(StartModel::pathRole).toString());
+        choose(currentIndex());
         return;
     }
     QListView::keyPressEvent(event);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/quiettable.h"
 #include "ui/verdictmark.h"
 
-#include <QAbstractListModel>
 #include <QListView>
 #include <QString>
 #include <vector>
@@ -22,30 +22,16 @@ struct StartEntry {
     VerdictMark accordance = {}; ///< with the editions
 };
 
-class StartModel : public QAbstractListModel {
+class StartModel : public RowModel<StartEntry> {
     Q_OBJECT
 
 public:
-    enum Role {
-        detailRole = Qt::UserRole + 1,
-        rightRole,
-        iconRole,
-        markRole,
-        markColourRole,
-        accordanceRole,
-        accordanceColourRole,
-        pathRole
-    };
+    using RowModel::RowModel;
 
-    using QAbstractListModel::QAbstractListModel;
+    void setEntries(std::vector<StartEntry> entries) { reset(std::move(entries)); }
 
-    void setEntries(std::vector<StartEntry> entries);
-
-    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
-
-private:
-    std::vector<StartEntry> m_entries;
+protected:
+    [[nodiscard]] QVariant cell(const StartEntry &entry, int column, int role) const override;
 };
 
 /// Files to start from; a click or Enter chooses one. Either two lines each, as high as its rows up to
@@ -76,6 +62,7 @@ protected:
 
 private:
     [[nodiscard]] int columns() const;
+    void choose(const QModelIndex &index);
 
     int m_mostRows; ///< 0: one line each, in columns
 };
