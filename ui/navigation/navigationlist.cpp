@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/navigation/navigationlist.h"
 
+#include "ui/elidedlabel.h"
 #include "ui/theme.h"
 
 #include <QEvent>
 #include <QPainter>
-#include <QStyledItemDelegate>
 
 namespace palmer::ui {
 
@@ -17,30 +17,38 @@ constexpr int iconWidth = 16;
 constexpr int textLeft = 40;
 constexpr int markWidth = 32;
 
-class NavigationDelegate : public QStyledItemDelegate {
+const NavigationRow &rowAt(const QModelIndex &index) {
+    return static_cast<const NavigationModel *>(index.model())->row(index.row());
+}
+
+class NavigationDelegate : public RowDelegate {
 public:
     explicit NavigationDelegate(NavigationList &list)
-        : QStyledItemDelegate(&list)
+        : RowDelegate(&list, selectedBar | focusFrame)
         , m_list(list) {}
 
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &, const QModelIndex &index) const override {
-        const bool head = index.data(NavigationModel::headRole).toBool();
+        const bool head = rowAt(index).isHead();
         if (m_list.isRail())
             return {NavigationList::railWidth, head ? 8 : 40};
         if (head)
             return {NavigationList::fullWidth, index.row() == 0 ? 36 : 32};
-        return {NavigationList::fullWidth,
-                index.data(NavigationModel::detailRole).toString().isEmpty() ? 28 : 44};
+        return {NavigationList::fullWidth, rowAt(index).detail.isEmpty() ? 28 : 44};
     }
 
-    void paint(QPainter *painter, const QStyleOptionViewItem &option,
-               const QModelIndex &index) const override {
-        painter->save();
-        if (index.data(NavigationModel::headRole).toBool())
-            paintHead(*painter, option, index);
+    [[nodiscard]] QColor ground(const QStyleOptionViewItem &option, const QModelIndex &index) const override {
+        return rowAt(index).isHead() ? QColor() : RowDelegate::ground(option, index);
+    }
+
+    void paintContent(QPainter &painter, const QStyleOptionViewItem &option,
+                      const QModelIndex &index) const override {
+        const NavigationRow &row = rowAt(index);
+        if (row.isHead())
+            paintHead(painter, option, index);
+        else if (m_list.isRail())
+            paintIcon(painter, option, row);
         else
-            paintRow(*painter, option, index);
-        painter->restore();
+            paintWords(painter, option, row);
     }
 
 private:
@@ -62,102 +70,52 @@ private:
                          index.data().toString());
     }
 
-    void paintRow(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index) const {
-        const bool selected = option.state.testFlag(QStyle::State_Selected);
-        if (selected) {
-            painter.fillRect(option.rect, selectedGround(option.palette));
-            painter.fillRect(QRect(option.rect.topLeft(), QSize(3, option.rect.height())),
-                             token(Token::accent, option.palette));
-        } else if (option.state.testFlag(QStyle::State_MouseOver)) {
-            painter.fillRect(option.rect, token(Token::hover, option.palette));
-        }
-        if (option.state.testFlag(QStyle::State_HasFocus)) {
-            painter.setPen(QPen(token(Token::accent, option.palette), 2));
-            painter.drawRect(option.rect.adjusted(1, 1, -1, -1));
-        }
-        if (m_list.isRail())
-            paintIcon(painter, option, RowMarks(option, index), selected);
-        else
-            paintWords(painter, option, index, selected);
-    }
-
-    /// Icon, marks and count of a row, shown next to its name.
-    struct RowMarks {
-        RowMarks(const QStyleOptionViewItem &option, const QModelIndex &index)
-            : icon(index.data(NavigationModel::iconRole).toString())
-            , mark(index.data(NavigationModel::markRole).toString())
-            , markColour(token(static_cast<Token>(index.data(NavigationModel::markColourRole).toInt()),
-                               option.palette))
-            , accordance(index.data(NavigationModel::accordanceRole).toString())
-            , accordanceColour(
-                  token(static_cast<Token>(index.data(NavigationModel::accordanceColourRole).toInt()),
-                        option.palette))
-            , count(index.data(NavigationModel::countRole).toInt()) {}
-
-        QString icon;
-        QString mark;
-        QColor markColour;
-        QString accordance;
-        QColor accordanceColour;
-        int count;
-    };
-
     /// Icon of the collapsed list, with the marks on its corners.
-    static void paintIcon(QPainter &painter, const QStyleOptionViewItem &option, const RowMarks &marks,
-                          bool selected) {
-        drawLineIcon(painter, option.rect, marks.icon, option.palette.color(QPalette::WindowText));
-        if (!marks.mark.isEmpty()) {
+    static void paintIcon(QPainter &painter, const QStyleOptionViewItem &option, const NavigationRow &row) {
+        drawLineIcon(painter, option.rect, row.icon, option.palette.color(QPalette::WindowText));
+        if (!row.mark.icon.isEmpty()) {
             const QRect corner(option.rect.center() + QPoint(4, 2), QSize(14, 14));
             painter.setPen(Qt::NoPen);
-            painter.setBrush(selected ? selectedGround(option.palette)
-                                      : option.palette.color(QPalette::Window));
+            painter.setBrush(option.state & QStyle::State_Selected ? selectedGround(option.palette)
+                                                                   : option.palette.color(QPalette::Window));
             painter.drawEllipse(corner);
-            drawLineIcon(painter, corner, marks.mark, marks.markColour);
+            drawLineIcon(painter, corner, row.mark.icon, token(row.mark.colour, option.palette));
         }
-        if (!marks.accordance.isEmpty()) {
+        if (!row.accordance.icon.isEmpty()) {
             drawLineIcon(painter, QRect(option.rect.center() + QPoint(6, -15), QSize(14, 14)),
-                         marks.accordance, marks.accordanceColour);
-        } else if (marks.count > 0) {
+                         row.accordance.icon, token(row.accordance.colour, option.palette));
+        } else if (row.count > 0) {
             painter.setPen(Qt::NoPen);
             painter.setBrush(token(Token::unsure, option.palette));
             painter.drawEllipse(QRect(option.rect.center() + QPoint(6, -12), QSize(6, 6)));
         }
     }
 
-    static void paintWords(QPainter &painter, const QStyleOptionViewItem &option, const QModelIndex &index,
-                           bool selected) {
-        const RowMarks marks(option, index);
+    static void paintWords(QPainter &painter, const QStyleOptionViewItem &option, const NavigationRow &row) {
         const QColor text = option.palette.color(QPalette::WindowText);
-        const QString detail = index.data(NavigationModel::detailRole).toString();
-        const QRect top(option.rect.left(), option.rect.top() + (detail.isEmpty() ? 0 : 4),
-                        option.rect.width(), detail.isEmpty() ? option.rect.height() : 20);
-        drawLineIcon(painter, QRect(margin, top.top(), iconWidth, top.height()), marks.icon, text);
+        const QRect top(option.rect.left(), option.rect.top() + (row.detail.isEmpty() ? 0 : 4),
+                        option.rect.width(), row.detail.isEmpty() ? option.rect.height() : 20);
+        drawLineIcon(painter, QRect(margin, top.top(), iconWidth, top.height()), row.icon, text);
         QFont font = themeFont(TextSize::base);
-        if (selected)
+        if (option.state & QStyle::State_Selected)
             font.setWeight(QFont::DemiBold);
-        painter.setFont(font);
-        painter.setPen(text);
-        const int right = marks.mark.isEmpty() && marks.count == 0 ? margin / 2 : markWidth;
-        const QRect nameArea = top.adjusted(textLeft, 0, -right, 0);
-        painter.drawText(
-            nameArea, Qt::AlignLeft | Qt::AlignVCenter,
-            painter.fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, nameArea.width()));
+        const int right = row.mark.icon.isEmpty() && row.count == 0 ? margin / 2 : markWidth;
+        drawElided(painter, top.adjusted(textLeft, 0, -right, 0), Qt::AlignLeft, row.name, font, text);
         const QRect markArea(option.rect.right() - markWidth + 4, top.top(), 20, top.height());
-        if (!marks.mark.isEmpty())
-            drawLineIcon(painter, markArea, marks.mark, marks.markColour);
+        if (!row.mark.icon.isEmpty())
+            drawLineIcon(painter, markArea, row.mark.icon, token(row.mark.colour, option.palette));
         painter.setFont(themeFont(TextSize::tiny));
-        if (marks.count > 0)
-            paintBadge(painter, markArea, marks.count, option.palette);
-        if (!detail.isEmpty()) {
-            painter.setPen(token(Token::secondaryText, option.palette));
-            const int room = marks.accordance.isEmpty() ? margin / 2 : markWidth;
+        if (row.count > 0)
+            paintBadge(painter, markArea, row.count, option.palette);
+        if (!row.detail.isEmpty()) {
+            const int room = row.accordance.icon.isEmpty() ? margin / 2 : markWidth;
             const QRect area(option.rect.left() + textLeft, option.rect.top() + 22,
                              option.rect.width() - textLeft - room, 16);
-            painter.drawText(area, Qt::AlignLeft | Qt::AlignVCenter,
-                             painter.fontMetrics().elidedText(detail, Qt::ElideRight, area.width()));
-            if (!marks.accordance.isEmpty())
+            drawElided(painter, area, Qt::AlignLeft, row.detail, painter.font(),
+                       token(Token::secondaryText, option.palette));
+            if (!row.accordance.icon.isEmpty())
                 drawLineIcon(painter, QRect(markArea.left(), area.top(), markArea.width(), area.height()),
-                             marks.accordance, marks.accordanceColour);
+                             row.accordance.icon, token(row.accordance.colour, option.palette));
         }
     }
 

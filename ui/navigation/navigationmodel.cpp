@@ -34,8 +34,8 @@ void NavigationModel::retranslate() {
     rebuild();
 }
 
-std::vector<NavigationModel::Row> NavigationModel::rows() const {
-    std::vector<Row> result;
+std::vector<NavigationRow> NavigationModel::rows() const {
+    std::vector<NavigationRow> result;
     if (!m_evaluated.document)
         return result;
     const auto missing = [this](Page page) {
@@ -45,7 +45,7 @@ std::vector<NavigationModel::Row> NavigationModel::rows() const {
         return most;
     };
     const auto page = [&](const QString &name, const QString &icon, Page which) {
-        Row row;
+        NavigationRow row;
         row.name = name;
         row.icon = icon;
         row.count = missing(which);
@@ -53,7 +53,7 @@ std::vector<NavigationModel::Row> NavigationModel::rows() const {
         return row;
     };
     const auto head = [](const QString &name) {
-        Row row;
+        NavigationRow row;
         row.name = name;
         return row;
     };
@@ -64,7 +64,7 @@ std::vector<NavigationModel::Row> NavigationModel::rows() const {
     result.push_back(head(tr("Tests")));
     for (std::size_t i = 0; i < m_evaluated.document->tests.size(); ++i) {
         const Test &test = *m_evaluated.document->tests[i];
-        Row row;
+        NavigationRow row;
         row.name = testName(test);
         row.icon = testIcon(test);
         row.test = i;
@@ -94,7 +94,7 @@ std::vector<NavigationModel::Row> NavigationModel::rows() const {
 }
 
 void NavigationModel::rebuild() {
-    std::vector<Row> next = rows();
+    std::vector<NavigationRow> next = rows();
     if (next == m_rows)
         return;
     if (next.size() == m_rows.size()) { // keeps the selection
@@ -102,87 +102,58 @@ void NavigationModel::rebuild() {
         emit dataChanged(index(0), index(rowCount() - 1));
         return;
     }
-    beginResetModel();
-    m_rows = std::move(next);
-    endResetModel();
-}
-
-const NavigationModel::Row *NavigationModel::rowAt(const QModelIndex &index) const {
-    return index.isValid() && checkIndex(index, CheckIndexOption::IndexIsValid)
-               ? &m_rows[static_cast<std::size_t>(index.row())]
-               : nullptr;
+    reset(std::move(next));
 }
 
 QModelIndex NavigationModel::indexOf(Page page) const {
-    const auto found = std::ranges::find(m_rows, std::optional(page), &Row::page);
+    const auto found = std::ranges::find(m_rows, std::optional(page), &NavigationRow::page);
     return found == m_rows.end() ? QModelIndex() : index(static_cast<int>(found - m_rows.begin()));
 }
 
 QModelIndex NavigationModel::indexOfTest(std::size_t test) const {
-    const auto found = std::ranges::find(m_rows, std::optional(test), &Row::test);
+    const auto found = std::ranges::find(m_rows, std::optional(test), &NavigationRow::test);
     return found == m_rows.end() ? QModelIndex() : index(static_cast<int>(found - m_rows.begin()));
 }
 
 std::optional<Page> NavigationModel::pageAt(const QModelIndex &index) const {
-    const Row *row = rowAt(index);
-    return row ? row->page : std::nullopt;
+    return index.isValid() ? row(index.row()).page : std::nullopt;
 }
 
 std::optional<std::size_t> NavigationModel::testAt(const QModelIndex &index) const {
-    const Row *row = rowAt(index);
-    return row ? row->test : std::nullopt;
+    return index.isValid() ? row(index.row()).test : std::nullopt;
 }
 
-int NavigationModel::rowCount(const QModelIndex &parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-QVariant NavigationModel::data(const QModelIndex &index, int role) const {
-    const Row *row = rowAt(index);
-    if (!row)
-        return {};
+QVariant NavigationModel::cell(const NavigationRow &row, int, int role) const {
     switch (role) {
     case Qt::DisplayRole:
-        return row->name;
+        return row.name;
     case Qt::ToolTipRole:
     case Qt::AccessibleTextRole: {
-        QStringList parts{row->name};
-        for (const QString &text : {row->detail, row->role, row->mark.word, row->accordance.word}) {
+        QStringList parts{row.name};
+        for (const QString &text : {row.detail, row.role, row.mark.word, row.accordance.word}) {
             if (!text.isEmpty() && !parts.contains(text))
                 parts += text;
         }
-        if (row->count > 0)
-            parts += tr("%n required statement(s) missing", nullptr, row->count);
-        if (role == Qt::ToolTipRole && row->isHead())
+        if (row.count > 0)
+            parts += tr("%n required statement(s) missing", nullptr, row.count);
+        if (role == Qt::ToolTipRole && row.isHead())
             return {};
         return parts.join(QStringLiteral(", "));
     }
-    case headRole:
-        return row->isHead();
-    case detailRole:
-        return row->detail;
     case iconRole:
-        return row->icon;
-    case countRole:
-        return row->count;
+        return row.icon;
     case markRole:
-        return row->mark.icon;
-    case markColourRole:
-        return static_cast<int>(row->mark.colour);
+        return row.mark.icon;
     case accordanceRole:
-        return row->accordance.icon;
-    case accordanceColourRole:
-        return static_cast<int>(row->accordance.colour);
+        return row.accordance.icon;
     default:
         return {};
     }
 }
 
 Qt::ItemFlags NavigationModel::flags(const QModelIndex &index) const {
-    const Row *row = rowAt(index);
-    if (!row || row->isHead())
-        return Qt::NoItemFlags;
-    return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemNeverHasChildren;
+    const bool isHead = index.isValid() && row(index.row()).isHead();
+    return isHead ? Qt::ItemFlags(Qt::NoItemFlags) : RowModel::flags(index);
 }
 
 } // namespace palmer::ui

@@ -4,33 +4,44 @@
 
 #include "document/evaluateddocument.h"
 #include "ui/model/page.h"
+#include "ui/quiettable.h"
 #include "ui/verdictmark.h"
 
-#include <QAbstractListModel>
 #include <QString>
 #include <optional>
 #include <vector>
 
 namespace palmer::ui {
 
+/// A title, a page of the report or a test.
+struct NavigationRow {
+    QString name;
+    QString detail;         ///< second line
+    QString icon;           ///< name of the line icon
+    int count = 0;          ///< missing statements
+    VerdictMark mark;       ///< limits
+    VerdictMark accordance; ///< with the edition
+    QString role;           ///< as found, as left
+    std::optional<Page> page;
+    std::optional<std::size_t> test;
+
+    [[nodiscard]] bool isHead() const { return !page && !test; }
+    bool operator==(const NavigationRow &) const = default;
+};
+
 /// Content of a window's navigation: the pages of the report with the number of missing statements, then the
 /// tests with name, date, standard and the marks of limits and accordance.
-class NavigationModel : public QAbstractListModel {
+class NavigationModel : public RowModel<NavigationRow> {
     Q_OBJECT
 
 public:
     enum Role {
-        headRole = Qt::UserRole + 1, ///< bool: a title, which cannot be selected
-        detailRole,                  ///< second line
-        iconRole,                    ///< name of the line icon
-        countRole,                   ///< missing statements
+        iconRole = Qt::UserRole + 1, ///< name of the line icon
         markRole,                    ///< line icon of the limits
-        markColourRole,              ///< its Token, as int
         accordanceRole,              ///< line icon of the accordance
-        accordanceColourRole,        ///< its Token, as int
     };
 
-    using QAbstractListModel::QAbstractListModel;
+    using RowModel::RowModel;
 
     void show(const EvaluatedDocument &evaluated);
     void retranslate();
@@ -42,32 +53,16 @@ public:
     [[nodiscard]] std::optional<Page> pageAt(const QModelIndex &index) const;
     [[nodiscard]] std::optional<std::size_t> testAt(const QModelIndex &index) const;
 
-    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex &index) const override;
 
+protected:
+    [[nodiscard]] QVariant cell(const NavigationRow &row, int column, int role) const override;
+
 private:
-    struct Row {
-        QString name;
-        QString detail;
-        QString icon;
-        int count = 0;
-        VerdictMark mark;       ///< limits
-        VerdictMark accordance; ///< with the edition
-        QString role;           ///< as found, as left
-        std::optional<Page> page;
-        std::optional<std::size_t> test;
-
-        [[nodiscard]] bool isHead() const { return !page && !test; }
-        bool operator==(const Row &) const = default;
-    };
-
-    [[nodiscard]] std::vector<Row> rows() const;
+    [[nodiscard]] std::vector<NavigationRow> rows() const;
     void rebuild();
-    [[nodiscard]] const Row *rowAt(const QModelIndex &index) const;
 
     EvaluatedDocument m_evaluated;
-    std::vector<Row> m_rows;
 };
 
 /// The line icon of a kind of test.
