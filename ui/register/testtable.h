@@ -3,9 +3,8 @@
 #pragma once
 
 #include "register/queries.h"
+#include "ui/quiettable.h"
 
-#include <QAbstractTableModel>
-#include <QStyledItemDelegate>
 #include <map>
 #include <vector>
 
@@ -15,18 +14,18 @@ inline constexpr int valueGap = 4;      ///< between a value and its U, px
 inline constexpr int resultPadding = 4; ///< on each side of a cell
 
 /// The tests of a machine, one per row, with the main results of the axis in view.
-class TestTableModel : public QAbstractTableModel {
+class TestTableModel : public RowModel<ListedTest> {
     Q_OBJECT
 
 public:
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit TestTableModel(QObject *parent = nullptr);
 
     enum Column { markColumn, dateColumn, axisColumn, editionColumn, purposeColumn, roleColumn, firstResult };
     /// markRole: TrendMark of the test's role.
     enum Role { sortRole = Qt::UserRole + 1, uncertaintyRole, iconRole, tokenRole, numberRole, markRole };
 
     void setTests(std::vector<ListedTest> tests);
-    [[nodiscard]] const ListedTest &test(int row) const { return m_tests[static_cast<std::size_t>(row)]; }
+    [[nodiscard]] const ListedTest &test(int row) const { return this->row(row); }
     /// Curve numbers of tests, from 1, shown in place of the point's mark.
     void setNumbers(std::map<int, int> numbers);
     [[nodiscard]] const std::vector<std::string> &results() const { return m_results; }
@@ -37,33 +36,33 @@ public:
     };
     [[nodiscard]] Longest longest(std::size_t result) const;
 
-    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     void retranslate();
 
-private:
-    [[nodiscard]] QVariant resultData(const RegisteredTest &test, std::size_t column, int role) const;
-    [[nodiscard]] static QVariant limitsData(const RegisteredTest &test, int role);
-    [[nodiscard]] static QVariant accordanceData(const RegisteredTest &test, int role);
+protected:
+    [[nodiscard]] QVariant cell(const ListedTest &listed, int column, int role) const override;
 
-    std::vector<ListedTest> m_tests;
+private:
+    void makeColumns();
+
     std::vector<std::string> m_results; ///< IDs of the result columns
     std::map<int, int> m_numbers;       ///< by test ID
 };
 
 /// Draws marks, values with U, and words with their mark.
-class TestDelegate : public QStyledItemDelegate {
+class TestDelegate : public RowDelegate {
     Q_OBJECT
 
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    explicit TestDelegate(QObject *parent)
+        : RowDelegate(parent, rule) {}
 
     /// Widths of the values in the result columns, px; U follows.
     void setValueWidths(std::vector<int> widths) { m_valueWidths = std::move(widths); }
-    void paint(QPainter *painter, const QStyleOptionViewItem &option,
-               const QModelIndex &index) const override;
+
+protected:
+    [[nodiscard]] QColor ground(const QStyleOptionViewItem &option, const QModelIndex &index) const override;
+    void paintContent(QPainter &painter, const QStyleOptionViewItem &option,
+                      const QModelIndex &index) const override;
 
 private:
     std::vector<int> m_valueWidths;
