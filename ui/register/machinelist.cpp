@@ -3,6 +3,7 @@
 #include "ui/register/machinelist.h"
 
 #include "register/machineidentity.h"
+#include "ui/elidedlabel.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
 
@@ -59,42 +60,37 @@ bool MachineRow::isToDo(const QDate &today) const {
 }
 
 void MachineModel::setRows(std::vector<MachineRow> rows) {
-    beginResetModel();
     m_all = std::move(rows);
     filter();
-    endResetModel();
 }
 
 void MachineModel::setFilter(const QString &words, Show show) {
-    beginResetModel();
     m_words = words;
     m_show = show;
     filter();
-    endResetModel();
 }
 
 void MachineModel::filter() {
-    m_shown.clear();
+    std::vector<MachineRow> shown;
     const QDate today = QDate::currentDate();
     const QString wanted = comparable(m_words);
-    for (std::size_t i = 0; i < m_all.size(); ++i) {
-        const ListedMachine &machine = m_all[i].machine;
+    for (const MachineRow &row : m_all) {
+        const ListedMachine &machine = row.machine;
         const QString all = comparable(machine.name) + u' ' + comparable(machine.manufacturer) + u' ' +
                             comparable(machine.model) + comparable(machine.serialNumber) + u' ' +
                             comparable(machine.location);
-        const bool isKind = m_show == Show::toDo ? m_all[i].isToDo(today)
-                                                 : machine.isIdentified == (m_show == Show::identified);
+        const bool isKind =
+            m_show == Show::toDo ? row.isToDo(today) : machine.isIdentified == (m_show == Show::identified);
         if (isKind && all.contains(wanted))
-            m_shown.push_back(i);
+            shown.push_back(row);
     }
+    reset(std::move(shown));
 }
 
 int MachineModel::rowOf(int machine) const {
-    for (std::size_t i = 0; i < m_shown.size(); ++i) {
-        if (m_all[m_shown[i]].machine.id == machine)
-            return static_cast<int>(i);
-    }
-    return -1;
+    const auto found =
+        std::ranges::find(m_rows, machine, [](const MachineRow &row) { return row.machine.id; });
+    return found == m_rows.end() ? -1 : static_cast<int>(found - m_rows.begin());
 }
 
 int MachineModel::toDoCount() const {
@@ -122,19 +118,10 @@ int MachineModel::testCount() const {
     return tests;
 }
 
-int MachineModel::rowCount(const QModelIndex &parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_shown.size());
-}
-
-QVariant MachineModel::data(const QModelIndex &index, int role) const {
-    if (!index.isValid())
-        return {};
-    const MachineRow &machine = row(index.row());
+QVariant MachineModel::cell(const MachineRow &machine, int, int role) const {
     if (role == Qt::DisplayRole)
         return machine.machine.isIdentified ? machine.machine.title()
                                             : tr("%1 (not identified)").arg(machine.machine.title());
-    if (role == idRole)
-        return machine.machine.id;
     if (role == Qt::ToolTipRole) {
         QStringList lines{machine.machine.manufacturer, machine.machine.model, machine.machine.serialNumber,
                           machine.machine.location};
@@ -144,76 +131,59 @@ QVariant MachineModel::data(const QModelIndex &index, int role) const {
     return {};
 }
 
-void MachineDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,
-                            const QModelIndex &index) const {
-    const auto *model = qobject_cast<const MachineModel *>(index.model());
-    if (!model)
-        return;
-    const MachineRow &row = model->row(index.row());
+void MachineDelegate::paintContent(QPainter &painter, const QStyleOptionViewItem &option,
+                                   const QModelIndex &index) const {
+    const MachineRow &row = static_cast<const MachineModel *>(index.model())->row(index.row());
     const QDate today = QDate::currentDate();
     const QPalette &palette = option.palette;
-    painter->save();
-    const bool selected = (option.state & QStyle::State_Selected) != 0;
-    if (selected) {
-        painter->fillRect(option.rect, selectedGround(palette));
-        painter->fillRect(QRect(option.rect.topLeft(), QSize(3, option.rect.height())),
-                          token(Token::accent, palette));
-    } else if ((option.state & QStyle::State_MouseOver) != 0) {
-        painter->fillRect(option.rect, token(Token::hover, palette));
-    }
-    QRect area = option.rect.adjusted(pageMargin, 6, -pageMargin, -6);
-    painter->setPen(token(Token::line, palette));
-    painter->drawLine(area.left(), option.rect.bottom(), area.right(), option.rect.bottom());
+    const QRect area = option.rect.adjusted(pageMargin, 6, -pageMargin, -6);
+    painter.setPen(token(Token::line, palette));
+    painter.drawLine(area.left(), option.rect.bottom(), area.right(), option.rect.bottom());
 
     int right = area.right();
-    QFont small = themeFont(TextSize::tiny);
+    const QFont small = themeFont(TextSize::tiny);
     if (const auto days = row.daysToTest(today)) {
         const QString text = *days < 0 ? tr("overdue %1 d").arg(-*days) : tr("due in %1 d").arg(*days);
-        painter->setFont(small);
-        const int width = painter->fontMetrics().horizontalAdvance(text) + 12;
+        painter.setFont(small);
+        const int width = painter.fontMetrics().horizontalAdvance(text) + 12;
         const QRectF pill(right - width + 1, area.top(), width, pillHeight);
-        painter->setRenderHint(QPainter::Antialiasing);
-        painter->setPen(Qt::NoPen);
-        painter->setBrush(token(*days < 0 ? Token::badGround : Token::unsureGround, palette));
-        painter->drawRoundedRect(pill, pillRadius, pillRadius);
-        painter->setPen(token(*days < 0 ? Token::bad : Token::unsure, palette));
-        painter->drawText(pill, Qt::AlignCenter, text);
+        painter.setRenderHint(QPainter::Antialiasing);
+        painter.setPen(Qt::NoPen);
+        painter.setBrush(token(*days < 0 ? Token::badGround : Token::unsureGround, palette));
+        painter.drawRoundedRect(pill, pillRadius, pillRadius);
+        painter.setPen(token(*days < 0 ? Token::bad : Token::unsure, palette));
+        painter.drawText(pill, Qt::AlignCenter, text);
         right -= width + 6;
     }
     QFont name = themeFont(TextSize::base);
-    name.setBold(selected);
-    painter->setFont(name);
-    painter->setPen(palette.color(QPalette::Text));
-    const QRect top(area.left(), area.top(), right - area.left(), pillHeight);
-    painter->drawText(
-        top, Qt::AlignLeft | Qt::AlignVCenter,
-        painter->fontMetrics().elidedText(index.data().toString(), Qt::ElideRight, top.width()));
+    name.setBold(option.state & QStyle::State_Selected);
+    drawElided(painter, {area.left(), area.top(), right - area.left(), pillHeight}, Qt::AlignLeft,
+               index.data().toString(), name, palette.color(QPalette::Text));
 
-    painter->setFont(small);
+    painter.setFont(small);
     int left = area.left();
     int rest = area.right();
     const int y = area.bottom() - pillHeight + 1;
     if (const auto days = row.daysToCertificate(today)) {
         const QString text = *days < 0 ? tr("expired") : tr("%1 d").arg(*days);
-        const int width = painter->fontMetrics().horizontalAdvance(text);
+        const int width = painter.fontMetrics().horizontalAdvance(text);
         const QColor colour = token(*days < 0 ? Token::bad : Token::unsure, palette);
-        painter->setPen(colour);
-        painter->drawText(QRect(rest - width, y, width + 1, pillHeight), Qt::AlignVCenter, text);
-        drawLineIcon(*painter, QRect(rest - width - 18, y, 14, pillHeight), QStringLiteral("cert"), colour);
+        painter.setPen(colour);
+        painter.drawText(QRect(rest - width, y, width + 1, pillHeight), Qt::AlignVCenter, text);
+        drawLineIcon(painter, QRect(rest - width - 18, y, 14, pillHeight), QStringLiteral("cert"), colour);
         rest -= width + 22;
     }
     for (const AxisState &state : row.axes) {
         if (left + raster > rest)
             break;
-        painter->setPen(token(Token::secondaryText, palette));
-        painter->drawText(QRect(left, y, raster, pillHeight), Qt::AlignLeft | Qt::AlignVCenter, state.axis);
-        const int word = painter->fontMetrics().horizontalAdvance(state.axis);
+        painter.setPen(token(Token::secondaryText, palette));
+        painter.drawText(QRect(left, y, raster, pillHeight), Qt::AlignLeft | Qt::AlignVCenter, state.axis);
+        const int word = painter.fontMetrics().horizontalAdvance(state.axis);
         const MarkLook look = lookOf(state);
-        drawLineIcon(*painter, QRect(left + word + 3, y, machineMarkSize, pillHeight), look.icon,
+        drawLineIcon(painter, QRect(left + word + 3, y, machineMarkSize, pillHeight), look.icon,
                      token(look.token, palette));
         left += std::max(raster, word + machineMarkSize + 10);
     }
-    painter->restore();
 }
 
 QSize MachineDelegate::sizeHint(const QStyleOptionViewItem &, const QModelIndex &) const {

@@ -4,10 +4,8 @@
 
 #include "register/due.h"
 #include "register/queries.h"
+#include "ui/quiettable.h"
 
-#include <QAbstractListModel>
-#include <QStyledItemDelegate>
-#include <map>
 #include <vector>
 
 namespace palmer::ui {
@@ -30,20 +28,15 @@ struct MachineRow {
 inline constexpr int warningDays = 30;
 
 /// The machines, filtered by words and by what is due; those without serial number are separate.
-class MachineModel : public QAbstractListModel {
+class MachineModel : public RowModel<MachineRow> {
     Q_OBJECT
 
 public:
-    using QAbstractListModel::QAbstractListModel;
-
-    enum Role { idRole = Qt::UserRole + 1 };
+    using RowModel::RowModel;
 
     void setRows(std::vector<MachineRow> rows);
     enum class Show { identified, toDo, unidentified };
     void setFilter(const QString &words, Show show);
-    [[nodiscard]] const MachineRow &row(int index) const {
-        return m_all[m_shown[static_cast<std::size_t>(index)]];
-    }
     [[nodiscard]] int rowOf(int machine) const; ///< −1 if not shown
     [[nodiscard]] int toDoCount() const;
     [[nodiscard]] int machineCount() const { return static_cast<int>(m_all.size()); }
@@ -52,28 +45,30 @@ public:
     /// Tests of machines without serial number.
     [[nodiscard]] int unidentifiedTests() const;
 
-    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
+protected:
+    [[nodiscard]] QVariant cell(const MachineRow &machine, int column, int role) const override;
 
 private:
     void filter();
 
     std::vector<MachineRow> m_all;
-    std::vector<std::size_t> m_shown;
     QString m_words;
     Show m_show = Show::identified;
 };
 
 /// Draws a machine: its name, the marks of its axes and what is due.
-class MachineDelegate : public QStyledItemDelegate {
+class MachineDelegate : public RowDelegate {
     Q_OBJECT
 
 public:
-    using QStyledItemDelegate::QStyledItemDelegate;
+    explicit MachineDelegate(QObject *parent)
+        : RowDelegate(parent, selectedBar) {}
 
-    void paint(QPainter *painter, const QStyleOptionViewItem &option,
-               const QModelIndex &index) const override;
     [[nodiscard]] QSize sizeHint(const QStyleOptionViewItem &option, const QModelIndex &index) const override;
+
+protected:
+    void paintContent(QPainter &painter, const QStyleOptionViewItem &option,
+                      const QModelIndex &index) const override;
 };
 
 } // namespace palmer::ui
