@@ -21,10 +21,32 @@ constexpr int radiusDecimals = 2;
 
 } // namespace
 
+ArcsModel::ArcsModel(QObject *parent)
+    : RowModel(parent) {
+    makeColumns({});
+}
+
+/// In the order of Column.
+void ArcsModel::makeColumns(const QString &unit) {
+    constexpr Qt::Alignment left = Qt::AlignLeft;
+    constexpr Qt::Alignment right = Qt::AlignRight;
+    m_columns = {
+        {tr("Sense"), left},
+        {tr("points"), right},
+        {tr("from"), right},
+        {tr("to"), right},
+        {tr("cut off"), right, {}, tr("Measured but not evaluated: feed-in, feed-out, angular overshoot")},
+        {tr("R_LSC − R %1", "unit").arg(unit),
+         right,
+         {},
+         tr("Radius of the least squares circle − nominal radius")},
+        {tr("use"), left, {}, tr("Of each sense the first arc is evaluated; further ones are repetitions")}};
+}
+
 void ArcsModel::show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language) {
     beginResetModel();
     m_rows.clear();
-    m_unit = language.unit(Quantity::deviation);
+    makeColumns(language.unit(Quantity::deviation));
     const auto *measurement = measured<CircularMeasurement>(evaluated, test);
     const QString none = QStringLiteral("–");
     for (std::size_t k = 0; measurement && k < measurement->arcs.size(); ++k) {
@@ -64,71 +86,12 @@ void ArcsModel::show(const EvaluatedDocument &evaluated, std::size_t test, const
     endResetModel();
 }
 
-int ArcsModel::rowCount(const QModelIndex &parent) const {
-    return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
-}
-
-int ArcsModel::columnCount(const QModelIndex &parent) const {
-    return parent.isValid() ? 0 : columns;
-}
-
-QVariant ArcsModel::data(const QModelIndex &index, int role) const {
-    const Row &row = m_rows[static_cast<std::size_t>(index.row())];
-    switch (role) {
-    case Qt::DisplayRole:
-        return row.texts[index.column()];
-    case Qt::TextAlignmentRole:
-        return static_cast<int>(
-            (index.column() == sense || index.column() == use ? Qt::AlignLeft : Qt::AlignRight) |
-            Qt::AlignVCenter);
-    case Qt::ForegroundRole:
-        if (index.column() != sense)
-            return {};
-        return token(row.sense == Sense::counterclockwise ? Token::up : Token::downText,
-                     QApplication::palette());
-    default:
+QVariant ArcsModel::cell(const ArcRow &row, int column, int role) const {
+    if (role == Qt::DisplayRole)
+        return row.texts[column];
+    if (role != Qt::ForegroundRole || column != sense)
         return {};
-    }
-}
-
-QVariant ArcsModel::headerData(int section, Qt::Orientation orientation, int role) const {
-    if (orientation != Qt::Horizontal)
-        return {};
-    if (role == Qt::TextAlignmentRole)
-        return static_cast<int>((section == sense || section == use ? Qt::AlignLeft : Qt::AlignRight) |
-                                Qt::AlignVCenter);
-    if (role == Qt::ToolTipRole) {
-        switch (section) {
-        case cut:
-            return tr("Measured but not evaluated: feed-in, feed-out, angular overshoot");
-        case radius:
-            return tr("Radius of the least squares circle − nominal radius");
-        case use:
-            return tr("Of each sense the first arc is evaluated; further ones are repetitions");
-        default:
-            return {};
-        }
-    }
-    if (role != Qt::DisplayRole)
-        return {};
-    switch (section) {
-    case sense:
-        return tr("Sense");
-    case points:
-        return tr("points");
-    case from:
-        return tr("from");
-    case to:
-        return tr("to");
-    case cut:
-        return tr("cut off");
-    case radius:
-        return tr("R_LSC − R %1", "unit").arg(m_unit);
-    case use:
-        return tr("use");
-    default:
-        return {};
-    }
+    return token(row.sense == Sense::counterclockwise ? Token::up : Token::downText, QApplication::palette());
 }
 
 } // namespace palmer::ui

@@ -4,37 +4,35 @@
 
 #include "document/evaluateddocument.h"
 #include "language/language.h"
+#include "ui/quiettable.h"
 
-#include <QAbstractTableModel>
 #include <QStringList>
 #include <vector>
 
 namespace palmer::ui {
 
+struct ArcRow {
+    Sense sense = Sense::counterclockwise;
+    QStringList texts; ///< by column
+};
+
 /// The arcs of a circular test in measured order: points, start, end, the part left out, least squares
 /// radius.
-class ArcsModel : public QAbstractTableModel {
+class ArcsModel : public RowModel<ArcRow> {
     Q_OBJECT
 
 public:
     enum Column { sense, points, from, to, cut, radius, use, columns };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit ArcsModel(QObject *parent = nullptr);
 
     void show(const EvaluatedDocument &evaluated, std::size_t test, const Language &language);
 
-    [[nodiscard]] int rowCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] int columnCount(const QModelIndex &parent = {}) const override;
-    [[nodiscard]] QVariant data(const QModelIndex &index, int role) const override;
-    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+protected:
+    [[nodiscard]] QVariant cell(const ArcRow &row, int column, int role) const override;
 
 private:
-    struct Row {
-        Sense sense = Sense::counterclockwise;
-        QStringList texts; ///< by column
-    };
-    std::vector<Row> m_rows;
-    QString m_unit; ///< of deviations
+    void makeColumns(const QString &unit);
 };
 
 } // namespace palmer::ui
