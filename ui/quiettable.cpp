@@ -7,7 +7,6 @@
 #include "ui/measures.h"
 #include "ui/theme.h"
 
-#include <QAbstractItemView>
 #include <QPainter>
 
 namespace palmer::ui {
@@ -44,6 +43,16 @@ void QuietHeader::paintEvent(QPaintEvent *) {
     }
     painter.setPen(token(Token::lineStrong, palette()));
     painter.drawLine(0, height() - 1, viewport()->width(), height() - 1);
+}
+
+void makeQuiet(QTableView &table, int rowHeight, int headHeight) {
+    table.setHorizontalHeader(new QuietHeader(&table));
+    table.setShowGrid(false);
+    table.setTabKeyNavigation(false);
+    table.verticalHeader()->hide();
+    table.verticalHeader()->setDefaultSectionSize(rowHeight);
+    table.horizontalHeader()->setFixedHeight(headHeight);
+    table.horizontalHeader()->setHighlightSections(false);
 }
 
 void RowDelegate::paint(QPainter *painter, const QStyleOptionViewItem &option,

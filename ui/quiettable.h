@@ -5,6 +5,7 @@
 #include <QAbstractTableModel>
 #include <QHeaderView>
 #include <QStyledItemDelegate>
+#include <QTableView>
 #include <algorithm>
 #include <functional>
 #include <vector>
@@ -21,6 +22,9 @@ public:
 protected:
     void paintEvent(QPaintEvent *event) override;
 };
+
+/// Gives a table a QuietHeader and no grid, row numbers or cells reached with Tab.
+void makeQuiet(QTableView &table, int rowHeight, int headHeight);
 
 /// A column of a RowModel; without data(), the model overrides cell().
 template <typename Row>

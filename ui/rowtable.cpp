@@ -86,21 +86,15 @@ Medium screenMedium(const QPalette &palette) {
 RowTable::RowTable(const char *name, int columns, QWidget *parent)
     : QTableWidget(0, columns, parent) {
     setObjectName(QString::fromLatin1(name));
-    setHorizontalHeader(new QuietHeader(this));
+    makeQuiet(*this, heightOfRow, heightOfHead);
     setItemDelegate(new PictureDelegate(this));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::SingleSelection);
-    setTabKeyNavigation(false);
-    setShowGrid(false);
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    verticalHeader()->hide();
-    verticalHeader()->setDefaultSectionSize(heightOfRow);
     verticalHeader()->setMinimumSectionSize(heightOfRow);
-    horizontalHeader()->setHighlightSections(false);
-    horizontalHeader()->setFixedHeight(heightOfHead);
     horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     horizontalHeader()->setMinimumSectionSize(20);
 }

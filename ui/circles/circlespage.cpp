@@ -513,22 +513,16 @@ void CirclesPage::makeTables() {
     m_arcs->setObjectName(QStringLiteral("arcs"));
     m_points->setObjectName(QStringLiteral("points"));
     for (QTableView *table : {m_arcs, m_points}) {
-        table->setHorizontalHeader(new QuietHeader(table));
+        makeQuiet(*table, tableRowHeight, headHeight);
         table->setItemDelegate(new QuietDelegate(table)); // before the model, which reports its current cell
         table->setModel(table == m_arcs ? static_cast<QAbstractItemModel *>(&m_arcsModel) : &m_pointsModel);
-        table->setShowGrid(false);
         table->setEditTriggers(QAbstractItemView::NoEditTriggers);
         table->setSelectionMode(QAbstractItemView::SingleSelection);
         table->setWordWrap(false);
-        table->setTabKeyNavigation(false);
         table->setCornerButtonEnabled(false);
         table->setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-        table->verticalHeader()->hide();
         table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
-        table->verticalHeader()->setDefaultSectionSize(tableRowHeight);
-        table->horizontalHeader()->setFixedHeight(headHeight);
         table->horizontalHeader()->setSectionsClickable(false);
-        table->horizontalHeader()->setHighlightSections(false);
         table->horizontalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     }
     m_arcs->setFrameShape(QFrame::NoFrame);

@@ -215,14 +215,8 @@ QTableWidget *readOnlyTable(QWidget *parent, const char *name) {
     table->setObjectName(QLatin1StringView(name));
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    table->verticalHeader()->hide();
-    table->verticalHeader()->setDefaultSectionSize(tableRowHeight);
-    table->setShowGrid(false);
-    table->setHorizontalHeader(new QuietHeader(table));
+    makeQuiet(*table, tableRowHeight, tableRowHeight);
     table->setItemDelegate(new ComparedDelegate(table));
-    table->horizontalHeader()->setFixedHeight(tableRowHeight);
-    table->horizontalHeader()->setHighlightSections(false);
-    table->setTabKeyNavigation(false);
     table->setWordWrap(true);
     table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     return table;

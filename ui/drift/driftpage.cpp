@@ -36,8 +36,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int heightOfRow = 26;
-constexpr int heightOfHead = 26;
 constexpr int driftColumnWidth = 130;
 constexpr int rangeDecimals = 2;
 
@@ -86,16 +84,11 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
 void DriftPage::makeTable() {
     m_table->setModel(&m_readings);
     m_table->setItemDelegate(new QuietDelegate(m_table));
-    m_table->setHorizontalHeader(new QuietHeader(m_table));
-    m_table->setShowGrid(false);
+    makeQuiet(*m_table, tableRowHeight, tableRowHeight);
     m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setTabKeyNavigation(false);
     m_table->setSelectionBehavior(QAbstractItemView::SelectItems);
     m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |
                              QAbstractItemView::AnyKeyPressed);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(heightOfRow);
-    m_table->horizontalHeader()->setFixedHeight(heightOfHead);
     m_table->horizontalHeader()->setDefaultSectionSize(driftColumnWidth);
     m_table->installEventFilter(this);
 }
