@@ -79,10 +79,6 @@ private:
 
 } // namespace
 
-Medium screenMedium(const QPalette &palette) {
-    return isDark(palette) ? Medium::screenDark : Medium::screenLight;
-}
-
 RowTable::RowTable(const char *name, int columns, QWidget *parent)
     : QTableWidget(0, columns, parent) {
     setObjectName(QString::fromLatin1(name));

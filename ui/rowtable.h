@@ -3,7 +3,6 @@
 #pragma once
 
 #include "figures/figure.h"
-#include "print/figures/style.h"
 
 #include <QTableWidget>
 #include <initializer_list>
@@ -57,8 +56,5 @@ private:
     std::vector<int> m_elided;
     std::vector<HistogramFigure> m_histograms;
 };
-
-/// Screen medium, light or dark according to the palette.
-[[nodiscard]] Medium screenMedium(const QPalette &palette);
 
 } // namespace palmer::ui

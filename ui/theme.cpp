@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/theme.h"
 
+#include "print/figures/style.h"
 #include "ui/application.h"
 
 #include <QApplication>
@@ -363,6 +364,10 @@ void setThemeChoice(ThemeChoice choice) {
 
 bool isDark(const QPalette &palette) {
     return palette.color(QPalette::WindowText).lightness() > palette.color(QPalette::Window).lightness();
+}
+
+Medium screenMedium(const QPalette &palette) {
+    return isDark(palette) ? Medium::screenDark : Medium::screenLight;
 }
 
 QColor token(Token token, const QPalette &palette) {

@@ -12,6 +12,10 @@ class QPainter;
 class QToolButton;
 class QWidget;
 
+namespace palmer {
+enum class Medium;
+}
+
 namespace palmer::ui {
 
 /// Colours without a palette role, each with a light and a dark value.
@@ -35,6 +39,9 @@ enum class Token {
 
 /// True if the palette is dark: its text lighter than its background.
 [[nodiscard]] bool isDark(const QPalette &palette);
+
+/// Screen medium, light or dark according to the palette.
+[[nodiscard]] Medium screenMedium(const QPalette &palette);
 
 [[nodiscard]] QColor token(Token token, const QPalette &palette);
 

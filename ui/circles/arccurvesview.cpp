@@ -10,7 +10,6 @@
 #include "print/figures/style.h"
 #include "ui/theme.h"
 
-#include <QEvent>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QPainterPath>
@@ -43,10 +42,6 @@ constexpr qsizetype pieceOfCurve = 48;       ///< lines per drawing call
 constexpr double leastRange = 1;             ///< degrees
 constexpr std::size_t drawnAtOnce = 200'000; ///< points; more are made in the background
 
-Medium mediumOf(const QWidget &widget) {
-    return isDark(widget.palette()) ? Medium::screenDark : Medium::screenLight;
-}
-
 FigureRole roleOf(Sense sense) {
     return sense == Sense::counterclockwise ? FigureRole::counterclockwise : FigureRole::clockwise;
 }
@@ -54,7 +49,7 @@ FigureRole roleOf(Sense sense) {
 } // namespace
 
 ArcCurvesView::ArcCurvesView(Selection &selection, QWidget *parent)
-    : QWidget(parent)
+    : PictureWidget(parent)
     , m_selection(selection) {
     setObjectName(QStringLiteral("arcCurves"));
     setMouseTracking(true);
@@ -125,8 +120,7 @@ void ArcCurvesView::fitAxes() {
     const double scale = valueScale();
     setRange(m_deviations, (values.from - space) * scale, (values.to + space) * scale, mostValueParts,
              TickSteps::values, m_language);
-    m_drawn = {};
-    update();
+    discardPicture();
 }
 
 void ArcCurvesView::clear() {
@@ -136,8 +130,7 @@ void ArcCurvesView::clear() {
     m_curves = {};
     m_measurement = nullptr;
     m_preview.reset();
-    m_drawn = {};
-    update();
+    discardPicture();
 }
 
 void ArcCurvesView::setCurrentArc(std::size_t arc) {
@@ -179,21 +172,14 @@ std::optional<Interval> ArcCurvesView::range() const {
 
 // ---- Painting --------------------------------------------------------------------------------------------
 
-void ArcCurvesView::drawAnew() {
+void ArcCurvesView::drawPicture(QPainter &painter) {
     m_plotTop = QFontMetricsF(themeFont(TextSize::tiny)).height() + belowTitle;
-    const double ratio = devicePixelRatioF();
-    if (!m_drawn.isNull() && m_drawn.size() == (QSizeF(size()) * ratio).toSize())
-        return;
-    m_drawn = QPixmap((QSizeF(size()) * ratio).toSize());
-    m_drawn.setDevicePixelRatio(ratio);
-    m_drawn.fill(palette().color(QPalette::Base));
-    QPainter painter(&m_drawn);
     drawAxes(painter);
     drawCurves(painter);
 }
 
 void ArcCurvesView::drawAxes(QPainter &painter) const {
-    const Medium medium = mediumOf(*this);
+    const Medium medium = screenMedium(palette());
     const QRectF area = plot();
     painter.setFont(themeFont(TextSize::tiny));
     const QFontMetricsF metrics(painter.font());
@@ -239,7 +225,7 @@ void ArcCurvesView::drawCurves(QPainter &painter) const {
     painter.setClipRect(plot().adjusted(0, -2, 0, 2));
     const double step = (m_angles.to - m_angles.from) / std::max(1.0, plot().width());
     for (auto profile = m_curves.profiles.rbegin(); profile != m_curves.profiles.rend(); ++profile) {
-        QPen line = figurePen(roleOf(profile->sense), mediumOf(*this));
+        QPen line = figurePen(roleOf(profile->sense), screenMedium(palette()));
         line.setWidthF(profile->sense == Sense::counterclockwise ? 1.6 : 0.99);
         painter.setPen(line);
         for (const CircleTrace &trace : decimated(*profile, step)) {
@@ -267,7 +253,6 @@ void ArcCurvesView::paintRange(QPainter &painter) const {
     painter.fillRect(QRectF(area.topLeft(), QPointF(from, area.bottom())), shade);
     painter.fillRect(QRectF(QPointF(to, area.top()), area.bottomRight()), shade);
     const QColor accent = token(Token::accent, palette());
-    painter.setRenderHint(QPainter::Antialiasing);
     for (const double x : {from, to}) {
         painter.setPen(QPen(accent, 1.5));
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
@@ -283,16 +268,12 @@ void ArcCurvesView::paintHovered(QPainter &painter) const {
         place->target >= m_curves.profiles[place->run].angles.size())
         return;
     const TracePoint at = m_curves.profiles[place->run][place->target]; // indexed within the whole arc
-    painter.setRenderHint(QPainter::Antialiasing);
     painter.setPen(QPen(token(Token::accent, palette()), 2));
     painter.setBrush(Qt::NoBrush);
     painter.drawEllipse(QPointF(xOf(at.angle), yOf(at.deviation)), ring, ring);
 }
 
-void ArcCurvesView::paintEvent(QPaintEvent *) {
-    drawAnew();
-    QPainter painter(this);
-    painter.drawPixmap(0, 0, m_drawn);
+void ArcCurvesView::paintOver(QPainter &painter) {
     paintRange(painter);
     paintHovered(painter);
 }
@@ -385,15 +366,6 @@ void ArcCurvesView::mouseReleaseEvent(QMouseEvent *event) {
 
 void ArcCurvesView::leaveEvent(QEvent *) {
     m_selection.setHovered({});
-}
-
-void ArcCurvesView::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LanguageChange ||
-        event->type() == QEvent::FontChange) {
-        m_drawn = {};
-        update();
-    }
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

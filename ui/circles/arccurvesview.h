@@ -8,9 +8,8 @@
 #include "language/language.h"
 #include "ui/model/background.h"
 #include "ui/model/selection.h"
+#include "ui/picturewidget.h"
 
-#include <QPixmap>
-#include <QWidget>
 #include <optional>
 #include <vector>
 
@@ -18,7 +17,7 @@ namespace palmer::ui {
 
 /// The arcs of a circular test unwrapped: radial deviation from the least squares centre over the angle. The
 /// evaluated range of the current arc has a handle at each end; the part outside is shaded.
-class ArcCurvesView : public QWidget {
+class ArcCurvesView : public PictureWidget {
     Q_OBJECT
 
 public:
@@ -41,8 +40,8 @@ signals:
     void rangeWanted(std::size_t arc, const palmer::Interval &range);
 
 protected:
-    void paintEvent(QPaintEvent *event) override;
-    void changeEvent(QEvent *event) override;
+    void drawPicture(QPainter &painter) override;
+    void paintOver(QPainter &painter) override;
     void mousePressEvent(QMouseEvent *event) override;
     void mouseMoveEvent(QMouseEvent *event) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
@@ -61,7 +60,6 @@ private:
     [[nodiscard]] static Curves curvesOf(const Test &test, const TestEvaluation &evaluation);
     void take(Curves curves);
     void fitAxes();
-    void drawAnew();
     void drawAxes(QPainter &painter) const;
     void drawCurves(QPainter &painter) const;
     void paintRange(QPainter &painter) const;
@@ -85,7 +83,6 @@ private:
     FigureAxis m_angles;
     FigureAxis m_deviations;
     double m_plotTop = 0; ///< y below the title, with the font of the last drawing
-    QPixmap m_drawn;      ///< null if outdated
     Handle m_dragged = Handle::none;
     std::optional<Interval> m_preview; ///< the range during a drag
     Background m_making;

@@ -31,7 +31,7 @@ public:
         , m_owner(owner) {}
 
     void paint(QPainter *painter, const QRect &area, QIcon::Mode, QIcon::State state) override {
-        const Medium medium = isDark(m_owner->palette()) ? Medium::screenDark : Medium::screenLight;
+        const Medium medium = screenMedium(m_owner->palette());
         const auto draw = [&](Sense sense, double y) {
             QPen pen = figurePen(sense == Sense::counterclockwise ? FigureRole::counterclockwise
                                                                   : FigureRole::clockwise,

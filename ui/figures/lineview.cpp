@@ -5,18 +5,15 @@
 #include "print/figures/drawfigure.h"
 #include "ui/theme.h"
 
-#include <QPainter>
-
 namespace palmer::ui {
 
 void LineView::setFigure(const LineFigure &figure) {
     m_figure = figure;
-    update();
+    discardPicture();
 }
 
-void LineView::paintEvent(QPaintEvent *) {
-    QPainter painter(this);
-    drawFigure(painter, rect(), m_figure, isDark(palette()) ? Medium::screenDark : Medium::screenLight);
+void LineView::drawPicture(QPainter &painter) {
+    drawFigure(painter, rect(), m_figure, screenMedium(palette()));
 }
 
 } // namespace palmer::ui

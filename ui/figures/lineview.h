@@ -3,17 +3,16 @@
 #pragma once
 
 #include "figures/figure.h"
-
-#include <QWidget>
+#include "ui/picturewidget.h"
 
 namespace palmer::ui {
 
 /// Shows a line figure in the window's theme.
-class LineView : public QWidget {
+class LineView : public PictureWidget {
     Q_OBJECT
 
 public:
-    using QWidget::QWidget;
+    using PictureWidget::PictureWidget;
 
     void setFigure(const LineFigure &figure);
     [[nodiscard]] const LineFigure &figure() const { return m_figure; }
@@ -22,7 +21,7 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {480, 270}; }
 
 protected:
-    void paintEvent(QPaintEvent *event) override;
+    void drawPicture(QPainter &painter) override;
 
 private:
     LineFigure m_figure;

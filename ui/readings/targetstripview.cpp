@@ -69,7 +69,7 @@ QPointF TargetStripView::place(std::size_t lane, std::size_t reading) const {
 void TargetStripView::paintLane(QPainter &painter, std::size_t lane) const {
     const StripLane &shown = m_strip.lanes[lane];
     const bool up = shown.role == CurveRole::up;
-    const Medium medium = isDark(palette()) ? Medium::screenDark : Medium::screenLight;
+    const Medium medium = screenMedium(palette());
     const QColor colour = token(up ? Token::up : Token::down, palette());
     const QRectF area = laneArea(lane);
 

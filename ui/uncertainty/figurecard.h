@@ -3,31 +3,28 @@
 #pragma once
 
 #include "figures/figure.h"
+#include "ui/picturewidget.h"
 
-#include <QPixmap>
-#include <QWidget>
 #include <optional>
 
 namespace palmer::ui {
 
 /// A static figure with background and colours of the theme.
-class FigureCard : public QWidget {
+class FigureCard : public PictureWidget {
     Q_OBJECT
 
 public:
-    explicit FigureCard(QWidget *parent = nullptr);
+    using PictureWidget::PictureWidget;
 
     /// A null figure clears the card.
     void setFigure(std::optional<Figure> figure);
     [[nodiscard]] const std::optional<Figure> &figure() const { return m_figure; }
 
 protected:
-    void paintEvent(QPaintEvent *event) override;
-    void changeEvent(QEvent *event) override;
+    void drawPicture(QPainter &painter) override;
 
 private:
     std::optional<Figure> m_figure;
-    QPixmap m_drawn; ///< null if outdated
 };
 
 } // namespace palmer::ui
