@@ -11,7 +11,7 @@
 #include "ui/dialogs/pagecolumn.h"
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
-#include "ui/figures/zoomkeys.h"
+#include "ui/figures/plotgestures.h"
 #include "ui/model/page.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"

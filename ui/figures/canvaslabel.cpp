@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figures/canvaslabel.h"
 
+#include "print/figures/metrics.h"
 #include "ui/theme.h"
 
 #include <QPainter>
@@ -24,6 +25,15 @@ void paintCanvasLabel(QPainter &painter, const QWidget &canvas, QPointF beside, 
     painter.drawRoundedRect(label, 3, 3);
     painter.setPen(canvas.palette().color(QPalette::Text));
     painter.drawText(label, Qt::AlignCenter, text);
+}
+
+void paintPointed(QPainter &painter, const QWidget &canvas, QPointF at, const QString &text) {
+    const QColor accent = token(Token::accent, canvas.palette());
+    painter.setPen(QPen(accent, 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawEllipse(at, ringRadius, ringRadius);
+    if (!text.isEmpty())
+        paintCanvasLabel(painter, canvas, at, text, accent);
 }
 
 } // namespace palmer::ui

@@ -15,4 +15,7 @@ namespace palmer::ui {
 void paintCanvasLabel(QPainter &painter, const QWidget &canvas, QPointF beside, const QString &text,
                       const QColor &colour);
 
+/// Paints a ring around the point under the pointer and its label, if not empty.
+void paintPointed(QPainter &painter, const QWidget &canvas, QPointF at, const QString &text);
+
 } // namespace palmer::ui

@@ -6,14 +6,10 @@
 #include "print/figures/drawcirclefigure.h"
 #include "print/figures/metrics.h"
 #include "ui/figures/canvaslabel.h"
-#include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 
-#include <QApplication>
-#include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -23,8 +19,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr double deepestCircleZoom = 500; ///< times
-constexpr double millimetresPerPixel = 25.4 / 96;
 constexpr int angleDecimals = 2;
 constexpr int deviationDecimals = 2;
 constexpr int timeDecimals = 2;
@@ -59,12 +53,9 @@ void visitNear(const PathProfile &profile, double direction, double window, cons
 } // namespace
 
 CircleCanvas::CircleCanvas(Selection &selection, QWidget *parent)
-    : QWidget(parent)
+    : CirclePlot(parent)
     , m_selection(selection) {
     setObjectName(QStringLiteral("circleCanvas"));
-    setMouseTracking(true);
-    setFocusPolicy(Qt::StrongFocus);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     connect(&selection, &Selection::hoveredChanged, this, qOverload<>(&QWidget::update));
 }
 
@@ -111,9 +102,7 @@ void CircleCanvas::take(std::optional<std::vector<PathProfile>> profiles) {
     m_evaluated = m_asked.evaluated;
     m_test = m_asked.test;
     m_content = m_asked.content;
-    m_figure.reset();
-    m_drawn = {};
-    update();
+    discardFigure();
 }
 
 void CircleCanvas::addSynthetic(const Test &test, const SyntheticPaths &synthetic) {
@@ -132,9 +121,7 @@ void CircleCanvas::clear() {
     m_evaluated = {};
     m_profilesOf.reset();
     m_profiles.clear();
-    m_figure.reset();
-    m_drawn = {};
-    update();
+    discardFigure();
 }
 
 void CircleCanvas::setMarking(const QString &label, const std::vector<RulingPoint> &points) {
@@ -159,29 +146,17 @@ CircleFigure CircleCanvas::withoutHidden(CircleFigure figure) const {
     return figure;
 }
 
-void CircleCanvas::drawAnew() {
+CircleFigure CircleCanvas::wholeFigure(QSizeF size, double pointStep) const {
+    CircleFigureOptions options = m_content.options;
+    options.size = size;
+    options.pointStep = pointStep;
+    return circleFigure(*m_evaluated.document->tests[m_test], *m_profilesOf, m_profiles, m_language, options);
+}
+
+void CircleCanvas::drawPicture(QPainter &painter) {
     if (!m_profilesOf)
         return;
-    const double ratio = devicePixelRatioF();
-    const QSizeF wanted = QSizeF(size()) * millimetresPerPixel;
-    if (!m_figure || m_figure->size != wanted || m_figure->pointStep != millimetresPerPixel / ratio) {
-        const double before = m_figure ? m_figure->figureRadius : 0;
-        CircleFigureOptions options = m_content.options;
-        options.size = wanted;
-        options.pointStep = millimetresPerPixel / ratio; // one step per device pixel
-        m_figure = circleFigure(*m_evaluated.document->tests[m_test], *m_profilesOf, m_profiles, m_language,
-                                options);
-        if (before > 0) {
-            m_view.x *= m_figure->figureRadius / before;
-            m_view.y *= m_figure->figureRadius / before;
-        }
-        m_drawn = {};
-    }
-    if (!m_drawn.isNull())
-        return;
-    m_view = within(m_view, *m_figure);
-    if (m_figure->view != m_view)
-        m_figure = withView(std::move(*m_figure), m_profiles, m_view, m_language);
+    fitFigure();
     m_shown = withoutHidden(*m_figure);
     // The buttons next to the figure name the paths.
     std::erase_if(m_shown.legend, [](const CircleLegendEntry &entry) {
@@ -189,10 +164,7 @@ void CircleCanvas::drawAnew() {
                entry.sample == CircleLegendSample::clockwise ||
                entry.sample == CircleLegendSample::repetitions;
     });
-    m_drawn = QPixmap((QSizeF(size()) * ratio).toSize());
-    m_drawn.setDevicePixelRatio(ratio);
-    QPainter painter(&m_drawn);
-    const Medium medium = isDark(palette()) ? Medium::screenDark : Medium::screenLight;
+    const Medium medium = screenMedium(palette());
     m_transform = drawFigure(painter, QRectF(rect()), m_shown, medium);
     const QRectF inPoints(QPointF(0, 0), QSizeF(size()) * pointsPerPixel);
     m_leftOfSenses = leftOfSenses(painter, inPoints, m_shown, medium) / pointsPerPixel;
@@ -201,33 +173,13 @@ void CircleCanvas::drawAnew() {
 std::optional<CircleFigure> CircleCanvas::paperFigure() const {
     if (!m_profilesOf)
         return std::nullopt;
-    CircleFigureOptions options = m_content.options;
-    options.size = CircleFigureOptions().size;
-    options.pointStep = CircleFigureOptions().pointStep;
-    CircleFigure figure =
-        circleFigure(*m_evaluated.document->tests[m_test], *m_profilesOf, m_profiles, m_language, options);
-    if (m_view != CircleView{} && m_figure) {
+    const CircleFigureOptions paper;
+    CircleFigure figure = wholeFigure(paper.size, paper.pointStep);
+    if (view() != CircleView{} && m_figure) {
         const double scale = figure.figureRadius / m_figure->figureRadius;
-        figure = withView(figure, m_profiles, {m_view.x * scale, m_view.y * scale, m_view.zoom}, m_language);
+        figure = withView(figure, m_profiles, {view().x * scale, view().y * scale, view().zoom}, m_language);
     }
     return withoutHidden(std::move(figure));
-}
-
-CircleView CircleCanvas::within(CircleView view, const CircleFigure &figure) {
-    view.zoom = std::clamp(view.zoom, 1.0, deepestCircleZoom);
-    const double free = 1 - 1 / view.zoom;
-    const double x = figure.size.width() / 2 * free;
-    const double y = figure.size.height() / 2 * free;
-    return {std::clamp(view.x, -x, x), std::clamp(view.y, -y, y), view.zoom};
-}
-
-void CircleCanvas::setView(const CircleView &view) {
-    const CircleView next = m_figure ? within(view, *m_figure) : view;
-    if (next == m_view)
-        return;
-    m_view = next;
-    m_drawn = {};
-    update();
 }
 
 // ---- Points ----------------------------------------------------------------------------------------------
@@ -292,9 +244,12 @@ std::optional<CircleCanvas::ProfilePoint> CircleCanvas::pointOf(const RulingPoin
     return std::nullopt;
 }
 
-ReadingPlace CircleCanvas::placeOf(const ProfilePoint &point) const {
-    const PathProfile &profile = m_profiles[point.profile];
-    return {profile.arc, profile.source[point.point]};
+std::optional<ReadingPlace> CircleCanvas::pointedAt(const QPointF &at) const {
+    const auto found = nearest(at);
+    if (!found)
+        return std::nullopt;
+    const PathProfile &profile = m_profiles[found->profile];
+    return ReadingPlace{profile.arc, profile.source[found->point]};
 }
 
 std::optional<QPointF> CircleCanvas::placeOf(const ReadingPlace &point) {
@@ -331,23 +286,14 @@ QString CircleCanvas::deviationText(const ReadingPlace &point) const {
 
 // ---- Painting --------------------------------------------------------------------------------------------
 
-void CircleCanvas::paintEvent(QPaintEvent *) {
-    drawAnew();
-    QPainter painter(this);
-    if (!m_profilesOf) {
-        painter.fillRect(rect(), palette().color(QPalette::Base));
+void CircleCanvas::paintOver(QPainter &painter) {
+    if (!m_profilesOf)
         return;
-    }
-    painter.drawPixmap(0, 0, m_drawn);
-    painter.setRenderHint(QPainter::Antialiasing);
     paintCentre(painter);
     paintMarking(painter);
-    paintHover(painter);
-    if (hasFocus()) {
-        painter.setPen(QPen(token(Token::accent, palette()), 2));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 3, 3);
-    }
+    const auto hovered = m_selection.hovered();
+    if (const auto at = hovered ? placeOf(*hovered) : std::nullopt)
+        paintPointed(painter, *this, *at, readOut(*hovered));
 }
 
 QRect CircleCanvas::centreBox() const {
@@ -369,21 +315,6 @@ void CircleCanvas::paintCentre(QPainter &painter) const {
     painter.drawText(text, centreFlags, m_shown.centre);
 }
 
-void CircleCanvas::paintHover(QPainter &painter) const {
-    const auto place = m_selection.hovered();
-    const auto found = place ? find(*place) : std::nullopt;
-    if (!found)
-        return;
-    const QPointF at = shown(m_profiles[found->profile][found->point]);
-    if (!QRectF(rect()).contains(at))
-        return;
-    const QColor accent = token(Token::accent, palette());
-    painter.setPen(QPen(accent, 2));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(at, ringRadius, ringRadius);
-    paintCanvasLabel(painter, *this, at, readOut(*place), accent);
-}
-
 void CircleCanvas::paintMarking(QPainter &painter) const {
     if (m_markingLabel.isEmpty())
         return;
@@ -399,89 +330,14 @@ void CircleCanvas::paintMarking(QPainter &painter) const {
 
 // ---- Pointer and keys ------------------------------------------------------------------------------------
 
-void CircleCanvas::zoom(double factor, QPointF about) {
-    drawAnew();
-    if (!m_figure)
-        return;
-    const QPointF at = m_transform.toData(about);
-    const double zoomed = std::clamp(m_view.zoom / factor, 1.0, deepestCircleZoom);
-    const double shrink = m_view.zoom / zoomed; // keeps the point under the pointer in place
-    setView({at.x() + (m_view.x - at.x()) * shrink, at.y() + (m_view.y - at.y()) * shrink, zoomed});
-}
-
-void CircleCanvas::zoomBy(int steps) {
-    zoom(std::pow(zoomStep, -steps), QRectF(rect()).center());
-}
-
-void CircleCanvas::pan(QPointF by) {
-    drawAnew();
-    if (!m_figure)
-        return;
-    const QPointF moved = m_transform.toData(QPointF(0, 0)) - m_transform.toData(by);
-    setView({m_view.x + moved.x(), m_view.y + moved.y(), m_view.zoom});
-}
-
 void CircleCanvas::mousePressEvent(QMouseEvent *event) {
     emit pressed();
-    if (event->button() != Qt::LeftButton)
-        return;
-    m_drag = event->position();
-    m_dragged = false;
+    CirclePlot::mousePressEvent(event);
 }
 
-void CircleCanvas::mouseMoveEvent(QMouseEvent *event) {
-    if (m_drag && (event->buttons() & Qt::LeftButton)) {
-        const QPointF by = event->position() - *m_drag;
-        if (m_dragged || by.manhattanLength() >= QApplication::startDragDistance()) {
-            m_dragged = true;
-            m_drag = event->position();
-            pan(by);
-        }
-        return;
-    }
-    drawAnew();
-    const auto found = nearest(event->position());
-    m_selection.setHovered(found ? std::optional(placeOf(*found)) : std::nullopt);
-}
-
-void CircleCanvas::mouseReleaseEvent(QMouseEvent *event) {
-    if (event->button() != Qt::LeftButton)
-        return;
-    m_drag.reset();
-    if (!m_dragged) {
-        if (const auto found = nearest(event->position()))
-            m_selection.setReading(placeOf(*found));
-    }
-}
-
-void CircleCanvas::mouseDoubleClickEvent(QMouseEvent *) {
-    fit();
-}
-
-void CircleCanvas::wheelEvent(QWheelEvent *event) {
-    const double steps = event->angleDelta().y() / 120.0;
-    if (steps != 0)
-        zoom(std::pow(zoomStep, -steps), event->position());
-    event->accept(); // even at the zoom limit, so that the area around the figure never scrolls
-}
-
-void CircleCanvas::keyPressEvent(QKeyEvent *event) {
-    const bool isTaken = takeZoomKey(
-        *event, {[this](int steps) { zoomBy(steps); }, [this](QPointF by) { pan(by); }, [this] { fit(); }});
-    if (!isTaken)
-        QWidget::keyPressEvent(event);
-}
-
-void CircleCanvas::leaveEvent(QEvent *) {
-    m_selection.setHovered({});
-}
-
-void CircleCanvas::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::PaletteChange) {
-        m_drawn = {};
-        update();
-    }
-    QWidget::changeEvent(event);
+void CircleCanvas::click(const QPointF &at) {
+    if (const auto found = pointedAt(at))
+        m_selection.setReading(*found);
 }
 
 } // namespace palmer::ui

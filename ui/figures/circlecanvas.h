@@ -4,14 +4,11 @@
 
 #include "document/evaluateddocument.h"
 #include "figures/circlefigure.h"
-#include "language/language.h"
-#include "print/figures/drawfigure.h"
 #include "report/explanations/explanation.h"
+#include "ui/figures/circleplot.h"
 #include "ui/model/background.h"
 #include "ui/model/selection.h"
 
-#include <QPixmap>
-#include <QWidget>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -39,7 +36,7 @@ struct CircleCanvasContent {
 /// Canvas of a circle figure: zooms, pans and reads angle, deviation and time of the point under the pointer.
 /// A ReadingPlace identifies a point by its arc and index. The points about the centre are computed once per
 /// evaluation; each view is binned again, so that millions of points stay responsive.
-class CircleCanvas : public QWidget {
+class CircleCanvas : public CirclePlot {
     Q_OBJECT
 
 public:
@@ -56,15 +53,8 @@ public:
 
     /// The same content and view in page size, for paper; null without a test.
     [[nodiscard]] std::optional<CircleFigure> paperFigure() const;
-    [[nodiscard]] const CircleView &view() const { return m_view; }
-    void setView(const CircleView &view);
     /// Area of the text that names the centre.
     [[nodiscard]] QRect centreBox() const;
-    void fit() { setView({}); }
-    /// Zooms in about the middle by so many wheel steps, or out if negative.
-    void zoomBy(int steps);
-    /// The nearest view that shows nothing outside the figure and is within the zoom limit.
-    [[nodiscard]] static CircleView within(CircleView view, const CircleFigure &figure);
     /// Position of a point on the canvas; null if out of view.
     [[nodiscard]] std::optional<QPointF> placeOf(const ReadingPlace &point);
     /// Text of a point, "XY 12,30°  −2,21 µm  0,39 s"; empty if not shown.
@@ -81,15 +71,15 @@ signals:
     void made();
 
 protected:
-    void paintEvent(QPaintEvent *event) override;
-    void changeEvent(QEvent *event) override;
+    [[nodiscard]] CircleFigure wholeFigure(QSizeF size, double pointStep) const override;
+    [[nodiscard]] std::span<const PathProfile> paths() const override { return m_profiles; }
+    void drawPicture(QPainter &painter) override;
+    void paintOver(QPainter &painter) override;
+    void hover(const std::optional<QPointF> &at) override {
+        m_selection.setHovered(at ? pointedAt(*at) : std::nullopt);
+    }
+    void click(const QPointF &at) override;
     void mousePressEvent(QMouseEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
-    void mouseReleaseEvent(QMouseEvent *event) override;
-    void mouseDoubleClickEvent(QMouseEvent *event) override;
-    void wheelEvent(QWheelEvent *event) override;
-    void keyPressEvent(QKeyEvent *event) override;
-    void leaveEvent(QEvent *event) override;
 
 private:
     /// A point by the indices of its profile and within it.
@@ -106,19 +96,15 @@ private:
     };
 
     void take(std::optional<std::vector<PathProfile>> profiles);
-    void drawAnew();
     void addSynthetic(const Test &test, const SyntheticPaths &synthetic);
-    void zoom(double factor, QPointF about);
-    void pan(QPointF by);
     [[nodiscard]] CircleFigure withoutHidden(CircleFigure figure) const;
     [[nodiscard]] bool shows(Sense sense) const;
     [[nodiscard]] QPointF shown(const TracePoint &point) const;
     [[nodiscard]] std::optional<ProfilePoint> nearest(QPointF at) const;
     [[nodiscard]] std::optional<ProfilePoint> pointOf(const RulingPoint &ruling) const;
     [[nodiscard]] std::optional<ProfilePoint> find(const ReadingPlace &place) const;
-    [[nodiscard]] ReadingPlace placeOf(const ProfilePoint &point) const;
+    [[nodiscard]] std::optional<ReadingPlace> pointedAt(const QPointF &at) const;
     void paintMarking(QPainter &painter) const;
-    void paintHover(QPainter &painter) const;
     void paintCentre(QPainter &painter) const;
 
     Selection &m_selection;
@@ -126,19 +112,12 @@ private:
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
     CircleCanvasContent m_content;
-    Language m_language{Language::Id::english};
     TestEvaluationPointer m_profilesOf; ///< the evaluation of the profiles
     std::vector<PathProfile> m_profiles;
-    std::optional<CircleFigure> m_figure; ///< in the last painted view; null if outdated
-    CircleFigure m_shown;                 ///< m_figure without hidden parts
-    CircleView m_view;
+    CircleFigure m_shown; ///< m_figure without hidden parts
     QString m_markingLabel;
     std::vector<RulingPoint> m_ruling;
-    QPixmap m_drawn; ///< null if outdated
-    FigureTransform m_transform;
-    double m_leftOfSenses = 0;     ///< x in m_drawn
-    std::optional<QPointF> m_drag; ///< last position of the pointer
-    bool m_dragged = false;
+    double m_leftOfSenses = 0; ///< x in the picture
     Background m_making;
 };
 

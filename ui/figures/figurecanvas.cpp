@@ -4,14 +4,9 @@
 
 #include "print/figures/metrics.h"
 #include "ui/figures/canvaslabel.h"
-#include "ui/figures/zoomkeys.h"
 #include "ui/theme.h"
 
-#include <QApplication>
-#include <QKeyEvent>
-#include <QMouseEvent>
 #include <QPainter>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
@@ -20,36 +15,27 @@ namespace palmer::ui {
 namespace {
 
 constexpr double markWidth = 18;
-constexpr double leastRange = 1e-3; ///< share of the whole range
-
-Interval within(const Interval &wanted, const FigureAxis &whole) {
-    const double all = whole.to - whole.from;
-    const double span = std::clamp(wanted.to - wanted.from, leastRange * all, all);
-    const double centre = (wanted.from + wanted.to) / 2;
-    const double from = std::clamp(centre - span / 2, whole.from, whole.to - span);
-    return {from, from + span};
-}
+constexpr double deepestCurveZoom = 1000; ///< times
 
 } // namespace
 
 std::array<Interval, 2> rangesWithin(const CurveFigure &whole, const Interval &x, const Interval &y) {
-    return {within(x, whole.x), within(y, whole.y)};
+    const QRectF range = rangeWithin({QPointF(x.from, y.from), QPointF(x.to, y.to)},
+                                     rangeOf(whole.x, whole.y), {deepestCurveZoom, deepestCurveZoom});
+    return {Interval{range.left(), range.right()}, Interval{range.top(), range.bottom()}};
 }
 
 FigureCanvas::FigureCanvas(Selection &selection, QWidget *parent)
-    : QWidget(parent)
+    : PlotCanvas(parent)
     , m_selection(selection) {
     setObjectName(QStringLiteral("figureCanvas"));
-    setMouseTracking(true);
-    setFocusPolicy(Qt::StrongFocus);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
 
 void FigureCanvas::setFigure(const CurveFigure &figure, FigureReadings readings) {
     m_readings = std::move(readings);
     if (m_figure != figure) {
         m_figure = figure;
-        m_drawn = {};
+        discardPicture();
     }
     update();
 }
@@ -58,8 +44,7 @@ void FigureCanvas::clear() {
     m_figure.reset();
     m_readings = {};
     m_marking = {};
-    m_drawn = {};
-    update();
+    discardPicture();
 }
 
 void FigureCanvas::setMarking(const FigureMarking &marking) {
@@ -72,18 +57,9 @@ void FigureCanvas::setHoverLabel(const QString &label) {
     update();
 }
 
-void FigureCanvas::drawAnew() {
-    const double ratio = devicePixelRatioF();
-    if (!m_drawn.isNull() && m_drawn.size() == (QSizeF(size()) * ratio).toSize())
-        return;
-    m_drawn = QPixmap((QSizeF(size()) * ratio).toSize());
-    m_drawn.setDevicePixelRatio(ratio);
-    m_drawn.fill(palette().color(QPalette::Base));
-    if (!m_figure)
-        return;
-    QPainter painter(&m_drawn);
-    m_transform = drawFigure(painter, QRectF(rect()), *m_figure,
-                             isDark(palette()) ? Medium::screenDark : Medium::screenLight);
+void FigureCanvas::drawPicture(QPainter &painter) {
+    if (m_figure)
+        m_transform = drawFigure(painter, QRectF(rect()), *m_figure, screenMedium(palette()));
 }
 
 QPointF FigureCanvas::shown(const FigureReading &reading) const {
@@ -107,8 +83,8 @@ std::optional<QPointF> FigureCanvas::placeOf(const ReadingPlace &reading) {
     return m_figure ? shownAt(reading) : std::nullopt;
 }
 
-std::optional<FigureReading> FigureCanvas::nearest(QPointF at) const {
-    std::optional<FigureReading> found;
+std::optional<ReadingPlace> FigureCanvas::nearest(QPointF at) const {
+    std::optional<ReadingPlace> found;
     double least = pointerReach;
     m_readings.each([&](const FigureReading &reading) {
         const QPointF away = shown(reading) - at;
@@ -117,7 +93,7 @@ std::optional<FigureReading> FigureCanvas::nearest(QPointF at) const {
         const double distance = std::hypot(away.x(), away.y());
         if (distance < least && m_transform.plotArea.contains(shown(reading))) {
             least = distance;
-            found = reading;
+            found = reading.place;
         }
     });
     return found;
@@ -125,35 +101,13 @@ std::optional<FigureReading> FigureCanvas::nearest(QPointF at) const {
 
 // ---- Painting --------------------------------------------------------------------------------------------
 
-void FigureCanvas::paintEvent(QPaintEvent *) {
-    drawAnew();
-    QPainter painter(this);
-    painter.drawPixmap(0, 0, m_drawn);
+void FigureCanvas::paintOver(QPainter &painter) {
     if (!m_figure)
         return;
-    painter.setRenderHint(QPainter::Antialiasing);
     paintMarking(painter);
-    paintHover(painter);
-    if (hasFocus()) {
-        painter.setPen(QPen(token(Token::accent, palette()), 2));
-        painter.setBrush(Qt::NoBrush);
-        painter.drawRoundedRect(QRectF(rect()).adjusted(1, 1, -1, -1), 3, 3);
-    }
-}
-
-void FigureCanvas::paintHover(QPainter &painter) const {
-    const auto place = m_selection.hovered();
-    if (!place)
-        return;
-    const std::optional<QPointF> at = shownAt(*place);
-    if (!at)
-        return;
-    const QColor accent = token(Token::accent, palette());
-    painter.setPen(QPen(accent, 2));
-    painter.setBrush(Qt::NoBrush);
-    painter.drawEllipse(*at, ringRadius, ringRadius);
-    if (!m_hoverLabel.isEmpty())
-        paintCanvasLabel(painter, *this, *at, m_hoverLabel, accent);
+    const auto hovered = m_selection.hovered();
+    if (const auto at = hovered ? shownAt(*hovered) : std::nullopt)
+        paintPointed(painter, *this, *at, m_hoverLabel);
 }
 
 void FigureCanvas::paintMarking(QPainter &painter) const {
@@ -199,92 +153,17 @@ void FigureCanvas::paintMarking(QPainter &painter) const {
 
 // ---- Pointer and keys ------------------------------------------------------------------------------------
 
-void FigureCanvas::zoom(double factor, QPointF about) {
-    if (!m_figure)
-        return;
-    drawAnew();
-    const QPointF at = m_transform.toData(about);
-    const auto scaled = [factor](double from, double to, double centre) {
-        return Interval{centre + (from - centre) * factor, centre + (to - centre) * factor};
-    };
-    emit rangesWanted(scaled(m_figure->x.from, m_figure->x.to, at.x()),
-                      scaled(m_figure->y.from, m_figure->y.to, at.y()));
+void FigureCanvas::setRange(const QRectF &range) {
+    emit rangesWanted({range.left(), range.right()}, {range.top(), range.bottom()});
 }
 
-void FigureCanvas::zoomBy(int steps) {
-    drawAnew();
-    zoom(std::pow(zoomStep, -steps), m_transform.plotArea.center());
+void FigureCanvas::hover(const std::optional<QPointF> &at) {
+    m_selection.setHovered(at ? nearest(*at) : std::nullopt);
 }
 
-void FigureCanvas::pan(QPointF by) {
-    if (!m_figure)
-        return;
-    drawAnew();
-    const QPointF moved = m_transform.toData(QPointF(0, 0)) - m_transform.toData(by);
-    emit rangesWanted({m_figure->x.from + moved.x(), m_figure->x.to + moved.x()},
-                      {m_figure->y.from + moved.y(), m_figure->y.to + moved.y()});
-}
-
-void FigureCanvas::mousePressEvent(QMouseEvent *event) {
-    if (event->button() != Qt::LeftButton)
-        return;
-    m_drag = event->position();
-    m_dragged = false;
-}
-
-void FigureCanvas::mouseMoveEvent(QMouseEvent *event) {
-    if (m_drag && (event->buttons() & Qt::LeftButton)) {
-        const QPointF by = event->position() - *m_drag;
-        if (m_dragged || by.manhattanLength() >= QApplication::startDragDistance()) {
-            m_dragged = true;
-            m_drag = event->position();
-            pan(by);
-        }
-        return;
-    }
-    drawAnew();
-    const std::optional<FigureReading> found = nearest(event->position());
-    m_selection.setHovered(found ? std::optional(found->place) : std::nullopt);
-}
-
-void FigureCanvas::mouseReleaseEvent(QMouseEvent *event) {
-    if (event->button() != Qt::LeftButton)
-        return;
-    m_drag.reset();
-    if (!m_dragged) {
-        if (const std::optional<FigureReading> found = nearest(event->position()))
-            m_selection.setReading(found->place);
-    }
-}
-
-void FigureCanvas::mouseDoubleClickEvent(QMouseEvent *) {
-    emit fitWanted();
-}
-
-void FigureCanvas::wheelEvent(QWheelEvent *event) {
-    const double steps = event->angleDelta().y() / 120.0;
-    if (steps != 0)
-        zoom(std::pow(zoomStep, -steps), event->position());
-    event->accept(); // even at the zoom limit, so that the area around the figure never scrolls
-}
-
-void FigureCanvas::keyPressEvent(QKeyEvent *event) {
-    const bool isTaken = takeZoomKey(*event, {[this](int steps) { zoomBy(steps); },
-                                              [this](QPointF by) { pan(by); }, [this] { emit fitWanted(); }});
-    if (!isTaken)
-        QWidget::keyPressEvent(event);
-}
-
-void FigureCanvas::leaveEvent(QEvent *) {
-    m_selection.setHovered({});
-}
-
-void FigureCanvas::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::PaletteChange) {
-        m_drawn = {};
-        update();
-    }
-    QWidget::changeEvent(event);
+void FigureCanvas::click(const QPointF &at) {
+    if (const auto found = nearest(at))
+        m_selection.setReading(*found);
 }
 
 } // namespace palmer::ui

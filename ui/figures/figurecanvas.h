@@ -6,10 +6,9 @@
 #include "kernel/measurement/axis.h"
 #include "print/figures/drawfigure.h"
 #include "ui/figures/figurereadings.h"
+#include "ui/figures/plotgestures.h"
 #include "ui/model/selection.h"
 
-#include <QPixmap>
-#include <QWidget>
 #include <array>
 #include <optional>
 #include <vector>
@@ -27,9 +26,8 @@ struct FigureMarking {
 [[nodiscard]] std::array<Interval, 2> rangesWithin(const CurveFigure &whole, const Interval &x,
                                                    const Interval &y);
 
-/// Canvas of a figure. The figure is drawn once per size, range and theme; whatever follows the pointer is
-/// painted over it.
-class FigureCanvas : public QWidget {
+/// Canvas of a figure of curves.
+class FigureCanvas : public PlotCanvas {
     Q_OBJECT
 
 public:
@@ -41,8 +39,13 @@ public:
     /// Label next to the ring, requested when the pointer moves to another reading.
     void setHoverLabel(const QString &label);
     void clear();
-    /// Zooms in about the middle by so many wheel steps, or out if negative.
-    void zoomBy(int steps);
+
+    [[nodiscard]] QRectF range() const override {
+        return m_figure ? rangeOf(m_figure->x, m_figure->y) : QRectF();
+    }
+    /// Asks its owner to show this range.
+    void setRange(const QRectF &range) override;
+    void fit() override { emit fitWanted(); }
 
     [[nodiscard]] QSize minimumSizeHint() const override { return {240, 160}; }
     [[nodiscard]] QSize sizeHint() const override { return {480, 270}; }
@@ -55,36 +58,27 @@ signals:
     void fitWanted();
 
 protected:
-    void paintEvent(QPaintEvent *event) override;
-    void changeEvent(QEvent *event) override;
-    void mousePressEvent(QMouseEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
-    void mouseReleaseEvent(QMouseEvent *event) override;
-    void mouseDoubleClickEvent(QMouseEvent *event) override;
-    void wheelEvent(QWheelEvent *event) override;
-    void keyPressEvent(QKeyEvent *event) override;
-    void leaveEvent(QEvent *event) override;
+    void drawPicture(QPainter &painter) override;
+    void paintOver(QPainter &painter) override;
+    void layOut() override { drawAnew(); }
+    [[nodiscard]] QRectF plotArea() const override { return m_transform.plotArea; }
+    [[nodiscard]] QPointF valueAt(const QPointF &place) const override { return m_transform.toData(place); }
+    void hover(const std::optional<QPointF> &at) override;
+    void click(const QPointF &at) override;
 
 private:
-    void drawAnew();
-    void zoom(double factor, QPointF about);
-    void pan(QPointF by);
     [[nodiscard]] QPointF shown(const FigureReading &reading) const;
-    [[nodiscard]] std::optional<FigureReading> nearest(QPointF at) const;
+    [[nodiscard]] std::optional<ReadingPlace> nearest(QPointF at) const;
     /// Position of the reading at `place`; null if out of view.
     [[nodiscard]] std::optional<QPointF> shownAt(const ReadingPlace &place) const;
     void paintMarking(QPainter &painter) const;
-    void paintHover(QPainter &painter) const;
 
     Selection &m_selection;
     std::optional<CurveFigure> m_figure;
     FigureReadings m_readings;
     FigureMarking m_marking;
     QString m_hoverLabel;
-    QPixmap m_drawn; ///< null if outdated
     FigureTransform m_transform;
-    std::optional<QPointF> m_drag; ///< last position of the pointer
-    bool m_dragged = false;
 };
 
 } // namespace palmer::ui

@@ -4,9 +4,8 @@
 
 #include "figures/figure.h"
 #include "language/language.h"
+#include "ui/figures/plotchart.h"
 
-#include <QChartView>
-#include <QRectF>
 #include <functional>
 #include <optional>
 
@@ -14,9 +13,9 @@ class QCategoryAxis;
 
 namespace palmer::ui {
 
-/// A line figure as an interactive chart: dragging or the wheel zooms, a double click or 0 shows the whole,
-/// and the point under the pointer is labelled. Long lines are drawn as the extremes within the view.
-class LineChart : public QChartView {
+/// A line figure as an interactive chart that labels the point under the pointer. Long lines are drawn as the
+/// extremes within the view.
+class LineChart : public PlotChart {
     Q_OBJECT
 
 public:
@@ -30,12 +29,6 @@ public:
     /// Label of a point; by default both its numbers.
     void setReadOut(ReadOut readOut) { m_readOut = std::move(readOut); }
 
-    /// The range in view, in the units of the axes.
-    [[nodiscard]] QRectF range() const { return m_range; }
-    void setRange(const QRectF &range);
-    void fit();
-    /// Zooms in about the middle by so many wheel steps, or out if negative.
-    void zoomBy(int steps);
     /// Label of the point nearest to a widget position; empty if none is near.
     [[nodiscard]] QString readOutAt(const QPointF &place) const;
 
@@ -43,17 +36,12 @@ public:
     [[nodiscard]] QSize sizeHint() const override { return {480, 170}; }
 
 protected:
-    void drawForeground(QPainter *painter, const QRectF &rect) override;
+    void showRange() override;
+    void paintOver(QPainter &painter) override;
+    [[nodiscard]] QRectF whole() const override { return rangeOf(m_figure.x, m_figure.y); }
+    [[nodiscard]] QSizeF deepestZoom() const override { return {2000, 2000}; }
+    void hover(const std::optional<QPointF> &at) override;
     void changeEvent(QEvent *event) override;
-    void mousePressEvent(QMouseEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
-    void mouseReleaseEvent(QMouseEvent *event) override;
-    void mouseDoubleClickEvent(QMouseEvent *event) override;
-    void wheelEvent(QWheelEvent *event) override;
-    void keyPressEvent(QKeyEvent *event) override;
-    void leaveEvent(QEvent *event) override;
-    void focusInEvent(QFocusEvent *event) override;
-    void focusOutEvent(QFocusEvent *event) override;
 
 private:
     /// A point by the indices of its line and within it.
@@ -66,26 +54,17 @@ private:
 
     void build();
     void fillLines();
-    void fillAxes();
     void fillAxis(QCategoryAxis &axis, const FigureAxis &content, double from, double to);
-    void zoom(double factor, const QPointF &about);
-    [[nodiscard]] QRectF whole() const;
-    [[nodiscard]] QPointF valueAt(const QPointF &place) const;
-    [[nodiscard]] QPointF placeOf(const QPointF &value) const;
     [[nodiscard]] std::optional<Place> nearest(const QPointF &place) const;
     [[nodiscard]] QString words(const Place &place) const;
-    void point(const std::optional<Place> &place);
 
     LineFigure m_figure;
     Language m_language{Language::Id::english};
     QString m_empty;
     ReadOut m_readOut;
-    QRectF m_range;
     QCategoryAxis *m_x = nullptr;
     QCategoryAxis *m_y = nullptr;
     std::optional<Place> m_pointed;
-    std::optional<QPointF> m_pressed;
-    std::optional<QPointF> m_dragged;
 };
 
 } // namespace palmer::ui

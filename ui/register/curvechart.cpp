@@ -7,6 +7,7 @@
 #include "register/machinetrend.h"
 #include "report/words/wording.h"
 #include "ui/figures/canvaslabel.h"
+#include "ui/figures/plotchart.h"
 #include "ui/register/numberaxis.h"
 #include "ui/register/numbertag.h"
 #include "ui/theme.h"
@@ -19,10 +20,8 @@
 #include <QChart>
 #include <QComboBox>
 #include <QEvent>
-#include <QGraphicsLayout>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QLegend>
 #include <QLineSeries>
 #include <QPainter>
 #include <QResizeEvent>
@@ -156,14 +155,8 @@ QString sampleOf(std::size_t curve, const QPen &pen, const QPalette &palette, do
 TaggedChart::TaggedChart(const char *name) {
     constexpr int roomForTags = 24;
     setObjectName(QString::fromLatin1(name));
-    setRenderHint(QPainter::Antialiasing);
-    setFrameShape(QFrame::NoFrame);
+    setUpChart(*this, {0, 4, roomForTags, 0});
     setRubberBand(QChartView::RectangleRubberBand);
-    setViewportUpdateMode(QGraphicsView::FullViewportUpdate); // tags are drawn over the whole chart
-    chart()->legend()->hide();
-    chart()->layout()->setContentsMargins(0, 0, 0, 0);
-    chart()->setMargins(QMargins(0, 4, roomForTags, 0));
-    chart()->setBackgroundRoundness(0);
     setMinimumHeight(80);                                        // for the axis titles
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Ignored); // takes the height the list leaves
 }

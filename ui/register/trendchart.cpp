@@ -5,7 +5,6 @@
 #include "register/listing.h"
 #include "register/trendfigure.h"
 #include "report/words/wording.h"
-#include "ui/figures/zoomkeys.h"
 #include "ui/register/numberaxis.h"
 #include "ui/register/numbertag.h"
 #include "ui/theme.h"
@@ -15,13 +14,9 @@
 #include <QCategoryAxis>
 #include <QChart>
 #include <QEvent>
-#include <QGraphicsLayout>
-#include <QKeyEvent>
-#include <QLegend>
 #include <QLineSeries>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
@@ -42,17 +37,8 @@ constexpr int mostTicks = 12;
 } // namespace
 
 TrendChart::TrendChart(QWidget *parent)
-    : QChartView(parent) {
+    : PlotChart(parent, {0, strip, 8, 0}) {
     setObjectName(QStringLiteral("trendChart"));
-    setRenderHint(QPainter::Antialiasing);
-    setMouseTracking(true);
-    setViewportUpdateMode(QGraphicsView::FullViewportUpdate); // marks are drawn over the whole chart
-    setRubberBand(QChartView::HorizontalRubberBand);
-    setFrameShape(QFrame::NoFrame);
-    chart()->legend()->hide();
-    chart()->layout()->setContentsMargins(0, 0, 0, 0);
-    chart()->setMargins(QMargins(0, strip, 8, 0));
-    chart()->setBackgroundRoundness(0);
     setMinimumHeight(180);
     setAccessibleName(tr("Trend"));
 }
@@ -70,7 +56,7 @@ void TrendChart::setChosen(const std::map<QString, int> &numbers) {
 }
 
 void TrendChart::changeEvent(QEvent *event) {
-    QChartView::changeEvent(event);
+    PlotChart::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::LanguageChange)
         rebuild();
 }
@@ -126,7 +112,7 @@ void TrendChart::rebuild() {
     };
     m_x = axis(Qt::AlignBottom, m_panel.x);
     m_y = axis(Qt::AlignLeft, m_panel.y);
-    connect(m_x, &QValueAxis::rangeChanged, this, [this] { fillTicks(*m_x, m_panel.x); });
+    takeWhole();
     for (QCategoryAxis *one : {m_x, m_y})
         one->setVisible(!m_panel.values.empty());
     if (!m_panel.band.empty())
@@ -142,22 +128,22 @@ void TrendChart::rebuild() {
     viewport()->update();
 }
 
-void TrendChart::showAll() {
-    if (!m_x)
-        return;
-    m_x->setRange(m_panel.x.from, m_panel.x.to);
-    m_y->setRange(m_panel.y.from, m_panel.y.to);
+void TrendChart::showRange() {
+    m_x->setRange(range().left(), range().right());
+    fillTicks(*m_x, m_panel.x);
 }
 
-QPointF TrendChart::place(const QPointF &value) const {
-    return chart()->mapToPosition(value);
+/// Never less than some weeks; values are always shown in full.
+QSizeF TrendChart::deepestZoom() const {
+    constexpr double shortest = 0.1; // years
+    return {std::max(1.0, whole().width() / shortest), 1};
 }
 
-std::optional<std::size_t> TrendChart::valueAt(const QPointF &position) const {
+std::optional<std::size_t> TrendChart::nearest(const QPointF &position) const {
     std::optional<std::size_t> nearest;
     double least = pointerReach;
     for (std::size_t i = 0; i < m_panel.values.size(); ++i) {
-        const QPointF at = place({m_panel.values[i].x, m_panel.values[i].y});
+        const QPointF at = placeOf({m_panel.values[i].x, m_panel.values[i].y});
         const double away = std::hypot(at.x() - position.x(), at.y() - position.y());
         if (away <= least) {
             least = away;
@@ -177,32 +163,28 @@ QString TrendChart::label(std::size_t value) const {
     return text + u' ' + m_panel.y.unit;
 }
 
-void TrendChart::drawForeground(QPainter *painter, const QRectF &rect) {
-    QChartView::drawForeground(painter, rect);
-    if (!m_x || m_panel.values.empty())
-        return drawEmpty(*painter);
+void TrendChart::paintOver(QPainter &painter) {
+    if (m_panel.values.empty())
+        return drawEmpty(painter);
     const QRectF plot = chart()->plotArea();
-    painter->save();
-    painter->setRenderHint(QPainter::Antialiasing);
     const QPalette look = palette();
-    const double today = std::clamp(place({m_panel.today, 0}).x(), plot.left(), plot.right());
+    const double today = std::clamp(placeOf({m_panel.today, 0}).x(), plot.left(), plot.right());
     QColor ground = token(Token::secondaryText, look);
     ground.setAlphaF(0.07F);
-    painter->fillRect(QRectF(QPointF(today, plot.top()), plot.bottomRight()), ground);
+    painter.fillRect(QRectF(QPointF(today, plot.top()), plot.bottomRight()), ground);
     if (today < plot.right()) {
-        painter->setPen(QPen(token(Token::secondaryText, look), 1));
-        painter->drawLine(QPointF(today, plot.top()), QPointF(today, plot.bottom()));
-        drawToday(*painter, plot, today);
+        painter.setPen(QPen(token(Token::secondaryText, look), 1));
+        painter.drawLine(QPointF(today, plot.top()), QPointF(today, plot.bottom()));
+        drawToday(painter, plot, today);
     }
-    drawInterventions(*painter, plot);
-    drawInterventionNames(*painter, plot);
-    drawForbidden(*painter, plot);
-    painter->setClipRect(plot.adjusted(-chosenRadius, -chosenRadius, chosenRadius, chosenRadius));
-    drawValues(*painter, plot);
-    drawTags(*painter, plot);
-    drawNotBefore(*painter, plot);
-    drawLabel(*painter, plot);
-    painter->restore();
+    drawInterventions(painter, plot);
+    drawInterventionNames(painter, plot);
+    drawForbidden(painter, plot);
+    painter.setClipRect(plot.adjusted(-chosenRadius, -chosenRadius, chosenRadius, chosenRadius));
+    drawValues(painter, plot);
+    drawTags(painter, plot);
+    drawNotBefore(painter, plot);
+    drawLabel(painter, plot);
 }
 
 /// Draws "today" next to its line, away from limits and values.
@@ -227,8 +209,8 @@ bool TrendChart::isFree(const QRectF &area) const {
     const QRectF wide = area.adjusted(-2, -hatchHeight - 1, 2, hatchHeight + 1);
     for (const auto &limit : m_panel.limits) {
         for (std::size_t i = 0; i + 1 < limit.size(); ++i) {
-            const QPointF from = place(limit[i]);
-            const QPointF to = place(limit[i + 1]);
+            const QPointF from = placeOf(limit[i]);
+            const QPointF to = placeOf(limit[i + 1]);
             if (wide.intersects(QRectF(from, to).normalized().adjusted(-1, -1, 1, 1)))
                 return false;
         }
@@ -236,7 +218,7 @@ bool TrendChart::isFree(const QRectF &area) const {
     return std::ranges::none_of(m_panel.values, [&](const TrendValue &value) {
         const double reach = value.expanded.value_or(0);
         return wide.intersects(
-            QRectF(place({value.x, value.y + reach}), place({value.x, value.y - reach}))
+            QRectF(placeOf({value.x, value.y + reach}), placeOf({value.x, value.y - reach}))
                 .adjusted(-trendMarkRadius, -trendMarkRadius, trendMarkRadius, trendMarkRadius));
     });
 }
@@ -246,15 +228,15 @@ void TrendChart::drawInterventions(QPainter &painter, const QRectF &plot) const 
     QColor pale = colour;
     pale.setAlphaF(0.55F);
     for (const TrendIntervention &one : m_panel.interventions) {
-        const double at = place({one.x, 0}).x();
+        const double at = placeOf({one.x, 0}).x();
         if (at < plot.left() || at > plot.right())
             continue;
         painter.setPen(QPen(pale, 1, Qt::DashLine));
         painter.drawLine(QPointF(at, plot.top()), QPointF(at, plot.bottom()));
         if (!one.found || !one.left)
             continue;
-        const QPointF from = place(*one.found);
-        const QPointF to = place(*one.left);
+        const QPointF from = placeOf(*one.found);
+        const QPointF to = placeOf(*one.left);
         painter.setPen(QPen(colour, 1.4));
         painter.drawLine(from, to);
         const double turn = std::atan2(to.y() - from.y(), to.x() - from.x());
@@ -279,13 +261,13 @@ void TrendChart::drawInterventionNames(QPainter &painter, const QRectF &plot) co
     };
     painter.setPen(colour);
     for (std::size_t i = 0; i < m_panel.interventions.size(); ++i) {
-        const double at = place({m_panel.interventions[i].x, 0}).x();
+        const double at = placeOf({m_panel.interventions[i].x, 0}).x();
         if (at < plot.left() || at > plot.right())
             continue;
         const double width = widthOf(i);
         const bool isCrowded =
             i + 1 < m_panel.interventions.size() &&
-            place({m_panel.interventions[i + 1].x, 0}).x() - at < (width + widthOf(i + 1)) / 2 + gap;
+            placeOf({m_panel.interventions[i + 1].x, 0}).x() - at < (width + widthOf(i + 1)) / 2 + gap;
         double left = isCrowded ? at - width + icon / 2 : at - width / 2;
         if (left < free)
             left = at - icon / 2; // right of its line
@@ -311,8 +293,8 @@ void TrendChart::drawForbidden(QPainter &painter, const QRectF &plot) const {
         for (std::size_t i = 0; i + 1 < limit.size(); ++i) {
             if (limit[i].y() != limit[i + 1].y())
                 continue;
-            const QPointF from = place(limit[i]);
-            const QPointF to = place(limit[i + 1]);
+            const QPointF from = placeOf(limit[i]);
+            const QPointF to = placeOf(limit[i + 1]);
             for (int stroke = 0; stroke * hatchStep < to.x() - from.x(); ++stroke) {
                 const QPointF foot(from.x() + stroke * hatchStep, from.y());
                 painter.drawLine(foot, foot + QPointF(hatchHeight, -above * hatchHeight));
@@ -338,7 +320,7 @@ void TrendChart::drawTags(QPainter &painter, const QRectF &plot) const {
     std::vector<QPointF> drawn;
     for (std::size_t i = 0; i < m_panel.values.size(); ++i) {
         const auto chosen = m_chosen.find(m_entries[i]->digest);
-        const QPointF at = place({m_panel.values[i].x, m_panel.values[i].y});
+        const QPointF at = placeOf({m_panel.values[i].x, m_panel.values[i].y});
         if (chosen == m_chosen.end() || at.x() < plot.left() || at.x() > plot.right())
             continue;
         QPointF centre = at - QPointF(away + (m_panel.values[i].exceeds ? cross : 0), 0);
@@ -355,7 +337,7 @@ void TrendChart::drawValues(QPainter &painter, const QRectF &plot) const {
     const QPalette look = palette();
     for (std::size_t i = 0; i < m_panel.values.size(); ++i) {
         const TrendValue &value = m_panel.values[i];
-        const QPointF at = place({value.x, value.y});
+        const QPointF at = placeOf({value.x, value.y});
         if (at.x() < plot.left() || at.x() > plot.right())
             continue;
         const bool other = value.mark == TrendMark::otherSeries;
@@ -364,8 +346,8 @@ void TrendChart::drawValues(QPainter &painter, const QRectF &plot) const {
             colour = token(Token::bad, look);
         if (value.expanded) {
             painter.setPen(QPen(token(Token::secondaryText, look), 1.1));
-            const double top = place({value.x, value.y + *value.expanded}).y();
-            const double bottom = place({value.x, value.y - *value.expanded}).y();
+            const double top = placeOf({value.x, value.y + *value.expanded}).y();
+            const double bottom = placeOf({value.x, value.y - *value.expanded}).y();
             painter.drawLine(QPointF(at.x(), top), QPointF(at.x(), bottom));
             painter.drawLine(QPointF(at.x() - capWidth, top), QPointF(at.x() + capWidth, top));
             painter.drawLine(QPointF(at.x() - capWidth, bottom), QPointF(at.x() + capWidth, bottom));
@@ -386,7 +368,7 @@ void TrendChart::drawValues(QPainter &painter, const QRectF &plot) const {
 void TrendChart::drawNotBefore(QPainter &painter, const QRectF &plot) const {
     if (!m_panel.notBefore)
         return;
-    const QPointF at = place(*m_panel.notBefore);
+    const QPointF at = placeOf(*m_panel.notBefore);
     if (at.x() < plot.left() || at.x() > plot.right())
         return;
     const QPalette look = palette();
@@ -411,7 +393,7 @@ void TrendChart::drawNotBefore(QPainter &painter, const QRectF &plot) const {
 void TrendChart::drawLabel(QPainter &painter, const QRectF &plot) const {
     if (!m_hovered || *m_hovered >= m_panel.values.size())
         return;
-    const QPointF at = place({m_panel.values[*m_hovered].x, m_panel.values[*m_hovered].y});
+    const QPointF at = placeOf({m_panel.values[*m_hovered].x, m_panel.values[*m_hovered].y});
     const QPalette look = palette();
     painter.setFont(themeFont(TextSize::small));
     const QString text = label(*m_hovered);
@@ -427,73 +409,23 @@ void TrendChart::drawLabel(QPainter &painter, const QRectF &plot) const {
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
-void TrendChart::mouseMoveEvent(QMouseEvent *event) {
-    QChartView::mouseMoveEvent(event);
-    const auto hovered = valueAt(event->position());
-    if (hovered != m_hovered) {
-        m_hovered = hovered;
-        viewport()->update();
-    }
+void TrendChart::hover(const std::optional<QPointF> &at) {
+    const auto hovered = at ? nearest(*at) : std::nullopt;
+    if (hovered == m_hovered)
+        return;
+    m_hovered = hovered;
+    viewport()->update();
 }
 
-void TrendChart::mousePressEvent(QMouseEvent *event) {
-    m_pressed = event->position();
-    QChartView::mousePressEvent(event);
+void TrendChart::click(const QPointF &at) {
+    if (const auto value = nearest(at))
+        emit testChosen(m_entries[*value]->digest);
 }
 
 void TrendChart::mouseReleaseEvent(QMouseEvent *event) {
-    const bool isClick = (event->position() - m_pressed).manhattanLength() < 4;
-    if (event->button() == Qt::RightButton) { // would zoom out in Qt's own steps
-        showAll();
-        return;
-    }
-    if (isClick) {
-        setRubberBand(QChartView::NoRubberBand); // a click does not zoom
-        QChartView::mouseReleaseEvent(event);
-        setRubberBand(QChartView::HorizontalRubberBand);
-        if (const auto value = valueAt(event->position()))
-            emit testChosen(m_entries[*value]->digest);
-        return;
-    }
-    QChartView::mouseReleaseEvent(event);
-}
-
-void TrendChart::mouseDoubleClickEvent(QMouseEvent *) {
-    showAll();
-}
-
-void TrendChart::zoomBy(int steps) {
-    if (m_x)
-        zoom(std::pow(zoomStep, -steps), (m_x->min() + m_x->max()) / 2);
-}
-
-void TrendChart::wheelEvent(QWheelEvent *event) {
-    const double steps = event->angleDelta().y() / 120.0;
-    if (m_x && steps != 0)
-        zoom(std::pow(zoomStep, -steps), chart()->mapToValue(event->position()).x());
-    event->accept();
-}
-
-void TrendChart::keyPressEvent(QKeyEvent *event) {
-    switch (event->key()) {
-    case Qt::Key_Plus:
-        return zoomBy(1);
-    case Qt::Key_Minus:
-        return zoomBy(-1);
-    case Qt::Key_0:
-        return showAll();
-    default:
-        QChartView::keyPressEvent(event);
-    }
-}
-
-/// Zooms with `about` fixed, years.
-void TrendChart::zoom(double factor, double about) {
-    constexpr double shortest = 0.1; // years
-    const double from = std::max(m_panel.x.from, about - (about - m_x->min()) * factor);
-    const double to = std::min(m_panel.x.to, about + (m_x->max() - about) * factor);
-    if (to - from > shortest)
-        m_x->setRange(from, to);
+    PlotChart::mouseReleaseEvent(event);
+    if (event->button() == Qt::RightButton)
+        fit();
 }
 
 } // namespace palmer::ui

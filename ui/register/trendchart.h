@@ -4,8 +4,8 @@
 
 #include "figures/figure.h"
 #include "register/machinetrend.h"
+#include "ui/figures/plotchart.h"
 
-#include <QChartView>
 #include <QDate>
 #include <map>
 #include <vector>
@@ -16,9 +16,8 @@ class QScatterSeries;
 
 namespace palmer::ui {
 
-/// The trend of a parameter as a chart: hovering names a test, a click chooses it, dragging zooms to a
-/// period, the wheel zooms about the pointer and a double click shows all.
-class TrendChart : public QChartView {
+/// The trend of a parameter as a chart: hovering names a test, a click chooses it, zoom is over time only.
+class TrendChart : public PlotChart {
     Q_OBJECT
 
 public:
@@ -31,30 +30,26 @@ public:
     [[nodiscard]] QString label(std::size_t value) const;
     [[nodiscard]] const TrendPanel &panel() const { return m_panel; }
     [[nodiscard]] const MachineTrend &trend() const { return m_trend; }
-    void showAll();
-    /// Zooms in about the middle by so many wheel steps, or out if negative.
-    void zoomBy(int steps);
+    void showAll() { fit(); }
 
 signals:
     void testChosen(const QString &digest);
 
 protected:
-    void drawForeground(QPainter *painter, const QRectF &rect) override;
-    void wheelEvent(QWheelEvent *event) override;
-    void keyPressEvent(QKeyEvent *event) override;
-    void mouseDoubleClickEvent(QMouseEvent *event) override;
-    void mouseMoveEvent(QMouseEvent *event) override;
-    void mousePressEvent(QMouseEvent *event) override;
+    void showRange() override;
+    void paintOver(QPainter &painter) override;
+    [[nodiscard]] QRectF whole() const override { return rangeOf(m_panel.x, m_panel.y); }
+    [[nodiscard]] QSizeF deepestZoom() const override;
+    void hover(const std::optional<QPointF> &at) override;
+    void click(const QPointF &at) override;
     void mouseReleaseEvent(QMouseEvent *event) override;
     void changeEvent(QEvent *event) override;
 
 private:
     void rebuild();
     void addBand(const QColor &accent);
-    void zoom(double factor, double about);
     void addLine(const std::vector<QPointF> &points, const QPen &pen);
-    [[nodiscard]] QPointF place(const QPointF &value) const;
-    [[nodiscard]] std::optional<std::size_t> valueAt(const QPointF &position) const;
+    [[nodiscard]] std::optional<std::size_t> nearest(const QPointF &position) const;
     void drawToday(QPainter &painter, const QRectF &plot, double today) const;
     [[nodiscard]] bool isFree(const QRectF &area) const; ///< by limits and values
     void drawInterventions(QPainter &painter, const QRectF &plot) const;
@@ -72,7 +67,6 @@ private:
     std::vector<const TrendEntry *> m_entries; ///< per value of the panel
     std::map<QString, int> m_chosen;
     std::optional<std::size_t> m_hovered;
-    QPointF m_pressed;
     QCategoryAxis *m_x = nullptr;
     QCategoryAxis *m_y = nullptr;
 };
