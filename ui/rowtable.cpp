@@ -18,7 +18,6 @@ namespace palmer::ui {
 namespace {
 
 constexpr int heightOfRow = 22;
-constexpr int heightOfHead = 26;
 constexpr double barHeight = 9;
 constexpr int markSize = 16;
 constexpr double widestHistogram = 180;
@@ -82,7 +81,7 @@ private:
 RowTable::RowTable(const char *name, int columns, QWidget *parent)
     : QTableWidget(0, columns, parent) {
     setObjectName(QString::fromLatin1(name));
-    makeQuiet(*this, heightOfRow, heightOfHead);
+    makeQuiet(*this, heightOfRow, tableRowHeight);
     setItemDelegate(new PictureDelegate(this));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
@@ -161,7 +160,7 @@ void RowTable::fitColumns() {
 }
 
 void RowTable::fit(int flexible, int least, std::initializer_list<int> elided) {
-    setFixedHeight(heightOfHead + rowCount() * heightOfRow);
+    setFixedHeight(tableRowHeight + rowCount() * heightOfRow);
     m_flexible = flexible;
     m_least = least;
     m_elided = elided;
@@ -187,7 +186,7 @@ int RowTable::rowOf(const QString &wanted) const {
 }
 
 QSize RowTable::minimumSizeHint() const {
-    return {0, heightOfHead};
+    return {0, tableRowHeight};
 }
 
 /// All rows are visible: leave the wheel to the page.

@@ -10,6 +10,7 @@
 #include "tables/units.h"
 #include "ui/circles/arctexts.h"
 #include "ui/formrows.h"
+#include "ui/measures.h"
 #include "ui/remarklist.h"
 #include "ui/tabletext.h"
 #include "ui/theme.h"
@@ -123,7 +124,7 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     m_confirmAll->setObjectName(QStringLiteral("confirmAll"));
     m_confirmAll->setAutoDefault(false);
     auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 16, 16, 16);
+    column->setContentsMargins(pageMargin, pageMargin, pageMargin, pageMargin);
     column->setSpacing(16);
     column->addLayout(body, 1);
     column->addWidget(m_remarksPlace);

@@ -42,7 +42,6 @@ namespace {
 
 constexpr int fieldGap = 12;
 constexpr int labelHeight = 16;
-constexpr int headHeight = 26;
 constexpr int mostArcs = 4; ///< shown without scrolling
 constexpr int cellMargin = 16;
 constexpr int rowsLookedAt = 50; ///< to find the width of a column
@@ -513,7 +512,7 @@ void CirclesPage::makeTables() {
     m_arcs->setObjectName(QStringLiteral("arcs"));
     m_points->setObjectName(QStringLiteral("points"));
     for (QTableView *table : {m_arcs, m_points}) {
-        makeQuiet(*table, tableRowHeight, headHeight);
+        makeQuiet(*table, tableRowHeight, tableRowHeight);
         table->setItemDelegate(new QuietDelegate(table)); // before the model, which reports its current cell
         table->setModel(table == m_arcs ? static_cast<QAbstractItemModel *>(&m_arcsModel) : &m_pointsModel);
         table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -617,7 +616,7 @@ void CirclesPage::refresh() {
         m_curvesOf.clear();
     }
     const int arcs = m_arcsModel.rowCount();
-    m_arcs->setFixedHeight(headHeight + std::clamp(arcs, 1, mostArcs) * tableRowHeight + 2);
+    m_arcs->setFixedHeight(tableRowHeight + std::clamp(arcs, 1, mostArcs) * tableRowHeight + 2);
     m_arcs->setCurrentIndex(m_arcsModel.index(static_cast<int>(m_arc), 0));
     showParts();
     fitColumns();

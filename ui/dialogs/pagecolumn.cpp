@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/pagecolumn.h"
 
+#include "ui/measures.h"
 #include "ui/theme.h"
 
 #include <QMouseEvent>
@@ -13,7 +14,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int sheetMargin = 16;
 constexpr int numberHeight = 20;
 constexpr std::size_t mostPictures = 12; ///< cached; a page of 1 000 × 1 400 takes 5.6 MB
 
@@ -47,15 +47,15 @@ void PageColumn::setCurrent(int page) {
 }
 
 int PageColumn::gap() const {
-    return m_numbered ? numberHeight + sheetMargin / 2 : sheetMargin;
+    return m_numbered ? numberHeight + pageMargin / 2 : pageMargin;
 }
 
 QRect PageColumn::pageRect(int page) const {
-    int top = sheetMargin;
+    int top = pageMargin;
     for (int i = 0; i < page; ++i)
         top += qRound(m_pages[static_cast<std::size_t>(i)].size.height() * m_scale) + gap();
     const QSize size = (m_pages[static_cast<std::size_t>(page)].size * m_scale).toSize();
-    return {QPoint(std::max(sheetMargin, (width() - size.width()) / 2), top), size};
+    return {QPoint(std::max(pageMargin, (width() - size.width()) / 2), top), size};
 }
 
 int PageColumn::pageAt(int y) const {
@@ -70,7 +70,7 @@ QSize PageColumn::sizeHint() const {
     for (const auto &page : m_pages)
         widest = std::max(widest, page.size.width() * m_scale);
     const int bottom = m_pages.empty() ? 0 : pageRect(count() - 1).bottom();
-    return {qRound(widest) + 2 * sheetMargin, bottom + gap() + 1};
+    return {qRound(widest) + 2 * pageMargin, bottom + gap() + 1};
 }
 
 const QPixmap &PageColumn::picture(int page) {

@@ -15,6 +15,7 @@
 #include "ui/dialogs/cycleview.h"
 #include "ui/dialogs/limits.h"
 #include "ui/errorbox.h"
+#include "ui/measures.h"
 #include "ui/model/documentmodel.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
@@ -145,7 +146,7 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     for (QPushButton *button : {m_fill, m_make, m_close})
         decision->addWidget(button);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setContentsMargins(pageMargin, pageMargin, pageMargin, pageMargin);
     layout->setSpacing(16);
     layout->addLayout(body, 1);
     layout->addWidget(m_programReason);

@@ -12,6 +12,7 @@
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
 #include "ui/figures/plotgestures.h"
+#include "ui/measures.h"
 #include "ui/model/page.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
@@ -47,7 +48,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int headHeight = 44;
 constexpr int sideWidth = 340; ///< fits the longest choice and a scroll bar
 constexpr int smallWidth = 132;
 constexpr double smallestScale = 0.25;
@@ -126,7 +126,7 @@ ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *
 
 QWidget *ReportDialog::makeHead() {
     auto *head = new QWidget(this);
-    head->setFixedHeight(headHeight);
+    head->setFixedHeight(pageBarHeight);
     m_title = new QLabel(head);
     m_title->setFont(themeFont(TextSize::title));
     m_summary = new ElidedLabel(head);
@@ -162,7 +162,7 @@ QWidget *ReportDialog::makeHead() {
     m_width->setObjectName(QStringLiteral("fitWidth"));
     m_width->setAutoDefault(false);
     auto *row = new QHBoxLayout(head);
-    row->setContentsMargins(16, 0, 16, 0);
+    row->setContentsMargins(pageMargin, 0, pageMargin, 0);
     row->addWidget(m_title);
     row->addWidget(m_summary, 1);
     row->addWidget(m_open);
@@ -188,7 +188,7 @@ QWidget *ReportDialog::makeSide() {
     auto *side = new QWidget(this);
     side->setFixedWidth(sideWidth);
     auto *whole = new QVBoxLayout(side);
-    whole->setContentsMargins(16, 12, 16, 12);
+    whole->setContentsMargins(pageMargin, 12, pageMargin, 12);
     whole->setSpacing(8);
     auto *place = new QScrollArea(side); // on low screens the choices are higher than the dialog
     place->setFrameShape(QFrame::NoFrame);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/shortcutsdialog.h"
 
+#include "ui/measures.h"
 #include "ui/theme.h"
 
 #include <QAction>
@@ -17,8 +18,6 @@
 namespace palmer::ui {
 
 namespace {
-
-constexpr int columnMargin = 16;
 
 QString plain(QString text) {
     return text.remove(u'&').remove(u'…');
@@ -75,7 +74,7 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar &menus, QWidget *parent, bool ha
     buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(columnMargin, columnMargin, columnMargin, columnMargin);
+    layout->setContentsMargins(pageMargin, pageMargin, pageMargin, pageMargin);
     layout->addWidget(m_list, 1);
     layout->addWidget(buttons);
     resize(560, 560);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/import/columnroles.h"
 
+#include "ui/measures.h"
 #include "ui/theme.h"
 
 #include <QHeaderView>
@@ -14,7 +15,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int roleHeight = 28;
 constexpr int roleWidth = 104;
 constexpr int widestRole = 208;
 constexpr int mostFitted = 200; ///< columns whose widths fit their texts
@@ -85,7 +85,7 @@ ColumnRoles::ColumnRoles(QWidget *parent)
     setCornerButtonEnabled(false);
     setHorizontalScrollMode(ScrollPerPixel);
     verticalHeader()->hide();
-    verticalHeader()->setDefaultSectionSize(roleHeight);
+    verticalHeader()->setDefaultSectionSize(fieldHeight);
     horizontalHeader()->setDefaultSectionSize(roleWidth);
     horizontalHeader()->setMinimumSectionSize(roleWidth);
     horizontalHeader()->setMaximumSectionSize(widestRole);
@@ -126,7 +126,7 @@ void ColumnRoles::showColumns(const std::vector<ImportColumn> &columns) {
     if (current >= 0 && current < count)
         setCurrentIndex(m_model->index(0, current));
     constexpr int scrollBar = 12;
-    setFixedHeight(horizontalHeader()->sizeHint().height() + roleHeight + scrollBar);
+    setFixedHeight(horizontalHeader()->sizeHint().height() + fieldHeight + scrollBar);
     setVisible(count > 0);
 }
 

@@ -3,6 +3,7 @@
 #include "ui/navigation/navigationlist.h"
 
 #include "ui/elidedlabel.h"
+#include "ui/measures.h"
 #include "ui/theme.h"
 
 #include <QEvent>
@@ -12,7 +13,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int margin = 16;
 constexpr int iconWidth = 16;
 constexpr int textLeft = 40;
 constexpr int markWidth = 32;
@@ -66,8 +66,8 @@ private:
         font.setCapitalization(QFont::AllUppercase);
         painter.setFont(font);
         painter.setPen(token(Token::secondaryText, option.palette));
-        painter.drawText(option.rect.adjusted(margin, 0, -margin, -6), Qt::AlignLeft | Qt::AlignBottom,
-                         index.data().toString());
+        painter.drawText(option.rect.adjusted(pageMargin, 0, -pageMargin, -6),
+                         Qt::AlignLeft | Qt::AlignBottom, index.data().toString());
     }
 
     /// Icon of the collapsed list, with the marks on its corners.
@@ -95,11 +95,11 @@ private:
         const QColor text = option.palette.color(QPalette::WindowText);
         const QRect top(option.rect.left(), option.rect.top() + (row.detail.isEmpty() ? 0 : 4),
                         option.rect.width(), row.detail.isEmpty() ? option.rect.height() : 20);
-        drawLineIcon(painter, QRect(margin, top.top(), iconWidth, top.height()), row.icon, text);
+        drawLineIcon(painter, QRect(pageMargin, top.top(), iconWidth, top.height()), row.icon, text);
         QFont font = themeFont(TextSize::base);
         if (option.state & QStyle::State_Selected)
             font.setWeight(QFont::DemiBold);
-        const int right = row.mark.icon.isEmpty() && row.count == 0 ? margin / 2 : markWidth;
+        const int right = row.mark.icon.isEmpty() && row.count == 0 ? pageMargin / 2 : markWidth;
         drawElided(painter, top.adjusted(textLeft, 0, -right, 0), Qt::AlignLeft, row.name, font, text);
         const QRect markArea(option.rect.right() - markWidth + 4, top.top(), 20, top.height());
         if (!row.mark.icon.isEmpty())
@@ -108,7 +108,7 @@ private:
         if (row.count > 0)
             paintBadge(painter, markArea, row.count, option.palette);
         if (!row.detail.isEmpty()) {
-            const int room = row.accordance.icon.isEmpty() ? margin / 2 : markWidth;
+            const int room = row.accordance.icon.isEmpty() ? pageMargin / 2 : markWidth;
             const QRect area(option.rect.left() + textLeft, option.rect.top() + 22,
                              option.rect.width() - textLeft - room, 16);
             drawElided(painter, area, Qt::AlignLeft, row.detail, painter.font(),

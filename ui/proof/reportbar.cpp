@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/proof/reportbar.h"
 
+#include "ui/measures.h"
 #include "ui/windowlanguage.h"
 
 #include <QEvent>
@@ -45,7 +46,7 @@ ReportBar::ReportBar(QWidget *parent)
     row->addWidget(m_details);
     row->addWidget(m_close);
     auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(16, 6, 16, 6);
+    column->setContentsMargins(pageMargin, 6, pageMargin, 6);
     column->addLayout(row);
     column->addWidget(m_list);
     connect(m_details, &QPushButton::toggled, m_list, &QWidget::setVisible);

@@ -4,6 +4,7 @@
 
 #include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
+#include "ui/measures.h"
 #include "ui/theme.h"
 
 #include <QEvent>
@@ -16,7 +17,6 @@ namespace palmer::ui {
 namespace {
 
 constexpr int lineHeight = 34;
-constexpr int sideMargin = 16;
 
 } // namespace
 
@@ -26,7 +26,7 @@ KeyHints::KeyHints(QWidget *parent)
     setObjectName(QStringLiteral("keyHints"));
     setFixedHeight(lineHeight);
     auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(sideMargin, 0, sideMargin, 0);
+    row->setContentsMargins(pageMargin, 0, pageMargin, 0);
     row->setSpacing(6);
     for (Hint &hint : m_hints) {
         hint = {new QLabel(this), new QLabel(this)};
@@ -82,7 +82,7 @@ void KeyHints::showDrift() {
 
 /// Hides hints that do not fit, from the right.
 void KeyHints::fit() {
-    int left = width() - 2 * sideMargin - (m_drift->text().isEmpty() ? 0 : m_drift->sizeHint().width() + 12);
+    int left = width() - 2 * pageMargin - (m_drift->text().isEmpty() ? 0 : m_drift->sizeHint().width() + 12);
     for (const Hint &hint : m_hints) {
         left -= hint.key->sizeHint().width() + hint.text->sizeHint().width() + 24;
         hint.key->setVisible(left >= 0);

@@ -5,6 +5,7 @@
 #include "editing/measuringcycle.h"
 #include "ui/currentcell.h"
 #include "ui/formulatext.h"
+#include "ui/measures.h"
 #include "ui/readings/readingseditor.h"
 #include "ui/readings/readingsheader.h"
 #include "ui/theme.h"
@@ -31,7 +32,6 @@ constexpr int readingWidth = 46;
 constexpr int cellMargin = 12;
 constexpr int tightMargin = 8; ///< used if the measured columns fit only with it
 constexpr int rowHeightTight = 21;
-constexpr int rowHeightNormal = 26;
 constexpr int rowHeightLow = 24;
 constexpr int rowHeightHigh = 32;
 constexpr int leastRows = 6;   ///< visible if not all fit
@@ -123,7 +123,7 @@ int ReadingsView::rowHeight() const {
     const int ofWindow = window() ? window()->height() : 0;
     const int wanted = ofWindow >= highWindow                  ? rowHeightHigh
                        : ofWindow <= lowWindow && ofWindow > 0 ? rowHeightLow
-                                                               : rowHeightNormal;
+                                                               : tableRowHeight;
     const int all = m_model.rowCount();
     const int room = height() - 2 * frameWidth() - horizontalHeader()->height();
     const int rows = all * rowHeightTight <= room ? all : std::min(all, leastRows);

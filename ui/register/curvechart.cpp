@@ -8,6 +8,7 @@
 #include "report/words/wording.h"
 #include "ui/figures/canvaslabel.h"
 #include "ui/figures/plotchart.h"
+#include "ui/measures.h"
 #include "ui/register/numberaxis.h"
 #include "ui/register/numbertag.h"
 #include "ui/theme.h"
@@ -265,7 +266,7 @@ CurveComparison::CurveComparison(QWidget *parent)
     row->addWidget(m_second);
     row->addWidget(m_travel, 1);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 8, 16, 8);
+    layout->setContentsMargins(pageMargin, 8, pageMargin, 8);
     layout->addLayout(head);
     QScrollArea *area = m_listArea;
     area->setFrameShape(QFrame::NoFrame);

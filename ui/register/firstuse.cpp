@@ -136,7 +136,7 @@ RegisterFirstUse::RegisterFirstUse(QWidget *parent)
     rule->setFixedHeight(1);
     rule->setMaximumWidth(firstFactsWidth);
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(16, 8, 16, 8);
+    layout->setContentsMargins(pageMargin, 8, pageMargin, 8);
     layout->addStretch(3);
     layout->addWidget(m_picture, 0, Qt::AlignHCenter);
     layout->addSpacing(4);

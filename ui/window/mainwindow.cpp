@@ -3,6 +3,7 @@
 #include "ui/window/mainwindow.h"
 #include "kernel/measurement/testfacts.h"
 #include "ui/errorbox.h"
+#include "ui/measures.h"
 #include "ui/model/clipboardtext.h"
 #include "ui/sizeonscreen.h"
 
@@ -77,7 +78,6 @@ namespace palmer::ui {
 
 namespace {
 
-constexpr int toolBarHeight = 44;
 constexpr int statusHeight = 27;
 constexpr int iconsOnlyBelow = 1180;
 /// Height below which the table needs the space of the toolbar, whose tools are all in the menus as well.
@@ -170,7 +170,7 @@ void MainWindow::makeToolBar() {
     m_toolBar->setObjectName(QStringLiteral("toolBar"));
     m_toolBar->setMovable(false);
     m_toolBar->setContextMenuPolicy(Qt::PreventContextMenu);
-    m_toolBar->setFixedHeight(toolBarHeight);
+    m_toolBar->setFixedHeight(pageBarHeight);
     m_toolBar->setIconSize(QSize(16, 16));
     setContextMenuPolicy(Qt::PreventContextMenu); // no context menu, which could hide the toolbar by accident
     for (const WindowAction tool : tools) {

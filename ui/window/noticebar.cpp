@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/noticebar.h"
 
+#include "ui/measures.h"
 #include "ui/theme.h"
 
 #include <QHBoxLayout>
@@ -19,7 +20,7 @@ NoticeBar::NoticeBar(QWidget *parent)
     m_sentence->setObjectName(QStringLiteral("noticeSentence"));
     m_sentence->setTextFormat(Qt::PlainText);
     m_sentence->setWordWrap(true);
-    m_row->setContentsMargins(16, 6, 16, 6);
+    m_row->setContentsMargins(pageMargin, 6, pageMargin, 6);
     m_row->setSpacing(8);
     m_row->addWidget(m_sentence, 1);
     hide();

@@ -5,6 +5,7 @@
 #include "kernel/evaluation/edition.h"
 #include "kernel/measurement/testfacts.h"
 #include "report/words/wording.h"
+#include "ui/measures.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -94,10 +95,10 @@ TestHead::TestHead(QWidget *parent)
     m_editionLabel->setProperty("secondary", true);
     m_editionLabel->setBuddy(m_edition);
     m_edition->setFocusPolicy(Qt::StrongFocus);
-    m_edition->setFixedHeight(28);
+    m_edition->setFixedHeight(fieldHeight);
     m_edition->setMinimumWidth(136);
     m_edition->setSizeAdjustPolicy(QComboBox::AdjustToContents);
-    m_set->setFixedHeight(28);
+    m_set->setFixedHeight(fieldHeight);
     m_set->setProperty("link", true);
     for (QLabel *label : {m_title, m_subtitle}) {
         label->setTextFormat(Qt::PlainText);
@@ -111,7 +112,7 @@ TestHead::TestHead(QWidget *parent)
     texts->addWidget(m_subtitle);
     texts->addStretch();
     auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(16, 0, 16, 0);
+    row->setContentsMargins(pageMargin, 0, pageMargin, 0);
     row->setSpacing(8);
     row->addLayout(texts, 1);
     row->addWidget(m_editionLabel);
