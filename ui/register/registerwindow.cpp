@@ -30,7 +30,6 @@
 #include "ui/register/firstuse.h"
 #include "ui/register/foldersdialog.h"
 #include "ui/register/registerservice.h"
-#include "ui/register/registerwords.h"
 #include "ui/register/testtable.h"
 #include "ui/register/trendchart.h"
 #include "ui/register/troubledfiles.h"
@@ -1165,7 +1164,7 @@ void RegisterWindow::showChosen() {
     m_shown->setText(
         m_stack->currentIndex() == 0
             ? tr("F1 help")
-            : counted(tr("%n test(s) shown", nullptr, tests), tests) +
+            : withGroups(tr("%n test(s) shown", nullptr, tests), tests) +
                   (count == 0 ? QString() : QStringLiteral(" · ") + tr("%n chosen", nullptr, count)));
 }
 
@@ -1268,8 +1267,8 @@ void RegisterWindow::showState() {
     m_toDo->setVisible(count > 0);
     m_unidentified->setVisible(m_machines->unidentifiedTests() > 0);
     const int tests = m_machines->testCount();
-    m_total->setText(counted(tr("%n machine(s)", nullptr, listed), listed) + QStringLiteral(" · ") +
-                     counted(tr("%n test(s)", nullptr, tests), tests));
+    m_total->setText(withGroups(tr("%n machine(s)", nullptr, listed), listed) + QStringLiteral(" · ") +
+                     withGroups(tr("%n test(s)", nullptr, tests), tests));
     m_total->setVisible(tests > 0);
     m_rules[0]->setVisible(tests > 0);
     const auto folders = static_cast<int>(m_service.folders().size());
@@ -1317,9 +1316,9 @@ void RegisterWindow::showTroubled() {
     const auto unreadable = static_cast<int>(result.unreadable.size());
     QStringList said;
     if (unreadable > 0)
-        said << counted(tr("%n unreadable file(s)", nullptr, unreadable), unreadable);
+        said << withGroups(tr("%n unreadable file(s)", nullptr, unreadable), unreadable);
     if (result.notFound > 0)
-        said << counted(tr("%n file(s) not found", nullptr, result.notFound), result.notFound);
+        said << withGroups(tr("%n file(s) not found", nullptr, result.notFound), result.notFound);
     m_unreadable->setVisible(!said.isEmpty());
     m_rules[1]->setVisible(!said.isEmpty());
     m_unreadable->setText(said.join(QStringLiteral(" · ")));

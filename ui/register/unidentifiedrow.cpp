@@ -3,8 +3,8 @@
 #include "ui/register/unidentifiedrow.h"
 
 #include "ui/measures.h"
-#include "ui/register/registerwords.h"
 #include "ui/theme.h"
+#include "ui/windowlanguage.h"
 
 #include <QEvent>
 #include <QPainter>
@@ -33,7 +33,7 @@ void UnidentifiedRow::changeEvent(QEvent *event) {
 
 void UnidentifiedRow::retranslate() {
     setText(tr("Not identified"));
-    m_below = counted(tr("%n test(s) without serial number", nullptr, m_tests), m_tests);
+    m_below = withGroups(tr("%n test(s) without serial number", nullptr, m_tests), m_tests);
     setAccessibleName(text() + QStringLiteral(", ") + m_below);
     update();
 }
