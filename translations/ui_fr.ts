@@ -1946,6 +1946,25 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::HistoryPdf</name>
+    <message>
+        <source>Number of the history, printed on every page; may be empty:</source>
+        <translation>Numéro de l’historique, imprimé sur chaque page&#x202f;; peut rester vide&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Save the history</source>
+        <translation>Enregistrer l’historique</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documents PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The history was not saved</source>
+        <translation>L’historique n’a pas été enregistré</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::IdentificationPage</name>
     <message>
         <source>Report</source>
@@ -3937,18 +3956,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Choisir un dossier</translation>
     </message>
     <message>
-        <source>Save the history</source>
-        <translation>Enregistrer l’historique</translation>
-    </message>
-    <message>
-        <source>PDF documents (*.pdf)</source>
-        <translation>Documents PDF (*.pdf)</translation>
-    </message>
-    <message>
-        <source>The history was not saved</source>
-        <translation>L’historique n’a pas été enregistré</translation>
-    </message>
-    <message>
         <source>%1 axis</source>
         <translation>axe %1</translation>
     </message>
@@ -3959,10 +3966,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Show the trend alone</source>
         <translation>Montrer la tendance seule</translation>
-    </message>
-    <message>
-        <source>Number of the history, printed on every page; may be empty:</source>
-        <translation>Numéro de l’historique, imprimé sur chaque page&#x202f;; peut rester vide&#xa0;:</translation>
     </message>
     <message>
         <source>Stop</source>

@@ -1,14 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/registerwindow.h"
+#include "ui/register/registerqueries.h"
 
 #include "document/filewords.h"
 #include "document/resultwords.h"
-#include "document/savedocument.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/rounding.h"
-#include "print/pdf/writepdf.h"
-#include "register/history.h"
 #include "register/listing.h"
 #include "register/reevaluate.h"
 #include "register/register.h"
@@ -39,7 +37,6 @@
 #include "ui/thinsplitter.h"
 #include "ui/windowlanguage.h"
 
-#include <QBuffer>
 #include <QButtonGroup>
 #include <QClipboard>
 #include <QComboBox>
@@ -49,20 +46,17 @@
 #include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QPainter>
 #include <QPixmap>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSettings>
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QSortFilterProxyModel>
@@ -75,7 +69,6 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <variant>
 
 namespace palmer::ui {
 
@@ -90,8 +83,6 @@ constexpr int filterHeight = 40;
 constexpr int tableHead = 28;
 constexpr int factsColumnWidth = 256;
 constexpr int statusHeight = 27;
-
-const QString intervalsKey = QStringLiteral("register/intervals");
 
 /// Months offered as interval; 0: none.
 constexpr std::array months{0, 1, 3, 6, 12, 18, 24, 36, 60};
@@ -119,11 +110,6 @@ QString inPieces(QString text) {
         .replace(joined + QStringLiteral("·"), QStringLiteral(" ·"));
 }
 
-struct MachinesRead {
-    std::vector<MachineRow> rows;
-    QString trouble;
-};
-
 /// True if nothing shown has changed.
 bool sameTests(const std::vector<ListedTest> &a, const std::vector<ListedTest> &b) {
     const auto samePlace = [](const TestPlace &one, const TestPlace &other) {
@@ -140,7 +126,8 @@ bool sameTests(const std::vector<ListedTest> &a, const std::vector<ListedTest> &
 RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     : QMainWindow(parent)
     , m_service(service)
-    , m_menus(*this) {
+    , m_menus(*this)
+    , m_history(*this) {
     constexpr QSize usual(1280, 800);
     setObjectName(QStringLiteral("registerWindow"));
     setAcceptDrops(true);
@@ -173,8 +160,8 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
 RegisterWindow::~RegisterWindow() = default;
 
 bool RegisterWindow::isQuiet() const {
-    return !m_machineLane.isBusy() && !m_testLane.isBusy() && !m_historyLane.isBusy() &&
-           !m_filesLane.isBusy() && !m_service.isScanning();
+    return !m_machineLane.isBusy() && !m_testLane.isBusy() && !m_history.isBusy() && !m_filesLane.isBusy() &&
+           !m_service.isScanning();
 }
 
 void RegisterWindow::makeActions() {
@@ -200,7 +187,7 @@ void RegisterWindow::makeActions() {
     });
     connect(m_menus.previous, &QAction::triggered, this, [this] { moveInMachines(-1); });
     connect(m_menus.next, &QAction::triggered, this, [this] { moveInMachines(1); });
-    connect(m_menus.history, &QAction::triggered, this, &RegisterWindow::writeHistory);
+    connect(m_menus.history, &QAction::triggered, this, &RegisterWindow::saveHistory);
     connect(m_menus.intervals, &QMenu::aboutToShow, this, &RegisterWindow::fillIntervals);
     connect(m_menus.open, &QAction::triggered, this, &RegisterWindow::openChosen);
     connect(m_menus.compare, &QAction::toggled, this, &RegisterWindow::compareCurves);
@@ -629,50 +616,14 @@ void RegisterWindow::setFolders(const QStringList &folders) {
 
 void RegisterWindow::loadMachines() {
     m_machineLane.cancel();
-    const bool isThere = isServerAddress(m_service.address()) || QFileInfo::exists(m_service.address());
-    if (!isThere) {
+    const QString &address = m_service.address();
+    if (!isServerAddress(address) && !QFileInfo::exists(address)) {
         takeMachines({});
         return;
     }
     m_machineLane.start(
-        [address = m_service.address(), language = windowLanguage(),
-         kept = QSettings().value(intervalsKey).toMap()](const Background::Job &) {
-            MachinesRead read;
-            try {
-                Register reg(address);
-                std::vector<ListedMachine> list = machines(reg.database());
-                for (ListedMachine &machine : list) { // a rebuilt index has no intervals
-                    const auto months = kept.constFind(machine.identity);
-                    if (machine.months || months == kept.constEnd())
-                        continue;
-                    machine.months = months->toInt();
-                    setInterval(reg.database(), machine.id, machine.months);
-                }
-                const auto due = dueDates(reg.database(), list);
-                const auto states = axisStates(reg.database());
-                const auto counts = testCounts(reg.database());
-                for (ListedMachine &machine : list) {
-                    MachineRow row;
-                    const int id = machine.id;
-                    row.machine = std::move(machine);
-                    if (const auto found = due.find(id); found != due.end())
-                        row.due = found->second;
-                    if (const auto found = states.find(id); found != states.end())
-                        row.axes = found->second;
-                    if (const auto found = counts.find(id); found != counts.end())
-                        row.tests = found->second;
-                    read.rows.push_back(std::move(row));
-                }
-            } catch (const Error &error) {
-                read.trouble = language.sentence(error.message);
-            }
-            return read;
-        },
-        [this](MachinesRead read) {
-            if (!read.trouble.isEmpty())
-                m_state->setText(read.trouble);
-            takeMachines(std::move(read.rows));
-        });
+        [address, kept = keptIntervals()](const Background::Job &) { return readMachines(address, kept); },
+        [this](std::vector<MachineRow> rows) { takeMachines(std::move(rows)); });
 }
 
 void RegisterWindow::takeMachines(std::vector<MachineRow> rows) {
@@ -721,21 +672,9 @@ void RegisterWindow::loadTests() {
         takeTests({});
         return;
     }
-    m_testLane.start(
-        [address = m_service.address(), machine = m_machine](const Background::Job &) {
-            std::vector<ListedTest> list;
-            try {
-                Register reg(address);
-                TestFilter filter;
-                filter.machines = {machine};
-                filter.withCurves = true;
-                list = tests(reg.database(), filter);
-            } catch (const Error &) { // reported when reading the machines
-                list.clear();
-            }
-            return list;
-        },
-        [this](std::vector<ListedTest> list) { takeTests(std::move(list)); });
+    m_testLane.start([address = m_service.address(),
+                      machine = m_machine](const Background::Job &) { return readTests(address, machine); },
+                     [this](std::vector<ListedTest> list) { takeTests(std::move(list)); });
 }
 
 void RegisterWindow::takeTests(std::vector<ListedTest> tests) {
@@ -1341,16 +1280,7 @@ void RegisterWindow::showTroubled() {
 void RegisterWindow::showTroubledFiles() {
     m_filesLane.cancel();
     m_filesLane.start(
-        [address = m_service.address()](const Background::Job &) {
-            std::vector<ListedSource> files;
-            try {
-                Register reg(address);
-                files = troubledSources(reg.database());
-            } catch (const Error &) { // reported when reading the machines
-                files.clear();
-            }
-            return files;
-        },
+        [address = m_service.address()](const Background::Job &) { return readTroubledFiles(address); },
         [this](const std::vector<ListedSource> &files) {
             auto *dialog = new TroubledFiles(files, this);
             dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -1401,70 +1331,15 @@ void RegisterWindow::setMonths(int index) {
     if (row < 0 || index < 0)
         return;
     const int count = months.at(static_cast<std::size_t>(index));
-    QSettings settings; // kept for a rebuilt index
-    QVariantMap kept = settings.value(intervalsKey).toMap();
-    kept.remove(m_identities[m_machine]);
-    if (count > 0)
-        kept.insert(m_identities[m_machine], count);
-    settings.setValue(intervalsKey, kept);
-    m_machineLane.start(
-        [address = m_service.address(), machine = m_machine, count](const Background::Job &) {
-            try {
-                Register reg(address);
-                setInterval(reg.database(), machine, count > 0 ? std::optional(count) : std::nullopt);
-            } catch (const Error &) {
-                return false;
-            }
-            return true;
-        },
-        [this](bool) { loadMachines(); });
+    keepInterval(m_machines->row(row).machine.identity, count);
+    m_machineLane.start([address = m_service.address(), machine = m_machine,
+                         count](const Background::Job &) { writeInterval(address, machine, count); },
+                        [this] { loadMachines(); });
 }
 
-void RegisterWindow::writeHistory() {
-    const int row = m_machines->rowOf(m_machine);
-    if (row < 0)
-        return;
-    const ListedMachine machine = m_machines->row(row).machine;
-    QInputDialog ask(this);
-    ask.setObjectName(QStringLiteral("historyNumber"));
-    ask.setWindowTitle(tr("History report"));
-    ask.setLabelText(tr("Number of the history, printed on every page; may be empty:"));
-    ask.setTextValue(proposedHistoryNumber(machine, QDate::currentDate()));
-    if (ask.exec() != QDialog::Accepted)
-        return;
-    const QString number = ask.textValue().simplified();
-    QString name = number.isEmpty() ? machine.title() : number;
-    const QString path = QFileDialog::getSaveFileName(this, tr("Save the history"),
-                                                      name.replace(u'/', u'-') + QStringLiteral(".pdf"),
-                                                      tr("PDF documents (*.pdf)"));
-    if (path.isEmpty())
-        return;
-    m_historyLane.start(
-        [address = m_service.address(), machine, number,
-         language = windowLanguage()](const Background::Job &) -> std::variant<Report, Error> {
-            try {
-                Register reg(address);
-                History history = historyOf(reg.database(), machine, QDate::currentDate(),
-                                            QStringLiteral("Palmer " PALMER_VERSION));
-                history.number = number;
-                return composeHistory(history, language);
-            } catch (const Error &error) { // e.g. connection lost
-                return error;
-            }
-        },
-        [this, path](const std::variant<Report, Error> &composed) {
-            try {
-                if (const auto *error = std::get_if<Error>(&composed))
-                    throw *error;
-                QBuffer pdf;
-                pdf.open(QIODevice::WriteOnly);
-                writePdf(std::get<Report>(composed), pdf);
-                saveBytes(pdf.data(), path);
-            } catch (const Error &error) {
-                QMessageBox::warning(this, tr("The history was not saved"),
-                                     windowLanguage().sentence(error.message));
-            }
-        });
+void RegisterWindow::saveHistory() {
+    if (const int row = m_machines->rowOf(m_machine); row >= 0)
+        m_history.save(m_service.address(), m_machines->row(row).machine);
 }
 
 } // namespace palmer::ui

@@ -4,6 +4,7 @@
 
 #include "register/machinetrend.h"
 #include "ui/model/background.h"
+#include "ui/register/historypdf.h"
 #include "ui/register/machinelist.h"
 #include "ui/register/registermenus.h"
 
@@ -124,8 +125,8 @@ private:
     void evaluateUnder(const std::string &edition);
     void chooseFolders();
     void addFolder();
-    void writeHistory();
     void setMonths(int index);
+    void saveHistory();
     void showTroubledFiles();
     void showHelp();
 
@@ -178,6 +179,7 @@ private:
     QProgressBar *m_progress = nullptr;
     QPushButton *m_stop = nullptr;
     RegisterMenus m_menus;
+    HistoryPdf m_history;
     HelpWindow *m_help = nullptr;
 
     int m_machine = 0;                  ///< ID of the chosen machine; 0: none
@@ -189,7 +191,6 @@ private:
     std::map<int, QString> m_identities;
     Background m_machineLane;
     Background m_testLane;
-    Background m_historyLane;
     Background m_filesLane;
 };
 

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/register/historypdf.h"
+
+#include "document/savedocument.h"
+#include "print/pdf/writepdf.h"
+#include "register/history.h"
+#include "register/register.h"
+#include "ui/windowlanguage.h"
+
+#include <QBuffer>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <variant>
+
+namespace palmer::ui {
+
+void HistoryPdf::save(const QString &address, const ListedMachine &machine) {
+    QInputDialog ask(&m_window);
+    ask.setObjectName(QStringLiteral("historyNumber"));
+    ask.setWindowTitle(tr("History report"));
+    ask.setLabelText(tr("Number of the history, printed on every page; may be empty:"));
+    ask.setTextValue(proposedHistoryNumber(machine, QDate::currentDate()));
+    if (ask.exec() != QDialog::Accepted)
+        return;
+    const QString number = ask.textValue().simplified();
+    QString name = number.isEmpty() ? machine.title() : number;
+    const QString path = QFileDialog::getSaveFileName(&m_window, tr("Save the history"),
+                                                      name.replace(u'/', u'-') + QStringLiteral(".pdf"),
+                                                      tr("PDF documents (*.pdf)"));
+    if (path.isEmpty())
+        return;
+    m_lane.start(
+        [address, machine, number,
+         language = windowLanguage()](const Background::Job &) -> std::variant<Report, Error> {
+            try {
+                Register reg(address);
+                History history = historyOf(reg.database(), machine, QDate::currentDate(),
+                                            QStringLiteral("Palmer " PALMER_VERSION));
+                history.number = number;
+                return composeHistory(history, language);
+            } catch (const Error &error) { // e.g. connection lost
+                return error;
+            }
+        },
+        [this, path](const std::variant<Report, Error> &composed) {
+            try {
+                if (const auto *error = std::get_if<Error>(&composed))
+                    throw *error;
+                QBuffer pdf;
+                pdf.open(QIODevice::WriteOnly);
+                writePdf(std::get<Report>(composed), pdf);
+                saveBytes(pdf.data(), path);
+            } catch (const Error &error) {
+                QMessageBox::warning(&m_window, tr("The history was not saved"),
+                                     windowLanguage().sentence(error.message));
+            }
+        });
+}
+
+} // namespace palmer::ui
