@@ -352,14 +352,7 @@
     </message>
 </context>
 <context>
-    <name>palmer::ui::RegisterWindow</name>
-    <message numerus="yes">
-        <source>%n month(s)</source>
-        <translation>
-            <numerusform>%n month</numerusform>
-            <numerusform>%n months</numerusform>
-        </translation>
-    </message>
+    <name>palmer::ui::RegisterStatus</name>
     <message numerus="yes">
         <source>%n machine(s)</source>
         <translation>
@@ -382,10 +375,24 @@
         </translation>
     </message>
     <message numerus="yes">
+        <source>reading %1 of %2 file(s)</source>
+        <translation>
+            <numerusform>reading %1 of %2 file</numerusform>
+            <numerusform>reading %1 of %2 files</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
         <source>%n unreadable file(s)</source>
         <translation>
             <numerusform>%n unreadable file</numerusform>
             <numerusform>%n unreadable files</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) not found</source>
+        <translation>
+            <numerusform>%n file not found</numerusform>
+            <numerusform>%n files not found</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -402,11 +409,14 @@
             <numerusform>%n chosen</numerusform>
         </translation>
     </message>
+</context>
+<context>
+    <name>palmer::ui::RegisterWindow</name>
     <message numerus="yes">
-        <source>%n file(s) not found</source>
+        <source>%n month(s)</source>
         <translation>
-            <numerusform>%n file not found</numerusform>
-            <numerusform>%n files not found</numerusform>
+            <numerusform>%n month</numerusform>
+            <numerusform>%n months</numerusform>
         </translation>
     </message>
     <message numerus="yes">
@@ -414,13 +424,6 @@
         <translation>
             <numerusform>%1 of %2 test</numerusform>
             <numerusform>%1 of %2 tests</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reading %1 of %2 file(s)</source>
-        <translation>
-            <numerusform>reading %1 of %2 file</numerusform>
-            <numerusform>reading %1 of %2 files</numerusform>
         </translation>
     </message>
 </context>

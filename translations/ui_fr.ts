@@ -3835,6 +3835,97 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     </message>
 </context>
 <context>
+    <name>palmer::ui::RegisterStatus</name>
+    <message>
+        <source>Stop</source>
+        <translation>Arrêter</translation>
+    </message>
+    <message>
+        <source>Stop reading: what was read stays, Rescan goes on</source>
+        <translation>Arrêter la lecture&#xa0;: ce qui est lu reste, Actualiser reprend la suite</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n machine(s)</source>
+        <translation>
+            <numerusform>%n machine</numerusform>
+            <numerusform>%n machines</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test(s)</source>
+        <translation>
+            <numerusform>%n essai</numerusform>
+            <numerusform>%n essais</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No folder is watched</source>
+        <translation>Aucun dossier suivi</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n folder(s) watched</source>
+        <translation>
+            <numerusform>%n dossier suivi</numerusform>
+            <numerusform>%n dossiers suivis</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>being read</source>
+        <translation>en cours de lecture</translation>
+    </message>
+    <message>
+        <source>reading stopped</source>
+        <translation>lecture arrêtée</translation>
+    </message>
+    <message>
+        <source>up to date at %1</source>
+        <translation>à jour à %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>reading %1 of %2 file(s)</source>
+        <translation>
+            <numerusform>lecture&#xa0;: %1 sur %2 fichier</numerusform>
+            <numerusform>lecture&#xa0;: %1 sur %2 fichiers</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 s left</source>
+        <translation>encore %1&#xa0;s</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n unreadable file(s)</source>
+        <translation>
+            <numerusform>%n fichier illisible</numerusform>
+            <numerusform>%n fichiers illisibles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) not found</source>
+        <translation>
+            <numerusform>%n fichier introuvable</numerusform>
+            <numerusform>%n fichiers introuvables</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n test(s) shown</source>
+        <translation>
+            <numerusform>%n essai affiché</numerusform>
+            <numerusform>%n essais affichés</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n chosen</source>
+        <translation>
+            <numerusform>%n choisi</numerusform>
+            <numerusform>%n choisis</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>F1 help</source>
+        <translation>F1 aide</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::RegisterWindow</name>
     <message>
         <source>Each test under its own edition</source>
@@ -3911,46 +4002,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <source>No machine yet</source>
         <translation>Aucune machine pour l’instant</translation>
     </message>
-    <message numerus="yes">
-        <source>%n machine(s)</source>
-        <translation>
-            <numerusform>%n machine</numerusform>
-            <numerusform>%n machines</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n test(s)</source>
-        <translation>
-            <numerusform>%n essai</numerusform>
-            <numerusform>%n essais</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n folder(s) watched</source>
-        <translation>
-            <numerusform>%n dossier suivi</numerusform>
-            <numerusform>%n dossiers suivis</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>No folder is watched</source>
-        <translation>Aucun dossier suivi</translation>
-    </message>
-    <message>
-        <source>being read</source>
-        <translation>en cours de lecture</translation>
-    </message>
-    <message>
-        <source>up to date at %1</source>
-        <translation>à jour à %1</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n unreadable file(s)</source>
-        <translation>
-            <numerusform>%n fichier illisible</numerusform>
-            <numerusform>%n fichiers illisibles</numerusform>
-        </translation>
-    </message>
     <message>
         <source>Choose a folder</source>
         <translation>Choisir un dossier</translation>
@@ -3967,59 +4018,11 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <source>Show the trend alone</source>
         <translation>Montrer la tendance seule</translation>
     </message>
-    <message>
-        <source>Stop</source>
-        <translation>Arrêter</translation>
-    </message>
-    <message>
-        <source>Stop reading: what was read stays, Rescan goes on</source>
-        <translation>Arrêter la lecture&#xa0;: ce qui est lu reste, Actualiser reprend la suite</translation>
-    </message>
-    <message>
-        <source>F1 help</source>
-        <translation>F1 aide</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n test(s) shown</source>
-        <translation>
-            <numerusform>%n essai affiché</numerusform>
-            <numerusform>%n essais affichés</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>%n chosen</source>
-        <translation>
-            <numerusform>%n choisi</numerusform>
-            <numerusform>%n choisis</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>reading stopped</source>
-        <translation>lecture arrêtée</translation>
-    </message>
-    <message>
-        <source>%1 s left</source>
-        <translation>encore %1&#xa0;s</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n file(s) not found</source>
-        <translation>
-            <numerusform>%n fichier introuvable</numerusform>
-            <numerusform>%n fichiers introuvables</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%1 of %2 test(s)</source>
         <translation>
             <numerusform>%1 sur %2 essai</numerusform>
             <numerusform>%1 sur %2 essais</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
-        <source>reading %1 of %2 file(s)</source>
-        <translation>
-            <numerusform>lecture&#xa0;: %1 sur %2 fichier</numerusform>
-            <numerusform>lecture&#xa0;: %1 sur %2 fichiers</numerusform>
         </translation>
     </message>
 </context>

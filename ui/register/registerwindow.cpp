@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/registerwindow.h"
 #include "ui/register/registerqueries.h"
+#include "ui/register/registerstatus.h"
 
 #include "document/filewords.h"
 #include "document/resultwords.h"
@@ -10,7 +11,6 @@
 #include "register/listing.h"
 #include "register/reevaluate.h"
 #include "register/register.h"
-#include "register/storedsentence.h"
 #include "register/trendfigure.h"
 #include "register/trendoutput.h"
 #include "report/words/accordancetext.h"
@@ -52,22 +52,17 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QPainter>
-#include <QPixmap>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
-#include <QStatusBar>
 #include <QTableView>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 namespace palmer::ui {
@@ -82,7 +77,6 @@ constexpr int headHeight = 52;
 constexpr int filterHeight = 40;
 constexpr int tableHead = 28;
 constexpr int factsColumnWidth = 256;
-constexpr int statusHeight = 27;
 
 /// Months offered as interval; 0: none.
 constexpr std::array months{0, 1, 3, 6, 12, 18, 24, 36, 60};
@@ -148,10 +142,11 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     QScrollArea *place = scrolledPlace(this); // for screens that are too small
     place->setWidget(m_parts);
     setCentralWidget(place);
-    makeStatus();
+    m_status = new RegisterStatus(service);
+    setStatusBar(m_status);
+    connect(m_status, &RegisterStatus::troubledFilesAsked, this, &RegisterWindow::showTroubledFiles);
     connect(&m_service, &RegisterService::changed, this, &RegisterWindow::loadMachines);
     connect(&m_service, &RegisterService::stateChanged, this, &RegisterWindow::showState);
-    connect(&m_service, &RegisterService::progressed, this, &RegisterWindow::showProgress);
     retranslate();
     resize(sizeOnScreen(*this, usual));
     loadMachines();
@@ -200,46 +195,6 @@ void RegisterWindow::makeActions() {
         dialog->show();
     });
     connect(m_menus.about, &QAction::triggered, this, [this] { showAbout(this); });
-}
-
-void RegisterWindow::makeStatus() {
-    m_total = new QLabel;
-    m_total->setObjectName(QStringLiteral("total"));
-    m_state = new ElidedLabel; // database messages may be long
-    m_state->setObjectName(QStringLiteral("scanState"));
-    m_unreadable = new QPushButton;
-    m_unreadable->setObjectName(QStringLiteral("unreadable"));
-    m_unreadable->setProperty("link", true);
-    m_unreadable->setProperty("bad", true);
-    m_progress = new QProgressBar;
-    m_progress->setObjectName(QStringLiteral("scanProgress"));
-    m_progress->setFixedSize(140, 6);
-    m_progress->setTextVisible(false);
-    m_progress->hide();
-    m_stop = new QPushButton;
-    m_stop->setObjectName(QStringLiteral("stopScan"));
-    m_stop->setProperty("link", true);
-    m_stop->hide();
-    m_shown = new QLabel;
-    m_shown->setObjectName(QStringLiteral("shownAndChosen"));
-    for (QFrame *&rule : m_rules) {
-        rule = new QFrame;
-        rule->setProperty("rule", true);
-        rule->setFixedSize(1, 14);
-    }
-    for (QWidget *one : std::initializer_list<QWidget *>{m_total, m_rules[0], m_state, m_progress, m_stop,
-                                                         m_rules[1], m_unreadable})
-        statusBar()->addWidget(one);
-    statusBar()->addPermanentWidget(m_shown);
-    statusBar()->setContentsMargins(pageMargin, 0, pageMargin, 0);
-    statusBar()->setFixedHeight(statusHeight);
-    statusBar()->setSizeGripEnabled(false);
-    for (QPushButton *link : {m_unreadable, m_stop}) {
-        link->setFont(themeFont(TextSize::base));
-        link->setFixedHeight(statusHeight - 4);
-    }
-    connect(m_unreadable, &QPushButton::clicked, this, &RegisterWindow::showTroubledFiles);
-    connect(m_stop, &QPushButton::clicked, &m_service, &RegisterService::stop);
 }
 
 void RegisterWindow::makeMachineList() {
@@ -517,10 +472,8 @@ void RegisterWindow::changeEvent(QEvent *event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
-    else if (event->type() == QEvent::PaletteChange && m_legend) { // their colours are set once
+    else if (event->type() == QEvent::PaletteChange && m_legend) // its colours are set once
         showLegend();
-        showTroubled();
-    }
 }
 
 void RegisterWindow::retranslate() {
@@ -534,8 +487,7 @@ void RegisterWindow::retranslate() {
     m_interval->setAccessibleName(tr("Interval"));
     m_clear->setText(tr("Clear filters"));
     m_under->setText(tr("Evaluate all under…"));
-    m_stop->setText(tr("Stop"));
-    m_stop->setToolTip(tr("Stop reading: what was read stays, Rescan goes on"));
+    m_status->retranslate();
     m_copy->setToolTip(tr("Copy the chart"));
     m_copy->setAccessibleName(tr("Copy the chart"));
     maximiseTrend(m_maximise->isChecked());
@@ -1098,13 +1050,10 @@ void RegisterWindow::showChosen() {
         m_comparison->setTests(std::move(list));
     }
     m_menus.history->setEnabled(m_machine != 0);
-    const int tests = m_sorted->rowCount();
-    const auto count = static_cast<int>(chosen.size());
-    m_shown->setText(
-        m_stack->currentIndex() == 0
-            ? tr("F1 help")
-            : withGroups(tr("%n test(s) shown", nullptr, tests), tests) +
-                  (count == 0 ? QString() : QStringLiteral(" · ") + tr("%n chosen", nullptr, count)));
+    if (m_stack->currentIndex() == 0)
+        m_status->showHelpKey();
+    else
+        m_status->showTests(m_sorted->rowCount(), static_cast<int>(chosen.size()));
 }
 
 void RegisterWindow::compareCurves(bool compare) {
@@ -1205,76 +1154,9 @@ void RegisterWindow::showState() {
     m_all->setVisible(count > 0);
     m_toDo->setVisible(count > 0);
     m_unidentified->setVisible(m_machines->unidentifiedTests() > 0);
-    const int tests = m_machines->testCount();
-    m_total->setText(withGroups(tr("%n machine(s)", nullptr, listed), listed) + QStringLiteral(" · ") +
-                     withGroups(tr("%n test(s)", nullptr, tests), tests));
-    m_total->setVisible(tests > 0);
-    m_rules[0]->setVisible(tests > 0);
-    const auto folders = static_cast<int>(m_service.folders().size());
-    showScanState(hasFolders ? tr("%n folder(s) watched", nullptr, folders) : tr("No folder is watched"));
-    showTroubled();
+    m_status->showState(listed, m_machines->testCount());
+    m_menus.troubled->setEnabled(hasFolders || count > 0);
     showChosen();
-}
-
-void RegisterWindow::showScanState(const QString &folders) {
-    const bool isScanning = m_service.isScanning();
-    if (!m_service.trouble().isEmpty())
-        m_state->setText(m_service.trouble());
-    else if (isScanning)
-        m_state->setText(folders + QStringLiteral(", ") + tr("being read"));
-    else if (m_service.isStopped())
-        m_state->setText(folders + QStringLiteral(", ") + tr("reading stopped"));
-    else if (m_service.scannedAt().isValid())
-        m_state->setText(folders + QStringLiteral(", ") +
-                         tr("up to date at %1").arg(m_service.scannedAt().toString(QStringLiteral("HH:mm"))));
-    else
-        m_state->setText(folders);
-    m_progress->setVisible(m_progress->isVisible() && isScanning);
-    m_stop->setVisible(m_progress->isVisible());
-}
-
-void RegisterWindow::showProgress(int done, int total) {
-    constexpr double soonest = 2; // s; before that the pace is unknown
-    if (!m_service.isScanning())
-        return;
-    m_progress->setRange(0, total);
-    m_progress->setValue(done);
-    m_progress->setVisible(done < total);
-    m_stop->setVisible(done < total);
-    const auto grouped = [](int number) { return windowLanguage().number(number, Quantity::count); };
-    QString said = tr("reading %1 of %2 file(s)", nullptr, total).arg(grouped(done), grouped(total));
-    const double passed = m_service.secondsOfScan();
-    if (done > 0 && passed >= soonest)
-        said +=
-            QStringLiteral(" · ") + tr("%1 s left").arg(std::ceil(passed * (total - done) / done), 0, 'f', 0);
-    m_state->setText(said);
-}
-
-void RegisterWindow::showTroubled() {
-    const ScanResult &result = m_service.result();
-    const auto unreadable = static_cast<int>(result.unreadable.size());
-    QStringList said;
-    if (unreadable > 0)
-        said << withGroups(tr("%n unreadable file(s)", nullptr, unreadable), unreadable);
-    if (result.notFound > 0)
-        said << withGroups(tr("%n file(s) not found", nullptr, result.notFound), result.notFound);
-    m_unreadable->setVisible(!said.isEmpty());
-    m_rules[1]->setVisible(!said.isEmpty());
-    m_unreadable->setText(said.join(QStringLiteral(" · ")));
-    QPixmap mark(QSize(16, 16) * devicePixelRatioF());
-    mark.setDevicePixelRatio(devicePixelRatioF());
-    mark.fill(Qt::transparent);
-    QPainter painter(&mark);
-    drawLineIcon(painter, QRect(0, 0, 16, 16), QStringLiteral("miss"), token(Token::bad, palette()));
-    painter.end();
-    m_unreadable->setIcon(QIcon(mark));
-    m_menus.troubled->setEnabled(!m_service.folders().isEmpty() || m_machines->machineCount() > 0);
-    QStringList reasons;
-    constexpr std::size_t most = 12;
-    for (std::size_t i = 0; i < std::min(result.unreadable.size(), most); ++i)
-        reasons << result.unreadable[i].path + QStringLiteral(": ") +
-                       sentenceFrom(result.unreadable[i].error, windowLanguage());
-    m_unreadable->setToolTip(reasons.join(u'\n'));
 }
 
 void RegisterWindow::showTroubledFiles() {

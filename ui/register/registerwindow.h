@@ -16,12 +16,10 @@
 class QAction;
 class QButtonGroup;
 class QComboBox;
-class QFrame;
 class QHBoxLayout;
 class QLabel;
 class QLineEdit;
 class QListView;
-class QProgressBar;
 class QPushButton;
 class QSortFilterProxyModel;
 class QSplitter;
@@ -37,6 +35,7 @@ class FilterChip;
 class GhostRows;
 class HelpWindow;
 class RegisterService;
+class RegisterStatus;
 class TestDelegate;
 class TestTableModel;
 class TrendChart;
@@ -81,7 +80,6 @@ private:
     QWidget *makeTests();
     QWidget *makeTrend();
     void makeActions();
-    void makeStatus();
     static QToolButton *makeTrendButton(const char *name, const char *icon);
     void retranslate();
     void showLegend();
@@ -111,9 +109,6 @@ private:
     void showFacts(const MachineTrend &trend);
     void showChosen();
     void showState();
-    void showScanState(const QString &folders);
-    void showTroubled();
-    void showProgress(int done, int total);
     [[nodiscard]] QString trendAxis() const;
     [[nodiscard]] QString axisName(const std::vector<ListedTest> &list) const;
     [[nodiscard]] std::vector<const ListedTest *> chosenTests() const;
@@ -171,13 +166,7 @@ private:
     QWidget *m_head = nullptr;
     QWidget *m_testsPart = nullptr;
     GhostRows *m_ghosts = nullptr;
-    QLabel *m_total = nullptr;
-    QLabel *m_state = nullptr;
-    std::array<QFrame *, 2> m_rules{}; ///< between total, state and files with problems
-    QPushButton *m_unreadable = nullptr;
-    QLabel *m_shown = nullptr;
-    QProgressBar *m_progress = nullptr;
-    QPushButton *m_stop = nullptr;
+    RegisterStatus *m_status = nullptr;
     RegisterMenus m_menus;
     HistoryPdf m_history;
     HelpWindow *m_help = nullptr;
