@@ -2447,6 +2447,33 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::MachineSide</name>
+    <message>
+        <source>Machine, serial number, type</source>
+        <translation>Machine, n° de série, type</translation>
+    </message>
+    <message>
+        <source>Search machines</source>
+        <translation>Chercher une machine</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Toutes</translation>
+    </message>
+    <message>
+        <source>To do %1</source>
+        <translation>À traiter %1</translation>
+    </message>
+    <message>
+        <source>The folders are being read…</source>
+        <translation>Lecture des dossiers…</translation>
+    </message>
+    <message>
+        <source>No machine yet</source>
+        <translation>Aucune machine pour l’instant</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::MainWindow</name>
     <message>
         <source>Open a test file</source>
@@ -3936,14 +3963,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Copier le graphique</translation>
     </message>
     <message>
-        <source>Machine, serial number, type</source>
-        <translation>Machine, n° de série, type</translation>
-    </message>
-    <message>
-        <source>Search machines</source>
-        <translation>Chercher une machine</translation>
-    </message>
-    <message>
         <source>Clear filters</source>
         <translation>Effacer les filtres</translation>
     </message>
@@ -3989,18 +4008,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Limit %1</source>
         <translation>Limite %1</translation>
-    </message>
-    <message>
-        <source>To do %1</source>
-        <translation>À traiter %1</translation>
-    </message>
-    <message>
-        <source>The folders are being read…</source>
-        <translation>Lecture des dossiers…</translation>
-    </message>
-    <message>
-        <source>No machine yet</source>
-        <translation>Aucune machine pour l’instant</translation>
     </message>
     <message>
         <source>Choose a folder</source>

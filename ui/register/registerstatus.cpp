@@ -3,30 +3,18 @@
 #include "ui/register/registerstatus.h"
 
 #include "register/storedsentence.h"
-#include "ui/elidedlabel.h"
 #include "ui/measures.h"
-#include "ui/register/madewidgets.h"
 #include "ui/register/registerservice.h"
 #include "ui/windowlanguage.h"
 
 #include <QEvent>
-#include <QFrame>
 #include <QPainter>
-#include <QProgressBar>
-#include <QPushButton>
 #include <cmath>
 
 namespace palmer::ui {
 
-RegisterStatus::RegisterStatus(RegisterService &service, QWidget *parent)
-    : QStatusBar(parent)
-    , m_service(service)
-    , m_total(made<QLabel>("total"))
-    , m_state(made<ElidedLabel>("scanState")) // database messages may be long
-    , m_progress(made<QProgressBar>("scanProgress"))
-    , m_stop(made<QPushButton>("stopScan", TextSize::base))
-    , m_unreadable(made<QPushButton>("unreadable", TextSize::base))
-    , m_shown(made<QLabel>("shownAndChosen")) {
+RegisterStatus::RegisterStatus(RegisterService &service)
+    : m_service(service) {
     constexpr int statusHeight = 27;
     m_unreadable->setProperty("bad", true);
     m_progress->setFixedSize(140, 6);
@@ -37,8 +25,7 @@ RegisterStatus::RegisterStatus(RegisterService &service, QWidget *parent)
         link->setFixedHeight(statusHeight - 4);
     }
     m_stop->hide();
-    for (QFrame *&rule : m_rules) {
-        rule = new QFrame;
+    for (QFrame *rule : m_rules) {
         rule->setProperty("rule", true);
         rule->setFixedSize(1, 14);
     }

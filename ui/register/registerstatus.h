@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/elidedlabel.h"
+#include "ui/register/madewidgets.h"
+
+#include <QProgressBar>
+#include <QPushButton>
 #include <QStatusBar>
 #include <array>
-
-class QFrame;
-class QLabel;
-class QProgressBar;
-class QPushButton;
 
 namespace palmer::ui {
 
@@ -19,7 +19,7 @@ class RegisterStatus : public QStatusBar {
     Q_OBJECT
 
 public:
-    explicit RegisterStatus(RegisterService &service, QWidget *parent = nullptr);
+    explicit RegisterStatus(RegisterService &service);
 
     /// State and result of the service's scan, with the totals of the register.
     void showState(int machines, int tests);
@@ -39,13 +39,13 @@ private:
     void showTroubled();
 
     RegisterService &m_service;
-    QLabel *m_total;
-    QLabel *m_state;
-    std::array<QFrame *, 2> m_rules{}; ///< between total, state and files with problems
-    QProgressBar *m_progress;
-    QPushButton *m_stop;
-    QPushButton *m_unreadable;
-    QLabel *m_shown;
+    QLabel *m_total = made<QLabel>("total");
+    QLabel *m_state = made<ElidedLabel>("scanState");        ///< database messages may be long
+    std::array<QFrame *, 2> m_rules{new QFrame, new QFrame}; ///< around the state
+    QProgressBar *m_progress = made<QProgressBar>("scanProgress");
+    QPushButton *m_stop = made<QPushButton>("stopScan", TextSize::base);
+    QPushButton *m_unreadable = made<QPushButton>("unreadable", TextSize::base);
+    QLabel *m_shown = made<QLabel>("shownAndChosen");
 };
 
 } // namespace palmer::ui

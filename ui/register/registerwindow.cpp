@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/registerwindow.h"
+#include "ui/register/machineside.h"
 #include "ui/register/registerqueries.h"
 #include "ui/register/registerstatus.h"
 
@@ -31,7 +32,6 @@
 #include "ui/register/testtable.h"
 #include "ui/register/trendchart.h"
 #include "ui/register/troubledfiles.h"
-#include "ui/register/unidentifiedrow.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
 #include "ui/thinsplitter.h"
@@ -47,8 +47,6 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLineEdit>
-#include <QListView>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
@@ -133,7 +131,8 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     firstPlace->setWidget(firstUse);
     m_stack->addWidget(firstPlace);
     m_stack->addWidget(makeRight());
-    m_side = makeLeft();
+    m_side = new MachineSide;
+    connect(m_side, &MachineSide::machineChosen, this, &RegisterWindow::showMachine);
     m_parts = new ThinSplitter(Qt::Horizontal);
     m_parts->addWidget(m_side);
     m_parts->addWidget(m_stack);
@@ -176,12 +175,9 @@ void RegisterWindow::makeActions() {
     connect(m_menus.rescan, &QAction::triggered, &m_service, [this] { m_service.rescan(); });
     connect(m_menus.troubled, &QAction::triggered, this, &RegisterWindow::showTroubledFiles);
     connect(m_menus.close, &QAction::triggered, this, &QWidget::close);
-    connect(m_menus.find, &QAction::triggered, this, [this] {
-        m_search->setFocus(Qt::ShortcutFocusReason);
-        m_search->selectAll();
-    });
-    connect(m_menus.previous, &QAction::triggered, this, [this] { moveInMachines(-1); });
-    connect(m_menus.next, &QAction::triggered, this, [this] { moveInMachines(1); });
+    connect(m_menus.find, &QAction::triggered, this, [this] { m_side->startSearch(); });
+    connect(m_menus.previous, &QAction::triggered, this, [this] { m_side->moveBy(-1); });
+    connect(m_menus.next, &QAction::triggered, this, [this] { m_side->moveBy(1); });
     connect(m_menus.history, &QAction::triggered, this, &RegisterWindow::saveHistory);
     connect(m_menus.intervals, &QMenu::aboutToShow, this, &RegisterWindow::fillIntervals);
     connect(m_menus.open, &QAction::triggered, this, &RegisterWindow::openChosen);
@@ -195,74 +191,6 @@ void RegisterWindow::makeActions() {
         dialog->show();
     });
     connect(m_menus.about, &QAction::triggered, this, [this] { showAbout(this); });
-}
-
-void RegisterWindow::makeMachineList() {
-    m_machines = new MachineModel(this);
-    m_machineList = new QListView;
-    m_machineList->setObjectName(QStringLiteral("machines"));
-    m_machineList->setModel(m_machines);
-    m_machineList->setItemDelegate(new MachineDelegate(m_machineList));
-    m_machineList->setFrameShape(QFrame::NoFrame);
-    m_machineList->setUniformItemSizes(true);
-    m_machineList->setMinimumHeight(0);
-    m_machineList->setMouseTracking(true);
-    m_machineList->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-}
-
-QWidget *RegisterWindow::makeLeft() {
-    auto *side = new QWidget;
-    side->setMinimumWidth(200);
-    m_machinesTitle = made("machinesTitle", TextSize::head);
-    m_search = new QLineEdit;
-    m_search->setObjectName(QStringLiteral("machineSearch"));
-    m_search->setClearButtonEnabled(true);
-    m_search->addAction(lineIcon(QStringLiteral("search"), QPalette::PlaceholderText),
-                        QLineEdit::LeadingPosition);
-    m_all = new QToolButton;
-    m_toDo = new QToolButton;
-    m_all->setObjectName(QStringLiteral("allMachines"));
-    m_toDo->setObjectName(QStringLiteral("machinesToDo"));
-    auto *choice = new QButtonGroup(this);
-    auto *switches = new QHBoxLayout;
-    switches->setSpacing(0);
-    for (QToolButton *button : {m_all, m_toDo}) {
-        button->setCheckable(true);
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        choice->addButton(button);
-        switches->addWidget(button);
-    }
-    m_all->setChecked(true);
-    makeMachineList();
-    m_noMachine = made("noMachine", TextSize::base);
-    m_noMachine->setWordWrap(true);
-    auto *above = new QVBoxLayout;
-    above->setContentsMargins(pageMargin, 10, pageMargin, 8);
-    above->setSpacing(8);
-    above->addWidget(m_machinesTitle);
-    above->addWidget(m_search);
-    above->addLayout(switches);
-    above->addWidget(m_noMachine);
-    auto *layout = new QVBoxLayout(side);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addLayout(above);
-    layout->addWidget(m_machineList, 1);
-    m_ghosts = new GhostRows;
-    m_ghosts->setObjectName(QStringLiteral("ghostRows"));
-    layout->addWidget(m_ghosts, 1);
-    m_unidentified = new UnidentifiedRow;
-    m_unidentified->setObjectName(QStringLiteral("unidentified"));
-    layout->addWidget(m_unidentified);
-    connect(m_search, &QLineEdit::textChanged, this, &RegisterWindow::filterMachines);
-    connect(choice, &QButtonGroup::buttonClicked, this, [this] {
-        m_unidentified->setChecked(false);
-        filterMachines();
-    });
-    connect(m_unidentified, &QAbstractButton::clicked, this, &RegisterWindow::filterMachines);
-    connect(m_machineList->selectionModel(), &QItemSelectionModel::currentChanged, this,
-            &RegisterWindow::chooseMachine);
-    return side;
 }
 
 QWidget *RegisterWindow::makeRight() {
@@ -479,9 +407,7 @@ void RegisterWindow::changeEvent(QEvent *event) {
 void RegisterWindow::retranslate() {
     setWindowTitle(tr("Register") + QStringLiteral(" — Palmer"));
     m_menus.retranslate();
-    m_search->setPlaceholderText(tr("Machine, serial number, type"));
-    m_search->setAccessibleName(tr("Search machines"));
-    m_machineList->setAccessibleName(tr("Machines"));
+    m_side->retranslate();
     m_table->setAccessibleName(tr("Tests"));
     m_intervalLabel->setText(tr("Interval"));
     m_interval->setAccessibleName(tr("Interval"));
@@ -531,35 +457,6 @@ void RegisterWindow::showLegend() {
     m_legend->setText(legend.join(QStringLiteral(" &nbsp;&nbsp;&nbsp; ")));
 }
 
-void RegisterWindow::filterMachines() {
-    const int before = m_machine != 0 ? m_machine : m_chosenBefore;
-    m_machines->setFilter(m_search->text(), m_unidentified->isChecked() ? MachineModel::Show::unidentified
-                                            : m_toDo->isChecked()       ? MachineModel::Show::toDo
-                                                                        : MachineModel::Show::identified);
-    const int row = m_machines->rowOf(before);
-    if (row >= 0)
-        m_machineList->setCurrentIndex(m_machines->index(row));
-    else if (m_machines->rowCount() > 0) // the machine shown on the right must be in the list
-        m_machineList->setCurrentIndex(m_machines->index(0));
-    else
-        chooseNone();
-}
-
-/// The list is empty; remembers the chosen machine for when it is back.
-void RegisterWindow::chooseNone() {
-    m_chosenBefore = m_machine;
-    m_machine = 0;
-    m_edition.clear();
-    m_anew.clear();
-    loadTests();
-}
-
-void RegisterWindow::moveInMachines(int rows) {
-    const int row = m_machineList->currentIndex().row() + rows;
-    if (row >= 0 && row < m_machines->rowCount())
-        m_machineList->setCurrentIndex(m_machines->index(row));
-}
-
 void RegisterWindow::setFolders(const QStringList &folders) {
     m_service.setFolders(folders);
     showState();
@@ -579,40 +476,12 @@ void RegisterWindow::loadMachines() {
 }
 
 void RegisterWindow::takeMachines(std::vector<MachineRow> rows) {
-    QString identity = m_identities[m_machine];
-    m_identities.clear();
-    for (const MachineRow &row : rows)
-        m_identities.emplace(row.machine.id, row.machine.identity);
-    const QSignalBlocker blocker(m_machineList->selectionModel());
-    m_machines->setRows(std::move(rows));
-    m_machine = 0;
-    for (const auto &[id, known] : m_identities) {
-        if (known == identity)
-            m_machine = id;
-    }
-    m_unidentified->setTests(m_machines->unidentifiedTests());
-    int row = m_machines->rowOf(m_machine);
-    if (row < 0 && m_machines->rowCount() == 0 && m_machines->unidentifiedTests() > 0 &&
-        m_search->text().isEmpty() && !m_toDo->isChecked()) { // no other machines to show
-        m_unidentified->setChecked(true);
-        m_machines->setFilter({}, MachineModel::Show::unidentified);
-    }
-    if (row < 0 && m_machines->rowCount() > 0)
-        row = 0;
-    m_machine = row < 0 ? 0 : m_machines->row(row).machine.id;
-    if (row >= 0)
-        m_machineList->selectionModel()->setCurrentIndex(m_machines->index(row),
-                                                         QItemSelectionModel::ClearAndSelect);
-    m_machineList->viewport()->update();
+    m_side->setMachines(std::move(rows));
     showState();
     loadTests();
 }
 
-void RegisterWindow::chooseMachine(const QModelIndex &index) {
-    const int machine = index.isValid() ? m_machines->row(index.row()).machine.id : m_machine;
-    if (machine == m_machine)
-        return;
-    m_machine = machine;
+void RegisterWindow::showMachine() {
     m_edition.clear();
     m_anew.clear();
     loadTests();
@@ -620,12 +489,13 @@ void RegisterWindow::chooseMachine(const QModelIndex &index) {
 
 void RegisterWindow::loadTests() {
     m_testLane.cancel();
-    if (m_machine == 0) {
+    const MachineRow *chosen = m_side->chosen();
+    if (!chosen) {
         takeTests({});
         return;
     }
-    m_testLane.start([address = m_service.address(),
-                      machine = m_machine](const Background::Job &) { return readTests(address, machine); },
+    m_testLane.start([address = m_service.address(), machine = chosen->machine.id](
+                         const Background::Job &) { return readTests(address, machine); },
                      [this](std::vector<ListedTest> list) { takeTests(std::move(list)); });
 }
 
@@ -649,15 +519,15 @@ void RegisterWindow::takeTests(std::vector<ListedTest> tests) {
 }
 
 void RegisterWindow::showHead() {
-    const int row = m_machines->rowOf(m_machine);
+    const MachineRow *chosen = m_side->chosen();
     m_due->setVisible(false);
-    m_interval->setEnabled(row >= 0);
-    if (row < 0) {
+    m_interval->setEnabled(chosen != nullptr);
+    if (!chosen) {
         m_name->setText({});
         m_facts->setText({});
         return;
     }
-    const MachineRow &machine = m_machines->row(row);
+    const MachineRow &machine = *chosen;
     m_name->setText(machine.machine.title());
     QStringList facts{machine.machine.manufacturer, machine.machine.model,
                       machine.machine.serialNumber.isEmpty() ? tr("not identified: no serial number")
@@ -1049,7 +919,7 @@ void RegisterWindow::showChosen() {
             list.push_back(*test);
         m_comparison->setTests(std::move(list));
     }
-    m_menus.history->setEnabled(m_machine != 0);
+    m_menus.history->setEnabled(m_side->chosen());
     if (m_stack->currentIndex() == 0)
         m_status->showHelpKey();
     else
@@ -1133,29 +1003,18 @@ void RegisterWindow::evaluateUnder(const std::string &edition) {
 
 void RegisterWindow::showState() {
     const bool hasFolders = !m_service.folders().isEmpty();
-    const bool isEmpty = !hasFolders && m_machines->machineCount() == 0;
+    const MachineModel &machines = m_side->machines();
+    const bool isEmpty = !hasFolders && machines.machineCount() == 0;
     m_stack->setCurrentIndex(isEmpty ? 0 : 1);
     if (isEmpty)
         m_maximise->setChecked(false);
     m_menus.rescan->setEnabled(hasFolders);
-    m_menus.history->setEnabled(m_machine != 0);
-    m_menus.intervals->setEnabled(m_machine != 0);
+    m_menus.history->setEnabled(m_side->chosen());
+    m_menus.intervals->setEnabled(m_side->chosen());
     m_menus.under->setEnabled(!m_allTests.empty());
-    const int count = m_machines->machineCount();
-    const int listed = m_machines->identifiedCount();
-    m_machinesTitle->setText(tr("Machines") + (listed == 0 ? QString() : QStringLiteral("  %1").arg(listed)));
-    m_all->setText(tr("All"));
-    m_toDo->setText(tr("To do %1").arg(m_machines->toDoCount()));
-    m_noMachine->setText(m_service.isScanning() ? tr("The folders are being read…") : tr("No machine yet"));
-    m_noMachine->setVisible(count == 0);
-    m_ghosts->setVisible(count == 0);
-    m_machineList->setVisible(count > 0);
-    m_search->setEnabled(count > 0);
-    m_all->setVisible(count > 0);
-    m_toDo->setVisible(count > 0);
-    m_unidentified->setVisible(m_machines->unidentifiedTests() > 0);
-    m_status->showState(listed, m_machines->testCount());
-    m_menus.troubled->setEnabled(hasFolders || count > 0);
+    m_side->showState(m_service.isScanning());
+    m_status->showState(machines.identifiedCount(), machines.testCount());
+    m_menus.troubled->setEnabled(hasFolders || machines.machineCount() > 0);
     showChosen();
 }
 
@@ -1209,19 +1068,19 @@ void RegisterWindow::dropEvent(QDropEvent *event) {
 }
 
 void RegisterWindow::setMonths(int index) {
-    const int row = m_machines->rowOf(m_machine);
-    if (row < 0 || index < 0)
+    const MachineRow *chosen = m_side->chosen();
+    if (!chosen || index < 0)
         return;
     const int count = months.at(static_cast<std::size_t>(index));
-    keepInterval(m_machines->row(row).machine.identity, count);
-    m_machineLane.start([address = m_service.address(), machine = m_machine,
+    keepInterval(chosen->machine.identity, count);
+    m_machineLane.start([address = m_service.address(), machine = chosen->machine.id,
                          count](const Background::Job &) { writeInterval(address, machine, count); },
                         [this] { loadMachines(); });
 }
 
 void RegisterWindow::saveHistory() {
-    if (const int row = m_machines->rowOf(m_machine); row >= 0)
-        m_history.save(m_service.address(), m_machines->row(row).machine);
+    if (const MachineRow *chosen = m_side->chosen())
+        m_history.save(m_service.address(), chosen->machine);
 }
 
 } // namespace palmer::ui

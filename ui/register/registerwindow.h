@@ -18,8 +18,6 @@ class QButtonGroup;
 class QComboBox;
 class QHBoxLayout;
 class QLabel;
-class QLineEdit;
-class QListView;
 class QPushButton;
 class QSortFilterProxyModel;
 class QSplitter;
@@ -32,14 +30,13 @@ namespace palmer::ui {
 class Chip;
 class CurveComparison;
 class FilterChip;
-class GhostRows;
 class HelpWindow;
+class MachineSide;
 class RegisterService;
 class RegisterStatus;
 class TestDelegate;
 class TestTableModel;
 class TrendChart;
-class UnidentifiedRow;
 
 /// The register: machines on the left, then the tests of one of them, the trend of a parameter and
 /// superimposed curves. Shows the register, which is read in the background; computes nothing.
@@ -72,8 +69,6 @@ private:
     };
     enum Filter { byAxis, bySince, byEdition, byPurpose, byRole, byLimits, byAccordance, filterCount };
 
-    QWidget *makeLeft();
-    void makeMachineList();
     void makeTable();
     void makeFacts();
     QWidget *makeRight();
@@ -84,12 +79,9 @@ private:
     void retranslate();
     void showLegend();
 
-    void filterMachines();
-    void chooseNone();
-    void moveInMachines(int rows);
     void loadMachines();
     void takeMachines(std::vector<MachineRow> rows);
-    void chooseMachine(const QModelIndex &index);
+    void showMachine();
     void loadTests();
     void takeTests(std::vector<ListedTest> tests);
     void showHead();
@@ -127,14 +119,7 @@ private:
 
     RegisterService &m_service;
     QStackedWidget *m_stack = nullptr; ///< first use, or the register's content
-    MachineModel *m_machines = nullptr;
-    QListView *m_machineList = nullptr;
-    QLineEdit *m_search = nullptr;
-    QToolButton *m_all = nullptr;
-    QToolButton *m_toDo = nullptr;
-    UnidentifiedRow *m_unidentified = nullptr;
-    QLabel *m_machinesTitle = nullptr;
-    QLabel *m_noMachine = nullptr;
+    MachineSide *m_side = nullptr;
     QLabel *m_name = nullptr;
     QLabel *m_facts = nullptr;
     QLabel *m_intervalLabel = nullptr;
@@ -162,22 +147,17 @@ private:
     QSplitter *m_parts = nullptr;
     QSplitter *m_stacked = nullptr; ///< tests above trend
     QList<int> m_heights;           ///< of tests and trend, before curves were compared
-    QWidget *m_side = nullptr;
     QWidget *m_head = nullptr;
     QWidget *m_testsPart = nullptr;
-    GhostRows *m_ghosts = nullptr;
     RegisterStatus *m_status = nullptr;
     RegisterMenus m_menus;
     HistoryPdf m_history;
     HelpWindow *m_help = nullptr;
 
-    int m_machine = 0;                  ///< ID of the chosen machine; 0: none
-    int m_chosenBefore = 0;             ///< machine chosen before the list became empty
     std::vector<ListedTest> m_allTests; ///< of the chosen machine
     std::vector<ListedTest> m_anew;     ///< tests of the axis evaluated under m_edition
     std::string m_edition;              ///< empty: each test's own
     std::string m_parameter;
-    std::map<int, QString> m_identities;
     Background m_machineLane;
     Background m_testLane;
     Background m_filesLane;

@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/register/machineside.h"
+
+#include "ui/measures.h"
+
+#include <QButtonGroup>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+#include <algorithm>
+
+namespace palmer::ui {
+
+MachineSide::MachineSide() {
+    setMinimumWidth(200);
+    makeList();
+    auto *layout = tight<QVBoxLayout>(this);
+    layout->addLayout(makeHead());
+    layout->addWidget(m_list, 1);
+    layout->addWidget(m_ghosts, 1);
+    layout->addWidget(m_unidentified);
+    connect(m_search, &QLineEdit::textChanged, this, &MachineSide::filter);
+    connect(m_unidentified, &QAbstractButton::clicked, this, &MachineSide::filter);
+}
+
+QLayout *MachineSide::makeHead() {
+    m_search->setClearButtonEnabled(true);
+    m_search->addAction(lineIcon(QStringLiteral("search"), QPalette::PlaceholderText),
+                        QLineEdit::LeadingPosition);
+    auto *choice = new QButtonGroup(this);
+    auto *switches = tight<QHBoxLayout>();
+    for (QToolButton *button : {m_all, m_toDo}) {
+        button->setCheckable(true);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        choice->addButton(button);
+        switches->addWidget(button);
+    }
+    m_all->setChecked(true);
+    connect(choice, &QButtonGroup::buttonClicked, this, [this] {
+        m_unidentified->setChecked(false);
+        filter();
+    });
+    m_noMachine->setWordWrap(true);
+    auto *head = new QVBoxLayout;
+    head->setContentsMargins(pageMargin, 10, pageMargin, 8);
+    head->setSpacing(8);
+    head->addWidget(m_title);
+    head->addWidget(m_search);
+    head->addLayout(switches);
+    head->addWidget(m_noMachine);
+    return head;
+}
+
+void MachineSide::makeList() {
+    m_list->setModel(m_machines);
+    m_list->setItemDelegate(new MachineDelegate(m_list));
+    m_list->setFrameShape(QFrame::NoFrame);
+    m_list->setUniformItemSizes(true);
+    m_list->setMinimumHeight(0);
+    m_list->setMouseTracking(true);
+    m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    connect(m_list->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            [this](const QModelIndex &index) {
+                if (index.isValid())
+                    choose(index.row());
+            });
+}
+
+void MachineSide::retranslate() {
+    m_search->setPlaceholderText(tr("Machine, serial number, type"));
+    m_search->setAccessibleName(tr("Search machines"));
+    m_list->setAccessibleName(tr("Machines"));
+}
+
+void MachineSide::showState(bool isScanning) {
+    const bool any = m_machines->machineCount() > 0;
+    const int listed = m_machines->identifiedCount();
+    m_title->setText(tr("Machines") + (listed == 0 ? QString() : QStringLiteral("  %1").arg(listed)));
+    m_all->setText(tr("All"));
+    m_toDo->setText(tr("To do %1").arg(m_machines->toDoCount()));
+    m_noMachine->setText(isScanning ? tr("The folders are being read…") : tr("No machine yet"));
+    m_search->setEnabled(any);
+    m_noMachine->setVisible(!any);
+    m_ghosts->setVisible(!any);
+    m_list->setVisible(any);
+    m_all->setVisible(any);
+    m_toDo->setVisible(any);
+    m_unidentified->setVisible(m_machines->unidentifiedTests() > 0);
+}
+
+int MachineSide::rowOf(const QString &identity) const {
+    int row = m_machines->rowCount() - 1;
+    while (row >= 0 && m_machines->row(row).machine.identity != identity)
+        --row;
+    return row;
+}
+
+const MachineRow *MachineSide::chosen() const {
+    const int row = rowOf(m_chosen);
+    return row < 0 ? nullptr : &m_machines->row(row);
+}
+
+void MachineSide::setMachines(std::vector<MachineRow> machines) {
+    const QSignalBlocker blocker(m_list->selectionModel());
+    m_machines->setRows(std::move(machines));
+    m_unidentified->setTests(m_machines->unidentifiedTests());
+    if (m_machines->rowCount() == 0 && m_machines->unidentifiedTests() > 0 && m_search->text().isEmpty() &&
+        !m_toDo->isChecked()) { // no other machines to show
+        m_unidentified->setChecked(true);
+        m_machines->setFilter({}, MachineModel::Show::unidentified);
+    }
+    if (m_machines->rowCount() == 0) {
+        m_chosen.clear();
+    } else {
+        const int row = std::max(rowOf(m_chosen), 0);
+        m_chosen = m_machines->row(row).machine.identity;
+        m_list->selectionModel()->setCurrentIndex(m_machines->index(row),
+                                                  QItemSelectionModel::ClearAndSelect);
+    }
+    m_list->viewport()->update();
+}
+
+void MachineSide::filter() {
+    m_machines->setFilter(m_search->text(), m_unidentified->isChecked() ? MachineModel::Show::unidentified
+                                            : m_toDo->isChecked()       ? MachineModel::Show::toDo
+                                                                        : MachineModel::Show::identified);
+    const int row = rowOf(m_chosen.isEmpty() ? m_before : m_chosen);
+    if (m_machines->rowCount() > 0) // the machine shown on the right must be in the list
+        m_list->setCurrentIndex(m_machines->index(std::max(row, 0)));
+    else
+        choose(-1);
+}
+
+/// −1: none. It is chosen again once it is back in the list.
+void MachineSide::choose(int row) {
+    const QString identity = row < 0 ? QString() : m_machines->row(row).machine.identity;
+    if (identity == m_chosen)
+        return;
+    if (row < 0)
+        m_before = m_chosen;
+    m_chosen = identity;
+    emit machineChosen();
+}
+
+void MachineSide::moveBy(int rows) {
+    const int row = m_list->currentIndex().row() + rows;
+    if (row >= 0 && row < m_machines->rowCount())
+        m_list->setCurrentIndex(m_machines->index(row));
+}
+
+void MachineSide::startSearch() {
+    m_search->setFocus(Qt::ShortcutFocusReason);
+    m_search->selectAll();
+}
+
+} // namespace palmer::ui
