@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
+    <name>palmer::ui::MachineHead</name>
+    <message numerus="yes">
+        <source>%n month(s)</source>
+        <translation>
+            <numerusform>%n month</numerusform>
+            <numerusform>%n months</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::ReadingsPage</name>
     <message numerus="yes">
         <source>Leave out %n target(s) without readings</source>
@@ -412,13 +422,6 @@
 </context>
 <context>
     <name>palmer::ui::RegisterWindow</name>
-    <message numerus="yes">
-        <source>%n month(s)</source>
-        <translation>
-            <numerusform>%n month</numerusform>
-            <numerusform>%n months</numerusform>
-        </translation>
-    </message>
     <message numerus="yes">
         <source>%1 of %2 test(s)</source>
         <translation>

@@ -2429,6 +2429,20 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::MachineHead</name>
+    <message numerus="yes">
+        <source>%n month(s)</source>
+        <translation>
+            <numerusform>%n mois</numerusform>
+            <numerusform>%n mois</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>overdue since %1</source>
+        <translation>en retard depuis le %1</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::MachineModel</name>
     <message>
         <source>%1 (not identified)</source>
@@ -3969,17 +3983,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Evaluate all under…</source>
         <translation>Évaluer tout sous…</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n month(s)</source>
-        <translation>
-            <numerusform>%n mois</numerusform>
-            <numerusform>%n mois</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>overdue since %1</source>
-        <translation>en retard depuis le %1</translation>
     </message>
     <message>
         <source>not stated</source>

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/registerwindow.h"
+#include "ui/register/machinehead.h"
 #include "ui/register/machineside.h"
 #include "ui/register/registerqueries.h"
 #include "ui/register/registerstatus.h"
@@ -16,7 +17,6 @@
 #include "register/trendoutput.h"
 #include "report/words/accordancetext.h"
 #include "report/words/wording.h"
-#include "ui/chip.h"
 #include "ui/dialogs/aboutbox.h"
 #include "ui/dialogs/shortcutsdialog.h"
 #include "ui/elidedlabel.h"
@@ -39,7 +39,6 @@
 
 #include <QButtonGroup>
 #include <QClipboard>
-#include <QComboBox>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -53,7 +52,6 @@
 #include <QPushButton>
 #include <QScrollArea>
 #include <QShortcut>
-#include <QSignalBlocker>
 #include <QSortFilterProxyModel>
 #include <QStackedWidget>
 #include <QTableView>
@@ -71,13 +69,9 @@ constexpr int menuHeight = 28;
 constexpr int toolHeight = 44;
 constexpr int listWidth = 248;
 constexpr int wideListWidth = 264;
-constexpr int headHeight = 52;
 constexpr int filterHeight = 40;
 constexpr int tableHead = 28;
 constexpr int factsColumnWidth = 256;
-
-/// Months offered as interval; 0: none.
-constexpr std::array months{0, 1, 3, 6, 12, 18, 24, 36, 60};
 
 QLabel *made(const char *name, TextSize size) {
     auto *label = new QLabel;
@@ -179,7 +173,8 @@ void RegisterWindow::makeActions() {
     connect(m_menus.previous, &QAction::triggered, this, [this] { m_side->moveBy(-1); });
     connect(m_menus.next, &QAction::triggered, this, [this] { m_side->moveBy(1); });
     connect(m_menus.history, &QAction::triggered, this, &RegisterWindow::saveHistory);
-    connect(m_menus.intervals, &QMenu::aboutToShow, this, &RegisterWindow::fillIntervals);
+    connect(m_menus.intervals, &QMenu::aboutToShow, this,
+            [this] { m_head->fillIntervals(*m_menus.intervals); });
     connect(m_menus.open, &QAction::triggered, this, &RegisterWindow::openChosen);
     connect(m_menus.compare, &QAction::toggled, this, &RegisterWindow::compareCurves);
     connect(m_menus.under, &QMenu::aboutToShow, this, &RegisterWindow::fillEditions);
@@ -197,27 +192,8 @@ QWidget *RegisterWindow::makeRight() {
     auto *side = new QWidget;
     side->setAutoFillBackground(true);
     side->setBackgroundRole(QPalette::Base);
-    m_head = new QWidget;
-    m_head->setFixedHeight(headHeight);
-    m_name = elided("machineName", TextSize::title); // names may be long
-    m_facts = elided("machineFacts", TextSize::small);
-    m_facts->setProperty("secondary", true);
-    m_intervalLabel = made("intervalLabel", TextSize::small);
-    m_interval = new QComboBox;
-    m_interval->setObjectName(QStringLiteral("interval"));
-    m_due = new Chip;
-    m_due->setObjectName(QStringLiteral("due"));
-    auto *names = new QVBoxLayout;
-    names->setSpacing(2);
-    names->addWidget(m_name);
-    names->addWidget(m_facts);
-    auto *row = new QHBoxLayout(m_head);
-    row->setContentsMargins(pageMargin, 4, pageMargin, 4);
-    row->addLayout(names, 1);
-    row->addWidget(m_intervalLabel);
-    row->addWidget(m_interval);
-    row->addWidget(m_due);
-    connect(m_interval, &QComboBox::activated, this, &RegisterWindow::setMonths);
+    m_head = new MachineHead;
+    connect(m_head, &MachineHead::intervalChosen, this, &RegisterWindow::setInterval);
     auto *splitter = new ThinSplitter(Qt::Vertical);
     m_stacked = splitter;
     m_testsPart = makeTests();
@@ -409,25 +385,16 @@ void RegisterWindow::retranslate() {
     m_menus.retranslate();
     m_side->retranslate();
     m_table->setAccessibleName(tr("Tests"));
-    m_intervalLabel->setText(tr("Interval"));
-    m_interval->setAccessibleName(tr("Interval"));
     m_clear->setText(tr("Clear filters"));
     m_under->setText(tr("Evaluate all under…"));
     m_status->retranslate();
     m_copy->setToolTip(tr("Copy the chart"));
     m_copy->setAccessibleName(tr("Copy the chart"));
     maximiseTrend(m_maximise->isChecked());
-    {
-        const QSignalBlocker blocker(m_interval);
-        const int before = m_interval->currentIndex();
-        m_interval->clear();
-        for (const int count : months)
-            m_interval->addItem(count == 0 ? tr("none") : tr("%n month(s)", nullptr, count), count);
-        m_interval->setCurrentIndex(std::max(before, 0));
-    }
+    m_head->retranslate();
     showLegend();
     m_tests->retranslate();
-    showHead();
+    m_head->setMachine(m_side->chosen());
     showTests();
     showState();
 }
@@ -501,7 +468,7 @@ void RegisterWindow::loadTests() {
 
 void RegisterWindow::takeTests(std::vector<ListedTest> tests) {
     if (sameTests(tests, m_allTests)) { // keep the selection
-        showHead();
+        m_head->setMachine(m_side->chosen());
         return;
     }
     m_allTests = std::move(tests);
@@ -514,37 +481,8 @@ void RegisterWindow::takeTests(std::vector<ListedTest> tests) {
             axes.emplace(test.test.kind, QString::fromStdString(test.test.axis));
         m_filters[byAxis].chosen = axes.begin()->second;
     }
-    showHead();
+    m_head->setMachine(m_side->chosen());
     showTests();
-}
-
-void RegisterWindow::showHead() {
-    const MachineRow *chosen = m_side->chosen();
-    m_due->setVisible(false);
-    m_interval->setEnabled(chosen != nullptr);
-    if (!chosen) {
-        m_name->setText({});
-        m_facts->setText({});
-        return;
-    }
-    const MachineRow &machine = *chosen;
-    m_name->setText(machine.machine.title());
-    QStringList facts{machine.machine.manufacturer, machine.machine.model,
-                      machine.machine.serialNumber.isEmpty() ? tr("not identified: no serial number")
-                                                             : tr("No. %1").arg(machine.machine.serialNumber),
-                      machine.machine.location};
-    facts.removeAll(QString());
-    m_facts->setText(facts.join(QStringLiteral(" · ")));
-    const int index = m_interval->findData(machine.machine.months.value_or(0));
-    m_interval->setCurrentIndex(std::max(index, 0));
-    if (machine.due.test) {
-        const bool late = *machine.due.test < QDate::currentDate();
-        const QString day = windowLanguage().shortDate(machine.due.test->toString(Qt::ISODate).toStdString());
-        m_due->setContent(late ? tr("overdue since %1").arg(day) : tr("next test before %1").arg(day),
-                          QStringLiteral("clock"), late ? Token::bad : Token::ok,
-                          late ? Token::badGround : Token::okGround);
-        m_due->setVisible(true);
-    }
 }
 
 QString RegisterWindow::filterValue(Filter filter, const ListedTest &listed) {
@@ -652,19 +590,6 @@ void RegisterWindow::fillEditions() {
         if (fits)
             m_menus.under->addAction(QString::fromUtf8(edition->word), this,
                                      [this, word = std::string(edition->word)] { evaluateUnder(word); });
-    }
-}
-
-void RegisterWindow::fillIntervals() {
-    m_menus.intervals->clear();
-    for (int i = 0; i < m_interval->count(); ++i) {
-        QAction *action = m_menus.intervals->addAction(m_interval->itemText(i), this, [this, i] {
-            m_interval->setCurrentIndex(i);
-            setMonths(i);
-        });
-        action->setCheckable(true);
-        action->setChecked(i == m_interval->currentIndex());
-        action->setEnabled(m_interval->isEnabled());
     }
 }
 
@@ -1067,14 +992,14 @@ void RegisterWindow::dropEvent(QDropEvent *event) {
     setFolders(folders);
 }
 
-void RegisterWindow::setMonths(int index) {
+/// 0: none.
+void RegisterWindow::setInterval(int months) {
     const MachineRow *chosen = m_side->chosen();
-    if (!chosen || index < 0)
+    if (!chosen)
         return;
-    const int count = months.at(static_cast<std::size_t>(index));
-    keepInterval(chosen->machine.identity, count);
+    keepInterval(chosen->machine.identity, months);
     m_machineLane.start([address = m_service.address(), machine = chosen->machine.id,
-                         count](const Background::Job &) { writeInterval(address, machine, count); },
+                         months](const Background::Job &) { writeInterval(address, machine, months); },
                         [this] { loadMachines(); });
 }
 

@@ -15,7 +15,6 @@
 
 class QAction;
 class QButtonGroup;
-class QComboBox;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
@@ -27,10 +26,10 @@ class QToolButton;
 
 namespace palmer::ui {
 
-class Chip;
 class CurveComparison;
 class FilterChip;
 class HelpWindow;
+class MachineHead;
 class MachineSide;
 class RegisterService;
 class RegisterStatus;
@@ -84,14 +83,12 @@ private:
     void showMachine();
     void loadTests();
     void takeTests(std::vector<ListedTest> tests);
-    void showHead();
     void showTests();
     void showFilters();
     void fitColumns();
     void fitTrend();
     void fillFilterMenu(Filter filter);
     void fillEditions();
-    void fillIntervals();
     void setFilter(Filter filter, const QString &value);
     void clearFilters();
     [[nodiscard]] static QString filterValue(Filter filter, const ListedTest &listed);
@@ -112,7 +109,7 @@ private:
     void evaluateUnder(const std::string &edition);
     void chooseFolders();
     void addFolder();
-    void setMonths(int index);
+    void setInterval(int months);
     void saveHistory();
     void showTroubledFiles();
     void showHelp();
@@ -120,11 +117,6 @@ private:
     RegisterService &m_service;
     QStackedWidget *m_stack = nullptr; ///< first use, or the register's content
     MachineSide *m_side = nullptr;
-    QLabel *m_name = nullptr;
-    QLabel *m_facts = nullptr;
-    QLabel *m_intervalLabel = nullptr;
-    QComboBox *m_interval = nullptr;
-    Chip *m_due = nullptr;
     std::array<FilterButton, filterCount> m_filters;
     QLabel *m_shownCount = nullptr;
     QPushButton *m_clear = nullptr;
@@ -147,7 +139,7 @@ private:
     QSplitter *m_parts = nullptr;
     QSplitter *m_stacked = nullptr; ///< tests above trend
     QList<int> m_heights;           ///< of tests and trend, before curves were compared
-    QWidget *m_head = nullptr;
+    MachineHead *m_head = nullptr;
     QWidget *m_testsPart = nullptr;
     RegisterStatus *m_status = nullptr;
     RegisterMenus m_menus;
