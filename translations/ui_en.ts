@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
+    <name>palmer::ui::FilterBar</name>
+    <message numerus="yes">
+        <source>%1 of %2 test(s)</source>
+        <translation>
+            <numerusform>%1 of %2 test</numerusform>
+            <numerusform>%1 of %2 tests</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::MachineHead</name>
     <message numerus="yes">
         <source>%n month(s)</source>
@@ -417,16 +427,6 @@
         <translation>
             <numerusform>%n chosen</numerusform>
             <numerusform>%n chosen</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::RegisterWindow</name>
-    <message numerus="yes">
-        <source>%1 of %2 test(s)</source>
-        <translation>
-            <numerusform>%1 of %2 test</numerusform>
-            <numerusform>%1 of %2 tests</numerusform>
         </translation>
     </message>
 </context>

@@ -1744,6 +1744,32 @@
     </message>
 </context>
 <context>
+    <name>palmer::ui::FilterBar</name>
+    <message>
+        <source>All</source>
+        <translation>Toutes</translation>
+    </message>
+    <message>
+        <source>Since</source>
+        <translation>Depuis</translation>
+    </message>
+    <message>
+        <source>Axis %1</source>
+        <translation>Axe %1</translation>
+    </message>
+    <message>
+        <source>Clear filters</source>
+        <translation>Effacer les filtres</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 test(s)</source>
+        <translation>
+            <numerusform>%1 sur %2 essai</numerusform>
+            <numerusform>%1 sur %2 essais</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::FilterChip</name>
     <message>
         <source>%1 (Delete takes the filter away)</source>
@@ -3977,32 +4003,8 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Copier le graphique</translation>
     </message>
     <message>
-        <source>Clear filters</source>
-        <translation>Effacer les filtres</translation>
-    </message>
-    <message>
         <source>Evaluate all under…</source>
         <translation>Évaluer tout sous…</translation>
-    </message>
-    <message>
-        <source>not stated</source>
-        <translation>non indiqué</translation>
-    </message>
-    <message>
-        <source>since %1</source>
-        <translation>depuis %1</translation>
-    </message>
-    <message>
-        <source>All</source>
-        <translation>Toutes</translation>
-    </message>
-    <message>
-        <source>Since</source>
-        <translation>Depuis</translation>
-    </message>
-    <message>
-        <source>Axis %1</source>
-        <translation>Axe %1</translation>
     </message>
     <message>
         <source>Trend of %1, %2</source>
@@ -4027,13 +4029,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Show the trend alone</source>
         <translation>Montrer la tendance seule</translation>
-    </message>
-    <message numerus="yes">
-        <source>%1 of %2 test(s)</source>
-        <translation>
-            <numerusform>%1 sur %2 essai</numerusform>
-            <numerusform>%1 sur %2 essais</numerusform>
-        </translation>
     </message>
 </context>
 <context>
@@ -4690,6 +4685,17 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Fill this page from a template, or keep it as one</source>
         <translation>Remplir cette page depuis un modèle, ou la garder comme modèle</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::TestFilters</name>
+    <message>
+        <source>since %1</source>
+        <translation>depuis %1</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>non indiqué</translation>
     </message>
 </context>
 <context>

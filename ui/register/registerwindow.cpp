@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/registerwindow.h"
+#include "ui/register/filterbar.h"
 #include "ui/register/machinehead.h"
 #include "ui/register/machineside.h"
 #include "ui/register/registerqueries.h"
 #include "ui/register/registerstatus.h"
 
-#include "document/filewords.h"
-#include "document/resultwords.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/rounding.h"
 #include "register/listing.h"
@@ -15,8 +14,6 @@
 #include "register/register.h"
 #include "register/trendfigure.h"
 #include "register/trendoutput.h"
-#include "report/words/accordancetext.h"
-#include "report/words/wording.h"
 #include "ui/dialogs/aboutbox.h"
 #include "ui/dialogs/shortcutsdialog.h"
 #include "ui/elidedlabel.h"
@@ -25,7 +22,6 @@
 #include "ui/languageswitch.h"
 #include "ui/measures.h"
 #include "ui/register/curvechart.h"
-#include "ui/register/filterchip.h"
 #include "ui/register/firstuse.h"
 #include "ui/register/foldersdialog.h"
 #include "ui/register/registerservice.h"
@@ -59,7 +55,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <set>
 
 namespace palmer::ui {
 
@@ -69,7 +64,6 @@ constexpr int menuHeight = 28;
 constexpr int toolHeight = 44;
 constexpr int listWidth = 248;
 constexpr int wideListWidth = 264;
-constexpr int filterHeight = 40;
 constexpr int tableHead = 28;
 constexpr int factsColumnWidth = 256;
 
@@ -178,7 +172,7 @@ void RegisterWindow::makeActions() {
     connect(m_menus.open, &QAction::triggered, this, &RegisterWindow::openChosen);
     connect(m_menus.compare, &QAction::toggled, this, &RegisterWindow::compareCurves);
     connect(m_menus.under, &QMenu::aboutToShow, this, &RegisterWindow::fillEditions);
-    connect(m_menus.clear, &QAction::triggered, this, &RegisterWindow::clearFilters);
+    connect(m_menus.clear, &QAction::triggered, this, [this] { m_filters->clear(); });
     connect(m_menus.help, &QAction::triggered, this, &RegisterWindow::showHelp);
     connect(m_menus.shortcuts, &QAction::triggered, this, [this] {
         auto *dialog = new ShortcutsDialog(*menuBar(), this, false);
@@ -242,38 +236,17 @@ void RegisterWindow::makeTable() {
 
 QWidget *RegisterWindow::makeTests() {
     auto *part = new QWidget;
-    auto *filters = new QWidget;
-    filters->setFixedHeight(filterHeight);
-    auto *row = new QHBoxLayout(filters);
-    row->setContentsMargins(pageMargin, 8, pageMargin, 8);
-    row->setSpacing(6);
-    constexpr std::array names{"filterAxis", "filterSince",  "filterEdition",   "filterPurpose",
-                               "filterRole", "filterLimits", "filterAccordance"};
-    for (std::size_t i = 0; i < filterCount; ++i) {
-        auto *button = new FilterChip;
-        button->setObjectName(QString::fromLatin1(names.at(i)));
-        m_filters.at(i).button = button;
-        row->addWidget(button);
-        connect(button->menu(), &QMenu::aboutToShow, this,
-                [this, i] { fillFilterMenu(static_cast<Filter>(i)); });
-        connect(button, &FilterChip::cleared, this, [this, i] { setFilter(static_cast<Filter>(i), {}); });
-    }
-    m_shownCount = new ElidedLabel; // takes the width left by the filters
-    m_shownCount->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    m_shownCount->setObjectName(QStringLiteral("shownCount"));
-    m_shownCount->setFont(themeFont(TextSize::small));
-    m_shownCount->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_clear = new QPushButton;
-    m_clear->setObjectName(QStringLiteral("clearFilters"));
-    m_clear->setProperty("link", true);
-    row->addWidget(m_shownCount, 1);
-    row->addWidget(m_clear);
-    connect(m_clear, &QPushButton::clicked, this, &RegisterWindow::clearFilters);
+    m_filters = new FilterBar;
+    connect(m_filters, &FilterBar::chosen, this, [this](bool axis) {
+        if (axis)
+            forgetEdition();
+        showTests();
+    });
     makeTable();
     auto *layout = new QVBoxLayout(part);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
-    layout->addWidget(filters);
+    layout->addWidget(m_filters);
     auto *framed = new QHBoxLayout;
     framed->setContentsMargins(pageMargin, 0, pageMargin, 8);
     framed->addWidget(m_table);
@@ -385,7 +358,6 @@ void RegisterWindow::retranslate() {
     m_menus.retranslate();
     m_side->retranslate();
     m_table->setAccessibleName(tr("Tests"));
-    m_clear->setText(tr("Clear filters"));
     m_under->setText(tr("Evaluate all under…"));
     m_status->retranslate();
     m_copy->setToolTip(tr("Copy the chart"));
@@ -448,9 +420,14 @@ void RegisterWindow::takeMachines(std::vector<MachineRow> rows) {
     loadTests();
 }
 
-void RegisterWindow::showMachine() {
+/// Each test is shown under its own edition again.
+void RegisterWindow::forgetEdition() {
     m_edition.clear();
     m_anew.clear();
+}
+
+void RegisterWindow::showMachine() {
+    forgetEdition();
     loadTests();
 }
 
@@ -472,111 +449,8 @@ void RegisterWindow::takeTests(std::vector<ListedTest> tests) {
         return;
     }
     m_allTests = std::move(tests);
-    const bool hasAxis = std::ranges::any_of(m_allTests, [this](const ListedTest &test) {
-        return filterValue(byAxis, test) == m_filters[byAxis].chosen;
-    });
-    if (!hasAxis && !m_allTests.empty()) { // the trend is for a single axis
-        std::set<std::pair<Kind, QString>> axes;
-        for (const ListedTest &test : m_allTests)
-            axes.emplace(test.test.kind, QString::fromStdString(test.test.axis));
-        m_filters[byAxis].chosen = axes.begin()->second;
-    }
+    m_filters->setTests(m_allTests);
     m_head->setMachine(m_side->chosen());
-    showTests();
-}
-
-QString RegisterWindow::filterValue(Filter filter, const ListedTest &listed) {
-    const RegisteredTest &test = listed.test;
-    switch (filter) {
-    case byAxis:
-        return QString::fromStdString(test.axis);
-    case bySince:
-        return QString::fromStdString(test.date.value_or("")).left(4);
-    case byEdition:
-        return QString::fromStdString(test.edition);
-    case byPurpose:
-        return QString::fromLatin1(fileWord(test.purpose));
-    case byRole:
-        return QString::fromLatin1(fileWord(test.role));
-    case byLimits:
-        return QString::fromLatin1(limitsWord(test.verdict));
-    case byAccordance:
-        return QString::fromLatin1(fileWord(test.accordance));
-    case filterCount:
-        break;
-    }
-    return {};
-}
-
-QString RegisterWindow::filterName(Filter filter, const QString &value) {
-    const Language &language = windowLanguage();
-    const auto said = [&](const Text &text) { return text.empty() ? tr("not stated") : language.text(text); };
-    switch (filter) {
-    case byPurpose:
-        for (const auto &row : fileWords<Purpose>) {
-            if (value == QLatin1StringView(row.word))
-                return said(purposeText(row.value));
-        }
-        break;
-    case byRole:
-        for (const auto &row : fileWords<TestRole>) {
-            if (value == QLatin1StringView(row.word))
-                return said(roleText(row.value));
-        }
-        break;
-    case byLimits:
-        for (const Verdict verdict : {Verdict::conforms, Verdict::notProven, Verdict::doesNotConform}) {
-            if (value == QLatin1StringView(limitsWord(verdict)))
-                return said(limitsText(verdict, true));
-        }
-        return said(limitsText(std::nullopt, false));
-    case byAccordance:
-        for (const Accordance accordance : {Accordance::notChecked, Accordance::no, Accordance::notShown,
-                                            Accordance::partly, Accordance::yes}) {
-            if (value == QLatin1StringView(fileWord(accordance)))
-                return said(accordanceWords(accordance));
-        }
-        break;
-    case bySince:
-        return tr("since %1").arg(value);
-    default:
-        break;
-    }
-    return value.isEmpty() ? tr("not stated") : value;
-}
-
-void RegisterWindow::fillFilterMenu(Filter filter) {
-    QMenu *menu = m_filters.at(filter).button->menu();
-    menu->clear();
-    std::set<QString> values;
-    for (const ListedTest &test : m_allTests)
-        values.insert(filterValue(filter, test));
-    menu->addAction(tr("All"), this, [this, filter] { setFilter(filter, {}); });
-    menu->addSeparator();
-    for (const QString &value : values) {
-        if (value.isEmpty())
-            continue;
-        QAction *action = menu->addAction(filterName(filter, value), this,
-                                          [this, filter, value] { setFilter(filter, value); });
-        action->setCheckable(true);
-        action->setChecked(value == m_filters.at(filter).chosen);
-    }
-}
-
-void RegisterWindow::setFilter(Filter filter, const QString &value) {
-    m_filters.at(filter).chosen = value;
-    if (filter == byAxis) {
-        m_edition.clear();
-        m_anew.clear();
-    }
-    showTests();
-}
-
-void RegisterWindow::clearFilters() {
-    for (FilterButton &filter : m_filters)
-        filter.chosen.clear();
-    m_edition.clear();
-    m_anew.clear();
     showTests();
 }
 
@@ -593,49 +467,16 @@ void RegisterWindow::fillEditions() {
     }
 }
 
-bool RegisterWindow::passes(const ListedTest &test) const {
-    for (std::size_t i = 0; i < filterCount; ++i) {
-        const QString &chosen = m_filters.at(i).chosen;
-        if (chosen.isEmpty())
-            continue;
-        const QString value = filterValue(static_cast<Filter>(i), test);
-        if (i == bySince ? value < chosen : value != chosen)
-            return false;
-    }
-    return true;
-}
-
-void RegisterWindow::showFilters() {
-    const std::array names{tr("Axis"), tr("Since"),  tr("Edition"), tr("Purpose"),
-                           tr("Role"), tr("Limits"), tr("Test")};
-    bool any = false;
-    for (std::size_t i = 0; i < filterCount; ++i) {
-        const FilterButton &filter = m_filters.at(i);
-        const bool isSet = !filter.chosen.isEmpty();
-        any = any || isSet;
-        filter.button->setContent(names.at(i), !isSet ? QString()
-                                               : i == byAxis
-                                                   ? tr("Axis %1").arg(filter.chosen)
-                                                   : filterName(static_cast<Filter>(i), filter.chosen));
-    }
-    m_clear->setEnabled(any);
-    m_menus.clear->setEnabled(any);
-}
-
 void RegisterWindow::showTests() {
     std::vector<ListedTest> shown;
     for (const ListedTest &test : m_allTests) {
-        if (passes(test))
+        if (m_filters->filters().passes(test))
             shown.push_back(test);
     }
-    const auto grouped = [](std::size_t number) {
-        return windowLanguage().number(static_cast<double>(number), Quantity::count);
-    };
-    m_shownCount->setText(tr("%1 of %2 test(s)", nullptr, static_cast<int>(m_allTests.size()))
-                              .arg(grouped(shown.size()), grouped(m_allTests.size())));
+    m_filters->showChosen(shown.size());
+    m_menus.clear->setEnabled(m_filters->anyChosen());
     m_tests->setTests(std::move(shown));
     fitColumns();
-    showFilters();
     showChosen();
     showTrend();
 }
@@ -721,8 +562,9 @@ void RegisterWindow::fitTrend() {
 }
 
 QString RegisterWindow::trendAxis() const {
-    if (!m_filters[byAxis].chosen.isEmpty())
-        return m_filters[byAxis].chosen;
+    const QString &chosen = m_filters->filters().chosen[TestFilters::axis];
+    if (!chosen.isEmpty())
+        return chosen;
     return m_allTests.empty() ? QString() : QString::fromStdString(m_allTests.back().test.axis);
 }
 
@@ -736,9 +578,8 @@ void RegisterWindow::showTrend() {
     const QString axis = trendAxis();
     std::vector<ListedTest> list;
     for (const ListedTest &test : m_edition.empty() ? m_allTests : m_anew) {
-        const bool isSince =
-            m_filters[bySince].chosen.isEmpty() || filterValue(bySince, test) >= m_filters[bySince].chosen;
-        if (QString::fromStdString(test.test.axis) == axis && isSince)
+        if (QString::fromStdString(test.test.axis) == axis &&
+            m_filters->filters().passes(TestFilters::since, test))
             list.push_back(test);
     }
     std::vector<std::string> parameters = parametersOf(list);

@@ -27,7 +27,7 @@ class QToolButton;
 namespace palmer::ui {
 
 class CurveComparison;
-class FilterChip;
+class FilterBar;
 class HelpWindow;
 class MachineHead;
 class MachineSide;
@@ -62,12 +62,6 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    struct FilterButton {
-        FilterChip *button = nullptr;
-        QString chosen; ///< empty: no filter
-    };
-    enum Filter { byAxis, bySince, byEdition, byPurpose, byRole, byLimits, byAccordance, filterCount };
-
     void makeTable();
     void makeFacts();
     QWidget *makeRight();
@@ -80,20 +74,14 @@ private:
 
     void loadMachines();
     void takeMachines(std::vector<MachineRow> rows);
+    void forgetEdition();
     void showMachine();
     void loadTests();
     void takeTests(std::vector<ListedTest> tests);
     void showTests();
-    void showFilters();
     void fitColumns();
     void fitTrend();
-    void fillFilterMenu(Filter filter);
     void fillEditions();
-    void setFilter(Filter filter, const QString &value);
-    void clearFilters();
-    [[nodiscard]] static QString filterValue(Filter filter, const ListedTest &listed);
-    [[nodiscard]] static QString filterName(Filter filter, const QString &value);
-    [[nodiscard]] bool passes(const ListedTest &test) const;
     void showTrend();
     void showFacts(const MachineTrend &trend);
     void showChosen();
@@ -117,9 +105,7 @@ private:
     RegisterService &m_service;
     QStackedWidget *m_stack = nullptr; ///< first use, or the register's content
     MachineSide *m_side = nullptr;
-    std::array<FilterButton, filterCount> m_filters;
-    QLabel *m_shownCount = nullptr;
-    QPushButton *m_clear = nullptr;
+    FilterBar *m_filters = nullptr;
     TestTableModel *m_tests = nullptr;
     QSortFilterProxyModel *m_sorted = nullptr;
     QTableView *m_table = nullptr;
