@@ -6,6 +6,7 @@
 #include "ui/register/machineside.h"
 #include "ui/register/registerqueries.h"
 #include "ui/register/registerstatus.h"
+#include "ui/register/testsview.h"
 
 #include "kernel/measurement/testfacts.h"
 #include "language/rounding.h"
@@ -25,7 +26,6 @@
 #include "ui/register/firstuse.h"
 #include "ui/register/foldersdialog.h"
 #include "ui/register/registerservice.h"
-#include "ui/register/testtable.h"
 #include "ui/register/trendchart.h"
 #include "ui/register/troubledfiles.h"
 #include "ui/sizeonscreen.h"
@@ -40,17 +40,13 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QShortcut>
-#include <QSortFilterProxyModel>
 #include <QStackedWidget>
-#include <QTableView>
 #include <QToolBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -64,7 +60,6 @@ constexpr int menuHeight = 28;
 constexpr int toolHeight = 44;
 constexpr int listWidth = 248;
 constexpr int wideListWidth = 264;
-constexpr int tableHead = 28;
 constexpr int factsColumnWidth = 256;
 
 QLabel *made(const char *name, TextSize size) {
@@ -202,38 +197,6 @@ QWidget *RegisterWindow::makeRight() {
     return side;
 }
 
-void RegisterWindow::makeTable() {
-    m_tests = new TestTableModel(this);
-    m_sorted = new QSortFilterProxyModel(this);
-    m_sorted->setSourceModel(m_tests);
-    m_sorted->setSortRole(TestTableModel::sortRole);
-    m_table = new QTableView;
-    m_table->setObjectName(QStringLiteral("tests"));
-    m_table->setModel(m_sorted);
-    m_delegate = new TestDelegate(m_table);
-    m_table->setItemDelegate(m_delegate);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
-    m_table->setSortingEnabled(true);
-    m_table->sortByColumn(TestTableModel::dateColumn, Qt::DescendingOrder);
-    m_table->setShowGrid(false);
-    m_table->setFrameShape(QFrame::NoFrame);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->viewport()->installEventFilter(this);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(tableRowHeight);
-    m_table->horizontalHeader()->setFixedHeight(tableHead);
-    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    m_table->horizontalHeader()->setHighlightSections(false);
-    m_table->horizontalHeader()->setStretchLastSection(true);
-    connect(m_table, &QTableView::doubleClicked, this, &RegisterWindow::openChosen);
-    auto *enter = new QShortcut(Qt::Key_Return, m_table, this, &RegisterWindow::openChosen);
-    enter->setContext(Qt::WidgetShortcut);
-    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            &RegisterWindow::showChosen);
-}
-
 QWidget *RegisterWindow::makeTests() {
     auto *part = new QWidget;
     m_filters = new FilterBar;
@@ -242,14 +205,16 @@ QWidget *RegisterWindow::makeTests() {
             forgetEdition();
         showTests();
     });
-    makeTable();
+    m_tests = new TestsView;
+    connect(m_tests, &TestsView::openAsked, this, &RegisterWindow::openChosen);
+    connect(m_tests, &TestsView::chosenChanged, this, &RegisterWindow::showChosen);
     auto *layout = new QVBoxLayout(part);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_filters);
     auto *framed = new QHBoxLayout;
     framed->setContentsMargins(pageMargin, 0, pageMargin, 8);
-    framed->addWidget(m_table);
+    framed->addWidget(m_tests);
     layout->addLayout(framed, 1);
     return part;
 }
@@ -335,7 +300,7 @@ QWidget *RegisterWindow::makeTrend() {
     m_comparison = new CurveComparison;
     m_comparison->hide();
     connect(m_comparison, &CurveComparison::closed, this, [this] { m_menus.compare->setChecked(false); });
-    connect(m_trend, &TrendChart::testChosen, this, &RegisterWindow::chooseByDigest);
+    connect(m_trend, &TrendChart::testChosen, m_tests, &TestsView::choose);
     auto *layout = new QHBoxLayout(part);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -357,7 +322,6 @@ void RegisterWindow::retranslate() {
     setWindowTitle(tr("Register") + QStringLiteral(" — Palmer"));
     m_menus.retranslate();
     m_side->retranslate();
-    m_table->setAccessibleName(tr("Tests"));
     m_under->setText(tr("Evaluate all under…"));
     m_status->retranslate();
     m_copy->setToolTip(tr("Copy the chart"));
@@ -476,71 +440,8 @@ void RegisterWindow::showTests() {
     m_filters->showChosen(shown.size());
     m_menus.clear->setEnabled(m_filters->anyChosen());
     m_tests->setTests(std::move(shown));
-    fitColumns();
     showChosen();
     showTrend();
-}
-
-void RegisterWindow::fitColumns() {
-    constexpr int leastValue = 44;
-    const auto widthIn = [](TextSize size, const QString &text) {
-        return QFontMetrics(themeFont(size)).horizontalAdvance(text) + 1;
-    };
-    constexpr int markWidth = 30;
-    constexpr int leastResult = 80;
-    constexpr int limitsWidth = 104;
-    constexpr int accordanceWidth = 110;
-    constexpr int padding = 10;
-    constexpr int leastWord = 64; ///< of a shrinkable column, whose text is elided
-    constexpr int leastAxis = 40;
-    constexpr int wide = 1250; ///< of the table: all results fit
-    constexpr int fewResults = 3;
-    m_table->resizeColumnsToContents();
-    for (int i = TestTableModel::dateColumn; i < TestTableModel::firstResult; ++i)
-        m_table->setColumnWidth(i, m_table->columnWidth(i) + padding);
-    m_table->setColumnWidth(TestTableModel::markColumn, markWidth);
-    const int results = static_cast<int>(m_tests->results().size());
-    const bool isWide = m_table->width() >= wide;
-    std::vector<int> valueWidths;
-    for (int i = 0; i < results; ++i) {
-        const int column = TestTableModel::firstResult + i;
-        const TestTableModel::Longest longest = m_tests->longest(static_cast<std::size_t>(i));
-        const int value = std::max(leastValue, widthIn(TextSize::base, longest.value));
-        const int least = std::max(leastResult, m_table->horizontalHeader()->sectionSizeHint(column));
-        valueWidths.push_back(value);
-        m_table->setColumnHidden(column, !isWide && i >= fewResults);
-        m_table->setColumnWidth(column, std::max(least, value + valueGap + 2 * resultPadding +
-                                                            widthIn(TextSize::small, longest.uncertainty)));
-    }
-    m_delegate->setValueWidths(std::move(valueWidths));
-    m_table->setColumnHidden(TestTableModel::firstResult + results, false); // may be hidden for another axis
-    m_table->setColumnHidden(TestTableModel::firstResult + results + 1, false);
-    const int limits = TestTableModel::firstResult + results;
-    m_table->setColumnWidth(limits, std::max(limitsWidth, m_table->columnWidth(limits) + padding));
-    m_table->setColumnWidth(limits + 1, accordanceWidth);
-    int tooWide = accordanceWidth - m_table->viewport()->width(); // the last column takes the rest
-    for (int i = 0; i <= limits; ++i)
-        tooWide += m_table->isColumnHidden(i) ? 0 : m_table->columnWidth(i);
-    for (const auto &[column, least] : {std::pair(int(TestTableModel::purposeColumn), leastWord),
-                                        std::pair(int(TestTableModel::roleColumn), leastWord),
-                                        std::pair(int(TestTableModel::editionColumn), leastWord),
-                                        std::pair(int(TestTableModel::axisColumn), leastAxis)}) {
-        const int before = m_table->columnWidth(column);
-        const int after = std::clamp(before - tooWide, std::min(before, least), before);
-        m_table->setColumnWidth(column, after);
-        tooWide -= before - after;
-    }
-    // A narrow window shows only the first parameter; the trend has the others.
-    for (int i = std::min(results, fewResults) - 1; i > 0 && tooWide > 0; --i) {
-        tooWide -= m_table->columnWidth(TestTableModel::firstResult + i); // it is 0 once hidden
-        m_table->setColumnHidden(TestTableModel::firstResult + i, true);
-    }
-}
-
-bool RegisterWindow::eventFilter(QObject *watched, QEvent *event) {
-    if (watched == m_table->viewport() && event->type() == QEvent::Resize)
-        fitColumns();
-    return QMainWindow::eventFilter(watched, event);
 }
 
 void RegisterWindow::resizeEvent(QResizeEvent *event) {
@@ -651,18 +552,8 @@ void RegisterWindow::showFacts(const MachineTrend &trend) {
     m_statement->setText(html);
 }
 
-std::vector<const ListedTest *> RegisterWindow::chosenTests() const {
-    std::vector<const ListedTest *> chosen;
-    for (const QModelIndex &index : m_table->selectionModel()->selectedRows())
-        chosen.push_back(&m_tests->test(m_sorted->mapToSource(index).row()));
-    std::ranges::sort(chosen, {}, [](const ListedTest *test) {
-        return std::tuple(test->test.date.value_or(""), test->test.time.value_or(""), test->id);
-    });
-    return chosen;
-}
-
 void RegisterWindow::showChosen() {
-    const auto chosen = chosenTests();
+    const auto chosen = m_tests->chosen();
     std::map<QString, int> digests;
     std::map<int, int> numbers;
     for (std::size_t i = 0; i < chosen.size(); ++i) {
@@ -689,7 +580,7 @@ void RegisterWindow::showChosen() {
     if (m_stack->currentIndex() == 0)
         m_status->showHelpKey();
     else
-        m_status->showTests(m_sorted->rowCount(), static_cast<int>(chosen.size()));
+        m_status->showTests(m_tests->count(), static_cast<int>(chosen.size()));
 }
 
 void RegisterWindow::compareCurves(bool compare) {
@@ -727,17 +618,8 @@ void RegisterWindow::maximiseTrend(bool maximise) {
     m_maximise->setAccessibleName(does);
 }
 
-void RegisterWindow::chooseByDigest(const QString &digest) {
-    for (int row = 0; row < m_sorted->rowCount(); ++row) {
-        if (m_tests->test(m_sorted->mapToSource(m_sorted->index(row, 0)).row()).test.digest == digest) {
-            m_table->selectRow(row);
-            m_table->scrollTo(m_sorted->index(row, 0));
-        }
-    }
-}
-
 void RegisterWindow::openChosen() {
-    const auto chosen = chosenTests();
+    const auto chosen = m_tests->chosen();
     if (chosen.size() != 1)
         return;
     const TestPlace &place = chosen.front()->places.front();

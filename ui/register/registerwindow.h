@@ -18,10 +18,8 @@ class QButtonGroup;
 class QHBoxLayout;
 class QLabel;
 class QPushButton;
-class QSortFilterProxyModel;
 class QSplitter;
 class QStackedWidget;
-class QTableView;
 class QToolButton;
 
 namespace palmer::ui {
@@ -33,8 +31,7 @@ class MachineHead;
 class MachineSide;
 class RegisterService;
 class RegisterStatus;
-class TestDelegate;
-class TestTableModel;
+class TestsView;
 class TrendChart;
 
 /// The register: machines on the left, then the tests of one of them, the trend of a parameter and
@@ -58,11 +55,9 @@ protected:
     void changeEvent(QEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    void makeTable();
     void makeFacts();
     QWidget *makeRight();
     QWidget *makeTests();
@@ -79,7 +74,6 @@ private:
     void loadTests();
     void takeTests(std::vector<ListedTest> tests);
     void showTests();
-    void fitColumns();
     void fitTrend();
     void fillEditions();
     void showTrend();
@@ -88,8 +82,6 @@ private:
     void showState();
     [[nodiscard]] QString trendAxis() const;
     [[nodiscard]] QString axisName(const std::vector<ListedTest> &list) const;
-    [[nodiscard]] std::vector<const ListedTest *> chosenTests() const;
-    void chooseByDigest(const QString &digest);
     void openChosen();
     void compareCurves(bool compare);
     void giveRoomToCurves(bool compare);
@@ -106,10 +98,7 @@ private:
     QStackedWidget *m_stack = nullptr; ///< first use, or the register's content
     MachineSide *m_side = nullptr;
     FilterBar *m_filters = nullptr;
-    TestTableModel *m_tests = nullptr;
-    QSortFilterProxyModel *m_sorted = nullptr;
-    QTableView *m_table = nullptr;
-    TestDelegate *m_delegate = nullptr;
+    TestsView *m_tests = nullptr;
     QLabel *m_trendTitle = nullptr;
     QHBoxLayout *m_parameterRow = nullptr;
     QButtonGroup *m_parameterButtons = nullptr;

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/register/testtable.h"
+
+#include <QSortFilterProxyModel>
+#include <QTableView>
+
+namespace palmer::ui {
+
+/// The table of a machine's tests, sorted by any column. Its columns fit its width.
+class TestsView : public QTableView {
+    Q_OBJECT
+
+public:
+    TestsView();
+
+    void setTests(std::vector<ListedTest> tests);
+    /// See TestTableModel::setNumbers().
+    void setNumbers(std::map<int, int> numbers) { m_tests->setNumbers(std::move(numbers)); }
+    [[nodiscard]] int count() const { return m_sorted->rowCount(); }
+    /// Chosen tests by date and time, valid until the next setTests().
+    [[nodiscard]] std::vector<const ListedTest *> chosen() const;
+    void choose(const QString &digest);
+    void retranslate();
+
+signals:
+    void chosenChanged();
+    void openAsked(); ///< the chosen test
+
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void fitColumns();
+    void fitResults();
+    [[nodiscard]] const ListedTest &testAt(const QModelIndex &index) const;
+
+    TestTableModel *m_tests = new TestTableModel(this);
+    QSortFilterProxyModel *m_sorted = new QSortFilterProxyModel(this);
+    TestDelegate *m_delegate = new TestDelegate(this);
+};
+
+} // namespace palmer::ui
