@@ -3999,36 +3999,12 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>Chaque essai selon sa propre édition</translation>
     </message>
     <message>
-        <source>Copy the chart</source>
-        <translation>Copier le graphique</translation>
-    </message>
-    <message>
-        <source>Evaluate all under…</source>
-        <translation>Évaluer tout sous…</translation>
-    </message>
-    <message>
-        <source>Trend of %1, %2</source>
-        <translation>Tendance de %1, %2</translation>
-    </message>
-    <message>
-        <source>Limit %1</source>
-        <translation>Limite %1</translation>
-    </message>
-    <message>
         <source>Choose a folder</source>
         <translation>Choisir un dossier</translation>
     </message>
     <message>
         <source>%1 axis</source>
         <translation>axe %1</translation>
-    </message>
-    <message>
-        <source>Show tests and machines again (Esc)</source>
-        <translation>Montrer de nouveau les essais et les machines (Échap)</translation>
-    </message>
-    <message>
-        <source>Show the trend alone</source>
-        <translation>Montrer la tendance seule</translation>
     </message>
 </context>
 <context>
@@ -4783,6 +4759,36 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>No test with a date and a value to show.</source>
         <translation>Aucun essai daté ayant une valeur à montrer.</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::TrendFacts</name>
+    <message>
+        <source>Limit %1</source>
+        <translation>Limite %1</translation>
+    </message>
+</context>
+<context>
+    <name>palmer::ui::TrendView</name>
+    <message>
+        <source>Evaluate all under…</source>
+        <translation>Évaluer tout sous…</translation>
+    </message>
+    <message>
+        <source>Copy the chart</source>
+        <translation>Copier le graphique</translation>
+    </message>
+    <message>
+        <source>Show tests and machines again (Esc)</source>
+        <translation>Montrer de nouveau les essais et les machines (Échap)</translation>
+    </message>
+    <message>
+        <source>Show the trend alone</source>
+        <translation>Montrer la tendance seule</translation>
+    </message>
+    <message>
+        <source>Trend of %1, %2</source>
+        <translation>Tendance de %1, %2</translation>
     </message>
 </context>
 <context>

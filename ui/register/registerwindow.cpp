@@ -1,54 +1,42 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/registerwindow.h"
-#include "ui/register/filterbar.h"
-#include "ui/register/machinehead.h"
-#include "ui/register/machineside.h"
-#include "ui/register/registerqueries.h"
-#include "ui/register/registerstatus.h"
-#include "ui/register/testsview.h"
 
 #include "kernel/measurement/testfacts.h"
-#include "language/rounding.h"
-#include "register/listing.h"
 #include "register/reevaluate.h"
 #include "register/register.h"
-#include "register/trendfigure.h"
-#include "register/trendoutput.h"
 #include "ui/dialogs/aboutbox.h"
 #include "ui/dialogs/shortcutsdialog.h"
-#include "ui/elidedlabel.h"
-#include "ui/figures/zoombuttons.h"
 #include "ui/help/helpwindow.h"
 #include "ui/languageswitch.h"
 #include "ui/measures.h"
 #include "ui/register/curvechart.h"
+#include "ui/register/filterbar.h"
 #include "ui/register/firstuse.h"
 #include "ui/register/foldersdialog.h"
+#include "ui/register/machinehead.h"
+#include "ui/register/machineside.h"
+#include "ui/register/madewidgets.h"
+#include "ui/register/registerqueries.h"
 #include "ui/register/registerservice.h"
-#include "ui/register/trendchart.h"
+#include "ui/register/registerstatus.h"
+#include "ui/register/testsview.h"
+#include "ui/register/trendview.h"
 #include "ui/register/troubledfiles.h"
 #include "ui/sizeonscreen.h"
-#include "ui/theme.h"
 #include "ui/thinsplitter.h"
 #include "ui/windowlanguage.h"
 
-#include <QButtonGroup>
-#include <QClipboard>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QToolBar>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 
@@ -60,30 +48,6 @@ constexpr int menuHeight = 28;
 constexpr int toolHeight = 44;
 constexpr int listWidth = 248;
 constexpr int wideListWidth = 264;
-constexpr int factsColumnWidth = 256;
-
-QLabel *made(const char *name, TextSize size) {
-    auto *label = new QLabel;
-    label->setObjectName(QString::fromLatin1(name));
-    label->setFont(themeFont(size));
-    return label;
-}
-
-QLabel *elided(const char *name, TextSize size) {
-    auto *label = new ElidedLabel;
-    label->setObjectName(QString::fromLatin1(name));
-    label->setFont(themeFont(size));
-    return label;
-}
-
-/// Allows line breaks only after a comma and at a "·", never within a number or before its unit.
-QString inPieces(QString text) {
-    const QChar joined = QChar::Nbsp;
-    return text.replace(u'/', QStringLiteral("/\u2060"))
-        .replace(u' ', joined)
-        .replace(u',' + QString(joined), QStringLiteral(", "))
-        .replace(joined + QStringLiteral("·"), QStringLiteral(" ·"));
-}
 
 /// True if nothing shown has changed.
 bool sameTests(const std::vector<ListedTest> &a, const std::vector<ListedTest> &b) {
@@ -189,9 +153,7 @@ QWidget *RegisterWindow::makeRight() {
     splitter->addWidget(m_testsPart);
     splitter->addWidget(makeTrend());
     splitter->setSizes({280, 360});
-    auto *layout = new QVBoxLayout(side);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto *layout = tight<QVBoxLayout>(side);
     layout->addWidget(m_head);
     layout->addWidget(splitter, 1);
     return side;
@@ -208,9 +170,7 @@ QWidget *RegisterWindow::makeTests() {
     m_tests = new TestsView;
     connect(m_tests, &TestsView::openAsked, this, &RegisterWindow::openChosen);
     connect(m_tests, &TestsView::chosenChanged, this, &RegisterWindow::showChosen);
-    auto *layout = new QVBoxLayout(part);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
+    auto *layout = tight<QVBoxLayout>(part);
     layout->addWidget(m_filters);
     auto *framed = new QHBoxLayout;
     framed->setContentsMargins(pageMargin, 0, pageMargin, 8);
@@ -219,93 +179,24 @@ QWidget *RegisterWindow::makeTests() {
     return part;
 }
 
-QToolButton *RegisterWindow::makeTrendButton(const char *name, const char *icon) {
-    auto *button = new QToolButton;
-    button->setObjectName(QString::fromLatin1(name));
-    button->setIcon(lineIcon(QString::fromLatin1(icon)));
-    button->setProperty("iconOnly", true);
-    return button;
-}
-
-/// Facts on the trend in words, next to it.
-void RegisterWindow::makeFacts() {
-    m_factsColumn = new QWidget;
-    m_factsColumn->setFixedWidth(factsColumnWidth);
-    m_statement = made("trendFacts", TextSize::base);
-    m_statement->setWordWrap(true);
-    m_statement->setTextFormat(Qt::RichText);
-    m_statement->setAlignment(Qt::AlignTop);
-    m_statement->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto *facts = new QVBoxLayout(m_factsColumn);
-    facts->setContentsMargins(pageMargin, 12, 4, 8);
-    auto *area = new QScrollArea; // a low window has no space for the method
-    area->setFrameShape(QFrame::NoFrame);
-    area->setWidgetResizable(true);
-    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    area->setWidget(m_statement);
-    m_statement->setContentsMargins(0, 0, pageMargin - 4, 0);
-    area->viewport()->setAutoFillBackground(false);
-    m_statement->setAutoFillBackground(false);
-    facts->addWidget(area, 1);
-}
-
+/// The trend with its facts, or next to it the curves that are compared.
 QWidget *RegisterWindow::makeTrend() {
-    auto *part = new QWidget;
-    m_trendTitle = elided("trendTitle", TextSize::head);
-    m_parameterButtons = new QButtonGroup(this);
-    m_parameterRow = new QHBoxLayout;
-    m_parameterRow->setSpacing(0);
-    m_under = new QPushButton;
-    m_under->setObjectName(QStringLiteral("evaluateUnder"));
-    m_under->setMinimumWidth(1); // hidden when space is short
-    m_under->setMenu(m_menus.under);
-    m_copy = makeTrendButton("copyTrend", "copy");
-    connect(m_copy, &QToolButton::clicked, this, [this] {
-        if (!m_trend->panel().values.empty())
-            QGuiApplication::clipboard()->setPixmap(m_trend->grab());
-    });
-    m_maximise = makeTrendButton("maximiseTrend", "maxi");
-    m_maximise->setCheckable(true);
-    connect(m_maximise, &QToolButton::toggled, this, &RegisterWindow::maximiseTrend);
-    connect(m_maximise, &QToolButton::toggled, m_menus.trendAlone, &QAction::setChecked);
-    connect(m_menus.trendAlone, &QAction::toggled, m_maximise, &QToolButton::setChecked);
-    auto *restore = new QAction(this);
-    restore->setShortcut(Qt::Key_Escape);
-    addAction(restore);
-    connect(restore, &QAction::triggered, m_maximise, [this] { m_maximise->setChecked(false); });
-    auto *head = new QHBoxLayout;
-    head->addWidget(m_trendTitle, 1);
-    head->addLayout(m_parameterRow);
-    head->addWidget(m_under);
-    m_trend = new TrendChart;
-    auto *zoom = new ZoomButtons;
-    connect(zoom, &ZoomButtons::zoomWanted, m_trend, &TrendChart::zoomBy);
-    connect(zoom, &ZoomButtons::fitWanted, m_trend, &TrendChart::showAll);
-    head->addWidget(zoom);
-    head->addWidget(m_copy);
-    head->addWidget(m_maximise);
-    m_legend = made("trendLegend", TextSize::tiny);
-    m_legend->setAlignment(Qt::AlignCenter);
-    m_legend->setWordWrap(true);
-    m_legend->setSizePolicy(QSizePolicy::Ignored,
-                            QSizePolicy::Preferred); // the list of machines keeps its width
-    m_trendPart = new QWidget;
-    m_trendPart->setMinimumWidth(1); // hidden next to the curves when space is short
-    auto *leftLayout = new QVBoxLayout(m_trendPart);
-    leftLayout->setContentsMargins(pageMargin, 8, 8, 8);
-    leftLayout->addLayout(head);
-    leftLayout->addWidget(m_trend, 1);
-    leftLayout->addWidget(m_legend);
-    makeFacts();
+    m_trend = new TrendView(m_menus);
     m_comparison = new CurveComparison;
     m_comparison->hide();
     connect(m_comparison, &CurveComparison::closed, this, [this] { m_menus.compare->setChecked(false); });
-    connect(m_trend, &TrendChart::testChosen, m_tests, &TestsView::choose);
-    auto *layout = new QHBoxLayout(part);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(m_trendPart, 3);
-    layout->addWidget(m_factsColumn);
+    connect(m_trend, &TrendView::testChosen, m_tests, &TestsView::choose);
+    connect(m_menus.trendAlone, &QAction::toggled, this, [this](bool alone) {
+        m_side->setVisible(!alone);
+        m_testsPart->setVisible(!alone);
+    });
+    auto *restore = new QAction(this);
+    restore->setShortcut(Qt::Key_Escape);
+    addAction(restore);
+    connect(restore, &QAction::triggered, this, [this] { m_menus.trendAlone->setChecked(false); });
+    auto *part = new QWidget;
+    auto *layout = tight<QHBoxLayout>(part);
+    layout->addWidget(m_trend, 3);
     layout->addWidget(m_comparison, 3);
     return part;
 }
@@ -314,50 +205,19 @@ void RegisterWindow::changeEvent(QEvent *event) {
     QMainWindow::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
-    else if (event->type() == QEvent::PaletteChange && m_legend) // its colours are set once
-        showLegend();
 }
 
 void RegisterWindow::retranslate() {
     setWindowTitle(tr("Register") + QStringLiteral(" — Palmer"));
     m_menus.retranslate();
     m_side->retranslate();
-    m_under->setText(tr("Evaluate all under…"));
     m_status->retranslate();
-    m_copy->setToolTip(tr("Copy the chart"));
-    m_copy->setAccessibleName(tr("Copy the chart"));
-    maximiseTrend(m_maximise->isChecked());
+    m_trend->retranslate();
     m_head->retranslate();
-    showLegend();
     m_tests->retranslate();
     m_head->setMachine(m_side->chosen());
     showTests();
     showState();
-}
-
-/// Shows the legend in the colours of the chart.
-void RegisterWindow::showLegend() {
-    const QString accent = token(Token::accent, palette()).name();
-    const QString secondary = token(Token::secondaryText, palette()).name();
-    const QString text = palette().color(QPalette::WindowText).name();
-    const QString explanation = token(Token::explanation, palette()).name();
-    const std::array<std::pair<const char *, QString>, 7> signs{{{"○", accent},
-                                                                 {"●", accent},
-                                                                 {"□", secondary},
-                                                                 {"━", text},
-                                                                 {"▬", accent},
-                                                                 {"┊", explanation},
-                                                                 {"△", accent}}};
-    QStringList legend;
-    for (const QString &one : trendLegend(windowLanguage(), {m_trend->trend()})) {
-        const auto &[sign, colour] = signs.at(static_cast<std::size_t>(legend.size()));
-        // Line breaks only between the entries.
-        legend << QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3")
-                      .arg(colour, QString::fromUtf8(sign),
-                           one.toHtmlEscaped().replace(u' ', QStringLiteral("&nbsp;")));
-    }
-    m_legend->setTextFormat(Qt::RichText);
-    m_legend->setText(legend.join(QStringLiteral(" &nbsp;&nbsp;&nbsp; ")));
 }
 
 void RegisterWindow::setFolders(const QStringList &folders) {
@@ -440,8 +300,8 @@ void RegisterWindow::showTests() {
     m_filters->showChosen(shown.size());
     m_menus.clear->setEnabled(m_filters->anyChosen());
     m_tests->setTests(std::move(shown));
-    showChosen();
     showTrend();
+    showChosen();
 }
 
 void RegisterWindow::resizeEvent(QResizeEvent *event) {
@@ -458,8 +318,8 @@ void RegisterWindow::resizeEvent(QResizeEvent *event) {
 void RegisterWindow::fitTrend() {
     constexpr int wide = 1180;
     const bool isWide = width() >= wide;
-    m_under->setVisible(isWide);
-    m_trendPart->setVisible(isWide || !m_menus.compare->isChecked());
+    m_trend->showEditions(isWide);
+    m_trend->setVisible(isWide || !m_menus.compare->isChecked());
 }
 
 QString RegisterWindow::trendAxis() const {
@@ -467,12 +327,6 @@ QString RegisterWindow::trendAxis() const {
     if (!chosen.isEmpty())
         return chosen;
     return m_allTests.empty() ? QString() : QString::fromStdString(m_allTests.back().test.axis);
-}
-
-/// "X axis", or for a plane just "XY".
-QString RegisterWindow::axisName(const std::vector<ListedTest> &list) const {
-    const bool isAxis = !list.empty() && traitsOf(list.front().test.kind).isOfAxis;
-    return isAxis ? tr("%1 axis").arg(trendAxis()) : trendAxis();
 }
 
 void RegisterWindow::showTrend() {
@@ -483,73 +337,11 @@ void RegisterWindow::showTrend() {
             m_filters->filters().passes(TestFilters::since, test))
             list.push_back(test);
     }
-    std::vector<std::string> parameters = parametersOf(list);
-    constexpr std::size_t mostButtons = 5;
-    if (parameters.size() > mostButtons)
-        parameters.resize(mostButtons);
-    if (std::ranges::find(parameters, m_parameter) == parameters.end())
-        m_parameter = parameters.empty() ? std::string() : parameters.front();
-    while (QLayoutItem *item = m_parameterRow->takeAt(0)) {
-        if (item->widget())
-            item->widget()->deleteLater();
-        delete item;
-    }
-    for (const std::string &parameter : parameters) {
-        auto *button = new QToolButton;
-        button->setText(plainSymbolOf(parameter));
-        button->setObjectName(QStringLiteral("parameter ") + QString::fromStdString(parameter));
-        button->setCheckable(true);
-        button->setChecked(parameter == m_parameter);
-        m_parameterButtons->addButton(button);
-        m_parameterRow->addWidget(button);
-        connect(button, &QToolButton::clicked, this, [this, parameter] {
-            m_parameter = parameter;
-            showTrend();
-        });
-    }
-    const MachineTrend trend = machineTrend(list, m_parameter);
-    m_trend->setTrend(trend, QDate::currentDate());
-    showLegend();
-    m_trendTitle->setText(m_parameter.empty()
-                              ? tr("Trend")
-                              : tr("Trend of %1, %2").arg(plainSymbolOf(m_parameter), axisName(list)) +
-                                    (m_edition.empty()
-                                         ? QString()
-                                         : QStringLiteral(" · ") + QString::fromStdString(m_edition)));
-    m_under->setEnabled(!list.empty());
-    showFacts(trend);
-    showChosen();
-}
-
-void RegisterWindow::showFacts(const MachineTrend &trend) {
-    if (trend.series.empty()) {
-        m_statement->clear();
-        return;
-    }
-    const Language &language = windowLanguage();
-    const Quantity quantity = trendQuantity(trend);
-    QString html;
-    if (trend.limit)
-        html += QStringLiteral("<p style='margin:0'>%1</p>")
-                    .arg(tr("Limit %1")
-                             .arg(language.quantity(*trend.limit, quantity,
-                                                    limitDecimals(*trend.limit, quantity, language.units())))
-                             .toHtmlEscaped());
-    html +=
-        QStringLiteral(
-            "<p style='margin-top:2px;margin-bottom:8px;font-size:large'><b>%1</b></p><table width='100%'>")
-            .arg(trendStatement(trend, language).toHtmlEscaped());
-    for (const KeyValue &fact : trendFacts(trend, language))
-        html += QStringLiteral("<tr><td style='padding:2px 8px 2px 0'>%1</td><td align='right'>%2</td></tr>")
-                    .arg(fact.key.toHtmlEscaped(), inPieces(fact.value).toHtmlEscaped());
-    html += QStringLiteral("</table>");
-    for (std::size_t i = 1; i < trend.series.size(); ++i)
-        html += QStringLiteral("<p>□ %1</p>")
-                    .arg(seriesName(trend.series[i], trend.angular, language).toHtmlEscaped());
-    html +=
-        QStringLiteral("<p style='color:%1'><small>%2</small></p>")
-            .arg(token(Token::secondaryText, palette()).name(), trendMethod(trend, language).toHtmlEscaped());
-    m_statement->setText(html);
+    const bool isAxis = !list.empty() && traitsOf(list.front().test.kind).isOfAxis; // else a plane, "XY"
+    QString about = isAxis ? tr("%1 axis").arg(axis) : axis;
+    if (!m_edition.empty())
+        about += QStringLiteral(" · ") + QString::fromStdString(m_edition);
+    m_trend->setTests(std::move(list), about);
 }
 
 void RegisterWindow::showChosen() {
@@ -584,7 +376,7 @@ void RegisterWindow::showChosen() {
 }
 
 void RegisterWindow::compareCurves(bool compare) {
-    m_factsColumn->setVisible(!compare);
+    m_trend->showFacts(!compare);
     m_comparison->setVisible(compare);
     fitTrend();
     showChosen();
@@ -607,15 +399,6 @@ void RegisterWindow::giveRoomToCurves(bool compare) {
         return;
     m_heights = heights;
     m_stacked->setSizes({all - wanted, wanted});
-}
-
-/// Shows only the trend below the machine's name, or tests and machines again.
-void RegisterWindow::maximiseTrend(bool maximise) {
-    m_side->setVisible(!maximise);
-    m_testsPart->setVisible(!maximise);
-    const QString does = maximise ? tr("Show tests and machines again (Esc)") : tr("Show the trend alone");
-    m_maximise->setToolTip(does);
-    m_maximise->setAccessibleName(does);
 }
 
 void RegisterWindow::openChosen() {
@@ -655,7 +438,7 @@ void RegisterWindow::showState() {
     const bool isEmpty = !hasFolders && machines.machineCount() == 0;
     m_stack->setCurrentIndex(isEmpty ? 0 : 1);
     if (isEmpty)
-        m_maximise->setChecked(false);
+        m_menus.trendAlone->setChecked(false);
     m_menus.rescan->setEnabled(hasFolders);
     m_menus.history->setEnabled(m_side->chosen());
     m_menus.intervals->setEnabled(m_side->chosen());

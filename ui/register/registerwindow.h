@@ -2,25 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "register/machinetrend.h"
 #include "ui/model/background.h"
 #include "ui/register/historypdf.h"
 #include "ui/register/machinelist.h"
 #include "ui/register/registermenus.h"
 
 #include <QMainWindow>
-#include <array>
-#include <map>
 #include <vector>
 
-class QAction;
-class QButtonGroup;
-class QHBoxLayout;
-class QLabel;
-class QPushButton;
 class QSplitter;
 class QStackedWidget;
-class QToolButton;
 
 namespace palmer::ui {
 
@@ -32,7 +23,7 @@ class MachineSide;
 class RegisterService;
 class RegisterStatus;
 class TestsView;
-class TrendChart;
+class TrendView;
 
 /// The register: machines on the left, then the tests of one of them, the trend of a parameter and
 /// superimposed curves. Shows the register, which is read in the background; computes nothing.
@@ -58,14 +49,11 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    void makeFacts();
     QWidget *makeRight();
     QWidget *makeTests();
     QWidget *makeTrend();
     void makeActions();
-    static QToolButton *makeTrendButton(const char *name, const char *icon);
     void retranslate();
-    void showLegend();
 
     void loadMachines();
     void takeMachines(std::vector<MachineRow> rows);
@@ -77,15 +65,12 @@ private:
     void fitTrend();
     void fillEditions();
     void showTrend();
-    void showFacts(const MachineTrend &trend);
     void showChosen();
     void showState();
     [[nodiscard]] QString trendAxis() const;
-    [[nodiscard]] QString axisName(const std::vector<ListedTest> &list) const;
     void openChosen();
     void compareCurves(bool compare);
     void giveRoomToCurves(bool compare);
-    void maximiseTrend(bool maximise);
     void evaluateUnder(const std::string &edition);
     void chooseFolders();
     void addFolder();
@@ -99,17 +84,7 @@ private:
     MachineSide *m_side = nullptr;
     FilterBar *m_filters = nullptr;
     TestsView *m_tests = nullptr;
-    QLabel *m_trendTitle = nullptr;
-    QHBoxLayout *m_parameterRow = nullptr;
-    QButtonGroup *m_parameterButtons = nullptr;
-    QPushButton *m_under = nullptr;
-    QToolButton *m_copy = nullptr;
-    QToolButton *m_maximise = nullptr;
-    TrendChart *m_trend = nullptr;
-    QLabel *m_legend = nullptr;
-    QLabel *m_statement = nullptr;
-    QWidget *m_trendPart = nullptr;
-    QWidget *m_factsColumn = nullptr;
+    TrendView *m_trend = nullptr;
     CurveComparison *m_comparison = nullptr;
     QSplitter *m_parts = nullptr;
     QSplitter *m_stacked = nullptr; ///< tests above trend
@@ -124,7 +99,6 @@ private:
     std::vector<ListedTest> m_allTests; ///< of the chosen machine
     std::vector<ListedTest> m_anew;     ///< tests of the axis evaluated under m_edition
     std::string m_edition;              ///< empty: each test's own
-    std::string m_parameter;
     Background m_machineLane;
     Background m_testLane;
     Background m_filesLane;

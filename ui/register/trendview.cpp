@@ -1,0 +1,155 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/register/trendview.h"
+
+#include "register/listing.h"
+#include "register/trendfigure.h"
+#include "ui/figures/zoombuttons.h"
+#include "ui/measures.h"
+#include "ui/windowlanguage.h"
+
+#include <QAction>
+#include <QClipboard>
+#include <QEvent>
+#include <QGuiApplication>
+#include <QMenu>
+#include <algorithm>
+
+namespace palmer::ui {
+
+TrendView::TrendView(const RegisterMenus &menus) {
+    m_legend->setAlignment(Qt::AlignCenter);
+    m_legend->setWordWrap(true);
+    m_legend->setTextFormat(Qt::RichText);
+    m_legend->setSizePolicy(QSizePolicy::Ignored,
+                            QSizePolicy::Preferred); // the list of machines keeps its width
+    auto *trend = new QWidget;
+    trend->setMinimumWidth(1); // hidden next to the curves when space is short
+    auto *above = new QVBoxLayout(trend);
+    above->setContentsMargins(pageMargin, 8, 8, 8);
+    above->addLayout(makeHead(menus));
+    above->addWidget(m_chart, 1);
+    above->addWidget(m_legend);
+    auto *layout = tight<QHBoxLayout>(this);
+    layout->addWidget(trend, 1);
+    layout->addWidget(m_facts);
+    connect(m_chart, &TrendChart::testChosen, this, &TrendView::testChosen);
+}
+
+QLayout *TrendView::makeHead(const RegisterMenus &menus) {
+    m_under->setMinimumWidth(1); // hidden when space is short
+    m_under->setMenu(menus.under);
+    for (const auto &[button, icon] : {std::pair(m_copy, "copy"), std::pair(m_maximise, "maxi")}) {
+        button->setIcon(lineIcon(QString::fromLatin1(icon)));
+        button->setProperty("iconOnly", true);
+    }
+    connect(m_copy, &QToolButton::clicked, this, [this] {
+        if (!m_chart->panel().values.empty())
+            QGuiApplication::clipboard()->setPixmap(m_chart->grab());
+    });
+    m_maximise->setCheckable(true);
+    connect(m_maximise, &QToolButton::toggled, this, &TrendView::sayMaximised);
+    connect(m_maximise, &QToolButton::toggled, menus.trendAlone, &QAction::setChecked);
+    connect(menus.trendAlone, &QAction::toggled, m_maximise, &QToolButton::setChecked);
+    auto *zoom = new ZoomButtons;
+    connect(zoom, &ZoomButtons::zoomWanted, m_chart, &TrendChart::zoomBy);
+    connect(zoom, &ZoomButtons::fitWanted, m_chart, &TrendChart::showAll);
+    auto *head = new QHBoxLayout;
+    head->addWidget(m_title, 1);
+    head->addLayout(m_parameters);
+    head->addWidget(m_under);
+    head->addWidget(zoom);
+    head->addWidget(m_copy);
+    head->addWidget(m_maximise);
+    return head;
+}
+
+void TrendView::changeEvent(QEvent *event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) // its colours are set once
+        showLegend();
+}
+
+void TrendView::retranslate() {
+    m_under->setText(tr("Evaluate all under…"));
+    m_copy->setToolTip(tr("Copy the chart"));
+    m_copy->setAccessibleName(tr("Copy the chart"));
+    sayMaximised(m_maximise->isChecked());
+    showLegend();
+}
+
+void TrendView::sayMaximised(bool maximised) {
+    const QString does = maximised ? tr("Show tests and machines again (Esc)") : tr("Show the trend alone");
+    m_maximise->setToolTip(does);
+    m_maximise->setAccessibleName(does);
+}
+
+/// Shows the legend in the colours of the chart.
+void TrendView::showLegend() {
+    const QString accent = token(Token::accent, palette()).name();
+    const QString secondary = token(Token::secondaryText, palette()).name();
+    const QString text = palette().color(QPalette::WindowText).name();
+    const QString explanation = token(Token::explanation, palette()).name();
+    const std::array<std::pair<const char *, QString>, 7> signs{{{"○", accent},
+                                                                 {"●", accent},
+                                                                 {"□", secondary},
+                                                                 {"━", text},
+                                                                 {"▬", accent},
+                                                                 {"┊", explanation},
+                                                                 {"△", accent}}};
+    QStringList legend;
+    for (const QString &one : trendLegend(windowLanguage(), {m_chart->trend()})) {
+        const auto &[sign, colour] = signs.at(static_cast<std::size_t>(legend.size()));
+        // Line breaks only between the entries.
+        legend << QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3")
+                      .arg(colour, QString::fromUtf8(sign),
+                           one.toHtmlEscaped().replace(u' ', QStringLiteral("&nbsp;")));
+    }
+    m_legend->setText(legend.join(QStringLiteral(" &nbsp;&nbsp;&nbsp; ")));
+}
+
+void TrendView::setTests(std::vector<ListedTest> tests, const QString &about) {
+    m_tests = std::move(tests);
+    m_about = about;
+    m_under->setEnabled(!m_tests.empty());
+    showParameters();
+    showTrend();
+}
+
+void TrendView::showParameters() {
+    std::vector<std::string> parameters = parametersOf(m_tests);
+    constexpr std::size_t mostButtons = 5;
+    if (parameters.size() > mostButtons)
+        parameters.resize(mostButtons);
+    if (std::ranges::find(parameters, m_parameter) == parameters.end())
+        m_parameter = parameters.empty() ? std::string() : parameters.front();
+    while (QLayoutItem *item = m_parameters->takeAt(0)) {
+        if (item->widget())
+            item->widget()->deleteLater();
+        delete item;
+    }
+    for (const std::string &parameter : parameters) {
+        auto *button = new QToolButton;
+        button->setText(plainSymbolOf(parameter));
+        button->setObjectName(QStringLiteral("parameter ") + QString::fromStdString(parameter));
+        button->setCheckable(true);
+        button->setChecked(parameter == m_parameter);
+        m_choice->addButton(button);
+        m_parameters->addWidget(button);
+        connect(button, &QToolButton::clicked, this, [this, parameter] {
+            m_parameter = parameter;
+            showTrend();
+        });
+    }
+}
+
+void TrendView::showTrend() {
+    const MachineTrend trend = machineTrend(m_tests, m_parameter);
+    m_chart->setTrend(trend, QDate::currentDate());
+    m_facts->setTrend(trend);
+    m_title->setText(m_parameter.empty() ? tr("Trend")
+                                         : tr("Trend of %1, %2").arg(plainSymbolOf(m_parameter), m_about));
+    showLegend();
+}
+
+} // namespace palmer::ui
