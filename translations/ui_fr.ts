@@ -3843,6 +3843,17 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     </message>
 </context>
 <context>
+    <name>palmer::ui::RegisterPage</name>
+    <message>
+        <source>Each test under its own edition</source>
+        <translation>Chaque essai selon sa propre édition</translation>
+    </message>
+    <message>
+        <source>%1 axis</source>
+        <translation>axe %1</translation>
+    </message>
+</context>
+<context>
     <name>palmer::ui::RegisterSettings</name>
     <message>
         <source>The index stands here: %1</source>
@@ -3995,16 +4006,8 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
 <context>
     <name>palmer::ui::RegisterWindow</name>
     <message>
-        <source>Each test under its own edition</source>
-        <translation>Chaque essai selon sa propre édition</translation>
-    </message>
-    <message>
         <source>Choose a folder</source>
         <translation>Choisir un dossier</translation>
-    </message>
-    <message>
-        <source>%1 axis</source>
-        <translation>axe %1</translation>
     </message>
 </context>
 <context>

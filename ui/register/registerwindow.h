@@ -15,15 +15,11 @@ class QStackedWidget;
 
 namespace palmer::ui {
 
-class CurveComparison;
-class FilterBar;
 class HelpWindow;
-class MachineHead;
+class RegisterPage;
 class MachineSide;
 class RegisterService;
 class RegisterStatus;
-class TestsView;
-class TrendView;
 
 /// The register: machines on the left, then the tests of one of them, the trend of a parameter and
 /// superimposed curves. Shows the register, which is read in the background; computes nothing.
@@ -49,29 +45,15 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    QWidget *makeRight();
-    QWidget *makeTests();
-    QWidget *makeTrend();
     void makeActions();
     void retranslate();
 
     void loadMachines();
     void takeMachines(std::vector<MachineRow> rows);
-    void forgetEdition();
     void showMachine();
     void loadTests();
-    void takeTests(std::vector<ListedTest> tests);
-    void showTests();
-    void fitTrend();
-    void fillEditions();
-    void showTrend();
     void showChosen();
     void showState();
-    [[nodiscard]] QString trendAxis() const;
-    void openChosen();
-    void compareCurves(bool compare);
-    void giveRoomToCurves(bool compare);
-    void evaluateUnder(const std::string &edition);
     void chooseFolders();
     void addFolder();
     void setInterval(int months);
@@ -81,24 +63,14 @@ private:
 
     RegisterService &m_service;
     QStackedWidget *m_stack = nullptr; ///< first use, or the register's content
+    RegisterPage *m_page = nullptr;
     MachineSide *m_side = nullptr;
-    FilterBar *m_filters = nullptr;
-    TestsView *m_tests = nullptr;
-    TrendView *m_trend = nullptr;
-    CurveComparison *m_comparison = nullptr;
     QSplitter *m_parts = nullptr;
-    QSplitter *m_stacked = nullptr; ///< tests above trend
-    QList<int> m_heights;           ///< of tests and trend, before curves were compared
-    MachineHead *m_head = nullptr;
-    QWidget *m_testsPart = nullptr;
     RegisterStatus *m_status = nullptr;
     RegisterMenus m_menus;
     HistoryPdf m_history;
     HelpWindow *m_help = nullptr;
 
-    std::vector<ListedTest> m_allTests; ///< of the chosen machine
-    std::vector<ListedTest> m_anew;     ///< tests of the axis evaluated under m_edition
-    std::string m_edition;              ///< empty: each test's own
     Background m_machineLane;
     Background m_testLane;
     Background m_filesLane;
