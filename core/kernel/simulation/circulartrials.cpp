@@ -249,12 +249,12 @@ void CircularTrials::addReferences() {
     }
 }
 
-CircularTrials::Workplace CircularTrials::workplace() const {
-    Workplace result{std::make_shared<CircularMeasurement>(m_measurement),
-                     std::make_shared<CircularResults>(m_results),
-                     {},
-                     {},
-                     {}};
+CircularTrials::Buffers CircularTrials::buffers() const {
+    Buffers result{std::make_shared<CircularMeasurement>(m_measurement),
+                   std::make_shared<CircularResults>(m_results),
+                   {},
+                   {},
+                   {}};
     for (const Part &part : m_parts) {
         result.distances.emplace_back(part.deviations.size());
         result.looks.push_back(part.rays.look());
@@ -277,10 +277,10 @@ CircularTrials::Common CircularTrials::common(long long trial) const {
     return result;
 }
 
-void CircularTrials::perturb(long long trial, std::size_t index, const Common &all, Workplace &place) const {
+void CircularTrials::perturb(long long trial, std::size_t index, const Common &all, Buffers &buffers) const {
     const Part &part = m_parts[index];
     const std::size_t n = part.deviations.size();
-    std::vector<double> &errors = place.errors;
+    std::vector<double> &errors = buffers.errors;
     errors.resize(n);
     if (m_errors.noise > 0 || m_errors.resolution > 0)
         drawPointErrors(m_draws, trial, part.place, m_errors, errors);
@@ -289,16 +289,16 @@ void CircularTrials::perturb(long long trial, std::size_t index, const Common &a
     const Shift by{all.drift[index % 2] + all.zero, all.scale, m_middle, all.centring};
     const auto apply = hasWidestRegisters() ? shiftWidest : hasWideRegisters() ? shiftWide : shift;
     apply(by, m_measurement.nominalRadius, part.deviations.data(), part.rays.x().data(), part.rays.y().data(),
-          errors, place.distances[index].data());
+          errors, buffers.distances[index].data());
     if (m_readings)
-        setReadings(index, place);
+        setReadings(index, buffers);
 }
 
-void CircularTrials::setReadings(std::size_t index, Workplace &place) const {
-    auto &deviations = place.measurement->arcs[m_parts[index].arc].radialDeviations;
+void CircularTrials::setReadings(std::size_t index, Buffers &buffers) const {
+    auto &deviations = buffers.measurement->arcs[m_parts[index].arc].radialDeviations;
     const auto &source = m_results.paths[index].source;
     for (std::size_t i = 0; i < source.size(); ++i)
-        deviations[source[i]] = place.errors[i];
+        deviations[source[i]] = buffers.errors[i];
 }
 
 std::vector<CommandedArc>
@@ -318,8 +318,8 @@ CircularTrials::inOrderOfTime(std::span<const std::vector<double>> distances) co
     return result;
 }
 
-std::optional<Point> CircularTrials::centringErrorOf(const Workplace &place) const {
-    const std::vector<CommandedArc> arcs = inOrderOfTime(place.distances);
+std::optional<Point> CircularTrials::centringErrorOf(const Buffers &buffers) const {
+    const std::vector<CommandedArc> arcs = inOrderOfTime(buffers.distances);
     if (arcs.empty())
         return std::nullopt;
     if (m_nearbyCentring) {
@@ -334,30 +334,30 @@ std::optional<Point> CircularTrials::centringErrorOf(const Workplace &place) con
     return error.valid() ? std::optional(error.e) : std::nullopt;
 }
 
-void CircularTrials::setPoints(Workplace &place) const {
+void CircularTrials::setPoints(Buffers &buffers) const {
     for (std::size_t k = 0; k < m_parts.size(); ++k) {
         const Part &part = m_parts[k];
-        Rays::Look &look = place.looks[k];
-        const auto &e = place.results->centringError;
+        Rays::Look &look = buffers.looks[k];
+        const auto &e = buffers.results->centringError;
         if (part.commanded && e) {
             const auto apply = hasWidestRegisters() ? rebuildWidest
                                : hasWideRegisters() ? rebuildWide
                                                     : rebuild;
-            apply(place.distances[k], part.rays.x().data(), part.rays.y().data(), *e, look.radii.data());
+            apply(buffers.distances[k], part.rays.x().data(), part.rays.y().data(), *e, look.radii.data());
         } else {
-            look.radii.swap(place.distances[k]); // redrawn by the next trial
+            look.radii.swap(buffers.distances[k]); // redrawn by the next trial
         }
         part.rays.prepare(look);
     }
 }
 
 std::optional<CircleResult> CircularTrials::minimumZoneOf(const Circle &circle,
-                                                          const Workplace &place) const {
+                                                          const Buffers &buffers) const {
     if (!circle.contacts)
         return std::nullopt;
     std::array<RaysLook, 2> looks{};
     for (std::size_t k = 0; k < circle.parts.size(); ++k)
-        looks[k] = {&m_parts[circle.parts[k]].rays, &place.looks[circle.parts[k]]};
+        looks[k] = {&m_parts[circle.parts[k]].rays, &buffers.looks[circle.parts[k]]};
     const auto zone = minimumZone(std::span(looks).first(circle.parts.size()), *circle.contacts);
     if (!zone)
         return std::nullopt;
@@ -367,12 +367,12 @@ std::optional<CircleResult> CircularTrials::minimumZoneOf(const Circle &circle,
 }
 
 std::optional<CircleResult> CircularTrials::leastSquaresOf(const Circle &circle,
-                                                           const Workplace &place) const {
+                                                           const Buffers &buffers) const {
     if (!circle.nearby)
         return std::nullopt;
     std::array<const Rays::Look *, 2> looks{};
     for (std::size_t k = 0; k < circle.parts.size(); ++k)
-        looks[k] = &place.looks[circle.parts[k]];
+        looks[k] = &buffers.looks[circle.parts[k]];
     const auto fit = circle.nearby->fit(std::span(looks).first(circle.parts.size()));
     if (!fit)
         return std::nullopt;
@@ -381,7 +381,7 @@ std::optional<CircleResult> CircularTrials::leastSquaresOf(const Circle &circle,
         return result;
     result.innerRadius = std::numeric_limits<double>::infinity();
     for (const std::size_t k : circle.parts) {
-        const Rays::Extremes extremes = m_parts[k].rays.extremes(place.looks[k], fit->centre);
+        const Rays::Extremes extremes = m_parts[k].rays.extremes(buffers.looks[k], fit->centre);
         result.innerRadius = std::min(result.innerRadius, extremes.least);
         result.outerRadius = std::max(result.outerRadius, extremes.greatest);
     }
@@ -389,36 +389,36 @@ std::optional<CircleResult> CircularTrials::leastSquaresOf(const Circle &circle,
     return result;
 }
 
-std::optional<double> CircularTrials::hysteresisOf(const Workplace &place) const {
-    const CircleResult *both = place.results->circle(CircleOf::both, ReferenceCircle::leastSquares);
+std::optional<double> CircularTrials::hysteresisOf(const Buffers &buffers) const {
+    const CircleResult *both = buffers.results->circle(CircleOf::both, ReferenceCircle::leastSquares);
     if (!m_nearbyHysteresis || !both)
         return std::nullopt;
     return m_nearbyHysteresis->largestDifference(
-        {RaysLook{&m_parts[0].rays, &place.looks.front()}, RaysLook{&m_parts[1].rays, &place.looks[1]}},
+        {RaysLook{&m_parts[0].rays, &buffers.looks.front()}, RaysLook{&m_parts[1].rays, &buffers.looks[1]}},
         both->centre);
 }
 
-void CircularTrials::fillPoints(const std::vector<std::size_t> &parts, Workplace &place) const {
-    ++place.plain;
+void CircularTrials::fillPoints(const std::vector<std::size_t> &parts, Buffers &buffers) const {
+    ++buffers.plain;
     for (const std::size_t k : parts)
-        m_parts[k].rays.fill(place.looks[k], place.results->paths[k].points);
+        m_parts[k].rays.fill(buffers.looks[k], buffers.results->paths[k].points);
 }
 
-bool CircularTrials::evaluate(Workplace &place, const std::stop_token &stop) const {
-    CircularResults &results = *place.results;
-    results.centringError = centringErrorOf(place);
-    setPoints(place);
+bool CircularTrials::evaluate(Buffers &buffers, const std::stop_token &stop) const {
+    CircularResults &results = *buffers.results;
+    results.centringError = centringErrorOf(buffers);
+    setPoints(buffers);
     results.circles.clear();
     for (const Circle &circle : m_circles) {
         if (stop.stop_requested())
             return false;
-        const auto result = circle.kind == ReferenceCircle::minimumZone ? minimumZoneOf(circle, place)
-                                                                        : leastSquaresOf(circle, place);
+        const auto result = circle.kind == ReferenceCircle::minimumZone ? minimumZoneOf(circle, buffers)
+                                                                        : leastSquaresOf(circle, buffers);
         if (result) {
             results.circles.push_back(*result);
             continue;
         }
-        fillPoints(circle.parts, place);
+        fillPoints(circle.parts, buffers);
         const auto plain = iso230_4::circles(results.paths, [&](CircleOf of, ReferenceCircle kind) {
             return of == circle.of && kind == circle.kind;
         });
@@ -427,25 +427,25 @@ bool CircularTrials::evaluate(Workplace &place, const std::stop_token &stop) con
     return !stop.stop_requested();
 }
 
-void CircularTrials::run(long long first, Workplace &place, std::span<double> values,
+void CircularTrials::run(long long first, Buffers &buffers, std::span<double> values,
                          const std::stop_token &stop) const {
     const auto trials = static_cast<std::size_t>(m_chunk);
-    const CircularCase whole{m_test, *place.measurement, m_surroundings, m_edition, *place.results};
+    const CircularCase whole{m_test, *buffers.measurement, m_surroundings, m_edition, *buffers.results};
     const auto listed = iso230_4::listedParameters(whole);
     for (std::size_t k = 0; k < trials; ++k) {
         const long long trial = first + static_cast<long long>(k);
         const Common all = common(trial);
         for (std::size_t part = 0; part < m_parts.size(); ++part)
-            perturb(trial, part, all, place);
-        if (!evaluate(place, stop))
+            perturb(trial, part, all, buffers);
+        if (!evaluate(buffers, stop))
             return;
-        place.results->correction = m_results.correction.value_or(0) + all.correction;
+        buffers.results->correction = m_results.correction.value_or(0) + all.correction;
         for (std::size_t p = 0; p < m_listed.size(); ++p) {
             std::optional<double> found;
             if (p == m_hysteresis) {
-                found = hysteresisOf(place);
+                found = hysteresisOf(buffers);
                 if (!found)
-                    fillPoints({0, 1}, place);
+                    fillPoints({0, 1}, buffers);
             }
             if (!found)
                 found = iso230_4::value(listed[m_listed[p]], whole);
@@ -459,13 +459,13 @@ void CircularTrials::run(long long first, Workplace &place, std::span<double> va
 }
 
 CircularMeasurement CircularTrials::perturbed(long long trial) const {
-    Workplace place = workplace();
+    Buffers buffers = this->buffers();
     const Common all = common(trial);
     for (std::size_t part = 0; part < m_parts.size(); ++part) {
-        perturb(trial, part, all, place);
-        setReadings(part, place);
+        perturb(trial, part, all, buffers);
+        setReadings(part, buffers);
     }
-    return *place.measurement;
+    return *buffers.measurement;
 }
 
 } // namespace palmer

@@ -39,7 +39,7 @@ public:
     [[nodiscard]] int chunk() const { return m_chunk; }
 
     /// Working memory of one thread.
-    struct Workplace {
+    struct Buffers {
         std::shared_ptr<CircularMeasurement> measurement; ///< perturbed
         std::shared_ptr<CircularResults> results;
         std::vector<double> errors;                 ///< of the points of a path, mm
@@ -47,11 +47,11 @@ public:
         std::vector<Rays::Look> looks;              ///< per path, its points
         long long plain = 0;                        ///< circles and hystereses computed in the ordinary way
     };
-    [[nodiscard]] Workplace workplace() const;
+    [[nodiscard]] Buffers buffers() const;
 
     /// Computes the parameters of the trials first … first + chunk() − 1: all values of the first parameter,
     /// then of the second, and so on. Leaves the rest unchanged if stopped.
-    void run(long long first, Workplace &place, std::span<double> values, const std::stop_token &stop) const;
+    void run(long long first, Buffers &buffers, std::span<double> values, const std::stop_token &stop) const;
 
     /// Returns the measurement of one trial: evaluating it gives the results of that trial, except for errors
     /// that are not in the readings (correction, repeatability).
@@ -87,8 +87,8 @@ private:
     };
 
     [[nodiscard]] Common common(long long trial) const;
-    void perturb(long long trial, std::size_t index, const Common &all, Workplace &place) const;
-    void setReadings(std::size_t index, Workplace &place) const;
+    void perturb(long long trial, std::size_t index, const Common &all, Buffers &buffers) const;
+    void setReadings(std::size_t index, Buffers &buffers) const;
     void wantCircles(const Term &term);
     void addParts();
     /// `place`: of the random numbers of its first points.
@@ -98,15 +98,15 @@ private:
     /// Returns the arcs with commanded angles in chronological order, as `paths` does.
     [[nodiscard]] std::vector<CommandedArc>
     inOrderOfTime(std::span<const std::vector<double>> distances) const;
-    [[nodiscard]] std::optional<Point> centringErrorOf(const Workplace &place) const;
-    void setPoints(Workplace &place) const;
-    [[nodiscard]] std::optional<double> hysteresisOf(const Workplace &place) const;
-    void fillPoints(const std::vector<std::size_t> &parts, Workplace &place) const;
-    [[nodiscard]] bool evaluate(Workplace &place, const std::stop_token &stop) const;
+    [[nodiscard]] std::optional<Point> centringErrorOf(const Buffers &buffers) const;
+    void setPoints(Buffers &buffers) const;
+    [[nodiscard]] std::optional<double> hysteresisOf(const Buffers &buffers) const;
+    void fillPoints(const std::vector<std::size_t> &parts, Buffers &buffers) const;
+    [[nodiscard]] bool evaluate(Buffers &buffers, const std::stop_token &stop) const;
     [[nodiscard]] std::optional<CircleResult> minimumZoneOf(const Circle &circle,
-                                                            const Workplace &place) const;
+                                                            const Buffers &buffers) const;
     [[nodiscard]] std::optional<CircleResult> leastSquaresOf(const Circle &circle,
-                                                             const Workplace &place) const;
+                                                             const Buffers &buffers) const;
 
     const Test &m_test;
     const CircularMeasurement &m_measurement;

@@ -95,8 +95,8 @@ void PositioningTrials::addReadings(const PositioningMeasurement &measurement) {
         m_readings[k].time = static_cast<double>(k) / last - 0.5;
 }
 
-PositioningTrials::Workplace PositioningTrials::workplace() const {
-    Workplace result;
+PositioningTrials::Buffers PositioningTrials::buffers() const {
+    Buffers result;
     result.readings.resize(m_readings.size());
     result.targets.resize(m_targets);
     constexpr std::size_t block = RandomDraws::blockSize;
@@ -136,21 +136,21 @@ void PositioningTrials::eachError(long long first, std::vector<double> &numbers,
     }
 }
 
-void PositioningTrials::run(long long first, Workplace &place, std::span<double> values,
+void PositioningTrials::run(long long first, Buffers &buffers, std::span<double> values,
                             const std::stop_token &) const {
     const auto trials = static_cast<std::size_t>(chunk());
-    const std::span<const Lanes> readings(place.readings);
+    const std::span<const Lanes> readings(buffers.readings);
     for (std::size_t trial = 0; trial < trials; trial += Lanes::count) {
-        eachError(first + static_cast<long long>(trial), place.numbers,
+        eachError(first + static_cast<long long>(trial), buffers.numbers,
                   [&](const Reading &reading, const Lanes &error) {
-                      place.readings[reading.place] = reading.value + error;
+                      buffers.readings[reading.place] = reading.value + error;
                   });
         for (std::size_t k = 0; k < m_corrections.size(); ++k)
-            place.readings[k] += m_corrections[k];
+            buffers.readings[k] += m_corrections[k];
         statistics(readings.first(m_positive), readings.subspan(m_positive), m_targets, m_method,
-                   place.targets);
+                   buffers.targets);
         for (std::size_t p = 0; p < m_formulas.size(); ++p) {
-            const auto lanes = m_formulas[p](place.targets, m_c).values();
+            const auto lanes = m_formulas[p](buffers.targets, m_c).values();
             std::ranges::copy(lanes, values.begin() + static_cast<std::ptrdiff_t>(p * trials + trial));
         }
     }
@@ -159,7 +159,7 @@ void PositioningTrials::run(long long first, Workplace &place, std::span<double>
 PositioningMeasurement PositioningTrials::perturbed(long long trial) const {
     PositioningMeasurement result = m_measurement;
     const long long first = trial - trial % Lanes::count;
-    std::vector<double> numbers = workplace().numbers;
+    std::vector<double> numbers = buffers().numbers;
     eachError(first, numbers, [&](const Reading &reading, const Lanes &error) {
         if (auto &deviations = result.runs[reading.run].deviations; reading.target < deviations.size()) {
             auto &deviation = deviations[reading.target];

@@ -29,16 +29,16 @@ public:
     [[nodiscard]] static int chunk() { return 500; }
 
     /// Working memory of one thread.
-    struct Workplace {
+    struct Buffers {
         std::vector<Lanes> readings;
         std::vector<TargetStatisticsOf<Lanes>> targets;
         std::vector<double> numbers; ///< random numbers, four per reading
     };
-    [[nodiscard]] Workplace workplace() const;
+    [[nodiscard]] Buffers buffers() const;
 
     /// Computes the parameters of the trials first … first + chunk() − 1: all values of the first parameter,
     /// then of the second, and so on.
-    void run(long long first, Workplace &place, std::span<double> values, const std::stop_token &stop) const;
+    void run(long long first, Buffers &buffers, std::span<double> values, const std::stop_token &stop) const;
 
     /// Returns the measurement of one trial: evaluating it gives the results of that trial.
     [[nodiscard]] PositioningMeasurement perturbed(long long trial) const;
@@ -61,7 +61,7 @@ private:
 
     void addReadings(const PositioningMeasurement &measurement);
     [[nodiscard]] Common common(long long first) const;
-    /// Calls put(reading, error) for all readings of the four trials from `first`; `numbers` of a workplace.
+    /// Calls put(reading, error) for all readings of the four trials from `first`; `numbers` of its buffers.
     template <class Put>
     void eachError(long long first, std::vector<double> &numbers, Put put) const;
 

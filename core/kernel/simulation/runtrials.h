@@ -96,7 +96,7 @@ struct Moments {
 }
 
 /// Runs the trials of a model on several threads and sums them up. `Model`: parameters(), chunk(),
-/// workplace(), run(first, workplace, values, stop) as in PositioningTrials. Null if stopped.
+/// buffers(), run(first, buffers, values, stop) as in PositioningTrials. Null if stopped.
 template <class Model>
 class TrialRun {
 public:
@@ -116,7 +116,7 @@ public:
         constexpr int mostThreads = 256;
         threads = std::clamp(threads, 1, mostThreads);
         for (int k = 0; k < threads; ++k)
-            m_workers.push_back({model.workplace(), std::vector<double>(m_parameters * size_t(m_chunk)),
+            m_workers.push_back({model.buffers(), std::vector<double>(m_parameters * size_t(m_chunk)),
                                  std::vector<long long>(m_parameters * FineCounts::count)});
     }
 
@@ -161,7 +161,7 @@ public:
 
 private:
     struct Worker {
-        typename Model::Workplace place;
+        typename Model::Buffers buffers;
         std::vector<double> values;    ///< of one chunk
         std::vector<long long> counts; ///< of one stage
     };
@@ -193,7 +193,7 @@ private:
                     if (m_stop.stop_requested())
                         return;
                     const long long offset = chunk * m_chunk;
-                    m_model.run(first + offset, worker.place, worker.values, m_stop);
+                    m_model.run(first + offset, worker.buffers, worker.values, m_stop);
                     const long long count = std::min<long long>(m_chunk, trials - offset);
                     work(worker, static_cast<std::size_t>(group), offset, count);
                     done += count;
