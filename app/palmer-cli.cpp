@@ -1,11 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commandline/command.h"
-#include "commandline/completion.h"
 #include "commandline/help.h"
 #include "commandline/streams.h"
 #include "commandline/terminal.h"
-#include "commands/manual.h"
 #include "document/filename.h"
 #include "languageoflocale.h"
 

@@ -2,19 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commandline/command.h"
 
-#include "commands/check.h"
-#include "commands/evaluate.h"
-#include "commands/explain.h"
-#include "commands/export.h"
-#include "commands/feed.h"
-#include "commands/figure.h"
-#include "commands/import.h"
-#include "commands/register.h"
-#include "commands/report.h"
-#include "commands/selftest.h"
-#include "commands/synthesize.h"
-#include "commands/targets.h"
-#include "commands/verify.h"
+#include "commands/commands.h"
 
 #include <algorithm>
 #include <array>

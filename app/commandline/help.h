@@ -38,4 +38,11 @@ struct HelpRow {
 [[nodiscard]] bool takesKeys(const Command &command);
 inline constexpr const char *keysWord = "KEYS";
 
+/// The manual page of palmer-cli, section 1, generated from the same tables as --help.
+[[nodiscard]] QString manualPage(const Language &language);
+
+/// Completions of the last word of a command line: one per line, followed by a tab and its meaning. Empty if
+/// any text or a file name may follow. For the shells (resources/linux/completions).
+[[nodiscard]] QString completion(const QStringList &words, const Language &language);
+
 } // namespace palmer

@@ -1,15 +1,15 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands/evaluate.h"
+#include "commands/commands.h"
 
 #include "commandline/editionoption.h"
 #include "commandline/inputs.h"
 #include "commandline/optionvalues.h"
 #include "commandline/preparation.h"
-#include "commandline/rejection.h"
 #include "commandline/simulations.h"
 #include "commandline/streams.h"
 #include "commandline/terminal.h"
+#include "document/testsofverdict.h"
 #include "export/resultsjson.h"
 #include "report/blocks/plaintext.h"
 #include "report/results.h"

@@ -1,14 +1,14 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands/report.h"
+#include "commands/commands.h"
 
 #include "commandline/editionoption.h"
 #include "commandline/inputs.h"
 #include "commandline/outputfile.h"
 #include "commandline/preparation.h"
-#include "commandline/rejection.h"
 #include "commandline/simulations.h"
 #include "commandline/streams.h"
+#include "document/testsofverdict.h"
 #include "export/resultsjson.h"
 #include "kernel/numerics/beside.h"
 #include "print/pdf/logo.h"

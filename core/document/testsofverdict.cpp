@@ -28,6 +28,17 @@ bool hasSameSubject(const Test &a, const Test &b) {
            areOfOneKind(a, b, [](const auto &x, const auto &y) { return isSameSubject(x, y); });
 }
 
+bool isRejected(const Test &test, const TestEvaluation &evaluation) {
+    if (!evaluation.verdict)
+        return false;
+    const auto notEvaluable = [](const AgreedLimit &l) { return l.state == LimitState::notEvaluable; };
+    if (std::ranges::any_of(evaluation.limits, notEvaluable))
+        return true;
+    if (test.decisionRule.rule == Rule::rejectionProven)
+        return *evaluation.verdict == Verdict::doesNotConform;
+    return *evaluation.verdict != Verdict::conforms;
+}
+
 } // namespace
 
 bool countsForVerdict(const Document &document, std::size_t test) {
@@ -48,6 +59,15 @@ std::optional<std::size_t> testAsFound(const Document &document, std::size_t asL
             found = i;
     }
     return found;
+}
+
+bool hasRejection(const EvaluatedDocument &evaluated) {
+    for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
+        if (countsForVerdict(*evaluated.document, i) &&
+            isRejected(*evaluated.document->tests[i], *evaluated.tests[i]))
+            return true;
+    }
+    return false;
 }
 
 } // namespace palmer

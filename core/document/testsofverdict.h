@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/document.h"
+#include "document/evaluateddocument.h"
 
 #include <cstddef>
 #include <optional>
@@ -17,5 +18,9 @@ namespace palmer {
 /// zone and edition; of several the last before it, otherwise the first after it. Null if there is none, or
 /// if the test is not as left.
 [[nodiscard]] std::optional<std::size_t> testAsFound(const Document &document, std::size_t asLeft);
+
+/// True if a test has a verdict other than "conforms"; if rejection must be proven, only for "does not
+/// conform". Tests as found do not count if there are others.
+[[nodiscard]] bool hasRejection(const EvaluatedDocument &evaluated);
 
 } // namespace palmer

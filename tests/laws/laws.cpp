@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "laws/laws.h"
 
-#include "commandline/rejection.h"
 #include "document/evaluateddocument.h"
 #include "document/json.h"
 #include "document/readdocument.h"

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "commands/manual.h"
+#include "commandline/help.h"
 
 #include "commandline/command.h"
-#include "commandline/help.h"
 #include "manualpage.h"
 
 namespace palmer {
