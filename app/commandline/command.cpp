@@ -16,8 +16,6 @@ constexpr std::array optionsOfAll{
     Option{"help", "", REPORT_TEXT("report", "this help")},
 };
 
-constexpr QChar valueEnd(0x1F); ///< separates the values of a repeated option
-
 const Option *findOwnOption(const Command &command, const QString &name) {
     const auto found = std::ranges::find_if(
         command.options, [&name](const Option &option) { return name == QString::fromUtf8(option.name); });
@@ -59,15 +57,13 @@ void take(Invocation &invocation, const Option &option, std::optional<QString> g
     if (!wantsValue && given)
         throw UsageError(
             {REPORT_TEXT("report", "the option %1 takes no value"), {dashed(option).toStdString()}});
-    QString &value = invocation.options[QString::fromUtf8(option.name)]; // null: first occurrence
-    if (!value.isNull() && wantsValue && !option.repeats)
+    QStringList &values = invocation.options[QString::fromUtf8(option.name)];
+    if (!values.isEmpty() && wantsValue && !option.repeats)
         throw UsageError({REPORT_TEXT("report", "the option %1 stands twice; it takes one value"),
                           {dashed(option).toStdString()}});
     if (given)
         demandWord(option, *given);
-    value = (value.isNull() ? QString() : value + valueEnd) + given.value_or(QStringLiteral(""));
-    if (value.isNull())
-        value = QStringLiteral("");
+    values << given.value_or(QString());
 }
 
 /// True if the call contains something the option has an effect with.
@@ -78,7 +74,7 @@ bool hasEffect(const Option &option, const Invocation &invocation) {
                    return true;
                const auto found = invocation.options.find(partner.section(u'=', 0, 0));
                return found != invocation.options.end() &&
-                      (!partner.contains(u'=') || found->second == partner.section(u'=', 1));
+                      (!partner.contains(u'=') || found->second.contains(partner.section(u'=', 1)));
            });
 }
 
@@ -146,12 +142,12 @@ bool Invocation::has(QLatin1StringView option) const {
 
 std::optional<QString> Invocation::value(QLatin1StringView option) const {
     const auto found = options.find(option);
-    return found == options.end() ? std::nullopt : std::optional(found->second);
+    return found == options.end() ? std::nullopt : std::optional(found->second.front());
 }
 
 QStringList Invocation::values(QLatin1StringView option) const {
-    const auto given = value(option);
-    return given ? given->split(valueEnd) : QStringList();
+    const auto found = options.find(option);
+    return found == options.end() ? QStringList() : found->second;
 }
 
 QString dashed(const Option &option) {

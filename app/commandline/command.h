@@ -48,13 +48,13 @@ struct Option {
 /// The arguments and options of a call.
 struct Invocation {
     Language language;
-    bool languageChosen = false; ///< by --language; otherwise from the locale
-    std::map<QString, QString> options;
+    bool languageChosen = false;            ///< by --language; otherwise from the locale
+    std::map<QString, QStringList> options; ///< values in order; one empty value for a switch
     QStringList arguments;
 
     [[nodiscard]] bool has(QLatin1StringView option) const;
+    /// The first value of an option; null without it.
     [[nodiscard]] std::optional<QString> value(QLatin1StringView option) const;
-    /// Values of a repeatable option.
     [[nodiscard]] QStringList values(QLatin1StringView option) const;
 };
 

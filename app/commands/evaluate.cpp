@@ -15,6 +15,8 @@
 #include "report/results.h"
 #include "report/tables/summary.h"
 
+#include <QDataStream>
+#include <QIODevice>
 #include <array>
 
 namespace palmer {
@@ -44,22 +46,19 @@ constexpr std::array evaluateOptions{
     foreignOptions[2],
 };
 
-/// Separators of cells and rows sent by worker processes.
-constexpr QChar cellEnd(0x1F);
-constexpr QChar rowEnd(0x1E);
-
+/// Rows as sent by worker processes.
 QByteArray packed(const std::vector<QStringList> &rows) {
-    QString text;
-    for (const QStringList &row : rows)
-        text += row.join(cellEnd) + rowEnd;
-    return text.toUtf8();
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    stream << QList<QStringList>(rows.begin(), rows.end());
+    return bytes;
 }
 
 std::vector<QStringList> unpacked(const QByteArray &bytes) {
-    std::vector<QStringList> rows;
-    for (const QString &row : QString::fromUtf8(bytes).split(rowEnd, Qt::SkipEmptyParts))
-        rows.push_back(row.split(cellEnd));
-    return rows;
+    QList<QStringList> rows;
+    QDataStream stream(bytes);
+    stream >> rows;
+    return {rows.begin(), rows.end()};
 }
 
 /// The requested form of the table; null: none. Throws UsageError.

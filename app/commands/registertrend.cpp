@@ -52,8 +52,7 @@ ListedMachine machineCalled(Database &database, const QString &words) {
 }
 
 std::vector<std::string> parametersAsked(const Invocation &invocation, const std::vector<ListedTest> &list) {
-    const QStringList asked =
-        invocation.value(QLatin1StringView("parameter")).value_or(QString()).split(u'\n', Qt::SkipEmptyParts);
+    const QStringList asked = invocation.values(QLatin1StringView("parameter"));
     if (asked.isEmpty())
         return mainParametersOf(list);
     const std::vector<std::string> known = parametersOf(list);

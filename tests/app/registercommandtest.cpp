@@ -139,6 +139,11 @@ void RegisterCommandTest::scanListTrend() {
     for (const auto &series : trend["series"].toArray())
         points += static_cast<int>(series.toObject()["points"].toArray().size());
     QCOMPARE(points, 10);
+    QCOMPARE(objects(reg({"trend", "--machine", "machine 001", "--axis", "X", "--parameter", "A",
+                          "--parameter", "E", "--json"})
+                         .out)
+                 .size(),
+             std::size_t{2});
     const QByteArray table = reg({"trend", "--machine", "000-001", "--axis", "X", "-o", "-"}).out;
     QVERIFY(table.contains("Machine 001: trend of A, axis or plane X"));
     const QString csv = m_dir->filePath("trend.csv");
