@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commandline/preparation.h"
 
-#include "commandline/editionoption.h"
 #include "commandline/inputs.h"
+#include "commandline/optionvalues.h"
 #include "commandline/streams.h"
 #include "document/edits.h"
 #include "document/savedocument.h"

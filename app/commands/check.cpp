@@ -9,7 +9,7 @@
 #include "document/evaluateddocument.h"
 #include "export/resultsjson.h"
 #include "report/blocks/plaintext.h"
-#include "report/results.h"
+#include "report/composereport.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/commands.h"
 
-#include "commandline/editionoption.h"
 #include "commandline/inputs.h"
 #include "commandline/optionvalues.h"
 #include "commandline/preparation.h"
@@ -12,7 +11,7 @@
 #include "document/testsofverdict.h"
 #include "export/resultsjson.h"
 #include "report/blocks/plaintext.h"
-#include "report/results.h"
+#include "report/composereport.h"
 #include "report/tables/summary.h"
 
 #include <QDataStream>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/registertrend.h"
 
-#include "commandline/editionoption.h"
+#include "commandline/optionvalues.h"
 #include "commandline/outputfile.h"
 #include "commandline/streams.h"
 #include "print/figures/exportfigure.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/commands.h"
 
-#include "commandline/editionoption.h"
 #include "commandline/inputs.h"
+#include "commandline/optionvalues.h"
 #include "commandline/outputfile.h"
 #include "commandline/preparation.h"
 #include "commandline/simulations.h"

@@ -5,7 +5,7 @@
 #include "commandline/streams.h"
 #include "commandline/terminal.h"
 #include "report/blocks/plaintext.h"
-#include "report/help/validationreport.h"
+#include "report/help/help.h"
 
 #include <algorithm>
 

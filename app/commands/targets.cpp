@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "commands/commands.h"
 
-#include "commandline/editionoption.h"
 #include "commandline/optionvalues.h"
 #include "commandline/outputfile.h"
 #include "commandline/streams.h"

@@ -9,7 +9,7 @@
 #include "kernel/evaluation/evaluatetest.h"
 #include "kernel/evaluation/positioningcase.h"
 #include "kernel/measurement/testfacts.h"
-#include "kernel/words/blank.h"
+#include "kernel/words/characters.h"
 
 #include <algorithm>
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/digit.h"
 #include "document/documenterror.h"
 #include "document/json.h"
 #include "document/place.h"
+#include "kernel/words/characters.h"
 
 #include <nlohmann/json.hpp>
 

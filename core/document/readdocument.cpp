@@ -4,7 +4,6 @@
 
 #include "document/bounds.h"
 #include "document/copyfields.h"
-#include "document/digit.h"
 #include "document/fileversion.h"
 #include "document/filewords.h"
 #include "document/json.h"
@@ -13,6 +12,7 @@
 #include "document/refusedreadings.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/measurement/testfacts.h"
+#include "kernel/words/characters.h"
 
 #include <QStringDecoder>
 #include <nlohmann/json.hpp>

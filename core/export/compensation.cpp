@@ -5,7 +5,7 @@
 #include "document/documenterror.h"
 #include "export/fineness.h"
 #include "kernel/evaluation/resultsof.h"
-#include "kernel/numerics/fullturn.h"
+#include "kernel/numerics/angles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,7 +6,7 @@
 #include "document/filewords.h"
 #include "document/json.h"
 #include "kernel/diagnosis/sourcewords.h"
-#include "kernel/measurement/referencetemperature.h"
+#include "kernel/measurement/conditions.h"
 
 #include <nlohmann/json.hpp>
 

@@ -9,8 +9,8 @@
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/numerics/aboutcentre.h"
+#include "kernel/numerics/angles.h"
 #include "kernel/numerics/centringerror.h"
-#include "kernel/numerics/fullturn.h"
 #include "language/rounding.h"
 
 #include <QRectF>

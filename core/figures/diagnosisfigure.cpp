@@ -7,7 +7,7 @@
 #include "figures/ticks.h"
 #include "kernel/diagnosis/sourcewords.h"
 #include "kernel/diagnosis/traces.h"
-#include "kernel/numerics/fullturn.h"
+#include "kernel/numerics/angles.h"
 
 #include <QStringList>
 #include <algorithm>

@@ -3,7 +3,7 @@
 #include "figures/pathprofile.h"
 
 #include "figures/extremes.h"
-#include "kernel/numerics/fullturn.h"
+#include "kernel/numerics/angles.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,6 @@
 #include "import/choices.h"
 
 #include "document/documenterror.h"
-#include "import/asked.h"
 #include "import/formats.h"
 #include "import/layouts/columnrole.h"
 #include "import/question.h"

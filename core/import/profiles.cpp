@@ -3,7 +3,7 @@
 #include "import/profiles.h"
 
 #include "document/savedocument.h"
-#include "import/asked.h"
+#include "import/question.h"
 
 #include <QDir>
 #include <QFileInfo>

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/question.h"
 
-#include "import/asked.h"
-
 #include <algorithm>
 #include <array>
 #include <map>

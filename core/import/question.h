@@ -4,6 +4,7 @@
 
 #include "import/choices.h"
 #include "import/remark.h"
+#include "kernel/measurement/test.h"
 
 #include <span>
 #include <string>
@@ -45,5 +46,12 @@ struct Question {
 
 /// Merges remarks of a kind, with the further lines.
 void joinRemarks(std::vector<Remark> &remarks);
+
+/// True if a wrong guess of that choice would give a wrong number or direction, so that it is a question.
+[[nodiscard]] bool isAsked(std::string_view choice);
+
+/// Adds red questions about suspicious numbers, each with its run: deviations above 1 mm or 0.1°, runs whose
+/// spread is a hundred times that of the others, deviations equal to the targets, readings that are all 0.
+void questionNumbers(const Test &test, std::vector<Remark> &remarks);
 
 } // namespace palmer

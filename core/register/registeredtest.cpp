@@ -7,7 +7,6 @@
 #include "document/writedocument.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/conditions.h"
-#include "kernel/measurement/referencetemperature.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/uncertainty/circularbudget.h"
 #include "kernel/uncertainty/positioningbudget.h"

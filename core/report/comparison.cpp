@@ -8,7 +8,7 @@
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/testfacts.h"
-#include "kernel/numerics/fullturn.h"
+#include "kernel/numerics/angles.h"
 #include "language/decimals.h"
 #include "language/visibletext.h"
 #include "report/words/wording.h"

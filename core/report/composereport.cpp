@@ -15,7 +15,6 @@
 #include "report/parts/headparts.h"
 #include "report/parts/resultparts.h"
 #include "report/parts/sharedparts.h"
-#include "report/parts/summaryparts.h"
 #include "report/parts/testpart.h"
 #include "report/parts/uncertaintyparts.h"
 

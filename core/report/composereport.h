@@ -27,4 +27,11 @@ struct ReportOptions {
 [[nodiscard]] Report composeReport(const EvaluatedDocument &evaluated, const Language &language,
                                    const ReportOptions &options = {});
 
+/// Short results of all tests for a terminal: for each test head, results with their limits, statistics per
+/// target, verdict in its two parts, findings.
+[[nodiscard]] Report composeResults(const EvaluatedDocument &evaluated, const Language &language);
+
+/// Only the findings of all tests, with the accordance of each test with its edition.
+[[nodiscard]] Report composeFindings(const EvaluatedDocument &evaluated, const Language &language);
+
 } // namespace palmer

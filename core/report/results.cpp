@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/results.h"
+#include "report/composereport.h"
 
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/testfacts.h"
@@ -11,7 +11,6 @@
 #include "report/tables/findinglines.h"
 #include "report/tables/resulttable.h"
 #include "report/words/accordancetext.h"
-#include "report/words/kindwords.h"
 #include "report/words/wording.h"
 
 #include <QStringList>

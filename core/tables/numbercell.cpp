@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tables/numbercell.h"
 
-#include "document/digit.h"
+#include "kernel/words/characters.h"
 
 #include <algorithm>
 #include <array>

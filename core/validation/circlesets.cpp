@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "validation/circlesets.h"
+#include "validation/validation.h"
 
 #include "kernel/numerics/leastsquarescircle.h"
 #include "kernel/numerics/minimumzone.h"

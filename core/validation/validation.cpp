@@ -5,7 +5,6 @@
 #include "document/evaluateddocument.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "kernel/measurement/testfacts.h"
-#include "validation/circlesets.h"
 
 #include <QFile>
 #include <algorithm>

@@ -5,6 +5,7 @@
 #include "kernel/evaluation/parameter.h"
 #include "validation/referenceset.h"
 
+#include <QByteArray>
 #include <QString>
 #include <optional>
 #include <vector>
@@ -40,5 +41,10 @@ void compareWith(Comparison &comparison, double computed);
 
 /// Evaluates all embedded reference data, for `selftest` and the help. Throws Error if one cannot be read.
 [[nodiscard]] std::vector<SetValidation> validateAll();
+
+/// Fits circles to the embedded point sets (`reference/circles`) and compares them with their known circles:
+/// centre and radius by least squares, and width, with its certificate, of the minimum zone. NIST sets first,
+/// then constructed ones. Throws Error if the data cannot be read.
+[[nodiscard]] std::vector<SetValidation> validateCircles();
 
 } // namespace palmer

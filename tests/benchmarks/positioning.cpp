@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/evaluatetest.h"
-#include "kernel/evaluation/iso230_2/rows.h"
+#include "kernel/evaluation/iso230_2/editions.h"
 
 #include <benchmark/benchmark.h>
 

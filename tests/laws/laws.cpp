@@ -23,7 +23,6 @@
 #include "report/blocks/pagetext.h"
 #include "report/blocks/plaintext.h"
 #include "report/composereport.h"
-#include "report/results.h"
 #include "report/tables/findinglines.h"
 #include "report/tables/resulttable.h"
 #include "report/words/findingtext.h"

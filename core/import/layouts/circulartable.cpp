@@ -6,8 +6,8 @@
 
 #include "document/documenterror.h"
 #include "document/place.h"
+#include "kernel/numerics/angles.h"
 #include "kernel/numerics/leastsquarescircle.h"
-#include "kernel/words/degree.h"
 
 #include <algorithm>
 #include <cmath>

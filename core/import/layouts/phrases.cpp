@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/phrases.h"
 
-#include "document/digit.h"
 #include "import/layouts/headings.h"
+#include "kernel/words/characters.h"
 #include "tables/folded.h"
 #include "tables/numbercell.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "import/layouts/statementlines.h"
+#include "import/layouts/tablebody.h"
 
 #include "import/filenotes.h"
 #include "import/layouts/phrases.h"

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/tablebody.h"
 
-#include "document/digit.h"
 #include "document/documenterror.h"
 #include "document/place.h"
 #include "import/filenotes.h"
-#include "import/layouts/tableheadings.h"
+#include "kernel/words/characters.h"
 #include "tables/dates.h"
 
 #include <algorithm>

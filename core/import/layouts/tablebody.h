@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -74,5 +75,23 @@ struct TableBody {
 /// numbers.
 [[nodiscard]] TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbers = {},
                                std::optional<std::size_t> chosen = {});
+
+/// Cells without trailing empty ones.
+[[nodiscard]] std::span<const TableCell> trimmed(std::span<const TableCell> cells);
+
+/// True for 2024, 2025 above columns: neither a run number nor a target.
+[[nodiscard]] bool isYear(double number);
+
+/// Finds the column headings: for each block of rows those above it, joined downwards. Blocks without
+/// headings belong to the section before them.
+void findSections(const CellTable &table, TableBody &body);
+
+/// "Tolerance; 8; 8; 8": a label of computed or required values, with numbers.
+[[nodiscard]] bool isComputedRow(const CellTable &table, const TableRow &row);
+
+/// Makes comments of the lines above the first table and an empty line if they do not describe columns: "Air
+/// temperature; 20.1; 20.3", "Travel; 0; 500", "Machine: DMU 50". They are read as notes and do not affect
+/// the layout. Headings are kept, including blocks titled by direction, axis or state.
+void setStatementsAside(CellTable &table);
 
 } // namespace palmer

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "import/layouts/tableheadings.h"
+#include "import/layouts/tablebody.h"
 
-#include "document/digit.h"
 #include "document/place.h"
+#include "kernel/words/characters.h"
 #include "tables/dates.h"
 #include "tables/folded.h"
 

@@ -3,7 +3,7 @@
 #include "import/readers.h"
 
 #include "document/documenterror.h"
-#include "import/layouts/statementlines.h"
+#include "import/layouts/tablebody.h"
 #include "import/layouts/tablereading.h"
 #include "tables/decodetext.h"
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
-#include "document/digit.h"
 #include "document/documenterror.h"
 #include "document/place.h"
 #include "import/layouts/zipfile.h"
 #include "kernel/measurement/testfacts.h"
+#include "kernel/words/characters.h"
 
 #include <QDate>
 #include <QDir>

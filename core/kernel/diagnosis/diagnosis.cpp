@@ -3,7 +3,7 @@
 #include "kernel/diagnosis/diagnosis.h"
 
 #include "kernel/diagnosis/influencefit.h"
-#include "kernel/diagnosis/remarks.h"
+#include "kernel/diagnosis/sourcewords.h"
 #include "kernel/diagnosis/traces.h"
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/numerics/minimumzone.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/diagnosis/influences.h"
 
-#include "kernel/words/degree.h"
+#include "kernel/numerics/angles.h"
 
 #include <algorithm>
 #include <array>

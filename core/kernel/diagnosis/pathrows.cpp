@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/diagnosis/pathrows.h"
 
+#include "kernel/numerics/angles.h"
 #include "kernel/numerics/leastsquarescircle.h"
-#include "kernel/words/degree.h"
 
 #include <algorithm>
 #include <numbers>

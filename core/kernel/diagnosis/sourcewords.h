@@ -17,4 +17,9 @@ namespace palmer {
 /// Returns the id used by scripts: "squareness", "backlash:X".
 [[nodiscard]] std::string sourceId(const SourceEstimate &source);
 
+/// Returns remarks on the diagnosis as a whole.
+[[nodiscard]] std::vector<Message> diagnosisRemarks(std::span<const DiagnosedCircle> circles,
+                                                    const DiagnosisOptions &options,
+                                                    const Diagnosis &diagnosis);
+
 } // namespace palmer

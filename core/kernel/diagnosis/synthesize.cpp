@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/diagnosis/synthesize.h"
 
-#include "kernel/measurement/referencetemperature.h"
+#include "kernel/measurement/conditions.h"
+#include "kernel/numerics/angles.h"
 #include "kernel/numerics/points.h"
 #include "kernel/simulation/randomdraws.h"
-#include "kernel/words/degree.h"
 
 #include <cmath>
 #include <numbers>

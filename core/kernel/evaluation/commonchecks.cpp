@@ -3,8 +3,8 @@
 #include "kernel/evaluation/commonchecks.h"
 
 #include "kernel/evaluation/agreedpoints.h"
-#include "kernel/measurement/referencetemperature.h"
-#include "kernel/words/blank.h"
+#include "kernel/measurement/conditions.h"
+#include "kernel/words/characters.h"
 
 #include <algorithm>
 #include <array>

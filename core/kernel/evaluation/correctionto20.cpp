@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/correctionto20.h"
 
-#include "kernel/measurement/referencetemperature.h"
+#include "kernel/measurement/conditions.h"
 
 #include <algorithm>
 #include <array>

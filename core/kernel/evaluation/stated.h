@@ -3,7 +3,7 @@
 #pragma once
 
 #include "kernel/evaluation/surroundings.h"
-#include "kernel/words/blank.h"
+#include "kernel/words/characters.h"
 
 #include <algorithm>
 #include <string>

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/measurement/conditions.h"
 
-#include "kernel/measurement/referencetemperature.h"
-
 #include <algorithm>
 #include <deque>
 #include <utility>

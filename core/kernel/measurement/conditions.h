@@ -141,4 +141,7 @@ struct TemperatureSpan {
 /// so that short steps do not magnify noise. Null for a series shorter than an hour.
 [[nodiscard]] std::optional<double> gradientPerHour(const TemperatureSeries &series);
 
+/// The temperature at which lengths are stated, °C.
+inline constexpr double referenceTemperature = 20;
+
 } // namespace palmer

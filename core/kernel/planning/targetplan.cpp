@@ -4,7 +4,7 @@
 
 #include "kernel/evaluation/iso230_2/targetrules.h"
 #include "kernel/evaluation/positioningcase.h"
-#include "kernel/numerics/fullturn.h"
+#include "kernel/numerics/angles.h"
 
 #include <algorithm>
 #include <cmath>

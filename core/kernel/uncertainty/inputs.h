@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kernel/measurement/referencetemperature.h"
+#include "kernel/measurement/conditions.h"
 #include "kernel/uncertainty/contribution.h"
 
 #include <cmath>

@@ -5,7 +5,6 @@
 #include "document/statedthings.h"
 #include "kernel/evaluation/iso230_4/circularcase.h"
 #include "report/explanations/explanation.h"
-#include "report/help/validationreport.h"
 #include "report/words/wording.h"
 
 #include <algorithm>

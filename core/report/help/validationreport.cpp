@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/help/validationreport.h"
+#include "report/help/help.h"
 
 #include "report/words/wording.h"
 

@@ -6,7 +6,7 @@
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "report/parts/conditionparts.h"
-#include "report/parts/pagefacts.h"
+#include "report/parts/testpart.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 

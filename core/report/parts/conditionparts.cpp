@@ -9,8 +9,8 @@
 #include "kernel/measurement/testfacts.h"
 #include "kernel/uncertainty/statedinputs.h"
 #include "language/decimals.h"
-#include "report/parts/pagefacts.h"
 #include "report/parts/resultparts.h"
+#include "report/parts/testpart.h"
 #include "report/parts/uncertaintyparts.h"
 #include "report/words/wording.h"
 

@@ -6,7 +6,7 @@
 #include "kernel/evaluation/targetvalue.h"
 #include "language/decimals.h"
 #include "language/rounding.h"
-#include "report/parts/pagefacts.h"
+#include "report/parts/testpart.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 

@@ -7,7 +7,7 @@
 #include "figures/ticks.h"
 #include "kernel/diagnosis/traces.h"
 #include "report/parts/circularparts.h"
-#include "report/parts/pagefacts.h"
+#include "report/parts/testpart.h"
 #include "report/tables/diagnosisrows.h"
 #include "report/tables/statedsources.h"
 #include "report/words/wording.h"

@@ -7,7 +7,6 @@
 #include "report/parts/circularparts.h"
 #include "report/parts/conditionparts.h"
 #include "report/parts/dataparts.h"
-#include "report/parts/pagefacts.h"
 #include "report/parts/resultparts.h"
 #include "report/tables/resulttable.h"
 #include "report/words/printednumbers.h"

@@ -33,4 +33,8 @@ void addRemarksOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &
 /// Adds the results under the requested editions, with as many tests side by side as fit.
 void addComparisonsOfTests(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
 
+/// Adds the first page of a report over several tests: the overall verdict, and every quantity with a limit,
+/// test by test. Tests as found are only informative if there are others.
+void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
+
 } // namespace palmer

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/parts/summaryparts.h"
+#include "report/parts/sharedparts.h"
 
 #include "kernel/evaluation/applylimits.h"
 
@@ -11,7 +11,6 @@
 #include "report/parts/resultparts.h"
 #include "report/tables/resulttable.h"
 #include "report/words/accordancetext.h"
-#include "report/words/kindwords.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/parts/testpart.h"
 
-#include "report/words/kindwords.h"
 #include "report/words/wording.h"
 
 #include <algorithm>

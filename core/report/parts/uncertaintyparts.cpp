@@ -10,7 +10,6 @@
 #include "kernel/measurement/testfacts.h"
 #include "language/decimals.h"
 #include "language/rounding.h"
-#include "report/words/kindwords.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 

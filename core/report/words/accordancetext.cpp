@@ -3,7 +3,7 @@
 #include "report/words/accordancetext.h"
 
 #include "kernel/measurement/testfacts.h"
-#include "kernel/words/blank.h"
+#include "kernel/words/characters.h"
 #include "report/words/wording.h"
 
 #include <QStringList>

@@ -5,6 +5,8 @@
 #include "document/document.h"
 #include "document/statedthings.h"
 #include "kernel/evaluation/testevaluation.h"
+#include "kernel/measurement/test.h"
+#include "kernel/words/text.h"
 #include "language/decimals.h"
 #include "language/language.h"
 #include "report/blocks/report.h"
@@ -116,5 +118,16 @@ struct CoverageOfResults {
 
 /// The row of the edition that defines a parameter; may be null.
 [[nodiscard]] const Row *rowOf(const Edition &edition, const Parameter &parameter);
+
+/// Words of a kind of test; %1 is the axis or the axes.
+struct KindWords {
+    Text name;   ///< as a heading
+    Text listed; ///< above its results on the command line
+    Text brief;  ///< in a summary; %2 is the radius
+    Text model;  ///< model of its uncertainty budget; may be empty
+    Text budget; ///< name of that budget among other methods
+};
+
+[[nodiscard]] const KindWords &kindWords(const Test &test);
 
 } // namespace palmer

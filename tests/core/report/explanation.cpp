@@ -5,7 +5,6 @@
 #include "core/kernel/evaluation/positioningdata.h"
 #include "report/blocks/plaintext.h"
 #include "report/composereport.h"
-#include "report/results.h"
 #include "report/tables/resulttable.h"
 
 #include <QRegularExpression>

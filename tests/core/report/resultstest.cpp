@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
-#include "report/results.h"
 #include "document/savedocument.h"
 #include "report/blocks/plaintext.h"
+#include "report/composereport.h"
 
 #include <QDir>
 #include <QTest>

@@ -6,7 +6,7 @@
 #include "core/kernel/uncertainty/uncertaintydata.h"
 #include "report/blocks/plaintext.h"
 #include "report/blocks/report.h"
-#include "report/results.h"
+#include "report/composereport.h"
 
 #include <QTest>
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
-#include "validation/circlesets.h"
+#include "validation/validation.h"
 
 #include <QFile>
 #include <QTest>

@@ -7,7 +7,7 @@
 #include "kernel/evaluation/iso230_2/correction.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
 #include "kernel/measurement/testfacts.h"
-#include "kernel/words/blank.h"
+#include "kernel/words/characters.h"
 
 #include <algorithm>
 #include <array>

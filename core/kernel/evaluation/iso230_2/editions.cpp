@@ -2,9 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/iso230_2/editions.h"
 
-#include "kernel/evaluation/iso230_2/requirements.h"
-#include "kernel/evaluation/iso230_2/rows.h"
-
 #include <vector>
 
 namespace palmer::iso230_2 {

@@ -4,7 +4,7 @@
 #include "kernel/evaluation/iso230_2/checks.h"
 #include "kernel/evaluation/iso230_2/parameters.h"
 #include "kernel/evaluation/iso230_2/sentences.h"
-#include "kernel/words/blank.h"
+#include "kernel/words/characters.h"
 
 #include <algorithm>
 #include <array>

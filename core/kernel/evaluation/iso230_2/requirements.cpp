@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernel/evaluation/iso230_2/requirements.h"
+#include "kernel/evaluation/iso230_2/editions.h"
 
 #include "kernel/evaluation/commonchecks.h"
 #include "kernel/evaluation/iso230_2/checks.h"
 #include "kernel/evaluation/laboratory.h"
-#include "kernel/words/blank.h"
+#include "kernel/words/characters.h"
 
 #include <array>
 #include <vector>

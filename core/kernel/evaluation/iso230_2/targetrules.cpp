@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/iso230_2/targetrules.h"
 
-#include "kernel/numerics/fullturn.h"
+#include "kernel/numerics/angles.h"
 
 #include <algorithm>
 #include <cmath>

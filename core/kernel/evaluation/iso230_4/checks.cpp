@@ -8,7 +8,7 @@
 #include "kernel/evaluation/iso230_4/contouringfeed.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 #include "kernel/evaluation/stated.h"
-#include "kernel/words/blank.h"
+#include "kernel/words/characters.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/iso230_4/editions.h"
 
-#include "kernel/evaluation/iso230_4/rules.h"
 #include "kernel/measurement/testfacts.h"
 
 #include <array>

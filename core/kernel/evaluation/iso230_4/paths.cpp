@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/iso230_4/paths.h"
 
+#include "kernel/numerics/angles.h"
 #include "kernel/numerics/beside.h"
 #include "kernel/numerics/centringerror.h"
-#include "kernel/numerics/fullturn.h"
 
 #include <algorithm>
 #include <array>

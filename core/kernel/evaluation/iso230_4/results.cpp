@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/evaluation/iso230_4/results.h"
 
+#include "kernel/evaluation/correctionto20.h"
 #include "kernel/evaluation/iso230_4/circles.h"
-#include "kernel/evaluation/iso230_4/correction.h"
 #include "kernel/evaluation/iso230_4/paths.h"
 
 #include <algorithm>
@@ -71,6 +71,19 @@ Repetition repetition(const CircularMeasurement &whole, const std::array<std::ve
     return result;
 }
 
+/// Returns C = R·[α_i·(T_i − 20) − α_m·(T_m − 20)] in mm, added to F and D; R nominal radius in mm, i
+/// instrument, m machine (evaluation/correctionto20.h). Null unless the conditions say "applied here" and all
+/// inputs are stated.
+std::optional<double> correctionTo20(const CircularMeasurement &measurement) {
+    const Conditions &conditions = measurement.conditions.common;
+    if (conditions.correctionTo20 != CorrectionTo20::appliedHere)
+        return std::nullopt;
+    const auto expansion = differentialExpansion(conditions);
+    if (!expansion)
+        return std::nullopt;
+    return -measurement.nominalRadius * *expansion;
+}
+
 } // namespace
 
 CircularResults circularResults(const CircularMeasurement &measurement) {
@@ -81,7 +94,7 @@ CircularResults circularResults(const CircularMeasurement &measurement) {
     results.centringError = paths.centringError;
     results.circles = circles(results.paths);
     results.correction = correctionTo20(measurement);
-    results.at20 = lengthsAt20(measurement);
+    results.at20 = lengthsAt20(measurement.conditions.common, measurement.nominalRadius);
     return results;
 }
 

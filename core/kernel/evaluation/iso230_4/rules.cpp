@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernel/evaluation/iso230_4/rules.h"
+#include "kernel/evaluation/iso230_4/editions.h"
 
 #include "kernel/evaluation/commonchecks.h"
 #include "kernel/evaluation/iso230_4/checks.h"

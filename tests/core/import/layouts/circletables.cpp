@@ -4,7 +4,7 @@
 
 #include "core/import/importpicture.h"
 #include "import/importmeasurement.h"
-#include "kernel/words/degree.h"
+#include "kernel/numerics/angles.h"
 
 #include <QTest>
 

@@ -1,6 +1,5 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "kernel/diagnosis/remarks.h"
 
 #include "kernel/diagnosis/sourcewords.h"
 

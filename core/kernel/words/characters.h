@@ -6,6 +6,11 @@
 
 namespace palmer {
 
+/// True for ASCII 0 to 9, in every locale.
+[[nodiscard]] constexpr bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 /// True if `text` has only spaces, tabs and line ends: the field states nothing.
 [[nodiscard]] constexpr bool isBlank(std::string_view text) {
     return text.find_first_not_of(" \t\r\n") == std::string_view::npos;

@@ -6,6 +6,7 @@
 
 namespace palmer {
 
+inline constexpr double fullTurn = 360;                  ///< degrees
 inline constexpr double degree = std::numbers::pi / 180; ///< in radians
 
 } // namespace palmer
