@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editing/newtest.h"
 
-#include "kernel/evaluation/iso230_2/targetrules.h"
-#include "kernel/evaluation/positioningcase.h"
 #include "kernel/measurement/testfacts.h"
 
 #include <algorithm>
@@ -93,19 +91,6 @@ std::vector<double> evenTargets(double first, double last, std::size_t count, do
             targets.push_back(whole);
     }
     return targets;
-}
-
-std::size_t targetsWanted(const Axis &axis) {
-    const double travel = axis.travel.value_or(0);
-    if (axis.motion == Motion::rotary) {
-        const double turns = std::max(1.0, travel / 360);
-        return static_cast<std::size_t>(turns > 1 ? std::ceil(iso230_2::targetsOfATurn * turns)
-                                                  : iso230_2::targetsWithinATurn(travel));
-    }
-    if (travel > longestShort(axis.motion))
-        return static_cast<std::size_t>(std::ceil(travel / iso230_2::longestInterval)) + 1;
-    return static_cast<std::size_t>(
-        std::max(iso230_2::fewestTargets, std::ceil(iso230_2::targetsOfAMetre * travel / 1000)));
 }
 
 std::string freshId(const Document &document, const Test &test) {

@@ -45,10 +45,6 @@ struct NewCircularTest {
 [[nodiscard]] std::vector<double> evenTargets(double first, double last, std::size_t count,
                                               double resolution = 0);
 
-/// The number of targets required by the standard: 5 per metre, at least 5 (positioning tests of linear axes
-/// up to 2 000 mm; beyond, one every 250 mm); rotary axes 3 up to 90°, 5 up to 180°, 8 above, 8 per turn.
-[[nodiscard]] std::size_t targetsWanted(const Axis &axis);
-
 /// An ID unused in the document: "x1", "x2", … from the name of the axis, "t1" without one.
 [[nodiscard]] std::string freshId(const Document &document, const Test &test);
 

@@ -20,7 +20,6 @@ namespace palmer {
 // Blocks of cells exchanged with spreadsheets. Columns of the readings table: 0 the target number, 1 its
 // position, from 2 on the runs in display order.
 
-inline constexpr std::size_t numberColumnOfBlock = 0;
 inline constexpr std::size_t positionColumnOfBlock = 1;
 inline constexpr std::size_t firstRunOfBlock = 2;
 

@@ -63,16 +63,6 @@ std::vector<std::vector<double>> emptyCurves(const DiagnosedCircle &circle) {
 
 } // namespace
 
-std::vector<std::vector<double>> syntheticTrace(const DiagnosedCircle &circle, const Diagnosis &diagnosis,
-                                                std::span<const std::size_t> chosen) {
-    const std::vector<Part> parts = partsOf(diagnosis, chosen);
-    auto result = emptyCurves(circle);
-    forEachPoint(circle, diagnosis, [&](std::size_t a, std::size_t i, double, const PathPosition &position) {
-        result[a][i] = traceAt(parts, position);
-    });
-    return result;
-}
-
 std::vector<std::vector<double>> unexplained(const DiagnosedCircle &circle, const Diagnosis &diagnosis) {
     std::vector<std::size_t> all(diagnosis.sources.size());
     std::iota(all.begin(), all.end(), std::size_t(0));

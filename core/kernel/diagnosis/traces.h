@@ -7,12 +7,6 @@
 
 namespace palmer {
 
-/// Returns the radial deviation, mm, due to the chosen sources (indices in `sources`) at each point of each
-/// arc of the circle. Sources without value belong to a sum: all members of the sum together give its trace.
-[[nodiscard]] std::vector<std::vector<double>> syntheticTrace(const DiagnosedCircle &circle,
-                                                              const Diagnosis &diagnosis,
-                                                              std::span<const std::size_t> chosen);
-
 /// Returns the part not explained by any source, mm, at each point of each arc: distance from the least
 /// squares centre minus nominal radius and the trace of all sources. For a diagnosis of this circle alone.
 [[nodiscard]] std::vector<std::vector<double>> unexplained(const DiagnosedCircle &circle,

@@ -265,9 +265,4 @@ HelpPage composeValidationHelp(const std::vector<SetValidation> &sets, const Lan
             composeValidation(sets, language)};
 }
 
-QString fieldHelp(std::string_view key, const Language &language) {
-    const StatedThing *thing = statedThing(key);
-    return thing && !thing->meaning.empty() ? language.text(thing->meaning) : QString();
-}
-
 } // namespace palmer

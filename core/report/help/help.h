@@ -28,9 +28,6 @@ struct HelpPage {
 [[nodiscard]] HelpPage composeValidationHelp(const std::vector<SetValidation> &sets,
                                              const Language &language);
 
-/// Meaning of the field with that key in the file, and who requires it; empty if it has no explanation.
-[[nodiscard]] QString fieldHelp(std::string_view key, const Language &language);
-
 /// Computed and expected values of each set of reference data, for selftest and help.
 [[nodiscard]] Report composeValidation(const std::vector<SetValidation> &sets, const Language &language);
 

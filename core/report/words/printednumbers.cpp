@@ -105,11 +105,6 @@ Digits digitsOf(const Parameter &parameter, const DecisionRule &rule, std::optio
 
 } // namespace
 
-int parameterDecimals(const Parameter &parameter, const DecisionRule &rule, std::optional<double> resolution,
-                      const DisplayUnits &units) {
-    return digitsOf(parameter, rule, resolution, units).value;
-}
-
 PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &rule,
                               std::optional<double> resolution, const Language &language) {
     const Quantity quantity = parameter.term.quantity;

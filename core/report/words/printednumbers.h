@@ -35,11 +35,6 @@ struct PrintedNumbers {
 /// Joins a printed number (see above) and its unit as in the language.
 [[nodiscard]] QString withUnit(const QString &number, Quantity quantity, const Language &language);
 
-/// Only `decimals` of the above, in the default unit of the quantity. `resolution`: of the finest instrument
-/// (mm, rotary: degrees).
-[[nodiscard]] int parameterDecimals(const Parameter &parameter, const DecisionRule &rule,
-                                    std::optional<double> resolution, const DisplayUnits &units = {});
-
 /// Prints a positive number with at most `digits` significant digits and `finest` decimals, but never as 0:
 /// "<0.01" if it is below the last decimal.
 [[nodiscard]] QString significant(double size, int digits, int finest, const Language &language);

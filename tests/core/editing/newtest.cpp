@@ -48,29 +48,6 @@ private slots:
         QVERIFY(evenTargets(5, 1, 3).empty());
     }
 
-    void wantsAsManyTargetsAsTheStandard_data() {
-        QTest::addColumn<Motion>("motion");
-        QTest::addColumn<double>("travel");
-        QTest::addColumn<std::size_t>("count");
-        QTest::newRow("short axis: five in all") << Motion::linear << 400.0 << std::size_t{5};
-        QTest::newRow("five a metre") << Motion::linear << 1800.0 << std::size_t{9};
-        QTest::newRow("long axis: one every 250 mm") << Motion::linear << 5000.0 << std::size_t{21};
-        QTest::newRow("a quarter turn") << Motion::rotary << 90.0 << std::size_t{3};
-        QTest::newRow("half a turn") << Motion::rotary << 180.0 << std::size_t{5};
-        QTest::newRow("a turn") << Motion::rotary << 360.0 << std::size_t{8};
-        QTest::newRow("two turns") << Motion::rotary << 720.0 << std::size_t{16};
-    }
-
-    void wantsAsManyTargetsAsTheStandard() {
-        QFETCH(Motion, motion);
-        QFETCH(double, travel);
-        QFETCH(std::size_t, count);
-        Axis axis;
-        axis.motion = motion;
-        axis.travel = travel;
-        QCOMPARE(targetsWanted(axis), count);
-    }
-
     void idsAreUnique() {
         Document document;
         for (int i = 0; i < 3; ++i)

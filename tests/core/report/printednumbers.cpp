@@ -252,12 +252,15 @@ void PrintedNumbersTest::theEndOfTheBandLeavesTheValueOnItsSide() {
 }
 
 void PrintedNumbersTest::noMoreDigitsThanNeeded() {
+    const Language language(Language::Id::english);
     std::mt19937 random(17025);
     std::uniform_int_distribution<int> limits(1, 400), offsets(-2000, 2000);
     for (int i = 0; i < 20'000; ++i) {
         const double limit = limits(random) / 10.0;
         const double value = limit + offsets(random) / 1e5;
-        const int decimals = parameterDecimals(result(value / 1000, limit / 1000, {}, Bound::upper), {}, {});
+        const int decimals =
+            printedNumbers(result(value / 1000, limit / 1000, {}, Bound::upper), DecisionRule(), {}, language)
+                .decimals;
         const auto above = [&](int count) {
             return QString::number(value, 'f', count).toDouble() > limit + 1e-9;
         };
