@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/figures/drawbarfigure.h"
 
-#include "print/figures/drawtext.h"
-#include "print/figures/metrics.h"
+#include "print/figures/plotframe.h"
 #include "print/fonts.h"
 
 #include <QFontMetricsF>
@@ -18,7 +17,6 @@ constexpr double headHeight = 5.6; ///< mm: column titles
 constexpr double footHeight = 12;  ///< mm: scale, its numbers and its title
 constexpr double barHeight = 1.9 * mm;
 constexpr double columnGap = 3.2 * mm;
-constexpr double scaleTitleRow = 8.1 * mm; ///< centre of the scale title
 
 class BarFigurePainter {
 public:
@@ -26,8 +24,40 @@ public:
         : p(painter)
         , m_figure(figure)
         , m_medium(medium)
-        , m_area(area) {
-        for (const Bar &bar : figure.bars) {
+        , m_area(area)
+        , m_frame(painter, area, plotIn(area), figure.x, {}, medium, barFrame) {}
+
+    FigureTransform draw() {
+        if (!m_frame.begin())
+            return {};
+        drawHead();
+        const auto rows = static_cast<double>(m_figure.bars.size());
+        const double pitch = rows == 0 ? 0 : std::min(rowPitch * mm, m_frame.plot().height() / rows);
+        m_frame.setHeight(pitch * rows);
+        m_frame.drawVerticalGrid();
+        for (std::size_t i = 0; i < m_figure.bars.size(); ++i)
+            drawRow(m_figure.bars[i], m_frame.plot().top() + (static_cast<double>(i) + 0.5) * pitch);
+        const QPen axis = m_frame.axisPen(Qt::FlatCap);
+        p.setPen(axis);
+        p.drawLine(m_frame.plot().bottomLeft(), m_frame.plot().bottomRight());
+        p.drawLine(m_frame.plot().topLeft(), m_frame.plot().bottomLeft());
+        m_frame.drawX(axis);
+        m_frame.drawXTitle(axisTitle(
+            m_figure.x, {}, QStringLiteral(" (%1, k\u00A0=\u00A02)").arg(m_figure.x.unit))); // in a budget
+        return m_frame.transform();
+    }
+
+private:
+    static TextLine nameOf(const Bar &bar) { return {{bar.name}, {bar.subscript, true}}; }
+    [[nodiscard]] TextLine valueTitle() const {
+        return axisTitle(m_figure.x, {}, QStringLiteral(", ") + m_figure.x.unit);
+    }
+    [[nodiscard]] QString shareTitle() const { return m_figure.shareTitle + QStringLiteral(", %"); }
+    [[nodiscard]] QColor text() const { return m_frame.colour(FigureRole::text); }
+
+    /// Area of the bars; measures the columns next to it.
+    [[nodiscard]] QRectF plotIn(const QRectF &area) {
+        for (const Bar &bar : m_figure.bars) {
             m_nameWidth = std::max(m_nameWidth, textWidth(nameOf(bar), bar.first));
             m_valueWidth = std::max(m_valueWidth, textWidth(bar.value, bar.first));
             m_shareWidth = std::max(m_shareWidth, textWidth(bar.share, bar.first));
@@ -37,43 +67,13 @@ public:
         m_nameWidth = std::min(m_nameWidth, 0.42 * area.width());
         const double left = area.left() + m_nameWidth + columnGap;
         const double right = area.right() - m_valueWidth - m_shareWidth - 2 * columnGap;
-        m_plot = QRectF(left, area.top() + headHeight * mm, right - left,
-                        area.height() - (headHeight + footHeight) * mm);
+        return {left, area.top() + headHeight * mm, right - left,
+                area.height() - (headHeight + footHeight) * mm};
     }
-
-    FigureTransform draw() {
-        if (m_plot.width() <= 0 || m_plot.height() <= 0)
-            return {};
-        p.setRenderHint(QPainter::Antialiasing);
-        p.setRenderHint(QPainter::TextAntialiasing);
-        drawHead();
-        const double pitch =
-            m_figure.bars.empty()
-                ? 0
-                : std::min(rowPitch * mm, m_plot.height() / static_cast<double>(m_figure.bars.size()));
-        m_plot.setHeight(pitch * static_cast<double>(m_figure.bars.size()));
-        drawGrid();
-        for (std::size_t i = 0; i < m_figure.bars.size(); ++i)
-            drawRow(m_figure.bars[i], m_plot.top() + (static_cast<double>(i) + 0.5) * pitch);
-        drawScale();
-        const double scale = m_plot.width() / (m_figure.x.to - m_figure.x.from);
-        return {m_plot, QTransform(scale, 0, 0, 1, m_plot.left() - m_figure.x.from * scale, m_plot.top()), 0};
-    }
-
-private:
-    static TextLine nameOf(const Bar &bar) { return {{bar.name}, {bar.subscript, true}}; }
-    [[nodiscard]] TextLine valueTitle() const {
-        return {{m_figure.x.symbol}, {m_figure.x.subscript, true}, {QStringLiteral(", ") + m_figure.x.unit}};
-    }
-    [[nodiscard]] QString shareTitle() const { return m_figure.shareTitle + QStringLiteral(", %"); }
-    [[nodiscard]] double x(double value) const {
-        return m_plot.left() + (value - m_figure.x.from) / (m_figure.x.to - m_figure.x.from) * m_plot.width();
-    }
-    [[nodiscard]] QColor colour(FigureRole role) const { return figureColor(role, m_medium); }
     [[nodiscard]] double valueEdge() const { return m_area.right() - m_shareWidth - columnGap; }
 
     void drawRight(double edge, double row, const TextLine &line, bool bold) {
-        drawText(p, {edge - textWidth(line, bold), row}, line, colour(FigureRole::text), bold);
+        drawText(p, {edge - textWidth(line, bold), row}, line, text(), bold);
     }
 
     void drawHead() {
@@ -84,14 +84,8 @@ private:
             const double room = valueEdge() - m_valueWidth - columnGap - m_area.left();
             const QString note =
                 QFontMetricsF(paperFont(figureTextSize)).elidedText(m_figure.note, Qt::ElideRight, room);
-            drawText(p, {m_area.left(), row}, note, colour(FigureRole::text));
+            drawText(p, {m_area.left(), row}, note, text());
         }
-    }
-
-    void drawGrid() {
-        p.setPen(figurePen(FigureRole::grid, m_medium));
-        for (const Tick &tick : m_figure.x.ticks)
-            p.drawLine(QPointF(x(tick.value), m_plot.top()), QPointF(x(tick.value), m_plot.bottom()));
     }
 
     void drawRow(const Bar &bar, double row) {
@@ -101,41 +95,21 @@ private:
             shown.name = metrics.elidedText(bar.name, Qt::ElideRight, m_nameWidth);
             shown.subscript.clear();
         }
-        drawText(p, {m_area.left(), row}, nameOf(shown), colour(FigureRole::text), bar.first);
-        drawBar(p, QRectF(m_plot.left(), row - barHeight / 2, m_plot.width(), barHeight),
+        drawText(p, {m_area.left(), row}, nameOf(shown), text(), bar.first);
+        drawBar(p, QRectF(m_frame.plot().left(), row - barHeight / 2, m_frame.plot().width(), barHeight),
                 bar.size / m_figure.x.to, bar.first, m_medium);
         drawRight(valueEdge(), row, {{bar.value}}, bar.first);
         drawRight(m_area.right(), row, {{bar.share}}, bar.first);
-    }
-
-    void drawScale() {
-        const QColor text = colour(FigureRole::text);
-        QPen axis = figurePen(FigureRole::axis, m_medium);
-        axis.setCapStyle(Qt::FlatCap);
-        p.setPen(axis);
-        p.drawLine(m_plot.bottomLeft(), m_plot.bottomRight());
-        p.drawLine(m_plot.topLeft(), m_plot.bottomLeft());
-        for (const Tick &tick : m_figure.x.ticks) {
-            p.setPen(axis);
-            const double at = x(tick.value);
-            p.drawLine(QPointF(at, m_plot.bottom()), QPointF(at, m_plot.bottom() + tickLength));
-            drawText(p, {at - textWidth(tick.label) / 2, m_plot.bottom() + tickRow}, tick.label, text);
-        }
-        const TextLine title{{m_figure.x.symbol},
-                             {m_figure.x.subscript, true},
-                             {QStringLiteral(" (%1, k\u00A0=\u00A02)").arg(m_figure.x.unit)}}; // in a budget
-        drawText(p, {m_plot.center().x() - textWidth(title) / 2, m_plot.bottom() + scaleTitleRow}, title,
-                 text);
     }
 
     QPainter &p;
     const BarFigure &m_figure;
     Medium m_medium;
     QRectF m_area;
-    QRectF m_plot;
     double m_nameWidth = 0;
     double m_valueWidth = 0;
     double m_shareWidth = 0;
+    PlotFrame m_frame;
 };
 
 } // namespace

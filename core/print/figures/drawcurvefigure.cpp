@@ -4,9 +4,9 @@
 
 #include "figures/thinning.h"
 #include "print/figures/bandoverlap.h"
-#include "print/figures/drawtext.h"
-#include "print/figures/metrics.h"
+#include "print/figures/plotframe.h"
 
+#include <QMarginsF>
 #include <QPainterPath>
 #include <algorithm>
 #include <cmath>
@@ -41,26 +41,11 @@ constexpr double markerGap = 0.7 * mm;    ///< between markers of a curve
 constexpr double pixel = 0.75;            ///< of a screen
 constexpr double densePitch = 4 * pixel;  ///< targets closer than this are drawn without corners
 constexpr double numberGap = 1.6 * mm;    ///< between axis numbers
-constexpr double curveSampleHeight = 3 * mm;
 constexpr double readingsSampleWidth = 2.8 * mm;
 
-/// Differences between page and screen, in points.
-struct Margins {
-    double left = 0;
-    double right = 0;
-    double top = 0;
-    double bottom = 0;
-    double tickLabels = 0; ///< centre, below the plot
-    double title = 0;      ///< 0: next to the axis numbers
-    double legend = 0;
-    double sampleWidth = 0;
-    double sampleGap = 0;
-    double legendGap = 0; ///< upper bound
-};
-
-constexpr Margins paperMargins{13.5 * mm, gutterWidth, 1.2 * mm, 16.5 * mm, 3.5 * mm,
-                               8.1 * mm,  13.4 * mm,   10 * mm,  2 * mm,    14 * mm};
-constexpr Margins screenMargins{35, 9, 6, 31, 9.75, 0, 23, 22, 4.5, 18};
+/// Room around the plot, points.
+constexpr QMarginsF paperMargins{13.5 * mm, 1.2 * mm, gutterWidth, 16.5 * mm};
+constexpr QMarginsF screenMargins{35, 6, 9, 31};
 /// Screens narrower than this (points) show no dimensions next to the plot.
 constexpr double widthForDimensions = 480;
 
@@ -91,57 +76,54 @@ public:
         , m_figure(figure)
         , m_medium(medium)
         , m_area(area)
-        , m_margins(medium == Medium::paper ? paperMargins : screenMargins) {
-        // A single dimension, as in a drift test, needs little room.
-        const bool single = medium != Medium::paper && figure.dimensions.size() == 1 &&
-                            figure.dimensions[0].place == DimensionPlace::gutter;
-        const bool dimensions = medium == Medium::paper || single ||
-                                (area.width() >= widthForDimensions && !figure.dimensions.empty());
-        m_dimensions = dimensions;
-        double widest = 0;
-        for (const Tick &tick : figure.y.ticks)
-            widest = std::max(widest, textWidth(tick.label));
-        const double titleEdge = titleCentre + figureTextSize;
-        const double left = std::max(m_margins.left, titleEdge + widest + tickGap + tickLength);
-        const double right = single ? narrowGutter : dimensions ? gutterWidth : m_margins.right;
-        m_plot = QRectF(area.left() + left, area.top() + m_margins.top, area.width() - left - right,
-                        area.height() - m_margins.top - m_margins.bottom);
-    }
+        , m_measures(medium == Medium::paper ? curveOnPaper : curveOnScreen)
+        , m_frame(frameIn(area))
+        , m_plot(m_frame.plot()) {}
 
     FigureTransform draw() {
-        p.setRenderHint(QPainter::Antialiasing);
-        p.setRenderHint(QPainter::TextAntialiasing);
-        if (m_plot.width() <= 0 || m_plot.height() <= 0)
+        if (!m_frame.begin())
             return {};
-        const std::vector<const Tick *> xTicks = thinned(m_figure.x, m_plot.width(), true);
-        const std::vector<const Tick *> yTicks = thinned(m_figure.y, m_plot.height(), false);
         drawBands();
-        drawGrid(xTicks, yTicks);
+        drawGrid();
         drawReadings();
-        drawCurves();
+        m_frame.inside([&] { drawCurves(); });
         drawWhiskers();
         drawMarkers();
         if (m_dimensions)
             drawDimensions();
-        drawAxes(xTicks, yTicks);
+        drawAxes();
         drawLegend();
-        return transform();
+        return m_frame.transform(shiftOfReadings());
     }
 
 private:
-    [[nodiscard]] double x(double value) const {
-        return m_plot.left() + (value - m_figure.x.from) / (m_figure.x.to - m_figure.x.from) * m_plot.width();
+    /// Decides whether there is room for dimensions.
+    [[nodiscard]] PlotFrame frameIn(const QRectF &area) {
+        const QMarginsF &margins = m_medium == Medium::paper ? paperMargins : screenMargins;
+        // A single dimension, as in a drift test, needs little room.
+        const bool single = m_medium != Medium::paper && m_figure.dimensions.size() == 1 &&
+                            m_figure.dimensions[0].place == DimensionPlace::gutter;
+        m_dimensions = m_medium == Medium::paper || single ||
+                       (area.width() >= widthForDimensions && !m_figure.dimensions.empty());
+        const double left =
+            std::max(margins.left(), widthOfNumbers(m_figure.y, m_measures, titleCentre + figureTextSize));
+        const double right = single ? narrowGutter : m_dimensions ? gutterWidth : margins.right();
+        const QRectF plot(area.left() + left, area.top() + margins.top(), area.width() - left - right,
+                          area.height() - margins.top() - margins.bottom());
+        return {p,
+                area,
+                plot,
+                withFittingTicks(m_figure.x, plot.width(), true),
+                withFittingTicks(m_figure.y, plot.height(), false),
+                m_medium,
+                m_measures};
     }
-    [[nodiscard]] double y(double value) const {
-        return m_plot.bottom() -
-               (value - m_figure.y.from) / (m_figure.y.to - m_figure.y.from) * m_plot.height();
-    }
-    [[nodiscard]] bool shows(double valueX, double valueY) const {
-        return valueX >= m_figure.x.from && valueX <= m_figure.x.to && valueY >= m_figure.y.from &&
-               valueY <= m_figure.y.to;
-    }
-    [[nodiscard]] QPen pen(FigureRole role) const { return figurePen(role, m_medium); }
-    [[nodiscard]] QColor colour(FigureRole role) const { return figureColor(role, m_medium); }
+
+    [[nodiscard]] double x(double value) const { return m_frame.x(value); }
+    [[nodiscard]] double y(double value) const { return m_frame.y(value); }
+    [[nodiscard]] bool shows(double valueX, double valueY) const { return m_frame.shows({valueX, valueY}); }
+    [[nodiscard]] QPen pen(FigureRole role) const { return m_frame.pen(role); }
+    [[nodiscard]] QColor colour(FigureRole role) const { return m_frame.colour(role); }
 
     /// Smallest distance between neighbouring targets.
     [[nodiscard]] double pitch() const {
@@ -154,18 +136,8 @@ private:
     /// Between dense targets the marks move closer.
     [[nodiscard]] double shiftOfReadings() const { return std::min(readingShift, 0.3 * pitch()); }
 
-    [[nodiscard]] FigureTransform transform() const {
-        const double sx = m_plot.width() / (m_figure.x.to - m_figure.x.from);
-        const double sy = -m_plot.height() / (m_figure.y.to - m_figure.y.from);
-        return {m_plot,
-                QTransform(sx, 0, 0, sy, m_plot.left() - m_figure.x.from * sx,
-                           m_plot.bottom() - m_figure.y.from * sy),
-                shiftOfReadings()};
-    }
-
-    /// Ticks whose labels fit: all, or every second, fifth, tenth … counted from zero.
-    [[nodiscard]] static std::vector<const Tick *> thinned(const FigureAxis &axis, double length,
-                                                           bool horizontal) {
+    /// Keeps the ticks whose labels fit: all, or every second, fifth, tenth … counted from zero.
+    [[nodiscard]] static FigureAxis withFittingTicks(FigureAxis axis, double length, bool horizontal) {
         double need = 1.5 * figureTextSize;
         if (horizontal) {
             need = 0;
@@ -177,38 +149,26 @@ private:
         long long stride = 1;
         for (int k = 0; static_cast<double>(stride) * distance < need && k < 12; ++k)
             stride = k % 3 == 0 ? stride * 2 : k % 3 == 1 ? stride / 2 * 5 : stride * 2;
-        std::vector<const Tick *> kept;
-        for (const Tick &tick : axis.ticks) {
-            if (std::llround(tick.value / axis.step) % stride == 0)
-                kept.push_back(&tick);
-        }
-        return kept;
+        std::erase_if(axis.ticks,
+                      [&](const Tick &tick) { return std::llround(tick.value / axis.step) % stride != 0; });
+        return axis;
     }
 
     void drawBand(const std::vector<BandPoint> &band, const QColor &fill) {
-        QPolygonF outline;
-        outline.reserve(2 * static_cast<qsizetype>(band.size()));
-        for (const BandPoint &point : band)
-            outline.append({x(point.x), y(point.upper)});
-        for (auto point = band.rbegin(); point != band.rend(); ++point)
-            outline.append({x(point->x), y(point->lower)});
         p.setBrush(fill);
-        p.drawPolygon(outline);
+        p.drawPolygon(m_frame.outline(band));
     }
 
     void drawBands() {
-        p.save();
-        p.setClipRect(m_plot, Qt::IntersectClip);
-        p.setPen(Qt::NoPen);
-        if (isDense()) {
-            drawBandColumns();
-        } else {
+        m_frame.inside([&] {
+            p.setPen(Qt::NoPen);
+            if (isDense())
+                return drawBandColumns();
             for (const Band &band : m_figure.bands)
                 drawBand(band.points,
                          bandColor(band.role == CurveRole::up, band.role == CurveRole::down, m_medium));
             drawOverlaps();
-        }
-        p.restore();
+        });
     }
 
     /// On a screen with hundreds of targets the outlines of the bands would take most of a frame: each pixel
@@ -298,8 +258,6 @@ private:
     }
 
     void drawCurves() {
-        p.save();
-        p.setClipRect(m_plot, Qt::IntersectClip);
         p.setBrush(Qt::NoBrush);
         const double widest = isDense() ? pixel : mm; // wider lines would hide each other's corners
         const auto lineOf = [&](FigureRole role) {
@@ -322,7 +280,6 @@ private:
                     drawLine(curve.points, &FigurePoint::y, lineOf(line));
             }
         }
-        p.restore();
     }
 
     /// Makes axis-parallel lines fill whole pixels on a screen.
@@ -330,81 +287,35 @@ private:
         p.setRenderHint(QPainter::Antialiasing, !sharp || m_medium == Medium::paper);
     }
 
-    void drawGrid(const std::vector<const Tick *> &xTicks, const std::vector<const Tick *> &yTicks) {
+    void drawGrid() {
         sharpenLines(true);
-        if (m_medium != Medium::paper) {
-            p.setPen(pen(FigureRole::grid));
-            for (const Tick *tick : xTicks)
-                p.drawLine(QPointF(x(tick->value), m_plot.top()), QPointF(x(tick->value), m_plot.bottom()));
-        }
-        for (const Tick *tick : yTicks) {
-            p.setPen(pen(tick->value == 0 ? FigureRole::zeroLine : FigureRole::grid));
-            p.drawLine(QPointF(m_plot.left(), y(tick->value)), QPointF(m_plot.right(), y(tick->value)));
-        }
+        if (m_medium != Medium::paper)
+            m_frame.drawVerticalGrid();
+        m_frame.drawHorizontalGrid();
         sharpenLines(false);
     }
 
-    void drawAxes(const std::vector<const Tick *> &xTicks, const std::vector<const Tick *> &yTicks) {
-        const QColor text = colour(FigureRole::text);
+    void drawAxes() {
         sharpenLines(true);
-        QPen axis = pen(FigureRole::axis);
-        axis.setCapStyle(Qt::SquareCap);
-        p.setPen(axis);
-        p.drawLine(m_plot.topLeft(), m_plot.bottomLeft());
-        p.drawLine(m_plot.bottomLeft(), m_plot.bottomRight());
-        axis.setCapStyle(Qt::FlatCap);
-        p.setPen(axis);
-        for (const Tick *tick : xTicks) {
-            const double at = x(tick->value);
-            p.drawLine(QPointF(at, m_plot.bottom()), QPointF(at, m_plot.bottom() + tickLength));
-        }
-        for (const Tick *tick : yTicks) {
-            const double at = y(tick->value);
-            p.drawLine(QPointF(m_plot.left(), at), QPointF(m_plot.left() - tickLength, at));
-        }
+        p.setPen(m_frame.axisPen(Qt::SquareCap));
+        m_frame.drawEdges();
+        const QPen axis = m_frame.axisPen(Qt::FlatCap);
+        m_frame.drawX(axis, AxisParts::ticks);
+        m_frame.drawY(axis, AxisParts::ticks);
         sharpenLines(false);
-        const double row = m_plot.bottom() + m_margins.tickLabels;
-        for (const Tick *tick : xTicks) {
-            const double width = textWidth(tick->label);
-            drawText(p, {x(tick->value) - width / 2, row}, tick->label, text);
-        }
-        for (const Tick *tick : yTicks) {
-            const double right = m_plot.left() - tickLength - tickGap;
-            drawText(p, {right - textWidth(tick->label), y(tick->value)}, tick->label, text);
-        }
-        drawAxisTitles(row);
-    }
-
-    void drawAxisTitles(double row) {
-        const QColor text = colour(FigureRole::text);
-        const auto symbol = [](const FigureAxis &axis, const QString &before) {
-            TextLine line{{before + axis.symbol}};
-            if (!axis.subscript.isEmpty())
-                line.push_back({axis.subscript, true});
-            return line;
-        };
-        const auto named = [&](const FigureAxis &axis, const QString &before) {
-            TextLine line = symbol(axis, before);
-            line.push_back({QStringLiteral(" (") + axis.unit + QStringLiteral(")")});
-            return line;
-        };
-        if (m_margins.title > 0) {
-            const TextLine line = named(m_figure.x, m_figure.x.quantity + QLatin1Char(' '));
-            drawText(p, {m_plot.center().x() - textWidth(line) / 2, m_plot.bottom() + m_margins.title}, line,
-                     text);
+        m_frame.drawX(axis, AxisParts::numbers);
+        m_frame.drawY(axis, AxisParts::numbers);
+        if (m_measures.title > 0) {
+            m_frame.drawXTitle(axisTitle(m_figure.x));
         } else {
-            TextLine line = symbol(m_figure.x, {});
-            line.push_back({QLatin1Char(' ') + m_figure.x.unit});
-            drawText(p, {m_area.left() + titleCentre - figureTextSize / 2.0, row}, line, text);
+            drawText(
+                p, {m_area.left() + titleCentre - figureTextSize / 2.0, m_plot.bottom() + m_measures.numbers},
+                axisTitle(m_figure.x, {}, QLatin1Char(' ') + m_figure.x.unit), colour(FigureRole::text));
         }
-        TextLine line = named(m_figure.y, m_figure.y.quantity + QLatin1Char(' '));
-        if (textWidth(line) > m_plot.height())
-            line = named(m_figure.y, {});
-        p.save();
-        p.translate(m_area.left() + titleCentre, m_plot.center().y());
-        p.rotate(-90);
-        drawText(p, {-textWidth(line) / 2, 0}, line, text);
-        p.restore();
+        TextLine title = axisTitle(m_figure.y);
+        if (textWidth(title) > m_plot.height())
+            title = axisTitle(m_figure.y, {}, QStringLiteral(" (") + m_figure.y.unit + QLatin1Char(')'));
+        m_frame.drawYTitle(title);
     }
 
     void drawWhiskers() {
@@ -415,13 +326,12 @@ private:
             const BandPoint &point = band.points[0];
             // Side by side, so that the whiskers of both directions do not hide each other.
             const double at = x(point.x) + (band.role == CurveRole::up ? -0.5 : 0.5) * mm;
-            p.save();
-            p.setClipRect(m_plot, Qt::IntersectClip);
-            p.setPen(pen(band.role == CurveRole::up ? FigureRole::upEdge : FigureRole::downEdge));
-            p.drawLine(QPointF(at, y(point.lower)), QPointF(at, y(point.upper)));
-            for (const double limit : {point.lower, point.upper})
-                p.drawLine(QPointF(at - whiskerCap, y(limit)), QPointF(at + whiskerCap, y(limit)));
-            p.restore();
+            m_frame.inside([&] {
+                p.setPen(pen(band.role == CurveRole::up ? FigureRole::upEdge : FigureRole::downEdge));
+                p.drawLine(QPointF(at, y(point.lower)), QPointF(at, y(point.upper)));
+                for (const double limit : {point.lower, point.upper})
+                    p.drawLine(QPointF(at - whiskerCap, y(limit)), QPointF(at + whiskerCap, y(limit)));
+            });
         }
     }
 
@@ -690,33 +600,20 @@ private:
     [[nodiscard]] double sampleWidth(const LegendEntry &entry) const {
         return entry.sample == LegendSample::readings ? readingsSampleWidth
                : entry.sample == LegendSample::limit  ? curveLimitTick
-                                                      : m_margins.sampleWidth;
+                                                      : m_measures.sampleWidth;
     }
 
     void drawLegend() {
-        std::vector<LegendEntry> shown = m_figure.legend;
-        if (!m_dimensions) // limits are drawn with dimensions
-            std::erase_if(shown,
-                          [](const LegendEntry &entry) { return entry.sample == LegendSample::limit; });
-        double width = 0;
-        for (const LegendEntry &entry : shown)
-            width += sampleWidth(entry) + m_margins.sampleGap + textWidth(entry.text);
-        const auto gaps = static_cast<double>(std::max<std::size_t>(shown.size(), 2) - 1);
+        std::vector<PlotEntry> entries;
+        for (const LegendEntry &entry : m_figure.legend) {
+            if (m_dimensions || entry.sample != LegendSample::limit) // limits are drawn with dimensions
+                entries.push_back({sampleWidth(entry), entry.text,
+                                   [this, &entry](const QRectF &box) { drawSample(box, entry); }});
+        }
         const double start =
             m_medium == Medium::paper ? m_plot.left() + 0.03 * m_plot.width() : m_plot.left();
-        const double room = m_area.right() - start;
-        const double gap = std::clamp((room - width) / gaps, 0.25 * m_margins.legendGap, m_margins.legendGap);
-        double left = start;
-        if (m_medium != Medium::paper)
-            left = std::max(m_area.left(), m_plot.center().x() - (width + gap * gaps) / 2);
-        const double row = m_plot.bottom() + m_margins.legend;
-        for (const LegendEntry &entry : shown) {
-            drawSample(QRectF(left, row - curveSampleHeight / 2, sampleWidth(entry), curveSampleHeight),
-                       entry);
-            left += sampleWidth(entry) + m_margins.sampleGap;
-            drawText(p, {left, row}, entry.text, colour(FigureRole::text));
-            left += textWidth(entry.text) + gap;
-        }
+        m_frame.drawLegendRow(entries, m_area.right() - start,
+                              m_medium == Medium::paper ? std::optional(start) : std::nullopt);
     }
 
     void drawSample(const QRectF &box, const LegendEntry &entry) {
@@ -769,9 +666,10 @@ private:
     const CurveFigure &m_figure;
     Medium m_medium;
     QRectF m_area;
-    const Margins &m_margins;
-    QRectF m_plot;
+    const FrameMeasures &m_measures;
     bool m_dimensions = true;
+    PlotFrame m_frame;
+    const QRectF &m_plot;
 };
 
 } // namespace

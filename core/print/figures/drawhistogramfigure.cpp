@@ -2,12 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/figures/drawhistogramfigure.h"
 
-#include "print/figures/drawtext.h"
-#include "print/figures/metrics.h"
+#include "print/figures/plotframe.h"
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 namespace palmer {
 
@@ -15,100 +13,57 @@ namespace {
 
 constexpr double histogramSide = 2 * mm;
 constexpr double histogramTop = 2 * mm;
-constexpr double histogramFoot = 17 * mm;      ///< numbers, title and legend below the plot
-constexpr double histogramTitleRow = 7.8 * mm; ///< centre, below the plot
-constexpr double histogramLegendRow = 13 * mm;
-constexpr double histogramSampleWidth = 5 * mm;
-constexpr double histogramSampleHeight = 2.6 * mm;
-constexpr double histogramSampleGap = 1.5 * mm;
-constexpr double legendGap = 5 * mm; ///< upper bound
-constexpr double leastLegendGap = 1.5 * mm;
+constexpr double histogramFoot = 17 * mm; ///< numbers, title and legend below the plot
 
 class HistogramPainter {
 public:
     HistogramPainter(QPainter &painter, const QRectF &area, const HistogramFigure &figure, Medium medium)
         : p(painter)
         , m_figure(figure)
-        , m_medium(medium)
         , m_area(area)
-        , m_plot(area.adjusted(histogramSide, histogramTop, -histogramSide, -histogramFoot)) {}
+        , m_frame(painter, area, area.adjusted(histogramSide, histogramTop, -histogramSide, -histogramFoot),
+                  figure.x, {}, medium, histogramFrame)
+        , m_medium(medium) {}
 
     FigureTransform draw() {
-        if (m_plot.width() <= 0 || m_plot.height() <= 0)
+        if (!m_frame.begin())
             return {};
-        p.setRenderHint(QPainter::Antialiasing);
-        p.setRenderHint(QPainter::TextAntialiasing);
-        drawHistogramBars(p, m_plot, m_figure, m_medium, figurePen(FigureRole::evaluated, m_medium).widthF());
-        p.setPen(figurePen(FigureRole::trialMean, m_medium));
-        p.drawLine(QPointF(x(m_figure.mean), m_plot.top()), QPointF(x(m_figure.mean), m_plot.bottom()));
-        drawAxis();
-        drawLegend();
-        const double scale = m_plot.width() / (m_figure.x.to - m_figure.x.from);
-        return {m_plot, QTransform(scale, 0, 0, 1, m_plot.left() - m_figure.x.from * scale, m_plot.top()), 0};
+        drawHistogramBars(p, m_frame.plot(), m_figure, m_medium, m_frame.pen(FigureRole::evaluated).widthF());
+        p.setPen(m_frame.pen(FigureRole::trialMean));
+        m_frame.drawVertical(m_figure.mean);
+        const QPen axis = m_frame.axisPen(Qt::FlatCap);
+        p.setPen(axis);
+        p.drawLine(m_frame.plot().bottomLeft(), m_frame.plot().bottomRight());
+        m_frame.drawX(axis);
+        m_frame.drawXTitle({{QStringLiteral("%1 (%2)").arg(m_figure.x.symbol, m_figure.x.unit)}});
+        const auto entry = [this](Sample sample, const QString &text) {
+            return PlotEntry{histogramFrame.sampleWidth, text,
+                             [this, sample](const QRectF &box) { drawSample(box, sample); }};
+        };
+        m_frame.drawLegendRow(std::array{entry(Sample::evaluated, m_figure.evaluatedText),
+                                         entry(Sample::mean, m_figure.meanText),
+                                         entry(Sample::coverage, m_figure.coverageText)},
+                              m_area.width());
+        return m_frame.transform();
     }
 
 private:
     enum class Sample { evaluated, mean, coverage };
 
-    [[nodiscard]] double x(double value) const {
-        return m_plot.left() + (value - m_figure.x.from) / (m_figure.x.to - m_figure.x.from) * m_plot.width();
-    }
-    [[nodiscard]] QColor colour(FigureRole role) const { return figureColor(role, m_medium); }
-
-    void drawAxis() {
-        QPen axis = figurePen(FigureRole::axis, m_medium);
-        axis.setCapStyle(Qt::FlatCap);
-        p.setPen(axis);
-        p.drawLine(m_plot.bottomLeft(), m_plot.bottomRight());
-        for (const Tick &tick : m_figure.x.ticks) {
-            p.setPen(axis);
-            const double at = x(tick.value);
-            p.drawLine(QPointF(at, m_plot.bottom()), QPointF(at, m_plot.bottom() + tickLength));
-            const double width = textWidth(tick.label);
-            const double left = std::clamp(at - width / 2, m_area.left(), m_area.right() - width);
-            drawText(p, {left, m_plot.bottom() + tickRow}, tick.label, colour(FigureRole::text));
-        }
-        const QString title = QStringLiteral("%1 (%2)").arg(m_figure.x.symbol, m_figure.x.unit);
-        drawText(p, {m_plot.center().x() - textWidth(title) / 2, m_plot.bottom() + histogramTitleRow}, title,
-                 colour(FigureRole::text));
-    }
-
     void drawSample(const QRectF &box, Sample sample) {
         if (sample == Sample::coverage) {
-            p.fillRect(box, colour(FigureRole::histogram));
+            p.fillRect(box, m_frame.colour(FigureRole::histogram));
             return;
         }
-        p.setPen(
-            figurePen(sample == Sample::evaluated ? FigureRole::evaluated : FigureRole::trialMean, m_medium));
+        p.setPen(m_frame.pen(sample == Sample::evaluated ? FigureRole::evaluated : FigureRole::trialMean));
         p.drawLine(QPointF(box.left(), box.center().y()), QPointF(box.right(), box.center().y()));
-    }
-
-    void drawLegend() {
-        const std::array entries{std::pair(Sample::evaluated, m_figure.evaluatedText),
-                                 std::pair(Sample::mean, m_figure.meanText),
-                                 std::pair(Sample::coverage, m_figure.coverageText)};
-        double width = 0;
-        for (const auto &entry : entries)
-            width += histogramSampleWidth + histogramSampleGap + textWidth(entry.second);
-        const auto gaps = static_cast<double>(entries.size() - 1);
-        const double gap = std::clamp((m_area.width() - width) / gaps, leastLegendGap, legendGap);
-        double left = std::max(m_area.left(), m_plot.center().x() - (width + gap * gaps) / 2);
-        const double row = m_plot.bottom() + histogramLegendRow;
-        for (const auto &[sample, text] : entries) {
-            drawSample(
-                QRectF(left, row - histogramSampleHeight / 2, histogramSampleWidth, histogramSampleHeight),
-                sample);
-            left += histogramSampleWidth + histogramSampleGap;
-            drawText(p, {left, row}, text, colour(FigureRole::text));
-            left += textWidth(text) + gap;
-        }
     }
 
     QPainter &p;
     const HistogramFigure &m_figure;
-    Medium m_medium;
     QRectF m_area;
-    QRectF m_plot;
+    PlotFrame m_frame;
+    Medium m_medium;
 };
 
 } // namespace

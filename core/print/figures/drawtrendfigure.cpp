@@ -2,10 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/figures/drawtrendfigure.h"
 
-#include "print/figures/drawtext.h"
+#include "print/figures/plotframe.h"
 
-#include <QPainter>
-#include <QPolygonF>
 #include <algorithm>
 
 namespace palmer {
@@ -14,8 +12,6 @@ namespace {
 
 constexpr double markRadius = 0.75 * mm;
 constexpr double capWidth = 0.7 * mm;
-constexpr double trendTickLength = 0.8 * mm;
-constexpr double trendTickGap = 0.7 * mm;
 constexpr double hatchHeight = 1.2 * mm;
 constexpr double hatchStep = 0.9 * mm;
 constexpr double labelWidth = 15 * mm; ///< of a row label
@@ -35,47 +31,33 @@ public:
     PanelPainter(QPainter &painter, const QRectF &area, const TrendPanel &panel, Medium medium, bool large)
         : p(painter)
         , m_panel(panel)
-        , m_medium(medium)
-        , m_large(large) {
-        double widest = 0;
-        for (const Tick &tick : panel.y.ticks)
-            widest = std::max(widest, textWidth(tick.label));
-        const double left = widest + trendTickGap + trendTickLength;
-        const double above = titleHeight + (large ? titleHeight : 0);
-        m_area = area;
-        m_plot = area.adjusted(left, above, -1 * mm, -(trendTickLength + trendTickRow + 1.5 * mm));
-    }
+        , m_large(large)
+        , m_area(area)
+        , m_frame(painter, area,
+                  area.adjusted(widthOfNumbers(panel.y, trendFrame, 0),
+                                titleHeight + (large ? titleHeight : 0), -1 * mm,
+                                -(trendFrame.tick + trendTickRow + 1.5 * mm)),
+                  panel.x, panel.y, medium, trendFrame)
+        , m_plot(m_frame.plot()) {}
 
     FigureTransform draw() {
-        if (m_plot.width() <= 0 || m_plot.height() <= 0)
+        if (!m_frame.begin())
             return {};
-        p.setRenderHint(QPainter::Antialiasing);
         drawGround();
-        p.save();
-        p.setClipRect(m_plot, Qt::IntersectClip);
-        drawInside();
-        p.restore();
+        m_frame.inside([&] { drawInside(); });
         drawValues();
         drawNotBefore();
-        drawAxes();
+        setPen(FigureRole::axis, 0.2 * mm);
+        const QPen axis = p.pen();
+        m_frame.drawEdges();
+        m_frame.drawX(axis);
+        m_frame.drawY({}, AxisParts::numbers);
         drawTitle();
-        const double sx = m_plot.width() / (m_panel.x.to - m_panel.x.from);
-        const double sy = -m_plot.height() / (m_panel.y.to - m_panel.y.from);
-        return {m_plot,
-                QTransform(sx, 0, 0, sy, m_plot.left() - m_panel.x.from * sx,
-                           m_plot.bottom() - m_panel.y.from * sy),
-                0};
+        return m_frame.transform();
     }
 
 private:
-    [[nodiscard]] double x(double value) const {
-        return m_plot.left() + (value - m_panel.x.from) / (m_panel.x.to - m_panel.x.from) * m_plot.width();
-    }
-    [[nodiscard]] double y(double value) const {
-        return m_plot.bottom() - (value - m_panel.y.from) / (m_panel.y.to - m_panel.y.from) * m_plot.height();
-    }
-    [[nodiscard]] QPointF at(const QPointF &point) const { return {x(point.x()), y(point.y())}; }
-    [[nodiscard]] QColor colour(FigureRole role) const { return figureColor(role, m_medium); }
+    [[nodiscard]] QColor colour(FigureRole role) const { return m_frame.colour(role); }
     [[nodiscard]] QColor ground() const { return colour(FigureRole::background); }
     [[nodiscard]] double wide(double small, double large) const { return (m_large ? large : small) * mm; }
 
@@ -84,20 +66,13 @@ private:
         p.setBrush(Qt::NoBrush);
     }
 
-    [[nodiscard]] QPolygonF polygon(const std::vector<QPointF> &points) const {
-        QPolygonF result;
-        for (const QPointF &point : points)
-            result << at(point);
-        return result;
-    }
-
     void drawGround() {
-        const double today = std::clamp(x(m_panel.today), m_plot.left(), m_plot.right());
+        const double today = std::clamp(m_frame.x(m_panel.today), m_plot.left(), m_plot.right());
         p.fillRect(QRectF(QPointF(today, m_plot.top()), m_plot.bottomRight()),
                    blend(colour(FigureRole::text), ground(), 0.05));
         setPen(FigureRole::grid, thin);
         for (const Tick &tick : m_panel.y.ticks)
-            p.drawLine(QPointF(m_plot.left(), y(tick.value)), QPointF(m_plot.right(), y(tick.value)));
+            m_frame.drawHorizontal(tick.value);
         if (m_large) {
             setPen(FigureRole::axis, thin);
             p.drawLine(QPointF(today, m_plot.top()), QPointF(today, m_plot.bottom()));
@@ -106,31 +81,26 @@ private:
 
     void drawInside() {
         if (!m_panel.band.empty()) {
-            QPolygonF band;
-            for (const BandPoint &point : m_panel.band)
-                band << at({point.x, point.upper});
-            for (auto point = m_panel.band.rbegin(); point != m_panel.band.rend(); ++point)
-                band << at({point->x, point->lower});
             p.setPen(Qt::NoPen);
             p.setBrush(blend(colour(FigureRole::up), ground(), bandStrength));
-            p.drawPolygon(band);
+            p.drawPolygon(m_frame.outline(m_panel.band));
         }
         setPen(FigureRole::text, thin, Qt::DashLine);
         for (const TrendIntervention &one : m_panel.interventions)
-            p.drawLine(QPointF(x(one.x), m_plot.top()), QPointF(x(one.x), m_plot.bottom()));
+            m_frame.drawVertical(one.x);
         for (const auto &limit : m_panel.limits)
             drawLimit(limit);
         setPen(FigureRole::guardBand, thin);
         for (const auto &joined : m_panel.joined)
-            p.drawPolyline(polygon(joined));
+            p.drawPolyline(m_frame.polyline(joined));
         setPen(FigureRole::up, wide(0.35, 0.5));
-        p.drawPolyline(polygon(m_panel.line));
+        p.drawPolyline(m_frame.polyline(m_panel.line));
         setPen(FigureRole::up, wide(0.35, 0.5), Qt::DashLine);
-        p.drawPolyline(polygon(m_panel.later));
+        p.drawPolyline(m_frame.polyline(m_panel.later));
     }
 
     void drawLimit(const std::vector<QPointF> &limit) {
-        const QPolygonF steps = polygon(limit);
+        const QPolygonF steps = m_frame.polyline(limit);
         if (m_large) {
             setPen(FigureRole::limit, thin);
             for (qsizetype i = 0; i + 1 < steps.size(); ++i) {
@@ -149,12 +119,12 @@ private:
 
     void drawValues() {
         for (const TrendValue &value : m_panel.values) {
-            const QPointF place(x(value.x), y(value.y));
+            const QPointF place = m_frame.at({value.x, value.y});
             const bool other = value.mark == TrendMark::otherSeries;
             const FigureRole role = other ? FigureRole::guardBand : FigureRole::up;
             if (value.expanded) {
-                const double top = std::max(y(value.y + *value.expanded), m_plot.top());
-                const double bottom = std::min(y(value.y - *value.expanded), m_plot.bottom());
+                const double top = std::max(m_frame.y(value.y + *value.expanded), m_plot.top());
+                const double bottom = std::min(m_frame.y(value.y - *value.expanded), m_plot.bottom());
                 setPen(role, wide(0.15, 0.2));
                 p.drawLine(QPointF(place.x(), top), QPointF(place.x(), bottom));
                 if (m_large) {
@@ -185,7 +155,7 @@ private:
     void drawNotBefore() {
         if (!m_panel.notBefore)
             return;
-        const QPointF place = at(*m_panel.notBefore);
+        const QPointF place = m_frame.at(*m_panel.notBefore);
         setPen(FigureRole::up, wide(0.2, 0.3), Qt::DotLine);
         p.drawLine(place, QPointF(place.x(), m_plot.bottom()));
         const double radius = 1.3 * markRadius;
@@ -195,32 +165,10 @@ private:
                                 place + QPointF(0, radius), place + QPointF(-radius, 0)});
     }
 
-    void drawAxes() {
-        setPen(FigureRole::axis, 0.2 * mm);
-        p.drawLine(m_plot.topLeft(), m_plot.bottomLeft());
-        p.drawLine(m_plot.bottomLeft(), m_plot.bottomRight());
-        for (const Tick &tick : m_panel.x.ticks) {
-            setPen(FigureRole::axis, 0.2 * mm);
-            p.drawLine(QPointF(x(tick.value), m_plot.bottom()),
-                       QPointF(x(tick.value), m_plot.bottom() + trendTickLength));
-            drawText(p,
-                     {x(tick.value) - textWidth(tick.label) / 2,
-                      m_plot.bottom() + trendTickLength + trendTickRow / 1.6},
-                     tick.label, colour(FigureRole::text));
-        }
-        for (const Tick &tick : m_panel.y.ticks)
-            drawText(p,
-                     {m_plot.left() - trendTickLength - trendTickGap - textWidth(tick.label), y(tick.value)},
-                     tick.label, colour(FigureRole::text));
-    }
-
     void drawTitle() {
         const double line = m_area.top() + titleHeight / 2;
-        TextLine symbol{{m_panel.y.symbol}};
-        if (!m_panel.y.subscript.isEmpty())
-            symbol.push_back({m_panel.y.subscript, true});
-        if (m_large)
-            symbol.push_back({QStringLiteral(" (") + m_panel.y.unit + QLatin1Char(')')});
+        const QString unit = QStringLiteral(" (") + m_panel.y.unit + QLatin1Char(')');
+        const TextLine symbol = axisTitle(m_panel.y, {}, m_large ? unit : QString());
         // Starts at the axis labels, because "G(b)" with its index is wider than they are.
         drawText(p, {m_area.left(), line}, symbol, colour(FigureRole::text), true);
         const double width = textWidth(m_panel.statement, m_panel.isFirst);
@@ -230,7 +178,7 @@ private:
             return;
         double free = m_area.left();
         for (const TrendIntervention &one : m_panel.interventions) {
-            const double wanted = x(one.x) - textWidth(one.name) / 2;
+            const double wanted = m_frame.x(one.x) - textWidth(one.name) / 2;
             if (wanted < free)
                 continue; // its line is drawn anyway
             drawText(p, {wanted, line + titleHeight}, one.name, colour(FigureRole::text));
@@ -240,10 +188,10 @@ private:
 
     QPainter &p;
     const TrendPanel &m_panel;
-    Medium m_medium;
     bool m_large;
     QRectF m_area;
-    QRectF m_plot;
+    PlotFrame m_frame;
+    const QRectF &m_plot;
 };
 
 /// Draws the legend sample number `index`, in the order of the texts.
@@ -301,9 +249,8 @@ FigureTransform drawTrendFigure(QPainter &painter, const QRectF &area, const Tre
     const double label = large ? 0 : labelWidth;
     constexpr double cells = 4;
     const bool hasLegend = !figure.legend.empty();
-    const double legendRow = 4.2 * mm;
     const std::size_t legendRows = (figure.legend.size() + 2) / 3;
-    const double below = large && hasLegend ? static_cast<double>(legendRows) * legendRow : 0;
+    const double below = large && hasLegend ? static_cast<double>(legendRows) * legendPitch : 0;
     const double cell = large ? area.width() : (area.width() - label - (cells - 1) * panelGap) / cells;
     FigureTransform result;
     double left = area.left() + label;
@@ -322,7 +269,7 @@ FigureTransform drawTrendFigure(QPainter &painter, const QRectF &area, const Tre
         const std::size_t line = i / 3;
         const QPointF place =
             large ? QPointF(area.left() + static_cast<double>(i % 3) * column + 4 * mm,
-                            area.bottom() - below + (static_cast<double>(line) + 0.5) * legendRow)
+                            area.bottom() - below + (static_cast<double>(line) + 0.5) * legendPitch)
                   : QPointF(left + 4 * mm, area.top() + (row + 1) * 3.6 * mm);
         drawSample(painter, i, place, medium);
         drawText(painter, place + QPointF(4.5 * mm, 0), figure.legend[i], text);
