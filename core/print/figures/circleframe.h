@@ -13,9 +13,6 @@ namespace palmer {
 
 [[nodiscard]] double radians(double degrees);
 
-/// Clips a segment to a rectangle; false if they do not intersect.
-[[nodiscard]] bool clip(QPointF &a, QPointF &b, const QRectF &rect);
-
 /// Points per mm of a circle figure and of its key. The key is never reduced, because its letters are not.
 struct CircleUnits {
     double figure = 1;
@@ -23,11 +20,12 @@ struct CircleUnits {
 };
 
 /// Frame of a circle figure: maps directions and radii (degrees and mm from the centre) to the painter, and
-/// draws the lines that may leave the view. On paper the figure may be reduced: see drawCircleFigure().
+/// draws the lines that may leave the view. On paper the figure may be reduced: see drawKind().
 class CircleFrame {
 public:
     /// Precondition: painter and figure outlive the frame.
     CircleFrame(QPainter &painter, const QRectF &area, const CircleFigure &figure, Medium medium);
+    ~CircleFrame() = default;
     CircleFrame(const CircleFrame &) = delete;
     CircleFrame &operator=(const CircleFrame &) = delete;
 

@@ -42,4 +42,10 @@ private:
     std::vector<QPolygonF> m_lines; ///< paths, filled on first use
 };
 
+/// Draws the width of the envelope as a dimension, if the figure has one.
+void drawDimension(CircleFrame &frame, CircleLabels &labels);
+
+/// Draws the limit of a width to scale, centred between the circles it limits.
+void drawLimitOfG(CircleFrame &frame, CircleLabels &labels);
+
 } // namespace palmer

@@ -47,7 +47,7 @@ void drawTrace(CircleFrame &frame, const std::vector<TracePoint> &points, QPen l
     std::vector<QPointF> directions; // shared by all lines: the sine costs as much as everything else
     directions.reserve(points.size());
     for (const TracePoint &point : points)
-        directions.push_back(frame.directionOf(point.angle));
+        directions.push_back(CircleFrame::directionOf(point.angle));
     for (int i = 0; i < lines; ++i) {
         const double offset = lines == 1 ? 0 : (width - pixel) * (static_cast<double>(i) / (lines - 1) - 0.5);
         QPolygonF chain;

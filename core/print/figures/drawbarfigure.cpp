@@ -114,7 +114,7 @@ private:
 
 } // namespace
 
-FigureTransform drawBarFigure(QPainter &painter, const QRectF &area, const BarFigure &figure, Medium medium) {
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const BarFigure &figure, Medium medium) {
     return BarFigurePainter(painter, area, figure, medium).draw();
 }
 

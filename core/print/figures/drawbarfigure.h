@@ -8,7 +8,7 @@ namespace palmer {
 
 /// Draws bars below each other into `area` (points): names on the left, bars on their scale, numbers on the
 /// right, the scale below. Names wider than a third of the area are elided.
-FigureTransform drawBarFigure(QPainter &painter, const QRectF &area, const BarFigure &figure, Medium medium);
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const BarFigure &figure, Medium medium);
 
 /// Draws one bar over `part` (0 … 1) of `rect`, which represents the whole scale. Any unit of the painter.
 void drawBar(QPainter &painter, const QRectF &rect, double part, bool first, Medium medium);

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/figures/drawcirclefigure.h"
 
-#include "print/figures/circledimensions.h"
 #include "print/figures/circlelabels.h"
 #include "print/figures/circletraces.h"
 
@@ -370,8 +369,7 @@ double leftOfSenses(QPainter &painter, const QRectF &area, const CircleFigure &f
     return CircleFigurePainter(painter, area, figure, medium).leftOfSenses();
 }
 
-FigureTransform drawCircleFigure(QPainter &painter, const QRectF &area, const CircleFigure &figure,
-                                 Medium medium) {
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const CircleFigure &figure, Medium medium) {
     return CircleFigurePainter(painter, area, figure, medium).draw();
 }
 

@@ -10,8 +10,7 @@ namespace palmer {
 /// proportions and is drawn as large as it fits. On paper the key is below, on a screen in the corners if it
 /// has room next to the circles. If the figure is reduced, the nominal circle shrinks and the deviations keep
 /// the stated magnification.
-FigureTransform drawCircleFigure(QPainter &painter, const QRectF &area, const CircleFigure &figure,
-                                 Medium medium);
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const CircleFigure &figure, Medium medium);
 
 /// Right limit for a text in the upper left corner: the left end of the sense labels outside the circles,
 /// otherwise the right end of the area; in points, like the area.

@@ -4,6 +4,7 @@
 
 #include "figures/thinning.h"
 #include "print/figures/bandoverlap.h"
+#include "print/figures/clip.h"
 #include "print/figures/plotframe.h"
 
 #include <QMarginsF>
@@ -51,22 +52,6 @@ constexpr double widthForDimensions = 480;
 
 double centreOf(double from, double to) {
     return (from + to) / 2;
-}
-
-/// True if a segment intersects a rectangle.
-bool meets(QPointF a, QPointF b, const QRectF &rect) {
-    double from = 0;
-    double to = 1;
-    const QPointF way = b - a;
-    const auto cut = [&](double along, double distance) {
-        if (along == 0)
-            return distance >= 0;
-        (along < 0 ? from : to) =
-            along < 0 ? std::max(from, distance / along) : std::min(to, distance / along);
-        return from <= to;
-    };
-    return cut(-way.x(), a.x() - rect.left()) && cut(way.x(), rect.right() - a.x()) &&
-           cut(-way.y(), a.y() - rect.top()) && cut(way.y(), rect.bottom() - a.y());
 }
 
 class CurveFigurePainter {
@@ -517,9 +502,9 @@ private:
             for (std::size_t i = 0; i < curve.points.size(); ++i) {
                 const FigurePoint &b = curve.points[i];
                 const FigurePoint &a = curve.points[i == 0 ? 0 : i - 1];
-                const QPointF from(x(a.x), y(a.y));
-                const QPointF to(x(b.x), y(b.y));
-                if (meets(from, to, box))
+                QPointF from = m_frame.at({a.x, a.y});
+                QPointF to = m_frame.at({b.x, b.y});
+                if (clip(from, to, box))
                     return true;
             }
         }
@@ -674,8 +659,7 @@ private:
 
 } // namespace
 
-FigureTransform drawCurveFigure(QPainter &painter, const QRectF &area, const CurveFigure &figure,
-                                Medium medium) {
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const CurveFigure &figure, Medium medium) {
     if (isOrdinary(figure))
         return CurveFigurePainter(painter, area, figure, medium).draw();
     return CurveFigurePainter(painter, area, thinned(figure), medium).draw();

@@ -7,7 +7,6 @@
 namespace palmer {
 
 /// Draws a curve figure into `area`, in points; the part of drawFigure for this kind.
-FigureTransform drawCurveFigure(QPainter &painter, const QRectF &area, const CurveFigure &figure,
-                                Medium medium);
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const CurveFigure &figure, Medium medium);
 
 } // namespace palmer

@@ -29,10 +29,6 @@ QSizeF sizeOf(const LineFigure &) {
     return {175, 62};
 }
 
-FigureTransform drawKind(QPainter &painter, const QRectF &area, const LineFigure &figure, Medium medium) {
-    return drawLineFigure(painter, area, figure, medium);
-}
-
 QSizeF sizeOf(const BarFigure &figure) {
     return {175, printedHeight(figure)};
 }
@@ -45,27 +41,6 @@ QSizeF sizeOf(const TrendFigure &figure) {
     constexpr double row = 26;
     constexpr double alone = 90;
     return {175, figure.panels.size() == 1 && figure.label.isEmpty() ? alone : row};
-}
-
-FigureTransform drawKind(QPainter &painter, const QRectF &area, const TrendFigure &figure, Medium medium) {
-    return drawTrendFigure(painter, area, figure, medium);
-}
-
-FigureTransform drawKind(QPainter &painter, const QRectF &area, const BarFigure &figure, Medium medium) {
-    return drawBarFigure(painter, area, figure, medium);
-}
-
-FigureTransform drawKind(QPainter &painter, const QRectF &area, const HistogramFigure &figure,
-                         Medium medium) {
-    return drawHistogramFigure(painter, area, figure, medium);
-}
-
-FigureTransform drawKind(QPainter &painter, const QRectF &area, const CircleFigure &figure, Medium medium) {
-    return drawCircleFigure(painter, area, figure, medium);
-}
-
-FigureTransform drawKind(QPainter &painter, const QRectF &area, const CurveFigure &figure, Medium medium) {
-    return drawCurveFigure(painter, area, figure, medium);
 }
 
 } // namespace

@@ -68,8 +68,8 @@ private:
 
 } // namespace
 
-FigureTransform drawHistogramFigure(QPainter &painter, const QRectF &area, const HistogramFigure &figure,
-                                    Medium medium) {
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const HistogramFigure &figure,
+                         Medium medium) {
     return HistogramPainter(painter, area, figure, medium).draw();
 }
 

@@ -8,8 +8,7 @@ namespace palmer {
 
 /// Draws a histogram into `area` (points) over its axis: bars, darker inside the interval that contains 95.45
 /// % of the values, the evaluated value as a line, the mean dashed, and the legend below.
-FigureTransform drawHistogramFigure(QPainter &painter, const QRectF &area, const HistogramFigure &figure,
-                                    Medium medium);
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const HistogramFigure &figure, Medium medium);
 
 /// Draws only the bars and the line of the evaluated value, for a table row. Any unit of the painter; `line`:
 /// width of the line.

@@ -150,8 +150,7 @@ QPen linePen(LineRole role, Medium medium) {
     return pen;
 }
 
-FigureTransform drawLineFigure(QPainter &painter, const QRectF &area, const LineFigure &figure,
-                               Medium medium) {
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const LineFigure &figure, Medium medium) {
     return LineFigurePainter(painter, area, figure, medium).draw();
 }
 

@@ -7,8 +7,7 @@
 namespace palmer {
 
 /// Draws a line figure into `area`, in points; see drawFigure(). The legend takes as many rows as needed.
-FigureTransform drawLineFigure(QPainter &painter, const QRectF &area, const LineFigure &figure,
-                               Medium medium);
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const LineFigure &figure, Medium medium);
 
 /// Colour, width (points) and dashes of a line.
 [[nodiscard]] QPen linePen(LineRole role, Medium medium);

@@ -21,6 +21,10 @@ constexpr double trendTickRow = 3.2 * mm;
 constexpr double thin = 0.12 * mm;
 constexpr double bandStrength = 0.13;
 
+QRectF squareAt(QPointF place, double radius) {
+    return {place.x() - radius, place.y() - radius, 2 * radius, 2 * radius};
+}
+
 QPolygonF triangleAt(QPointF place, double radius) {
     return {place + QPointF(0, -radius), place + QPointF(radius, 0.8 * radius),
             place + QPointF(-radius, 0.8 * radius)};
@@ -136,7 +140,7 @@ private:
             p.setBrush(value.mark == TrendMark::asLeft ? colour(role) : ground());
             const double radius = m_large ? 1.4 * markRadius : markRadius;
             if (other)
-                p.drawRect(QRectF(place.x() - radius, place.y() - radius, 2 * radius, 2 * radius));
+                p.drawRect(squareAt(place, radius));
             else if (value.mark == TrendMark::noRole)
                 p.drawPolygon(triangleAt(place, radius));
             else
@@ -196,10 +200,9 @@ private:
 
 /// Draws the legend sample number `index`, in the order of the texts.
 void drawSample(QPainter &p, std::size_t index, QPointF place, Medium medium) {
-    const double half = 3 * mm;
+    constexpr QPointF half(3 * mm, 0);
     const QColor text = figureColor(FigureRole::text, medium);
     const QColor blue = figureColor(FigureRole::up, medium);
-    const QColor grey = figureColor(FigureRole::guardBand, medium);
     const QColor ground = figureColor(FigureRole::background, medium);
     const auto line = [&](const QColor &colour, double width, Qt::PenStyle style = Qt::SolidLine) {
         p.setPen(QPen(colour, width * mm, style, Qt::FlatCap));
@@ -210,31 +213,26 @@ void drawSample(QPainter &p, std::size_t index, QPointF place, Medium medium) {
         line(blue, 0.25);
         p.drawLine(place - QPointF(0, 1.3 * mm), place + QPointF(0, 1.3 * mm));
         p.setBrush(index == 1 ? blue : ground);
-        p.drawEllipse(place, markRadius, markRadius);
-        break;
+        return p.drawEllipse(place, markRadius, markRadius);
     case 2:
-        line(grey, 0.25);
+        line(figureColor(FigureRole::guardBand, medium), 0.25);
         p.setBrush(ground);
-        p.drawRect(QRectF(place.x() - markRadius, place.y() - markRadius, 2 * markRadius, 2 * markRadius));
-        break;
+        return p.drawRect(squareAt(place, markRadius));
     case 3:
         line(text, 0.4);
-        p.drawLine(place - QPointF(half, 0), place + QPointF(half, 0));
-        break;
+        return p.drawLine(place - half, place + half);
     case 4:
-        p.fillRect(QRectF(place.x() - half, place.y() - 1 * mm, 2 * half, 2 * mm),
+        p.fillRect(QRectF(place.x() - half.x(), place.y() - 1 * mm, 2 * half.x(), 2 * mm),
                    blend(blue, ground, bandStrength));
         line(blue, 0.4);
-        p.drawLine(place - QPointF(half, 0), place + QPointF(half, 0));
-        break;
+        return p.drawLine(place - half, place + half);
     case 5:
         line(text, 0.12, Qt::DashLine);
-        p.drawLine(place - QPointF(0, 1.5 * mm), place + QPointF(0, 1.5 * mm));
-        break;
+        return p.drawLine(place - QPointF(0, 1.5 * mm), place + QPointF(0, 1.5 * mm));
     default:
         line(blue, 0.25);
         p.setBrush(ground);
-        p.drawPolygon(triangleAt(place, markRadius));
+        return p.drawPolygon(triangleAt(place, markRadius));
     }
 }
 
@@ -242,8 +240,7 @@ constexpr std::size_t samples = 7;
 
 } // namespace
 
-FigureTransform drawTrendFigure(QPainter &painter, const QRectF &area, const TrendFigure &figure,
-                                Medium medium) {
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const TrendFigure &figure, Medium medium) {
     const bool large = figure.label.isEmpty();
     const QColor text = figureColor(FigureRole::text, medium);
     const double label = large ? 0 : labelWidth;

@@ -7,7 +7,6 @@
 namespace palmer {
 
 /// Draws a row of small trends, or a single one with its names and legend. `area` in points.
-FigureTransform drawTrendFigure(QPainter &painter, const QRectF &area, const TrendFigure &figure,
-                                Medium medium);
+FigureTransform drawKind(QPainter &painter, const QRectF &area, const TrendFigure &figure, Medium medium);
 
 } // namespace palmer

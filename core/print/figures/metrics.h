@@ -15,19 +15,19 @@ struct FrameMeasures {
     double sampleGap = 0;       ///< between a sample and its text
     double entryGap = 0;        ///< between two entries, at most
     double leastEntryGap = 0;   ///< if the legend is in one row
+    bool numbersInArea = false; ///< true: numbers of x at the ends are moved into the area
     double numbers = 3.5 * mm;  ///< centre of the numbers of x, below `numbersFrom`
     double numbersFrom = 0;     ///< below the plot
-    bool numbersInArea = false; ///< true: numbers of x at the ends are moved into the area
     double tick = 1.2 * mm;     ///< length
     double tickGap = 1.0 * mm;  ///< between a tick of y and its number
 };
 
 // clang-format off
-//                                            title     legend     sample: width, height, gap      gap, least         numbers
-inline constexpr FrameMeasures curveOnPaper  {8.1 * mm, 13.4 * mm, 10 * mm, 3 * mm,   2 * mm,   14 * mm, 3.5 * mm};
-inline constexpr FrameMeasures curveOnScreen {0,        23,        22,      3 * mm,   4.5,      18,      4.5,      9.75};
-inline constexpr FrameMeasures lineFrame     {7.4 * mm, 12 * mm,   10 * mm, 0,        2 * mm,   7 * mm,  7 * mm};
-inline constexpr FrameMeasures histogramFrame{7.8 * mm, 13 * mm,   5 * mm,  2.6 * mm, 1.5 * mm, 5 * mm,  1.5 * mm, 3.5 * mm, 0, true};
+//                                            title     legend     sample: width, height, gap  gap, least      in area
+inline constexpr FrameMeasures curveOnPaper  {8.1 * mm, 13.4 * mm, 10 * mm, 3 * mm, 2 * mm,   14 * mm, 3.5 * mm};
+inline constexpr FrameMeasures curveOnScreen {0,        23,        22,      3 * mm, 4.5,      18,  4.5, false, 9.75};
+inline constexpr FrameMeasures lineFrame     {7.4 * mm, 12 * mm,   10 * mm, 0,      2 * mm,   7 * mm,  7 * mm};
+inline constexpr FrameMeasures histogramFrame{7.8 * mm, 13 * mm, 5 * mm, 2.6 * mm, 1.5 * mm, 5 * mm, 1.5 * mm, true};
 inline constexpr FrameMeasures barFrame      {8.1 * mm};
 // clang-format on
 inline constexpr FrameMeasures trendFrame{

@@ -28,7 +28,7 @@ double widthOf(const PlotEntry &entry, const FrameMeasures &measures) {
 }
 
 PlotFrame::PlotFrame(QPainter &painter, const QRectF &area, const QRectF &plot, FigureAxis x,
-                     std::optional<FigureAxis> y, Medium medium, const FrameMeasures &measures)
+                     const std::optional<FigureAxis> &y, Medium medium, const FrameMeasures &measures)
     : p(painter)
     , m_area(area)
     , m_plot(plot)

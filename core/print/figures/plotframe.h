@@ -43,7 +43,7 @@ class PlotFrame {
 public:
     /// A figure without values on y has no `y`. Precondition: the painter outlives the frame.
     PlotFrame(QPainter &painter, const QRectF &area, const QRectF &plot, FigureAxis x,
-              std::optional<FigureAxis> y, Medium medium, const FrameMeasures &measures);
+              const std::optional<FigureAxis> &y, Medium medium, const FrameMeasures &measures);
 
     /// Prepares the painter; false if there is no room for the plot.
     [[nodiscard]] bool begin();

@@ -66,7 +66,7 @@ private slots:
             testdata::TextRecorder recorder(QSize(500, 100));
             {
                 QPainter painter(&recorder);
-                (void)drawTrendFigure(painter, QRectF(0, 0, 175 * mm, 26 * mm), figure, Medium::paper);
+                (void)drawKind(painter, QRectF(0, 0, 175 * mm, 26 * mm), figure, Medium::paper);
             }
             QVERIFY(recorder.texts.size() > 20);
             for (std::size_t i = 0; i < recorder.texts.size(); ++i) {
