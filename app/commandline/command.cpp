@@ -32,7 +32,7 @@ const Option *findOption(const Command &command, const QString &name) {
 
 /// Throws UsageError unless the value is one of the option's words, or a list of them ("fr,en") if one of the
 /// words is a list.
-void demandWord(const Option &option, const QString &given) {
+void requireWord(const Option &option, const QString &given) {
     const QStringList words = wordsOf(option);
     const auto isWord = [&words](const QString &word) { return words.contains(word); };
     const bool takesLists =
@@ -62,7 +62,7 @@ void take(Invocation &invocation, const Option &option, std::optional<QString> g
         throw UsageError({REPORT_TEXT("report", "the option %1 stands twice; it takes one value"),
                           {dashed(option).toStdString()}});
     if (given)
-        demandWord(option, *given);
+        requireWord(option, *given);
     values << given.value_or(QString());
 }
 
@@ -90,7 +90,7 @@ std::string partnersOf(const Command &command, const Option &option) {
 }
 
 /// Throws UsageError for an option without effect, instead of silently ignoring it.
-void demandEffects(const Command &command, const Invocation &invocation) {
+void requireEffects(const Command &command, const Invocation &invocation) {
     for (const Option &option : command.options) {
         if (invocation.has(QLatin1StringView(option.name)) && !hasEffect(option, invocation))
             throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
@@ -109,7 +109,7 @@ QString optionName(const QString &word) {
     return name == QLatin1StringView("h") ? QStringLiteral("help") : name; // by convention
 }
 
-void settleLanguage(Invocation &invocation) {
+void resolveLanguage(Invocation &invocation) {
     const auto chosen = invocation.value(QLatin1StringView("language")); // already checked to be a known word
     if (!chosen)
         return;
@@ -117,7 +117,7 @@ void settleLanguage(Invocation &invocation) {
     invocation.languageChosen = true;
 }
 
-void demandFiles(const Command &command, const Invocation &invocation) {
+void requireFiles(const Command &command, const Invocation &invocation) {
     const bool takesFiles = *command.arguments != 0;
     const bool needsFiles = takesFiles && *command.arguments != '[';
     if (needsFiles && invocation.arguments.isEmpty())
@@ -200,10 +200,10 @@ Invocation parseArguments(const Command &command, const QStringList &words, Lang
     }
     // A command may redefine the option as the languages of its reports.
     if (!findOwnOption(command, QStringLiteral("language")))
-        settleLanguage(result);
+        resolveLanguage(result);
     if (!result.has(QLatin1StringView("help"))) {
-        demandFiles(command, result);
-        demandEffects(command, result);
+        requireFiles(command, result);
+        requireEffects(command, result);
     }
     return result;
 }

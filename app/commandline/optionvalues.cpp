@@ -168,7 +168,7 @@ const Edition *editionCalled(const QString &word, std::optional<Kind> kind) {
                       {word.toStdString(), wordsOf(found)}});
 }
 
-void demandTestOf(const Edition &edition, const Document &document) {
+void requireTestOf(const Edition &edition, const Document &document) {
     const bool has = std::ranges::any_of(
         document.tests, [&](const TestPointer &test) { return kindOf(*test) == edition.kind; });
     if (!has)

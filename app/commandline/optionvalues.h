@@ -53,6 +53,6 @@ namespace palmer {
 [[nodiscard]] const Edition *editionAsked(const Invocation &invocation, std::optional<Kind> kind = {});
 
 /// Throws UsageError if no test has the kind of the edition, which would then have no effect.
-void demandTestOf(const Edition &edition, const Document &document);
+void requireTestOf(const Edition &edition, const Document &document);
 
 } // namespace palmer

@@ -39,8 +39,8 @@ bool isStandardOutput(const QString &file) {
 
 } // namespace
 
-void demandOutput(const Invocation &invocation, const QString &file,
-                  std::initializer_list<const char *> endings) {
+void requireOutput(const Invocation &invocation, const QString &file,
+                   std::initializer_list<const char *> endings) {
     QStringList inputs = invocation.arguments;
     if (const auto compared = invocation.value(QLatin1StringView("compare")))
         inputs.append(*compared);

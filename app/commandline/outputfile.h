@@ -20,8 +20,8 @@ constexpr Option forceOption{
 /// Throws UsageError if the output is an input of the same call, under any name, or has the ending of another
 /// kind of file than `endings` (lower case; "" and unknown endings are allowed), unless --force is given.
 /// Must be called before anything is read.
-void demandOutput(const Invocation &invocation, const QString &file,
-                  std::initializer_list<const char *> endings);
+void requireOutput(const Invocation &invocation, const QString &file,
+                   std::initializer_list<const char *> endings);
 
 /// Output files of several inputs: in the folder `output`, with the input's path and another ending. Throws
 /// UsageError if two outputs are the same file or one would overwrite an input.

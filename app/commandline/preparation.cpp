@@ -101,7 +101,7 @@ Document prepared(Document document, const Invocation &invocation) {
         document.report.editions = editionsOf(*words);
     if (isOneFile(invocation) && invocation.has(QLatin1StringView("editions"))) {
         for (const std::string &word : document.report.editions)
-            demandTestOf(*findEdition(word), document);
+            requireTestOf(*findEdition(word), document);
     }
     for (const FieldSetting &field : fieldSettings(invocation)) {
         try {

@@ -63,7 +63,7 @@ void choose(Document &document, const SimulationChoices &choices) {
     }
 }
 
-void demandEffect(const SimulationChoices &choices, const Document &document) {
+void requireEffect(const SimulationChoices &choices, const Document &document) {
     const auto simulates = [](const TestPointer &test) {
         const UncertaintyMethod *method = methodOf(*test);
         return method && *method == UncertaintyMethod::monteCarlo;

@@ -35,7 +35,7 @@ struct SimulationChoices {
 void choose(Document &document, const SimulationChoices &choices);
 
 /// Throws UsageError if the choices, already applied, have no effect on the document.
-void demandEffect(const SimulationChoices &choices, const Document &document);
+void requireEffect(const SimulationChoices &choices, const Document &document);
 
 /// Runs the simulations; shows progress on stderr if it is a terminal.
 [[nodiscard]] EvaluatedDocument simulated(EvaluatedDocument evaluated, SimulateWhich which, int threads,

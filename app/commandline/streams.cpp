@@ -32,7 +32,7 @@ QByteArray standardInput() {
     QByteArray bytes;
     for (QByteArray block = input.read(blockSize); !block.isEmpty(); block = input.read(blockSize)) {
         bytes += block;
-        demandReadable(bytes.size());
+        requireReadable(bytes.size());
     }
     if (input.error() != QFileDevice::NoError)
         throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
@@ -176,7 +176,7 @@ ImportOptions chosenOptions(const Invocation &invocation) {
             chosen[setting.left(mark).toStdString()] = setting.mid(mark + 1).toStdString();
     }
     try {
-        demandKnown(chosen);
+        requireKnown(chosen);
     } catch (const Error &error) {
         throw UsageError(error.message);
     }
@@ -258,7 +258,7 @@ Document withTests(Document document) {
 }
 
 /// Throws UsageError for a choice of the import, which has no effect on a test file.
-void demandNoChoice(const Invocation &invocation) {
+void requireNoChoice(const Invocation &invocation) {
     if (invocation.has(QLatin1StringView("profile")))
         throw UsageError(
             {REPORT_TEXT("report", "--%1 has no effect here: this is a test file, which needs no "
@@ -280,7 +280,7 @@ std::optional<Document> documentFrom(const QString &file, const Invocation &invo
     const QByteArray bytes = bytesFrom(file);
     const bool isReport = isPdf(bytes);
     if (isReport || isTestFile(bytes, file))
-        demandNoChoice(invocation);
+        requireNoChoice(invocation);
     if (isReport)
         return prepared(readDocument(readReportPdf(bytes).testFile), invocation);
     if (isTestFile(bytes, file))

@@ -112,9 +112,9 @@ private:
     [[nodiscard]] JobResult result(const Input &input, Document document) const {
         choose(document, m_choices);
         if (!m_inputs.several) {
-            demandEffect(m_choices, document);
+            requireEffect(m_choices, document);
             if (!m_edition.empty())
-                demandTestOf(*findEdition(m_edition), document);
+                requireTestOf(*findEdition(m_edition), document);
         }
         const EvaluatedDocument evaluated =
             simulated(evaluate(std::make_shared<const Document>(std::move(document)), nullptr, m_edition),

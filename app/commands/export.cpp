@@ -84,17 +84,17 @@ int encoder(const Invocation &invocation) {
     return invocation.value(QLatin1StringView("encoder")).value_or(QStringLiteral("0")).toInt();
 }
 
-void demandEnding(const Invocation &invocation, const QString &output, const QString &form) {
+void requireEnding(const Invocation &invocation, const QString &output, const QString &form) {
     if (form == QLatin1StringView("json"))
-        demandOutput(invocation, output, {"json"});
+        requireOutput(invocation, output, {"json"});
     else if (form == QLatin1StringView("linuxcnc"))
-        demandOutput(invocation, output, {"comp", "txt"});
+        requireOutput(invocation, output, {"comp", "txt"});
     else if (form == QLatin1StringView("siemens"))
-        demandOutput(invocation, output, {"mpf", "spf", "ini", "txt"});
+        requireOutput(invocation, output, {"mpf", "spf", "ini", "txt"});
     else if (form == QLatin1StringView("weihong"))
-        demandOutput(invocation, output, {"dat", "txt"});
+        requireOutput(invocation, output, {"dat", "txt"});
     else
-        demandOutput(invocation, output, {"csv", "tsv", "txt"});
+        requireOutput(invocation, output, {"csv", "tsv", "txt"});
 }
 
 CompensationOptions compensationOptions(const Invocation &invocation) {
@@ -184,7 +184,7 @@ std::optional<FoundTable> comparedTable(const Invocation &invocation) {
     }
 }
 
-void demandFormAndFiles(const Invocation &invocation) {
+void requireFormAndFiles(const Invocation &invocation) {
     if (invocation.value(QLatin1StringView("as")).value_or(QString()).isEmpty())
         throw UsageError({REPORT_TEXT("report", "the command %1 needs the option --%2 %3"),
                           {std::string("export"), std::string("as"), std::string(exportOptions[0].value)}});
@@ -196,7 +196,7 @@ void demandFormAndFiles(const Invocation &invocation) {
 }
 
 /// Throws UsageError if an assumed sign is not confirmed, or if a known one is.
-void demandSign(const Test &test, bool isConfirmed) {
+void requireSign(const Test &test, bool isConfirmed) {
     const ImportedFile *file = fileOfAssumedSign(test);
     if (isConfirmed && !file)
         throw UsageError({REPORT_TEXT(
@@ -213,8 +213,8 @@ int runExport(const Invocation &invocation) {
     const auto output = invocation.value(QLatin1StringView("o"));
     const QString form = invocation.value(QLatin1StringView("as")).value_or(QString());
     const auto compensation = compensationFormat(form);
-    demandFormAndFiles(invocation);
-    demandEnding(invocation, *output, form);
+    requireFormAndFiles(invocation);
+    requireEnding(invocation, *output, form);
     const CompensationOptions table = compensationOptions(invocation);
     if (compensation == CompensationFormat::siemens && !table.reference)
         throw UsageError(
@@ -238,7 +238,7 @@ int runExport(const Invocation &invocation) {
         } else {
             index = testIndex(invocation, evaluated.tests.size());
             if (compensation) {
-                demandSign(*evaluated.document->tests[index], table.signConfirmed);
+                requireSign(*evaluated.document->tests[index], table.signConfirmed);
                 made = compensationTable(*evaluated.document->tests[index], *evaluated.tests[index],
                                          *compensation, table);
             }

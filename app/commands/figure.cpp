@@ -153,7 +153,7 @@ int runFigure(const Invocation &invocation) {
     if (inputs.several)
         outputs = outputsInFolder(output, inputs, u'.' + ending);
     else
-        demandOutput(invocation, output, {"svg", "png", "pdf", "csv"});
+        requireOutput(invocation, output, {"svg", "png", "pdf", "csv"});
     return eachDocument(invocation, inputs, [&](const Input &input, Document document) -> JobResult {
         const EvaluatedDocument evaluated =
             evaluate(std::make_shared<const Document>(std::move(document)), nullptr, {});

@@ -5,11 +5,11 @@
 #include "commandline/outputfile.h"
 #include "commandline/preparation.h"
 #include "commandline/streams.h"
-#include "document/largepages.h"
+#include "document/hugepages.h"
 #include "document/savedocument.h"
 #include "document/sha256.h"
 #include "import/importmeasurement.h"
-#include "kernel/numerics/beside.h"
+#include "kernel/numerics/runinbackground.h"
 
 #include <QFileInfo>
 #include <algorithm>
@@ -37,7 +37,7 @@ constexpr std::array importOptions{
 /// Hash of the bytes: of a long file computed in the background, otherwise on request.
 std::future<std::string> hashOf(const QByteArray &bytes) {
     constexpr qsizetype isLong = 1 << 20;
-    return beside(bytes.size() > isLong, [bytes] { return sha256(bytes); });
+    return runInBackground(bytes.size() > isLong, [bytes] { return sha256(bytes); });
 }
 
 /// Called before a long file is read. Memory freed while reading (bytes, text, cells, readings, JSON) is
@@ -51,7 +51,7 @@ void keepMemory([[maybe_unused]] qint64 fileSize) {
     mallopt(M_MMAP_MAX, 0);
     mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
     const QByteArray room(std::min(8 * fileSize, mostAtOnce), Qt::Uninitialized);
-    inLargePages(room.constData(), static_cast<std::size_t>(room.size())); // for later allocations
+    inHugePages(room.constData(), static_cast<std::size_t>(room.size())); // for later allocations
 #endif
 }
 
@@ -65,7 +65,7 @@ int runImport(const Invocation &invocation) {
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("import"), std::string("-o OUT.palmer")}});
-    demandOutput(invocation, *output, {"palmer", "json"}); // test files are JSON
+    requireOutput(invocation, *output, {"palmer", "json"}); // test files are JSON
     const ImportOptions chosen = chosenOptions(invocation);
     const bool keep = invocation.has(QLatin1StringView("keep-original"));
     if (!canReadTemplates(invocation))

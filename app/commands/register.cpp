@@ -223,7 +223,7 @@ public:
     }
 
     int run() {
-        demandRegister(m_invocation);
+        requireRegister(m_invocation);
         Register reg = openRegisterFor(m_invocation, Register::Open::keep);
         Database &database = reg.database();
         if (m_invocation.has(QLatin1StringView("files"))) {
@@ -356,7 +356,7 @@ QString registerAddress(const Invocation &invocation) {
     return invocation.value(QLatin1StringView("register")).value_or(Register::standardPath());
 }
 
-void demandRegister(const Invocation &invocation) {
+void requireRegister(const Invocation &invocation) {
     const QString address = registerAddress(invocation);
     if (!isServerAddress(address) && !QFileInfo::exists(address))
         throw Error(

@@ -119,11 +119,11 @@ int runRegisterReport(const Invocation &invocation) {
     if (output.isEmpty())
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("register report"), std::string("-o OUT.pdf")}});
-    demandOutput(invocation, output, {"pdf"});
+    requireOutput(invocation, output, {"pdf"});
     const QStringList languages = reportLanguages(invocation);
     if (output == QLatin1StringView("-") && languages.size() > 1)
         throw UsageError({REPORT_TEXT("report", "standard output takes one report; choose --language"), {}});
-    demandRegister(invocation);
+    requireRegister(invocation);
     Register reg(registerAddress(invocation));
     const ListedMachine machine = machineCalled(reg.database(), words);
     History history =
@@ -143,7 +143,7 @@ int runRegisterReport(const Invocation &invocation) {
         files.push_back({pdf.data(), languages.size() > 1 ? withLanguage(output, name) : output});
     }
     for (const FileToSave &file : files)
-        demandOutput(invocation, file.path, {"pdf"});
+        requireOutput(invocation, file.path, {"pdf"});
     writeOutputs(files);
     return done;
 }
@@ -155,9 +155,9 @@ int runRegisterTrend(const Invocation &invocation) {
     const QString output = invocation.value(QLatin1StringView("o")).value_or(QString());
     const Form form = formOf(invocation, output);
     if (!output.isEmpty())
-        demandOutput(invocation, output, {"csv", "json", "svg", "png", "pdf"});
+        requireOutput(invocation, output, {"csv", "json", "svg", "png", "pdf"});
     const Edition *edition = editionAsked(invocation);
-    demandRegister(invocation);
+    requireRegister(invocation);
     Register reg(registerAddress(invocation));
     const ListedMachine machine = machineCalled(reg.database(), words);
     filter.machines = {machine.id};

@@ -15,7 +15,7 @@ int runRegisterTrend(const Invocation &invocation);
 int runRegisterReport(const Invocation &invocation);
 
 /// Throws Error if there is no register; the first scan creates it.
-void demandRegister(const Invocation &invocation);
+void requireRegister(const Invocation &invocation);
 
 /// Value of --register, or the register of the user.
 [[nodiscard]] QString registerAddress(const Invocation &invocation);

@@ -10,7 +10,7 @@
 #include "commandline/streams.h"
 #include "document/testsofverdict.h"
 #include "export/resultsjson.h"
-#include "kernel/numerics/beside.h"
+#include "kernel/numerics/runinbackground.h"
 #include "print/pdf/logo.h"
 #include "print/pdf/writepdf.h"
 #include "report/composereport.h"
@@ -108,10 +108,10 @@ public:
                     {REPORT_TEXT("report", "the reports of several files go into a folder; %1 is none"),
                      {output->toStdString()}});
         } else {
-            demandOutput(invocation, *output, {"pdf"});
+            requireOutput(invocation, *output, {"pdf"});
             m_outputs = {*output};
         }
-        m_selfTest = beside(true, selfTest); // once for all, while the file is read
+        m_selfTest = runInBackground(true, selfTest); // once for all, while the file is read
         if (m_inputs.several)
             m_selfTest.wait(); // no thread may run when processes are forked
     }
@@ -142,14 +142,14 @@ private:
 
     [[nodiscard]] int report(Document document, const QString &output) const {
         if (!m_inputs.several && !m_edition.empty())
-            demandTestOf(*findEdition(m_edition), document);
+            requireTestOf(*findEdition(m_edition), document);
         warnOfLength(document);
         const auto whole = std::make_shared<const Document>(std::move(document));
         const Originals originals =
             m_invocation.has(QLatin1StringView(originalsOption)) ? Originals::include : Originals::leaveOut;
         // Written during the evaluation and then compressed: for 10⁶ readings each takes longer than all
         // pages.
-        auto carried = beside(true, [&whole, originals] {
+        auto carried = runInBackground(true, [&whole, originals] {
             const QByteArray file = attachedFile(*whole, originals);
             return std::pair(file, attachmentsOf(attachedFileName(*whole), file, {}));
         });
@@ -164,8 +164,8 @@ private:
             return languages.size() > 1 ? withLanguage(output, name) : output;
         };
         for (const QString &name : languages)
-            demandOutput(m_invocation, targetOf(name), {"pdf"});
-        auto results = beside(true, [&evaluated] { return attachedResults(evaluated); });
+            requireOutput(m_invocation, targetOf(name), {"pdf"});
+        auto results = runInBackground(true, [&evaluated] { return attachedResults(evaluated); });
         auto [testFile, attachments] = carried.get();
         const ReportOptions stated{QStringLiteral("Palmer " PALMER_VERSION), m_selfTest.get(), originals,
                                    testFile};

@@ -289,12 +289,12 @@ int write(const Document &document, const QByteArray &truth, const Invocation &i
 }
 
 /// Throws UsageError if outputs have endings of other kinds of files or are the same file.
-void demandOutputs(const Invocation &invocation, const QString &output) {
-    demandOutput(invocation, output, {"palmer", "json"});
+void requireOutputs(const Invocation &invocation, const QString &output) {
+    requireOutput(invocation, output, {"palmer", "json"});
     const auto truth = invocation.value(QLatin1StringView(truthOption));
     if (!truth)
         return;
-    demandOutput(invocation, *truth, {"json"});
+    requireOutput(invocation, *truth, {"json"});
     if (isSameFile(*truth, output) ||
         QFileInfo(*truth).absoluteFilePath() == QFileInfo(output).absoluteFilePath())
         throw UsageError({REPORT_TEXT("report", "%1 and %2 would both be written as %3; choose another name"),
@@ -311,7 +311,7 @@ int runSynthesize(const Invocation &invocation) {
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("synthesize"), std::string("-o OUT.palmer")}});
-    demandOutputs(invocation, *output);
+    requireOutputs(invocation, *output);
     Document document;
     document.writtenBy = "Palmer " PALMER_VERSION;
     if (!isCircular) {

@@ -196,7 +196,7 @@ std::vector<std::pair<QString, QByteArray>> filesOf(const Invocation &invocation
     const auto chosen = dialect(invocation);
     const QString ending = QFileInfo(output).suffix().toLower();
     if (!chosen) {
-        demandOutput(invocation, output, {"palmer", "pdf", "txt"});
+        requireOutput(invocation, output, {"palmer", "pdf", "txt"});
         return {{output, planned(plans, cycle, invocation, edition, ending)}};
     }
     std::vector<std::pair<QString, QByteArray>> files;
@@ -204,7 +204,7 @@ std::vector<std::pair<QString, QByteArray>> filesOf(const Invocation &invocation
         QString path = output;
         if (one.request.zone && output != QLatin1StringView("-"))
             path.insert(output.size() - (ending.isEmpty() ? 0 : ending.size() + 1), QStringLiteral("-zone"));
-        demandOutput(invocation, path, {"nc", "ngc", "mpf", "spf", "h", "iso", "cnc", "tap", "txt"});
+        requireOutput(invocation, path, {"nc", "ngc", "mpf", "spf", "h", "iso", "cnc", "tap", "txt"});
         try {
             files.emplace_back(path, partProgram(programOf(one, cycle), *chosen, invocation.language));
         } catch (const Error &error) {

@@ -58,7 +58,7 @@ int extract(const Invocation &invocation, const QString &output) {
     if (invocation.arguments.size() != 1)
         throw UsageError(
             {REPORT_TEXT("report", "the option --%1 takes one report"), {std::string(extractOption)}});
-    demandOutput(invocation, output, {"palmer", "json"});
+    requireOutput(invocation, output, {"palmer", "json"});
     const QString file = invocation.arguments.front();
     QByteArray testFile;
     try {

@@ -20,7 +20,7 @@ std::size_t lengthOf(const std::string &utf8) {
         utf8.begin(), utf8.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) != 0x80U; }));
 }
 
-void demandLength(const std::string &text, const Place &place, unsigned demands) {
+void requireLength(const std::string &text, const Place &place, unsigned demands) {
     const std::size_t most = (demands & longText) != 0 ? mostOfText : mostOfLine;
     if ((demands & base64) != 0 || text.size() <= most)
         return;
@@ -86,7 +86,7 @@ public:
 
 private:
     static void check(const std::string &text, const Place &place, unsigned demands) {
-        demandLength(text, place, demands);
+        requireLength(text, place, demands);
     }
     static void check(const Point3 &, const Place &, unsigned) {}
     static void check(const TestPointer &test, const Place &place, unsigned demands) {
@@ -132,7 +132,7 @@ std::optional<Message> beyondBounds(double value, unsigned demands) {
                   : std::nullopt;
 }
 
-void demandBounds(const Document &document) {
+void requireBounds(const Document &document) {
     BoundsVisitor::check(document, Place(), nothing);
 }
 

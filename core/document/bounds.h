@@ -29,7 +29,7 @@ inline constexpr double mostOfExpansion = 100;      ///< magnitude of a coeffici
 [[nodiscard]] std::size_t lengthOf(QStringView text);
 
 /// Throws an Error with the place of a value beyond the bounds; valid documents can be read again.
-void demandBounds(const Document &document);
+void requireBounds(const Document &document);
 
 /// Like readDocument, without the bounds: reference data for numerical tests have readings of any size.
 [[nodiscard]] Document readUnbounded(const QByteArray &bytes);

@@ -4,7 +4,7 @@
 
 #include "document/place.h"
 
-#include "kernel/numerics/beside.h"
+#include "kernel/numerics/runinbackground.h"
 
 #include <QByteArray>
 #include <algorithm>
@@ -135,7 +135,7 @@ void JsonPrinter::listOfScalars(std::size_t count, const Print &print) {
         const std::size_t middle = count / 2;
         JsonPrinter rest(Form::lines);
         rest.m_indent = m_indent;
-        auto printed = beside(true, [&] {
+        auto printed = runInBackground(true, [&] {
             rest.newLine();
             rest.scalars(middle, count, count - middle, print);
         });

@@ -173,7 +173,7 @@ private:
     }
 
     void parseObject(json &value, const Place &place, std::size_t depth) {
-        demandDepth(depth, place);
+        requireDepth(depth, place);
         value = json::object();
         auto &object = value.get_ref<json::object_t &>();
         ++m_at;
@@ -211,7 +211,7 @@ private:
     }
 
     void parseArray(json &value, const Place &place, std::size_t depth, bool readings) {
-        demandDepth(depth, place);
+        requireDepth(depth, place);
         value = json::array();
         auto &array = value.get_ref<json::array_t &>();
         ++m_at;
@@ -252,7 +252,7 @@ private:
                REPORT_TEXT("report", "more than 10 000 000 readings or points"));
     }
 
-    static void demandDepth(std::size_t depth, const Place &place) {
+    static void requireDepth(std::size_t depth, const Place &place) {
         if (depth == depthLimit)
             refuse(Error::Kind::content, place,
                    REPORT_TEXT("report", "nested deeper than a test file can be"));

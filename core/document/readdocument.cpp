@@ -72,8 +72,8 @@ bool isBase64(std::string_view text) {
 }
 
 /// Refuses keys that are neither fields of the struct nor in `others`.
-void demandKnown(FieldKeys &fieldKeys, const json &object, const Place &place,
-                 std::initializer_list<std::string_view> others) {
+void requireKnown(FieldKeys &fieldKeys, const json &object, const Place &place,
+                  std::initializer_list<std::string_view> others) {
     auto keys = fieldKeys.take();
     keys.insert(keys.end(), others);
     for (const auto &[key, value] : object.get_ref<const json::object_t &>())
@@ -85,7 +85,7 @@ void demandKnown(FieldKeys &fieldKeys, const json &object, const Place &place,
 
 // ---- Checks beyond types -------------------------------------------------------------------------
 
-void demandEqual(std::size_t found, std::size_t expected, const Place &place) {
+void requireEqual(std::size_t found, std::size_t expected, const Place &place) {
     if (found != expected)
         refuseAt(place, REPORT_TEXT("report", "number of values found: %1; expected: %2"),
                  {countOf(found), countOf(expected)});
@@ -100,15 +100,15 @@ void check(const Interval &interval, const Place &place) {
 }
 
 void check(const TemperatureSeries &series, const Place &place) {
-    demandEqual(series.temperatures.size(), series.times.size(), Place(place, "temperatures"));
+    requireEqual(series.temperatures.size(), series.times.size(), Place(place, "temperatures"));
 }
 
 void check(const Arc &arc, const Place &place) {
-    demandEqual(arc.radialDeviations.size(), arc.angles.size(), Place(place, "radialDeviations"));
+    requireEqual(arc.radialDeviations.size(), arc.angles.size(), Place(place, "radialDeviations"));
 }
 
 void check(const DriftMeasurement &measurement, const Place &place) {
-    demandEqual(measurement.deviations.size(), measurement.times.size(), Place(place, "deviations"));
+    requireEqual(measurement.deviations.size(), measurement.times.size(), Place(place, "deviations"));
 }
 
 void check(const PositioningMeasurement &measurement, const Place &place) {
@@ -121,7 +121,7 @@ void check(const PositioningMeasurement &measurement, const Place &place) {
     const Place atRuns(place, "runs");
     for (std::size_t j = 0; j < measurement.runs.size(); ++j) {
         const Place atRun(atRuns, j);
-        demandEqual(measurement.runs[j].deviations.size(), targets.size(), Place(atRun, "deviations"));
+        requireEqual(measurement.runs[j].deviations.size(), targets.size(), Place(atRun, "deviations"));
     }
 
     const Place atExcluded(place, "excluded");
@@ -149,7 +149,7 @@ void check(const PositioningMeasurement &measurement, const Place &place) {
     }
 }
 
-void demandEdition(const std::string &word, const Place &place) {
+void requireEdition(const std::string &word, const Place &place) {
     if (!findEdition(word))
         refuseAt(place,
                  REPORT_TEXT("report", "unknown edition “%1”; expected a designation such as ISO 230-2:1988"),
@@ -165,7 +165,7 @@ void check(const CircularMeasurement &measurement, const Place &place) {
 
 void check(const Limit &limit, const Place &place) {
     if (limit.edition)
-        demandEdition(*limit.edition, Place(place, "edition"));
+        requireEdition(*limit.edition, Place(place, "edition"));
 }
 
 void check(const ReportHead &report, const Place &place) {
@@ -173,7 +173,7 @@ void check(const ReportHead &report, const Place &place) {
         refuseAt(Place(place, "languages"), REPORT_TEXT("report", "expected at least one language"));
     const Place at(place, "editions");
     for (std::size_t i = 0; i < report.editions.size(); ++i)
-        demandEdition(report.editions[i], Place(at, i));
+        requireEdition(report.editions[i], Place(at, i));
     const auto left = std::ranges::find(report.leaveOut, ReportPart::diagnosis);
     if (left != report.leaveOut.end())
         refuseAt(Place(Place(place, "leaveOut"), static_cast<std::size_t>(left - report.leaveOut.begin())),
@@ -181,7 +181,7 @@ void check(const ReportHead &report, const Place &place) {
                                        "word out of this list"));
 }
 
-void demandParameter(Kind kind, const std::string &id, const Place &place) {
+void requireParameter(Kind kind, const std::string &id, const Place &place) {
     if (!isParameter(kind, id))
         refuseAt(
             place,
@@ -195,26 +195,26 @@ void check(const Test &test, const Place &place) {
     if (!isJudged(test))
         return;
 
-    demandEdition(test.edition, Place(place, "edition"));
+    requireEdition(test.edition, Place(place, "edition"));
     if (findEdition(test.edition)->kind != kind)
         refuseAt(Place(place, "edition"), REPORT_TEXT("report", "“%1” is not for this kind of test"),
                  {test.edition});
 
     const Place atLimits(place, "limits");
     for (const auto &[id, limit] : test.limits)
-        demandParameter(kind, id, Place(atLimits, id));
+        requireParameter(kind, id, Place(atLimits, id));
     const Place atUncertainty(place, "uncertainty");
     const Place atExpanded(atUncertainty, "expanded");
     withUncertainty(test, [&](const auto &inputs) {
         for (const auto &[id, value] : inputs.expanded)
-            demandParameter(kind, id, Place(atExpanded, id));
+            requireParameter(kind, id, Place(atExpanded, id));
     });
     const Place atResults(place, "requiredResults");
     const auto *required = partOr<const std::vector<std::string> *>(
         nullptr, test.measurement,
         [](auto &m) -> decltype(&m.requiredResults) { return &m.requiredResults; });
     for (std::size_t i = 0; required && i < required->size(); ++i)
-        demandParameter(kind, (*required)[i], Place(atResults, i));
+        requireParameter(kind, (*required)[i], Place(atResults, i));
 
     const Place atPoints(place, "agreedPoints");
     std::set<std::string_view> points;
@@ -234,7 +234,7 @@ void check(const Test &test, const Place &place) {
 
 // Ids are unique, and referenced ones exist.
 void check(const Document &document, const Place &place) {
-    const auto demandNew = [](std::set<std::string_view> &ids, const std::string &id, const Place &at) {
+    const auto requireNew = [](std::set<std::string_view> &ids, const std::string &id, const Place &at) {
         if (!id.empty() && !ids.insert(id).second)
             refuseAt(Place(at, "id"), REPORT_TEXT("report", "“%1” stands here twice; expected it once"),
                      {excerpt(id)});
@@ -242,14 +242,14 @@ void check(const Document &document, const Place &place) {
     std::set<std::string_view> instruments;
     const Place atInstruments(place, "instruments");
     for (std::size_t i = 0; i < document.instruments.size(); ++i)
-        demandNew(instruments, document.instruments[i].id, Place(atInstruments, i));
+        requireNew(instruments, document.instruments[i].id, Place(atInstruments, i));
 
     std::set<std::string_view> tests;
     std::set<std::string_view> drifts;
     const Place atTests(place, "tests");
     for (std::size_t i = 0; i < document.tests.size(); ++i) {
         const Test &test = *document.tests[i];
-        demandNew(tests, test.id, Place(atTests, i));
+        requireNew(tests, test.id, Place(atTests, i));
         if (!isJudged(test) && !test.id.empty())
             drifts.insert(test.id);
     }
@@ -297,10 +297,10 @@ public:
         if (entry == m_object.end())
             return;
         const Place place(m_place, key);
-        demandObject(*entry, place);
+        requireObject(*entry, place);
         FieldKeys keys;
         members(keys);
-        demandKnown(keys, *entry, place, {});
+        requireKnown(keys, *entry, place, {});
         ObjectReader reader(*entry, place);
         members(reader);
     }
@@ -309,7 +309,7 @@ public:
         const auto entry = m_object.find(key);
         if (entry == m_object.end())
             return;
-        demandObject(*entry, Place(m_place, key));
+        requireObject(*entry, Place(m_place, key));
         text = compactJson(*entry);
     }
 
@@ -322,10 +322,10 @@ public:
     template <class Struct>
     static void readStruct(const json &value, Struct &member, const Place &place,
                            std::initializer_list<std::string_view> otherKeys) {
-        demandObject(value, place);
+        requireObject(value, place);
         FieldKeys keys;
         fields(keys, member);
-        demandKnown(keys, value, place, otherKeys);
+        requireKnown(keys, value, place, otherKeys);
         ObjectReader reader(value, place);
         fields(reader, member);
         check(member, place);
@@ -365,12 +365,12 @@ private:
             return true;
     }
 
-    static void demandObject(const json &value, const Place &place) {
+    static void requireObject(const json &value, const Place &place) {
         if (!value.is_object())
             refuseAt(place, REPORT_TEXT("report", "expected an object, in braces"));
     }
 
-    static void demandArray(const json &value, const Place &place) {
+    static void requireArray(const json &value, const Place &place) {
         if (!value.is_array())
             refuseAt(place, REPORT_TEXT("report", "expected a list, in square brackets"));
     }
@@ -379,10 +379,10 @@ private:
         if (!value.is_number())
             refuseAt(place, REPORT_TEXT("report", "expected a number"));
         member = value.get<double>();
-        demandSign(member, place, demands);
+        requireSign(member, place, demands);
     }
 
-    static void demandSign(double value, const Place &place, unsigned demands) {
+    static void requireSign(double value, const Place &place, unsigned demands) {
         if ((demands & positive) != 0 && !(value > 0))
             refuseAt(place, REPORT_TEXT("report", "expected a number greater than 0"));
         if ((demands & notNegative) != 0 && !(value >= 0))
@@ -411,7 +411,7 @@ private:
         if (!fits)
             refuseAt(place, REPORT_TEXT("report", "expected a whole number"));
         member = value.get<Integer>();
-        demandSign(static_cast<double>(member), place, demands);
+        requireSign(static_cast<double>(member), place, demands);
     }
 
     static void read(const json &value, int &member, const Place &place, unsigned demands = nothing) {
@@ -447,38 +447,38 @@ private:
         member.reset();
         if (value.is_null())
             return;
-        demandTypeOrNull(value, member, place);
+        requireTypeOrNull(value, member, place);
         read(value, member.emplace(), place, demands);
     }
 
     // The message says that null is allowed, too.
-    static void demandTypeOrNull(const json &value, const std::optional<double> &, const Place &place) {
+    static void requireTypeOrNull(const json &value, const std::optional<double> &, const Place &place) {
         if (!value.is_number())
             refuseAt(place, REPORT_TEXT("report", "expected a number or null"));
     }
     template <class Integer>
     requires std::is_integral_v<Integer>
-    static void demandTypeOrNull(const json &value, const std::optional<Integer> &, const Place &place) {
+    static void requireTypeOrNull(const json &value, const std::optional<Integer> &, const Place &place) {
         if (!value.is_number())
             refuseAt(place, REPORT_TEXT("report", "expected a whole number or null"));
     }
-    static void demandTypeOrNull(const json &value, const std::optional<bool> &, const Place &place) {
+    static void requireTypeOrNull(const json &value, const std::optional<bool> &, const Place &place) {
         if (!value.is_boolean())
             refuseAt(place, REPORT_TEXT("report", "expected true, false or null"));
     }
-    static void demandTypeOrNull(const json &value, const std::optional<std::string> &, const Place &place) {
+    static void requireTypeOrNull(const json &value, const std::optional<std::string> &, const Place &place) {
         if (!value.is_string())
             refuseAt(place, REPORT_TEXT("report", "expected a text, in quotation marks, or null"));
     }
     template <class Enumeration>
     requires std::is_enum_v<Enumeration>
-    static void demandTypeOrNull(const json &value, const std::optional<Enumeration> &, const Place &place) {
+    static void requireTypeOrNull(const json &value, const std::optional<Enumeration> &, const Place &place) {
         if (!value.is_string())
             refuseAt(place, REPORT_TEXT("report", "expected null or one of the words: %1"),
                      {words<Enumeration>()});
     }
     template <class Struct>
-    requires(std::is_class_v<Struct> && !std::is_same_v<Struct, std::string>) static void demandTypeOrNull(
+    requires(std::is_class_v<Struct> && !std::is_same_v<Struct, std::string>) static void requireTypeOrNull(
         const json &value, const std::optional<Struct> &, const Place &place) {
         if (!value.is_object())
             refuseAt(place, REPORT_TEXT("report", "expected an object, in braces, or null"));
@@ -486,7 +486,7 @@ private:
 
     template <class T>
     static void read(const json &value, std::vector<T> &member, const Place &place, unsigned = nothing) {
-        demandArray(value, place);
+        requireArray(value, place);
         const auto &entries = value.get_ref<const json::array_t &>();
         member.clear();
         member.reserve(entries.size());
@@ -502,8 +502,8 @@ private:
     }
 
     static void read(const json &value, Point3 &member, const Place &place, unsigned = nothing) {
-        demandArray(value, place);
-        demandEqual(value.size(), member.size(), place);
+        requireArray(value, place);
+        requireEqual(value.size(), member.size(), place);
         for (std::size_t i = 0; i < member.size(); ++i)
             read(value[i], member[i], Place(place, i));
     }
@@ -511,14 +511,14 @@ private:
     template <class T>
     static void read(const json &value, std::map<std::string, T> &member, const Place &place,
                      unsigned demands = nothing) {
-        demandObject(value, place);
+        requireObject(value, place);
         member.clear();
         for (const auto &[key, entry] : value.get_ref<const json::object_t &>())
             read(entry, member[key], Place(place, key), demands);
     }
 
     static void read(const json &value, TestPointer &member, const Place &place, unsigned = nothing) {
-        demandObject(value, place);
+        requireObject(value, place);
         const auto kindWord = value.find("kind");
         if (kindWord == value.end())
             refuseAt(place, REPORT_TEXT("report", "the key “%1” is missing"), {std::string("kind")});
@@ -534,7 +534,7 @@ private:
     const Place &m_place;
 };
 
-void demandFormat(const json &file) {
+void requireFormat(const json &file) {
     const auto format = file.is_object() ? file.find("format") : file.end();
     if (!file.is_object() || format == file.end() || *format != fileFormat)
         throw Error(Error::Kind::format,
@@ -621,7 +621,7 @@ void stateAgreements(json &file) {
 Document readUnbounded(const QByteArray &bytes) {
     const QByteArray text = inUtf8(bytes);
     json file = parseJson({text.constData(), static_cast<std::size_t>(text.size())});
-    demandFormat(file);
+    requireFormat(file);
     migrate(file);
     Document document;
     ObjectReader::readStruct(file, document, {}, {"format", "version"});
@@ -631,7 +631,7 @@ Document readUnbounded(const QByteArray &bytes) {
 
 Document readDocument(const QByteArray &bytes) {
     Document document = readUnbounded(bytes);
-    demandBounds(document);
+    requireBounds(document);
     return document;
 }
 

@@ -42,7 +42,7 @@ void saveBytes(const QByteArray &bytes, const QString &path) {
 }
 
 QByteArray bytesToSave(const Document &document) {
-    demandBounds(document);
+    requireBounds(document);
     QByteArray bytes = writeDocument(document);
     if (bytes.size() > largestFile)
         throw Error(
@@ -57,7 +57,7 @@ void saveDocument(const Document &document, const QString &path) {
     saveBytes(bytesToSave(document), path);
 }
 
-void demandReadable(qint64 size, qint64 limit) {
+void requireReadable(qint64 size, qint64 limit) {
     if (size > limit)
         throw Error(Error::Kind::tooLarge,
                     {REPORT_TEXT("report", "the file is larger than %1 MiB"), {mebibytes(limit)}});
@@ -77,7 +77,7 @@ QByteArray readBlocks(const QString &path, qint64 limit, ReadProgress *progress,
     if (!info.isFile()) // opening a pipe blocks until there is a writer; a device may have no end
         refuse(Error::Kind::unreadable,
                REPORT_TEXT("report", "this is a device or a pipe; expected a file on a disk"));
-    demandReadable(info.size(), limit);
+    requireReadable(info.size(), limit);
     QFile file(there.name());
     if (!file.open(QIODevice::ReadOnly | QIODevice::Unbuffered))
         refuseReading();
@@ -100,7 +100,7 @@ QByteArray readBlocks(const QString &path, qint64 limit, ReadProgress *progress,
             progress->done = done;
     }
     bytes.truncate(done);
-    demandReadable(file.size(), limit);
+    requireReadable(file.size(), limit);
     if (file.error() != QFileDevice::NoError)
         refuseReading();
     return bytes;

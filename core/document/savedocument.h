@@ -19,7 +19,7 @@ constexpr qint64 largestFile = qint64(1) << 28;
 /// seconds. The only way this program writes files.
 void saveBytes(const QByteArray &bytes, const QString &path);
 
-/// Returns the test file of a document. Throws Error(tooLarge) or the errors of demandBounds if it could not
+/// Returns the test file of a document. Throws Error(tooLarge) or the errors of requireBounds if it could not
 /// be opened again, and the errors of writeDocument.
 [[nodiscard]] QByteArray bytesToSave(const Document &document);
 
@@ -32,7 +32,7 @@ void saveDocument(const Document &document, const QString &path);
 [[nodiscard]] QByteArray readBytes(const QString &path, qint64 limit = largestFile);
 
 /// Throws the Error(tooLarge) of readBytes if `size` is above the limit.
-void demandReadable(qint64 size, qint64 limit = largestFile);
+void requireReadable(qint64 size, qint64 limit = largestFile);
 
 /// True if both names refer to one file: by device and inode, through links of any kind. Only existing
 /// regular files count.

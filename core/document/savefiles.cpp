@@ -109,7 +109,7 @@ void syncFolder(const QString &path) {
 }
 
 /// Checks what can be seen without writing.
-void demandPlace(const QString &path) {
+void requirePlace(const QString &path) {
     if (!isUtf8FileName(path))
         refuseFiles(
             REPORT_TEXT("report", "a name to save to has to be UTF-8, and this one is not; choose another"));
@@ -213,7 +213,7 @@ void renameAll(std::vector<std::unique_ptr<Staged>> &staged) {
 
 void saveFiles(const std::vector<FileToSave> &files, UnreadPipe unread) {
     for (const FileToSave &file : files)
-        forFile(file.path, [&] { demandPlace(file.path); });
+        forFile(file.path, [&] { requirePlace(file.path); });
     std::vector<std::unique_ptr<Staged>> staged;
     for (const FileToSave &file : files) {
         if (!isDevice(file.path))

@@ -152,7 +152,7 @@ const TemplatePart &partIn(const json &file) {
     return *part;
 }
 
-void demandKnownKeys(const json &file, const TemplatePart &part) {
+void requireKnownKeys(const json &file, const TemplatePart &part) {
     const bool isLimits = std::string_view(part.key) == "limits";
     for (const auto &[key, value] : file.items()) {
         const bool known = key == "format" || key == "version" || key == "name" || key == part.key ||
@@ -192,7 +192,7 @@ Template readTemplate(const QByteArray &bytes) {
     if (!file.is_object() || !file.contains("format") || file["format"] != templateFormat)
         throw Error(Error::Kind::format, {REPORT_TEXT("report", "this is no template of Palmer"), {}, {}});
     const TemplatePart &part = partIn(file);
-    demandKnownKeys(file, part);
+    requireKnownKeys(file, part);
     Template result;
     if (const auto name = file.find("name"); name != file.end()) {
         if (!name->is_string())

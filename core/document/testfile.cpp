@@ -91,7 +91,7 @@ bool isTestFileName(const QString &name) {
     return name.endsWith(QLatin1StringView(".palmer"), Qt::CaseInsensitive);
 }
 
-void demandNoTestFileName(const QString &name) {
+void requireNoTestFileName(const QString &name) {
     if (isTestFileName(name))
         throw Error(Error::Kind::unwritable,
                     {REPORT_TEXT("report", "this is the name of a test file, and what was measured would be "

@@ -17,6 +17,6 @@ namespace palmer {
 [[nodiscard]] bool isTestFile(QByteArrayView bytes, const QString &name = {});
 
 /// For writers of other formats: throws Error(unwritable) if the name is that of a test file.
-void demandNoTestFileName(const QString &name);
+void requireNoTestFileName(const QString &name);
 
 } // namespace palmer

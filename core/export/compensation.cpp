@@ -44,8 +44,8 @@ Number count(std::size_t number) {
         REPORT_TEXT("report", "the interval of a compensation is positive and gives at most 100 000 points"));
 }
 
-void demandPossible(const PositioningMeasurement &measurement, CompensationFormat format,
-                    const CompensationOptions &options) {
+void requirePossible(const PositioningMeasurement &measurement, CompensationFormat format,
+                     const CompensationOptions &options) {
     const bool csv = format == CompensationFormat::csv;
     if ((options.incremental && !csv) ||
         (options.deviations && !csv && format != CompensationFormat::weihong))
@@ -214,8 +214,8 @@ void shiftToReference(CompensationTable &table, double reference) {
     table.reverse = table.forward;
 }
 
-void demandLoadable(const CompensationTable &table, CompensationFormat format,
-                    const PositioningMeasurement &of) {
+void requireLoadable(const CompensationTable &table, CompensationFormat format,
+                     const PositioningMeasurement &of) {
     if (table.positions.size() < 2)
         refuseInterval();
     if (std::ranges::adjacent_find(table.positions, std::ranges::greater_equal()) != table.positions.end())
@@ -255,7 +255,7 @@ CompensationTable compensationTable(const Test &test, const TestEvaluation &eval
                         "doubles them: confirm that they are actual − target, or import it with "
                         "the other sign"),
             {file->fileName});
-    demandPossible(*measurement, format, options);
+    requirePossible(*measurement, format, options);
     const PositioningResults &results = resultsOf(*measurement, evaluation);
     const bool bothWays = measuredBothWays(evaluation);
     if (options.perDirection && !bothWays)
@@ -272,7 +272,7 @@ CompensationTable compensationTable(const Test &test, const TestEvaluation &eval
     table.measured = Interval{measurement->targets.front(), measurement->targets.back()};
     for (const double position : positionsOf(*measurement, format, options, closes))
         table.positions.push_back(rounded(position, positionFineness));
-    demandLoadable(table, format, *measurement);
+    requireLoadable(table, format, *measurement);
     if (closes) {
         table.period = fullTurn;
         table.measured.reset(); // the whole turn is covered

@@ -183,7 +183,7 @@ private:
     int m_number = 0;
 };
 
-void demandSense(const CycleProgram &program, Dialect dialect) {
+void requireSense(const CycleProgram &program, Dialect dialect) {
     constexpr double shortest = 0.001; // s, mm/min: limited by the digits written
     constexpr double longestOfKlartext = 3600;
     if (program.targets.empty() || program.runs < 1)
@@ -248,7 +248,7 @@ std::span<const DialectName> dialects() {
 }
 
 QByteArray partProgram(const CycleProgram &program, Dialect dialect, const Language &language) {
-    demandSense(program, dialect);
+    requireSense(program, dialect);
     ProgramWriter writer(program, dialect);
     writer.begin();
     comments(writer, program, dialect, language);

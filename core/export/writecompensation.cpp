@@ -52,7 +52,7 @@ std::string writeLinuxcnc(const CompensationTable &table) {
 }
 
 /// Throws unless a control could use this axis name: a letter, then letters and digits.
-void demandIdentifier(const std::string &name) {
+void requireIdentifier(const std::string &name) {
     constexpr std::size_t longest = 32;
     const auto isLetter = [](char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); };
     if (name.empty())
@@ -68,7 +68,7 @@ void demandIdentifier(const std::string &name) {
 }
 
 std::string writeSiemens(const CompensationTable &table, const CompensationOptions &options) {
-    demandIdentifier(table.axis);
+    requireIdentifier(table.axis);
     if (options.encoder != 0 && options.encoder != 1)
         refuseTable(
             REPORT_TEXT("report", "a SINUMERIK has the measuring systems 0 and 1 of an axis; there is no %1"),

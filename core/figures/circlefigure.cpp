@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/circlefigure.h"
 
-#include "document/largepages.h"
+#include "document/hugepages.h"
 #include "figures/extremes.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/iso230_4/circles.h"
@@ -117,7 +117,7 @@ PathProfile profile(const Arc &arc, const std::vector<std::size_t> &source, Poin
     result.sampleInterval = arc.sampleInterval;
     const auto reserve = [&](auto &values) { // 10⁶ points: 6.5 ms instead of 10
         values.reserve(source.size());
-        inLargePages(values.data(), source.size() * sizeof values.front());
+        inHugePages(values.data(), source.size() * sizeof values.front());
     };
     reserve(result.angles);
     reserve(result.deviations);

@@ -217,7 +217,7 @@ Argument nameOfWord(std::string_view key, std::string_view word) {
 
 namespace {
 
-void demandKnownValue(const std::string &key, const std::string &value) {
+void requireKnownValue(const std::string &key, const std::string &value) {
     const ImportKey *known = findImportKey(key);
     if (!known) {
         std::string list;
@@ -245,9 +245,9 @@ void demandKnownValue(const std::string &key, const std::string &value) {
 
 } // namespace
 
-void demandKnown(const ImportOptions &options) {
+void requireKnown(const ImportOptions &options) {
     for (const auto &[key, value] : options)
-        demandKnownValue(key, value);
+        requireKnownValue(key, value);
 }
 
 bool Choices::isChosen(std::string_view key) const {
@@ -268,22 +268,22 @@ std::optional<double> Choices::chosenNumber(std::string_view key) const {
     return isChosen(key) ? numberOf(chosen(key)) : std::nullopt;
 }
 
-Choice<std::string> Choices::settle(std::string_view key, std::string_view found, Origin origin) {
+Choice<std::string> Choices::resolve(std::string_view key, std::string_view found, Origin origin) {
     Choice<std::string> choice = isChosen(key) ? Choice<std::string>{std::string(chosen(key)), Origin::chosen}
                                                : Choice<std::string>{std::string(found), origin};
     remember(key, choice.value, choice.origin);
     return choice;
 }
 
-Choice<double> Choices::settleNumber(std::string_view key, double found, Origin origin) {
+Choice<double> Choices::resolveNumber(std::string_view key, double found, Origin origin) {
     const std::optional<double> number = chosenNumber(key);
     const Choice<double> choice{number.value_or(found), number ? Origin::chosen : origin};
     remember(key, shortest(choice.value), choice.origin);
     return choice;
 }
 
-std::string Choices::settleEdition(Kind kind) {
-    std::string chosen = settle("edition", defaultEdition(kind).word, Origin::recognised).value;
+std::string Choices::resolveEdition(Kind kind) {
+    std::string chosen = resolve("edition", defaultEdition(kind).word, Origin::recognised).value;
     const Edition *edition = findEdition(chosen);
     if (!edition || edition->kind != kind) {
         throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),

@@ -45,7 +45,7 @@ struct ImportKey {
 [[nodiscard]] Argument nameOfWord(std::string_view key, std::string_view word);
 
 /// Throws Error(content) for an unknown key or word, listing the known ones.
-void demandKnown(const ImportOptions &options);
+void requireKnown(const ImportOptions &options);
 
 /// A choice after reading, to be shown, confirmed or changed.
 struct ImportChoice {
@@ -74,11 +74,11 @@ public:
     [[nodiscard]] std::string_view usual(std::string_view key) const;
 
     /// Settles and remembers a choice: the user's, otherwise what was found.
-    Choice<std::string> settle(std::string_view key, std::string_view found, Origin origin);
-    Choice<double> settleNumber(std::string_view key, double found, Origin origin);
+    Choice<std::string> resolve(std::string_view key, std::string_view found, Origin origin);
+    Choice<double> resolveNumber(std::string_view key, double found, Origin origin);
     /// The edition for reading a test of the kind: the chosen one, otherwise the default. Throws
     /// Error(content) if it is of another kind.
-    std::string settleEdition(Kind kind);
+    std::string resolveEdition(Kind kind);
 
     [[nodiscard]] std::vector<ImportChoice> take() { return std::move(m_settled); }
 

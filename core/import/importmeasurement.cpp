@@ -73,14 +73,14 @@ bool couldMatter(const Imported &imported) {
 }
 
 /// Asks if the instrument has corrected to 20 °C where that matters; never assumed.
-void settleCorrection(Imported &imported, Choices &choices) {
+void resolveCorrection(Imported &imported, Choices &choices) {
     Conditions *conditions = imported.test ? conditionsOf(*imported.test) : nullptr;
     if (!conditions)
         return;
     const CorrectionTo20 stated = conditions->correctionTo20; // by a file whose format can state it
     const auto choice =
-        choices.settle("correctionTo20", fileWord(stated),
-                       stated == CorrectionTo20::notStated ? Origin::guessed : Origin::recognised);
+        choices.resolve("correctionTo20", fileWord(stated),
+                        stated == CorrectionTo20::notStated ? Origin::guessed : Origin::recognised);
     if (choice.value == "not stated")
         addRemark(imported.remarks, couldMatter(imported) ? RemarkGrade::assumption : RemarkGrade::note,
                   {REPORT_TEXT(
@@ -119,7 +119,7 @@ bool hasSense(const DriftMeasurement &measurement) {
 }
 
 /// Throws Error for numbers beyond any machine, as files may hold any number.
-void demandSense(const Test &test) {
+void requireSense(const Test &test) {
     if (!std::visit([](const auto &measurement) { return hasSense(measurement); }, test.measurement))
         throw Error(
             Error::Kind::content,
@@ -178,7 +178,7 @@ std::string wishedId(const Test &test) {
 }
 
 /// Throws Error if a test file cannot store the data: texts and readings have bounds.
-void demandStorable(const Imported &imported) {
+void requireStorable(const Imported &imported) {
     Document document;
     document.machine = imported.machine;
     document.report.operatorName = imported.operatorName;
@@ -188,11 +188,11 @@ void demandStorable(const Imported &imported) {
     Test measured = testOf(Kind::positioning);
     conditionsOf(measured)->sensors = imported.sensors;
     document.tests.push_back(std::make_shared<const Test>(std::move(measured)));
-    demandBounds(document);
+    requireBounds(document);
 }
 
 /// Throws Error if the user chose another kind than the reader's: most instrument files have only one.
-void demandKind(const Imported &imported, const Choices &choices) {
+void requireKind(const Imported &imported, const Choices &choices) {
     const char *kind = "temperatures";
     if (imported.test)
         kind = fileWord(kindOf(*imported.test));
@@ -206,11 +206,11 @@ void demandKind(const Imported &imported, const Choices &choices) {
 void readInto(Imported &imported, QByteArrayView bytes, const ImportFormat &format, Choices &choices) {
     try {
         format.read({bytes, choices.options()}, choices, imported);
-        demandKind(imported, choices);
+        requireKind(imported, choices);
         if (imported.test)
-            demandSense(*imported.test);
-        settleCorrection(imported, choices);
-        demandStorable(imported);
+            requireSense(*imported.test);
+        resolveCorrection(imported, choices);
+        requireStorable(imported);
         if (imported.test)
             questionNumbers(*imported.test, imported.remarks);
     } catch (const Error &error) {
@@ -246,8 +246,8 @@ std::string idAmong(std::vector<Instrument> &known, Instrument instrument) {
 
 Imported showMeasurement(QByteArrayView bytes, const QString &fileName, const ImportOptions &options,
                          const ImportOptions &usual) {
-    demandKnown(options);
-    demandReadable(bytes.size());
+    requireKnown(options);
+    requireReadable(bytes.size());
     if (isTestFile(bytes, fileName))
         throw Error(
             Error::Kind::format,
@@ -260,7 +260,7 @@ Imported showMeasurement(QByteArrayView bytes, const QString &fileName, const Im
     Imported imported;
     imported.format = format.word;
     Choices choices(options, usual);
-    choices.settle("format", format.word, Origin::recognised);
+    choices.resolve("format", format.word, Origin::recognised);
     readInto(imported, bytes, format, choices);
     if (imported.refusal && !showsAnything(imported))
         throw Error(*imported.refusal);

@@ -74,7 +74,7 @@ public:
     void read() {
         takeApart();
         const std::string kind = settled("kind", stated("kind"));
-        settleUnit();
+        resolveUnit();
         if (kind == fileWord(Kind::positioning))
             takeRuns();
         else if (kind == fileWord(Kind::circular))
@@ -156,11 +156,11 @@ private:
     }
 
     std::string settled(const char *choice, const std::string &found) {
-        demandKnown({{choice, found}});
-        return m_choices.settle(choice, found, Origin::recognised).value;
+        requireKnown({{choice, found}});
+        return m_choices.resolve(choice, found, Origin::recognised).value;
     }
 
-    void settleUnit() {
+    void resolveUnit() {
         const std::string word = stated(palmercsv::unit);
         const Unit *unit = unitOfSign(word);
         const std::string known = settled("unit", unit ? unit->word : word);
@@ -233,7 +233,7 @@ private:
             }
             say(path + "deviations", deviations);
         }
-        m_choices.settle("content", "deviations", Origin::recognised);
+        m_choices.resolve("content", "deviations", Origin::recognised);
         if (run == 0)
             m_statements.push_back({"runs", "[]"});
     }

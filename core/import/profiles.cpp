@@ -57,7 +57,7 @@ ImportProfiles readImportProfiles(const QString &path) {
                 refuse();
             options[word.key().toStdString()] = word.value().toString().toStdString();
         }
-        demandKnown(options);
+        requireKnown(options);
         if (hasGuesses)
             std::erase_if(options, [](const auto &option) { return isAsked(option.first); });
     }

@@ -199,7 +199,7 @@ void addAnnotations(PdfParts &result, Handle page, int number) {
 }
 
 /// Unpacks all streams once, so that their total size is known to be within the limit.
-void demandTame(QPDF &document) {
+void requireTame(QPDF &document) {
     for (Handle object : document.getAllObjects()) {
         if (!object.isStream())
             continue;
@@ -239,7 +239,7 @@ PdfParts takeApart(QPDF &document) {
     for (std::size_t i = 0; i < pages.size(); ++i)
         addAnnotations(result, pages[i], static_cast<int>(i) + 1);
     result.beside = besideThePages(document);
-    demandTame(document);
+    requireTame(document);
     if (document.anyWarnings()) // the library read on; another reader may not find the attachment
         throw std::runtime_error("damaged");
     return result;

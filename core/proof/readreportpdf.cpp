@@ -69,13 +69,13 @@ bool isPdf(QByteArrayView bytes) {
 }
 
 bool isForeignPdf(const QByteArray &pdf) {
-    demandReadable(pdf.size());
+    requireReadable(pdf.size());
     const std::optional<PdfParts> parts = partsOf(pdf);
     return parts && !parts->encrypted && !readXmp(QByteArray::fromStdString(parts->xmp));
 }
 
 ReportPdf readReportPdf(const QByteArray &pdf) {
-    demandReadable(pdf.size());
+    requireReadable(pdf.size());
     const std::optional<PdfParts> parts = partsOf(pdf);
     if (!parts)
         refuseDamaged();

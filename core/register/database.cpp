@@ -47,7 +47,7 @@ QString freshName() {
 }
 
 /// Checks a file without writing to it; throws if it is not a register.
-void demandRegister(const QString &path) {
+void requireRegister(const QString &path) {
     constexpr QByteArrayView sqlite("SQLite format 3\0", 16);
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
@@ -97,7 +97,7 @@ void openFile(QSqlDatabase &database, const QString &path) {
     if (info.exists()) {
         if (!info.isFile())
             refuseForeign();
-        demandRegister(path);
+        requireRegister(path);
     } else if (!QDir().mkpath(info.absolutePath())) {
         refuse(REPORT_TEXT("report", "the folder of the register cannot be made"), {},
                Error::Kind::unwritable);

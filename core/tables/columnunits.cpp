@@ -22,7 +22,7 @@ public:
             count(i);
         if (!m_rows.empty())
             findRow();
-        settleColumns();
+        resolveColumns();
         for (const std::uint32_t row : m_rows)
             convert(row);
     }
@@ -131,7 +131,7 @@ private:
         return std::ranges::all_of(units, isOfSame) ? finest : nullptr;
     }
 
-    void settleColumns() {
+    void resolveColumns() {
         m_table.m_units.resize(m_counts.size());
         for (std::size_t c = 0; c < m_counts.size(); ++c) {
             const Count &column = m_counts[c];

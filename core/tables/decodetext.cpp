@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tables/decodetext.h"
 
-#include "document/largepages.h"
+#include "document/hugepages.h"
 #include "tables/numbercell.h"
 
 #include <QStringDecoder>
@@ -158,7 +158,7 @@ std::string fromGb18030(std::string_view bytes) {
 }
 
 // Allows no control characters but tab, line breaks, form feed, and at the end the end mark of old systems.
-void demandText(std::string &text) {
+void requireText(std::string &text) {
     if (text.ends_with('\x1A'))
         text.pop_back();
     constexpr unsigned allowed = 1U << '\t' | 1U << '\n' | 1U << '\r' | 1U << '\f';
@@ -229,7 +229,7 @@ DecodedText decodeText(QByteArrayView bytes, std::optional<Encoding> chosen) {
             refuse(REPORT_TEXT("report", "this is no character of UTF-8; expected a text file in UTF-8"),
                    data, invalid);
         result.text.reserve(data.size());
-        inLargePages(result.text.data(), result.text.capacity());
+        inHugePages(result.text.data(), result.text.capacity());
         result.text = data;
         break;
     case Encoding::utf16LittleEndian:
@@ -244,7 +244,7 @@ DecodedText decodeText(QByteArrayView bytes, std::optional<Encoding> chosen) {
         result.text = fromGb18030(data);
         break;
     }
-    demandText(result.text);
+    requireText(result.text);
     if (withoutBlanks(result.text).empty())
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "the file is empty; expected a table of readings "

@@ -3,7 +3,7 @@
 #include "tables/table.h"
 
 #include "document/documenterror.h"
-#include "document/largepages.h"
+#include "document/hugepages.h"
 #include "tables/cellunits.h"
 #include "tables/dates.h"
 #include "tables/decodetext.h"
@@ -437,7 +437,7 @@ bool isAsGood(const Reading &best, const Reading &blanks) {
     return best.columns > 1 && best.score > nearly * blanks.score;
 }
 
-void settleForm(CellTable &table, std::string_view text, const TableOptions &options) {
+void resolveForm(CellTable &table, std::string_view text, const TableOptions &options) {
     const std::string sample = sampleOf(text);
     const bool areQuoted = sample.find(R"(",")") != std::string::npos;
     Reading best;
@@ -469,7 +469,7 @@ void settleForm(CellTable &table, std::string_view text, const TableOptions &opt
 }
 
 /// Checked before reading: a line of that length is not a table row.
-void demandLines(std::string_view text) {
+void requireLines(std::string_view text) {
     constexpr std::size_t longestLine = std::size_t(1) << 20U;
     std::size_t begin = 0;
     while (text.size() - begin > longestLine) {
@@ -486,17 +486,17 @@ void demandLines(std::string_view text) {
 void makeRoom(Scanner &scanner, std::size_t rows, std::size_t cells) {
     scanner.rows.reserve(std::min(rowLimit, rows));
     scanner.cells.reserve(std::min(cellLimit, cells));
-    inLargePages(scanner.rows.data(), scanner.rows.capacity() * sizeof(TableRow));
-    inLargePages(scanner.cells.data(), scanner.cells.capacity() * sizeof(TableCell));
+    inHugePages(scanner.rows.data(), scanner.rows.capacity() * sizeof(TableRow));
+    inHugePages(scanner.cells.data(), scanner.cells.capacity() * sizeof(TableCell));
 }
 
 } // namespace
 
 CellTable readTable(std::string text, const TableOptions &options) {
-    demandLines(text);
+    requireLines(text);
     CellTable table;
     table.m_text = std::move(text);
-    settleForm(table, table.m_text, options);
+    resolveForm(table, table.m_text, options);
     Scanner scanner(table.m_text, table.delimiter.value, table.decimalMark.value, options.comments);
     scanner.scan(sampleRows);
     if (scanner.at() < table.m_text.size()) {

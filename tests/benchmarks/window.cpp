@@ -185,7 +185,7 @@ void editExample(benchmark::State &state) {
 BENCHMARK(editExample)->Iterations(200)->Unit(benchmark::kMillisecond);
 
 /// Until the window has nothing to do any more.
-void settle(MainWindow &window) {
+void resolve(MainWindow &window) {
     const auto isMaking = [](const auto &views) {
         return std::ranges::any_of(views, [](const auto *view) { return view->isMaking(); });
     };
@@ -209,7 +209,7 @@ void editCircle(benchmark::State &state) {
     }
     const auto large = std::make_shared<const Test>(testdata::longPair(static_cast<int>(state.range(0)) / 2));
     window->model().edit("prepare", [&](Document &document) { document.tests = {large}; });
-    settle(*window);
+    resolve(*window);
     const benchmarks::LongestTurn turns;
     double longest = 0;
     int number = 0;
@@ -221,7 +221,7 @@ void editCircle(benchmark::State &state) {
                 Interval{1.0 + 0.1 * (++number % 10), 359};
             document.tests[0] = std::move(test);
         });
-        settle(*window);
+        resolve(*window);
         longest = std::max(longest, milliseconds(from));
     }
     state.counters["longest_ms"] = longest;
@@ -283,7 +283,7 @@ void openLarge(benchmark::State &state, const QByteArray &bytes, const QString &
             QApplication::processEvents(QEventLoop::WaitForMoreEvents);
             assistant = window->findChild<ImportAssistant *>();
         }
-        settle(*window);
+        resolve(*window);
         QEventLoop later; // what a window does when there is time
         QTimer::singleShot(1000, &later, &QEventLoop::quit);
         later.exec();

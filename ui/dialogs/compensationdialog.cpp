@@ -381,7 +381,7 @@ void CompensationDialog::chooseFile() {
 
 bool CompensationDialog::saveTo(const QString &path) {
     try {
-        demandNoTestFileName(path);
+        requireNoTestFileName(path);
         saveBytes(m_written, path);
     } catch (const Error &error) {
         showError(this, tr("%1 cannot be saved").arg(QFileInfo(path).fileName()), error);

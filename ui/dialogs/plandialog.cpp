@@ -486,7 +486,7 @@ Dialect PlanDialog::dialect() const {
 
 bool PlanDialog::write(const QString &path, const std::function<QByteArray()> &bytes) {
     try {
-        demandNoTestFileName(path);
+        requireNoTestFileName(path);
         saveBytes(bytes(), path);
         return true;
     } catch (const Error &error) {

@@ -567,7 +567,7 @@ QStringList ReportDialog::saveTo(const QString &path) {
                                         attachedResults(m_evaluated));
         for (std::size_t i = 0; i < m_reports.size(); ++i) {
             file = files[static_cast<qsizetype>(i)];
-            demandNoTestFileName(file);
+            requireNoTestFileName(file);
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);
             writePdf(m_reports[i], pdf, attachments);

@@ -451,7 +451,7 @@ bool FigureView::saveTo(const QString &path) {
         return false;
     const QString suffix = QFileInfo(path).suffix().toLower();
     try {
-        demandNoTestFileName(path);
+        requireNoTestFileName(path);
         saveBytes(suffix == QStringLiteral("svg")   ? figureAsSvg(shown->figure, shown->title, m_language)
                   : suffix == QStringLiteral("png") ? figureAsPng(shown->figure)
                                                     : figureAsPdf(shown->figure, shown->title),

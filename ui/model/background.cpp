@@ -4,12 +4,12 @@
 
 namespace palmer::ui {
 
-void Background::Job::tell(std::function<void()> hear) const {
+void Background::Job::post(std::function<void()> onResult) const {
     QMetaObject::invokeMethod(
         &m_place,
-        [stop = m_stop, hear = std::move(hear)] {
+        [stop = m_stop, onResult = std::move(onResult)] {
             if (!stop.stop_requested())
-                hear();
+                onResult();
         },
         Qt::QueuedConnection);
 }

@@ -21,8 +21,8 @@ public:
     class Job {
     public:
         [[nodiscard]] const std::stop_token &stop() const { return m_stop; }
-        /// Calls `hear` on the window's thread unless the job is cancelled first.
-        void tell(std::function<void()> hear) const;
+        /// Calls `onResult` on the window's thread unless the job is cancelled first.
+        void post(std::function<void()> onResult) const;
 
     private:
         friend class Background;
@@ -37,9 +37,10 @@ public:
     Background();
     ~Background();
 
-    /// Runs `work(const Job &)`, then `hear(result)` on the window's thread; `hear()` if there is no result.
-    template <class Work, class Hear>
-    void start(Work work, Hear hear);
+    /// Runs `work(const Job &)`, then `onResult(result)` on the window's thread; `onResult()` if there is no
+    /// result.
+    template <class Work, class OnResult>
+    void start(Work work, OnResult onResult);
 
     /// Discards pending jobs and callbacks. Returns at once.
     void cancel();
@@ -59,25 +60,25 @@ private:
     int m_open = 0;
 };
 
-template <class Work, class Hear>
-void Background::start(Work work, Hear hear) {
+template <class Work, class OnResult>
+void Background::start(Work work, OnResult onResult) {
     ++m_open;
     const Job job(m_place, m_stop.get_token());
-    m_thread.start([this, job, work = std::move(work), hear = std::move(hear)]() mutable {
+    m_thread.start([this, job, work = std::move(work), onResult = std::move(onResult)]() mutable {
         if (job.stop().stop_requested())
             return;
         using Result = std::invoke_result_t<Work, const Job &>;
         if constexpr (std::is_void_v<Result>) {
             work(job);
-            job.tell([this, hear = std::move(hear)]() mutable {
+            job.post([this, onResult = std::move(onResult)]() mutable {
                 --m_open;
-                hear();
+                onResult();
             });
         } else {
             auto result = std::make_shared<Result>(work(job));
-            job.tell([this, result, hear = std::move(hear)]() mutable {
+            job.post([this, result, onResult = std::move(onResult)]() mutable {
                 --m_open;
-                hear(std::move(*result));
+                onResult(std::move(*result));
             });
         }
     });

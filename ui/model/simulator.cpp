@@ -33,12 +33,12 @@ void Simulator::start(const EvaluatedDocument &evaluated, std::vector<std::size_
                                      if (told.isValid() && told.elapsed() < pauseOfProgress)
                                          return;
                                      told.start();
-                                     job.tell([this, test, progress] { show(test, progress); });
+                                     job.post([this, test, progress] { show(test, progress); });
                                  });
                 if (job.stop().stop_requested())
                     return;
                 if (result)
-                    job.tell([this, test, result] { m_evaluator.setSimulation(test, *result); });
+                    job.post([this, test, result] { m_evaluator.setSimulation(test, *result); });
             }
         },
         [this] { emit finished(true); });

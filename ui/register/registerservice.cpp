@@ -163,7 +163,7 @@ void RegisterService::start(const QStringList &places, bool isWhole, bool prune)
                 options.stop = asked.get_token();
                 options.prune = prune;
                 options.progress = [&](const ScanProgress &progress) {
-                    job.tell([this, progress] { tellProgress(progress.done, progress.total); });
+                    job.post([this, progress] { tellProgress(progress.done, progress.total); });
                 };
                 done.result = scan(reg, places, options);
             } catch (const Error &error) {

@@ -58,7 +58,7 @@ void ask(QWidget *window, const QString &title, const QStringList &forms,
     QObject::connect(dialog, &QFileDialog::fileSelected, window, [=](const QString &path) {
         QSettings().setValue(QLatin1StringView(folderSetting), QFileInfo(path).absolutePath());
         try {
-            demandNoTestFileName(path);
+            requireNoTestFileName(path);
             saveBytes(bytes(formOf()), path);
         } catch (const Error &error) {
             refuse(window, path, error);

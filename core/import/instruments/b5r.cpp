@@ -288,12 +288,12 @@ private:
                         {REPORT_TEXT("report", "the nominal length is missing; state it as nominalRadius")});
         CircularMeasurement measurement;
         measurement.nominalRadius =
-            m_choices.settleNumber("nominalRadius", m_length.value_or(0), Origin::recognised).value;
+            m_choices.resolveNumber("nominalRadius", m_length.value_or(0), Origin::recognised).value;
         if (!(measurement.nominalRadius > 0))
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "the nominal radius is not positive")});
         Test test;
-        settleCircle(measurement, test.edition, planeWord(), m_feed, m_choices, m.remarks);
-        settleReadings(measurement);
+        resolveCircle(measurement, test.edition, planeWord(), m_feed, m_choices, m.remarks);
+        resolveReadings(measurement);
         composeArcs(measurement);
         test.title = m_testName.toStdString();
         if (const auto date = isoDate(m_date)) {
@@ -339,7 +339,7 @@ private:
     }
 
     /// The file states no unit for readings: guesses it from their size and adds a remark.
-    void settleReadings(const CircularMeasurement &measurement) {
+    void resolveReadings(const CircularMeasurement &measurement) {
         double largest = 0;
         std::vector<double> sizes;
         for (const BallbarRun &run : m_runs) {
@@ -352,14 +352,14 @@ private:
         const double median = sizes[sizes.size() / 2];
         const bool absolute = std::abs(median - measurement.nominalRadius) < 0.05 * measurement.nominalRadius;
         const auto content =
-            m_choices.settle("content", absolute ? "positions" : "deviations", Origin::guessed);
+            m_choices.resolve("content", absolute ? "positions" : "deviations", Origin::guessed);
         m_absolute = content.value == "positions";
-        const auto unit = m_choices.settle("unit", m_absolute || largest < 1 ? "mm" : "um", Origin::guessed);
+        const auto unit = m_choices.resolve("unit", m_absolute || largest < 1 ? "mm" : "um", Origin::guessed);
         m_unit = unitOf(unit.value);
         if (m_unit->kind != UnitKind::length)
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "%1 cannot be %2 for a circular test"), {"unit", unit.value}});
-        const auto sign = m_choices.settle("sign", "actualMinusTarget", Origin::guessed);
+        const auto sign = m_choices.resolve("sign", "actualMinusTarget", Origin::guessed);
         m_inverted = sign.value == "targetMinusActual";
         if (content.origin == Origin::guessed || unit.origin == Origin::guessed)
             remark(RemarkGrade::assumption,
@@ -412,9 +412,9 @@ private:
         const auto match = degrees.match(m_testName);
         const double named = match.hasMatch() ? match.captured(1).toDouble() : 360;
         const Choice<double> arc =
-            m_choices.settleNumber("arc", named > 0 && named <= 720 ? named : 360, Origin::guessed);
-        const Choice<double> start = m_choices.settleNumber("startAngle", 0, Origin::guessed);
-        const Choice<double> overshoot = m_choices.settleNumber("overshoot", 0, Origin::recognised);
+            m_choices.resolveNumber("arc", named > 0 && named <= 720 ? named : 360, Origin::guessed);
+        const Choice<double> start = m_choices.resolveNumber("startAngle", 0, Origin::guessed);
+        const Choice<double> overshoot = m_choices.resolveNumber("overshoot", 0, Origin::recognised);
         if (!(arc.value > 0) || arc.value > 36'000 || overshoot.value < 0 || overshoot.value > 3600 ||
             std::abs(start.value) > 36'000)
             throw Error(Error::Kind::content,
@@ -492,7 +492,7 @@ void readBallbarXml(const ImportSource &source, Choices &choices, Imported &impo
     } catch (const Error &) {
         imported.text.clear(); // code page known to XML but not to the tables
     }
-    choices.settle("kind", "circular", Origin::recognised);
+    choices.resolve("kind", "circular", Origin::recognised);
 }
 
 } // namespace

@@ -61,7 +61,7 @@ double numberOf(std::string_view text, const Line &line) {
     return value.value;
 }
 
-void demandAscent(const CompensationTable &table) {
+void requireAscent(const CompensationTable &table) {
     if (table.positions.empty())
         refuseTable();
     if (std::ranges::adjacent_find(table.positions, std::ranges::greater_equal()) != table.positions.end())
@@ -387,7 +387,7 @@ FoundTable readLinuxcncTable(std::string_view text, LinuxcncValues values) {
             {REPORT_TEXT("report", "lines that LinuxCNC does not load, beyond 256 or not ascending: %1"),
              {Number{static_cast<double>(leftOut), Quantity::count}}});
     table.perDirection = table.forward != table.reverse;
-    demandAscent(table);
+    requireAscent(table);
     return found;
 }
 
@@ -400,7 +400,7 @@ FoundTable readSinumerikTable(std::string_view text) {
     FoundTable found = encoder ? encoderTable(assignments) : sagTable(assignments);
     if (text.find("unit=deg") != std::string_view::npos)
         found.table.motion = Motion::rotary;
-    demandAscent(found.table);
+    requireAscent(found.table);
     return found;
 }
 
@@ -437,7 +437,7 @@ FoundTable readWeihongTable(std::string_view text, bool deviations) {
         found.table.reverse.push_back(rounded(sign * numberOf(code.substr(second + 1), line), valueFineness));
     }
     found.table.perDirection = found.table.forward != found.table.reverse;
-    demandAscent(found.table);
+    requireAscent(found.table);
     if (!deviations)
         found.remarks.push_back({REPORT_TEXT(
             "report", "its values are taken as nominal − actual, the formula of the maker's manual")});
@@ -475,7 +475,7 @@ FoundTable readHeidenhainTable(std::string_view text) {
         table.reverse.push_back(rounded(down, valueFineness));
     }
     table.perDirection = table.forward != table.reverse;
-    demandAscent(table);
+    requireAscent(table);
     found.remarks.push_back({REPORT_TEXT(
         "report", "its values are taken as corrections, added to the command: their sign is not public")});
     return found;

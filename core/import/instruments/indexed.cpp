@@ -79,10 +79,10 @@ public:
     void read() {
         collect();
         std::vector<Pass> passes = passesOf();
-        m_choices.settle("content", "positions", Origin::recognised);
+        m_choices.resolve("content", "positions", Origin::recognised);
         const bool stated = m_unit != nullptr;
         const auto choice =
-            m_choices.settle("unit", stated ? m_unit : "mm", stated ? Origin::recognised : Origin::guessed);
+            m_choices.resolve("unit", stated ? m_unit : "mm", stated ? Origin::recognised : Origin::guessed);
         if (choice.origin == Origin::guessed && !m_unknownUnit)
             remark(RemarkGrade::assumption,
                    {REPORT_TEXT("report", "Unit of the positions: nothing in the file says it; read as %1."),
@@ -93,10 +93,10 @@ public:
         form.unit = unitOf(choice.value);
         form.positionUnit =
             unitOf(m_choices
-                       .settle("positionUnit", choice.value,
-                               choice.origin == Origin::guessed ? Origin::guessed : Origin::recognised)
+                       .resolve("positionUnit", choice.value,
+                                choice.origin == Origin::guessed ? Origin::guessed : Origin::recognised)
                        .value);
-        demandOneMotion(form);
+        requireOneMotion(form);
         form.sign = "actualMinusTarget";
         m.test = testFrom(measurementOf(std::move(passes), form, m.remarks), m_axis, m_choices);
     }
@@ -292,7 +292,7 @@ bool isIndexedText(QByteArrayView bytes) {
 void readIndexedText(const ImportSource &source, Choices &choices, Imported &imported) {
     imported.text = decodedText(source.bytes, choices, imported);
     IndexedReader(choices, imported).read();
-    choices.settle("kind", "positioning", Origin::recognised);
+    choices.resolve("kind", "positioning", Origin::recognised);
 }
 
 } // namespace

@@ -98,8 +98,8 @@ std::vector<Pass> passesOf(const std::vector<MeanTable> &tables, Choices &choice
             passes.back().direction = *table.direction;
         }
     }
-    const auto choice = choices.settle("directions", passes.empty() ? "positive" : "stated",
-                                       passes.empty() ? Origin::guessed : Origin::recognised);
+    const auto choice = choices.resolve("directions", passes.empty() ? "positive" : "stated",
+                                        passes.empty() ? Origin::guessed : Origin::recognised);
     if (passes.empty())
         passes.push_back(tables.front().pass);
     if (choice.value == "negative")
@@ -130,20 +130,20 @@ void readPosText(const ImportSource &source, Choices &choices, Imported &importe
     std::vector<Pass> passes = passesOf(tables, choices, imported.remarks);
     addRemark(imported.remarks, RemarkGrade::note,
               {REPORT_TEXT("report", "The file holds means of runs, not the runs: R and A say little.")});
-    choices.settle("content", "deviations", Origin::recognised);
+    choices.resolve("content", "deviations", Origin::recognised);
     PassForm form;
-    form.sign = choices.settle("sign", "actualMinusTarget", Origin::guessed).value;
+    form.sign = choices.resolve("sign", "actualMinusTarget", Origin::guessed).value;
     if (!choices.isChosen("sign"))
         addRemark(
             imported.remarks, RemarkGrade::assumption,
             {REPORT_TEXT("report",
                          "Sign: it changed between the versions of the program; read as actual − target.")},
             0, "sign");
-    form.unit = unitOf(choices.settle("unit", "mm", Origin::recognised).value);
-    form.positionUnit = unitOf(choices.settle("positionUnit", "mm", Origin::recognised).value);
-    demandOneMotion(form);
+    form.unit = unitOf(choices.resolve("unit", "mm", Origin::recognised).value);
+    form.positionUnit = unitOf(choices.resolve("positionUnit", "mm", Origin::recognised).value);
+    requireOneMotion(form);
     imported.test = testFrom(measurementOf(std::move(passes), form, imported.remarks), "", choices);
-    choices.settle("kind", "positioning", Origin::recognised);
+    choices.resolve("kind", "positioning", Origin::recognised);
 }
 
 } // namespace

@@ -127,18 +127,18 @@ Pass readTable(Imported &imported, Header &header) {
     return pass;
 }
 
-PassForm settleForm(const Header &header, Choices &choices, std::vector<Remark> &remarks) {
+PassForm resolveForm(const Header &header, Choices &choices, std::vector<Remark> &remarks) {
     PassForm form;
-    form.sign = choices.settle("sign", "targetMinusActual", Origin::guessed).value;
+    form.sign = choices.resolve("sign", "targetMinusActual", Origin::guessed).value;
     const Unit *stated = header.unit.unit;
-    form.unit = settleUnit(
+    form.unit = resolveUnit(
         "unit", header.unit, stated && stated->kind == UnitKind::length ? stated : nullptr, *unitOf("um"),
         {REPORT_TEXT("report", "Unit of the compensation values: nothing in the file says it; read as %1.")},
         choices, remarks);
     form.positionUnit = unitOf(
-        choices.settle("positionUnit", form.unit->kind == UnitKind::angle ? "deg" : "mm", Origin::recognised)
+        choices.resolve("positionUnit", form.unit->kind == UnitKind::angle ? "deg" : "mm", Origin::recognised)
             .value);
-    demandOneMotion(form);
+    requireOneMotion(form);
     return form;
 }
 
@@ -166,9 +166,9 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
         {REPORT_TEXT("report", "This is a compensation table, not a measurement: its values are read with "
                                "the opposite sign as deviations, to compare.")},
         0, "sign");
-    const PassForm form = settleForm(header, choices, imported.remarks);
+    const PassForm form = resolveForm(header, choices, imported.remarks);
     imported.test = testFrom(measurementOf({pass}, form, imported.remarks), "", choices);
-    choices.settle("kind", "positioning", Origin::recognised);
+    choices.resolve("kind", "positioning", Origin::recognised);
 }
 
 } // namespace

@@ -46,16 +46,16 @@ public:
         , m_sections(sectionsOf(imported.text)) {}
 
     void read() {
-        demandEnd();
+        requireEnd();
         readTargets();
         readDeviations();
-        settleDirections();
-        const PassForm form = settleForms();
+        resolveDirections();
+        const PassForm form = resolveForms();
         Test test;
         PositioningMeasurement measurement = measurementOf(passesInOrder(), form, m.remarks);
         readUserText(test, measurement);
         readEnvironment(measurement);
-        test.edition = m_choices.settleEdition(Kind::positioning);
+        test.edition = m_choices.resolveEdition(Kind::positioning);
         test.measurement = std::move(measurement);
         m.test = std::move(test);
         remarkIgnored();
@@ -66,7 +66,7 @@ private:
         addRemark(m.remarks, grade, std::move(message), line, choice);
     }
 
-    void demandEnd() const {
+    void requireEnd() const {
         if (!findSection(m_sections, "EOF"))
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "the file ends before “%1”: it was cut off"), {"EOF::"}});
@@ -202,7 +202,7 @@ private:
         return isNegative ? Direction::negative : Direction::positive;
     }
 
-    void settleDirections() {
+    void resolveDirections() {
         bool ordered = true;
         bool areMixed = false;
         const bool descend = targetsDescend();
@@ -217,7 +217,7 @@ private:
             found = m_oneDirection ? "positive" : "alternating";
             origin = m_oneDirection ? Origin::recognised : Origin::guessed;
         }
-        const auto choice = m_choices.settle("directions", found, origin);
+        const auto choice = m_choices.resolve("directions", found, origin);
         std::size_t j = 0;
         for (auto &[number, run] : m_runs)
             run.direction = directionOf(choice.value, run, j++);
@@ -240,7 +240,7 @@ private:
         return passes;
     }
 
-    PassForm settleForms() {
+    PassForm resolveForms() {
         const Section *header = findSection(m_sections, "HEADER");
         const std::string type =
             std::string(m_type) + ' ' +
@@ -250,26 +250,26 @@ private:
         const bool ofRotaryAxis = contains(type, "rta") || contains(type, "rot") || contains(owner, "rot");
         const bool angular = contains(type, "ang") || ofRotaryAxis;
         const bool rotary = m_choices.isChosen("motion") ? m_choices.chosen("motion") == "rotary" : angular;
-        demandRotation(angular, ofRotaryAxis);
+        requireRotation(angular, ofRotaryAxis);
         if (rotary && contains(type, "lin") && !m_choices.isChosen("unit"))
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "%1 cannot be %2 here: the file has its numbers in %3"),
                          {"motion", "rotary", "µm"}});
         askForType();
         PassForm form;
-        m_choices.settle("content", "deviations", Origin::recognised);
-        m_choices.settle("motion", rotary ? "rotary" : "linear", Origin::recognised);
+        m_choices.resolve("content", "deviations", Origin::recognised);
+        m_choices.resolve("motion", rotary ? "rotary" : "linear", Origin::recognised);
         form.content =
             m_choices.isChosen("content") ? std::string(m_choices.chosen("content")) : "deviations";
         form.positionUnit =
-            unitOf(m_choices.settle("positionUnit", rotary ? "deg" : "mm", Origin::recognised).value);
-        form.unit = unitOf(m_choices.settle("unit", rotary ? "mrad" : "um", Origin::recognised).value);
+            unitOf(m_choices.resolve("positionUnit", rotary ? "deg" : "mm", Origin::recognised).value);
+        form.unit = unitOf(m_choices.resolve("unit", rotary ? "mrad" : "um", Origin::recognised).value);
         if (form.unit->kind != form.positionUnit->kind ||
             form.unit->kind != (rotary ? UnitKind::angle : UnitKind::length))
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
                          {"unit", std::string(form.unit->word)}});
-        form.sign = m_choices.settle("sign", "actualMinusTarget", Origin::recognised).value;
+        form.sign = m_choices.resolve("sign", "actualMinusTarget", Origin::recognised).value;
         remark(
             RemarkGrade::note,
             {REPORT_TEXT("report", "Units of this format: targets in %1, deviations in %2, actual − target."),
@@ -278,7 +278,7 @@ private:
     }
 
     /// Throws for pitch and yaw: angles at positions in millimetres.
-    void demandRotation(bool angular, bool ofRotaryAxis) {
+    void requireRotation(bool angular, bool ofRotaryAxis) {
         const Section *header = findSection(m_sections, "HEADER");
         const std::string_view owner = header ? header->value("Owner").value_or("") : std::string_view();
         const bool isOwned = sameWord(owner.substr(0, 3), "ang");
@@ -348,7 +348,7 @@ private:
         m.machine.location = text("Location");
         m.operatorName = text("By");
         test.title = text("TITLE");
-        measurement.axis.name = m_choices.settle("axis", text("Axis"), Origin::recognised).value;
+        measurement.axis.name = m_choices.resolve("axis", text("Axis"), Origin::recognised).value;
         const std::string date = text("Date");
         if (date.empty())
             return;
@@ -444,7 +444,7 @@ bool isRtl(QByteArrayView bytes) {
 void readRtl(const ImportSource &source, Choices &choices, Imported &imported) {
     imported.text = decodedText(source.bytes, choices, imported);
     RtlReader(choices, imported).read();
-    choices.settle("kind", "positioning", Origin::recognised);
+    choices.resolve("kind", "positioning", Origin::recognised);
 }
 
 } // namespace

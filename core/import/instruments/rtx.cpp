@@ -129,9 +129,9 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     const std::string type = text("File Type");
     const bool angular = choices.isChosen("unit") ? unitOf(choices.chosen("unit"))->kind == UnitKind::angle
                                                   : sameWord(std::string_view(type).substr(0, 3), "ang");
-    const Unit *unit = unitOf(choices.settle("unit", angular ? "mrad" : "mm", Origin::recognised).value);
+    const Unit *unit = unitOf(choices.resolve("unit", angular ? "mrad" : "mm", Origin::recognised).value);
     DriftMeasurement drift;
-    drift.axis.name = choices.settle("axis", text("Axis"), Origin::recognised).value;
+    drift.axis.name = choices.resolve("axis", text("Axis"), Origin::recognised).value;
     drift.axis.motion = unit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
     readSamples(samples, sampling, *unit, drift);
     const auto remark = [&](RemarkGrade grade, Message message) {
@@ -164,7 +164,7 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     imported.machine.serialNumber = text("Serial No");
     imported.machine.location = text("Location");
     imported.operatorName = text("By");
-    choices.settle("kind", "drift", Origin::recognised);
+    choices.resolve("kind", "drift", Origin::recognised);
 }
 
 } // namespace

@@ -17,10 +17,10 @@ bool isLayoutOfCircles(std::string_view word) {
     return std::ranges::find(words, word) != words.end();
 }
 
-void settleCircle(CircularMeasurement &measurement, std::string &edition, std::string_view plane,
-                  std::optional<double> feed, Choices &choices, std::vector<Remark> &remarks) {
-    const auto settled = choices.settle("plane", plane.empty() ? "XY" : plane,
-                                        plane.empty() ? Origin::guessed : Origin::recognised);
+void resolveCircle(CircularMeasurement &measurement, std::string &edition, std::string_view plane,
+                   std::optional<double> feed, Choices &choices, std::vector<Remark> &remarks) {
+    const auto settled = choices.resolve("plane", plane.empty() ? "XY" : plane,
+                                         plane.empty() ? Origin::guessed : Origin::recognised);
     const std::optional<Plane> named = planeOf(settled.value);
     if (!named)
         throw Error(
@@ -32,18 +32,18 @@ void settleCircle(CircularMeasurement &measurement, std::string &edition, std::s
         addRemark(remarks, RemarkGrade::assumption,
                   {REPORT_TEXT("report", "Plane: nothing in the file says it; taken as XY.")}, 0, "plane");
     if (feed || choices.isChosen("feed")) {
-        const double value = choices.settleNumber("feed", feed.value_or(0), Origin::recognised).value;
+        const double value = choices.resolveNumber("feed", feed.value_or(0), Origin::recognised).value;
         if (value > 0)
             measurement.feed = value;
     }
-    const auto calibrated = choices.settle("calibrated", "not stated", Origin::guessed);
+    const auto calibrated = choices.resolve("calibrated", "not stated", Origin::guessed);
     if (calibrated.value != "not stated")
         measurement.referenceLength.calibrated = calibrated.value == "yes";
     else
         addRemark(remarks, RemarkGrade::assumption,
                   {REPORT_TEXT("report", "Whether the length is calibrated is not stated: F and D need it.")},
                   0, "calibrated");
-    edition = choices.settleEdition(Kind::circular);
+    edition = choices.resolveEdition(Kind::circular);
 }
 
 void unwrap(std::vector<double> &degrees) {

@@ -53,14 +53,14 @@ public:
 
     void read() {
         chooseColumns();
-        const std::string layout = settleLayout();
+        const std::string layout = resolveLayout();
         collectPaths();
         CircularMeasurement measurement;
         Test test;
         std::string plane = m.notes.plane;
         if (plane.empty() && layout == "xy")
             plane = planeOfHeadings();
-        settleCircle(measurement, test.edition, plane, m.notes.feed, m.choices, m.result.remarks);
+        resolveCircle(measurement, test.edition, plane, m.notes.feed, m.choices, m.result.remarks);
         if (layout == "deviations")
             putAtEqualSteps();
         if (layout == "xy")
@@ -88,8 +88,8 @@ public:
 private:
     void chooseColumns() {
         takeRoles();
-        const auto choice = m.choices.settle("columns", wordOf(m.result.columns),
-                                             m_question ? Origin::guessed : Origin::recognised);
+        const auto choice = m.choices.resolve("columns", wordOf(m.result.columns),
+                                              m_question ? Origin::guessed : Origin::recognised);
         if (choice.origin == Origin::chosen)
             takeChosen(choice.value);
         else if (m_question)
@@ -328,9 +328,9 @@ private:
         return {areRadii(m_seconds.front()) ? "angleRadius" : "angleDeviation", Origin::guessed};
     }
 
-    std::string settleLayout() {
+    std::string resolveLayout() {
         const Choice<std::string> found = recognisedLayout();
-        const auto choice = m.choices.settle("layout", found.value, found.origin);
+        const auto choice = m.choices.resolve("layout", found.value, found.origin);
         if (!isLayoutOfCircles(choice.value))
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for a circular test"),
                                                {nameOfChoice("layout"), nameOfWord("layout", choice.value)}});
@@ -476,8 +476,8 @@ private:
             const std::string_view word = m.choices.usual(key);
             return word.empty() ? otherwise : std::stod(std::string(word));
         };
-        const auto start = m.choices.settleNumber("startAngle", usual("startAngle", 0), Origin::guessed);
-        const auto way = m.choices.settleNumber("arc", usual("arc", wholeTurn), Origin::guessed);
+        const auto start = m.choices.resolveNumber("startAngle", usual("startAngle", 0), Origin::guessed);
+        const auto way = m.choices.resolveNumber("arc", usual("arc", wholeTurn), Origin::guessed);
         for (RawPath &path : m_paths) {
             const double extent = !path.stated                       ? way.value
                                   : *path.stated == Sense::clockwise ? -std::abs(way.value)
@@ -507,21 +507,21 @@ private:
         return column.said().isSaid() ? column.said() : m.notes.unit;
     }
 
-    const Unit *settleUnit(std::string_view key, const SaidUnit &stated, UnitKind kind, const char *guess,
-                           Text remark) {
+    const Unit *resolveUnit(std::string_view key, const SaidUnit &stated, UnitKind kind, const char *guess,
+                            Text remark) {
         const Unit *found = stated.unit && stated.unit->kind == kind ? stated.unit : nullptr;
         const Unit *unit =
-            palmer::settleUnit(key, stated, found, *unitOf(guess), {remark}, m.choices, m.result.remarks);
+            palmer::resolveUnit(key, stated, found, *unitOf(guess), {remark}, m.choices, m.result.remarks);
         if (!unit || unit->kind != kind)
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for a circular test"),
                                                {nameOfChoice(key), nameOfWord(key, m.choices.chosen(key))}});
         return unit;
     }
 
-    double settleRadius(double found, Origin origin) {
-        const auto choice = m.notes.radius
-                                ? m.choices.settleNumber("nominalRadius", *m.notes.radius, Origin::recognised)
-                                : m.choices.settleNumber("nominalRadius", found, origin);
+    double resolveRadius(double found, Origin origin) {
+        const auto choice =
+            m.notes.radius ? m.choices.resolveNumber("nominalRadius", *m.notes.radius, Origin::recognised)
+                           : m.choices.resolveNumber("nominalRadius", found, origin);
         if (!(choice.value > 0))
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "the nominal radius is not positive")});
         return choice.value;
@@ -529,8 +529,8 @@ private:
 
     void convertXy(CircularMeasurement &measurement) {
         const Unit *unit =
-            settleUnit("unit", saidFor(m.body.columns[*m_first]), UnitKind::length, "mm",
-                       REPORT_TEXT("report", "Unit of x and y: nothing in the file says it; read as %1."));
+            resolveUnit("unit", saidFor(m.body.columns[*m_first]), UnitKind::length, "mm",
+                        REPORT_TEXT("report", "Unit of x and y: nothing in the file says it; read as %1."));
         Points points;
         std::size_t count = 0;
         for (const RawPath &path : m_paths)
@@ -549,15 +549,15 @@ private:
         const bool atOrigin = std::hypot(fit.centre.x, fit.centre.y) < 0.2 * fit.radius;
         const Origin origin = atOrigin ? Origin::recognised : Origin::guessed;
         const double cx =
-            m.choices.settleNumber("centreFirst", atOrigin ? 0 : rounded(fit.centre.x, 0.1), origin).value;
+            m.choices.resolveNumber("centreFirst", atOrigin ? 0 : rounded(fit.centre.x, 0.1), origin).value;
         const double cy =
-            m.choices.settleNumber("centreSecond", atOrigin ? 0 : rounded(fit.centre.y, 0.1), origin).value;
+            m.choices.resolveNumber("centreSecond", atOrigin ? 0 : rounded(fit.centre.y, 0.1), origin).value;
         if (!atOrigin && !m.choices.isChosen("centreFirst"))
             m.remark(RemarkGrade::assumption,
                      {REPORT_TEXT("report", "Centre: nothing in the file says it; taken at %1; %2."),
                       {Number{cx, Quantity::position}, Number{cy, Quantity::position}}},
                      0, "centreFirst");
-        const double radius = settleRadius(nominalOf(fit.radius), Origin::guessed);
+        const double radius = resolveRadius(nominalOf(fit.radius), Origin::guessed);
         remarkRadius(radius);
         measurement.nominalRadius = radius;
         for (const RawPath &path : m_paths) {
@@ -617,7 +617,7 @@ private:
         AngleReference reference = AngleReference::polar;
     };
 
-    void settleAngleUnits(AngleForm &form) {
+    void resolveAngleUnits(AngleForm &form) {
         double largest = 0;
         double mean = 0;
         double size = 0;
@@ -632,17 +632,17 @@ private:
         mean /= static_cast<double>(std::max<std::size_t>(n, 1));
         form.angle = unitOf("deg");
         if (m_first)
-            form.angle = settleUnit(
+            form.angle = resolveUnit(
                 "positionUnit", m.body.columns[*m_first].said(), UnitKind::angle,
                 largest < 7 && n > 20 ? "rad" : "deg",
                 REPORT_TEXT("report", "Unit of the angles: nothing in the file says it; read as %1."));
         const TableColumn &second = m.body.columns[m_seconds.front()];
-        form.reading = settleUnit(
+        form.reading = resolveUnit(
             "unit", saidFor(second), UnitKind::length, form.radii || size < 0.5 ? "mm" : "um",
             REPORT_TEXT("report", "Unit of the radial deviations: nothing in the file says it; read as %1."));
         constexpr double anyRadius = 150; // to continue reading, as deviations do not depend on it
         form.radius =
-            settleRadius(form.radii ? nominalOf(form.reading->toBase(mean)) : anyRadius, Origin::guessed);
+            resolveRadius(form.radii ? nominalOf(form.reading->toBase(mean)) : anyRadius, Origin::guessed);
         if (form.radii)
             remarkRadius(form.radius);
         else if (!m.choices.isChosen("nominalRadius") && !m.notes.radius)
@@ -653,10 +653,10 @@ private:
     }
 
     /// A radial deviation is positive outwards; the other sign is a choice.
-    void settleRadialSign(AngleForm &form) {
+    void resolveRadialSign(AngleForm &form) {
         if (form.radii)
             return;
-        const auto sign = m.choices.settle("sign", "actualMinusTarget", Origin::guessed);
+        const auto sign = m.choices.resolve("sign", "actualMinusTarget", Origin::guessed);
         form.inverted = sign.value == "targetMinusActual";
         if (sign.origin == Origin::guessed)
             m.remark(RemarkGrade::note,
@@ -664,8 +664,8 @@ private:
                      "sign");
     }
 
-    void settleReference(AngleForm &form) {
-        const auto reference = m.choices.settle("angleReference", "polar", Origin::guessed);
+    void resolveReference(AngleForm &form) {
+        const auto reference = m.choices.resolve("angleReference", "polar", Origin::guessed);
         form.reference = reference.value == "commanded" ? AngleReference::commanded : AngleReference::polar;
         if (reference.origin == Origin::guessed)
             m.remark(
@@ -678,9 +678,9 @@ private:
 
     void convertAngles(CircularMeasurement &measurement, bool radii) {
         AngleForm form{radii};
-        settleAngleUnits(form);
-        settleRadialSign(form);
-        settleReference(form);
+        resolveAngleUnits(form);
+        resolveRadialSign(form);
+        resolveReference(form);
         measurement.nominalRadius = form.radius;
         for (RawPath &path : m_paths) {
             Arc arc;

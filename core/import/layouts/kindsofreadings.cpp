@@ -71,7 +71,7 @@ private:
         };
         const bool isEither = has(TestRole::asFound) && has(TestRole::asLeft);
         if (isEither && !m.choices.isChosen("columns")) {
-            m.stateFound = settleState(m);
+            m.stateFound = resolveState(m);
             setAside([this](std::size_t c) { return words(c).state == m.stateFound; });
         } else if (has(TestRole::asFound) || has(TestRole::asLeft)) {
             m.stateFound = has(TestRole::asLeft) ? TestRole::asLeft : TestRole::asFound;

@@ -4,7 +4,7 @@
 
 #include "document/documenterror.h"
 #include "document/place.h"
-#include "kernel/numerics/beside.h"
+#include "kernel/numerics/runinbackground.h"
 
 #include <algorithm>
 #include <array>
@@ -173,8 +173,8 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
     for (std::size_t j = 0; j < passes.size(); j += 2) {
         std::future<SortedPass> second;
         if (j + 1 < passes.size())
-            second = beside(positions.size() > isLong,
-                            [&, j] { return sortedPass(passes[j + 1], positions, deviations); });
+            second = runInBackground(positions.size() > isLong,
+                                     [&, j] { return sortedPass(passes[j + 1], positions, deviations); });
         take(sortedPass(passes[j], positions, deviations));
         if (second.valid())
             take(second.get());
@@ -201,13 +201,13 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
 
 Test testFrom(PositioningMeasurement measurement, std::string_view axis, Choices &choices) {
     Test test;
-    measurement.axis.name = choices.settle("axis", axis, Origin::recognised).value;
-    test.edition = choices.settleEdition(Kind::positioning);
+    measurement.axis.name = choices.resolve("axis", axis, Origin::recognised).value;
+    test.edition = choices.resolveEdition(Kind::positioning);
     test.measurement = std::move(measurement);
     return test;
 }
 
-void demandOneMotion(const PassForm &form) {
+void requireOneMotion(const PassForm &form) {
     if (form.unit->kind != form.positionUnit->kind)
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
@@ -296,11 +296,11 @@ public:
         , m_farthest(range.readings > 0 ? std::max(std::abs(range.low), std::abs(range.high)) : 0)
         , m_followTargets(range.arePositions()) {}
 
-    PassForm settle() {
-        settleContent();
-        settleMotion();
-        settleUnits();
-        settleSign();
+    PassForm resolve() {
+        resolveContent();
+        resolveMotion();
+        resolveUnits();
+        resolveSign();
         return m_form;
     }
 
@@ -309,7 +309,7 @@ private:
         addRemark(m_remarks, RemarkGrade::assumption, std::move(message), 0, std::string(choice));
     }
 
-    void settleContent() {
+    void resolveContent() {
         const bool anyValue = m_low <= m_high;
         // Readings in a smaller unit than the targets are not positions.
         const Unit *unit = m_stated.unit.unit;
@@ -321,11 +321,11 @@ private:
         const bool contradicted = m_stated.content == "positions" && !m_followTargets && anyValue && areSmall;
         const std::string stated = contradicted ? std::string() : m_stated.content;
         const bool known = !stated.empty() || ((isSmall || areNoPositions()) && !contradicted) || !anyValue;
-        const auto settled = m_choices.settle("content",
-                                              !stated.empty()   ? stated
-                                              : m_followTargets ? "positions"
-                                                                : "deviations",
-                                              known ? Origin::recognised : Origin::guessed);
+        const auto settled = m_choices.resolve("content",
+                                               !stated.empty()   ? stated
+                                               : m_followTargets ? "positions"
+                                                                 : "deviations",
+                                               known ? Origin::recognised : Origin::guessed);
         m_form.content = settled.value;
         m_positions = m_form.content == "positions";
         if (settled.origin == Origin::guessed)
@@ -359,7 +359,7 @@ private:
     }
 
     /// Settles the motion: the chosen one, otherwise from the units; if they differ, from the file's.
-    void settleMotion() {
+    void resolveMotion() {
         const auto position = kindOf("positionUnit", m_stated.positionUnit);
         const auto reading = kindOf("unit", m_stated.unit);
         const Unit *said = m_stated.positionUnit.unit ? m_stated.positionUnit.unit : m_stated.unit.unit;
@@ -368,15 +368,15 @@ private:
             kind = said ? std::optional(said->kind) : position;
         if (m_choices.isChosen("motion")) {
             kind = m_choices.chosen("motion") == "rotary" ? UnitKind::angle : UnitKind::length;
-            demandUnitsOf(*kind);
+            requireUnitsOf(*kind);
         }
         m_angular = kind == UnitKind::angle;
-        m_choices.settle("motion", m_angular ? "rotary" : "linear",
-                         kind ? Origin::recognised : Origin::guessed);
+        m_choices.resolve("motion", m_angular ? "rotary" : "linear",
+                          kind ? Origin::recognised : Origin::guessed);
     }
 
     /// A chosen motion does not override stated units; the user must choose these too.
-    void demandUnitsOf(UnitKind kind) const {
+    void requireUnitsOf(UnitKind kind) const {
         const std::array stated{std::pair("positionUnit", &m_stated.positionUnit),
                                 std::pair("unit", &m_stated.unit)};
         for (const auto &[key, said] : stated) {
@@ -392,13 +392,13 @@ private:
         return candidate && candidate->kind == kind ? candidate : nullptr;
     }
 
-    const Unit *settleUnit(std::string_view key, const SaidUnit &said, const Unit *guess, Text question) {
+    const Unit *resolveUnit(std::string_view key, const SaidUnit &said, const Unit *guess, Text question) {
         if (m_choices.isChosen(key) && !fitting(unitOf(m_choices.chosen(key))))
             throw Error(Error::Kind::content,
                         {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
                          {nameOfChoice(key), nameOfWord(key, m_choices.chosen(key))}});
         const bool isUnclear = key == "unit" && !m_positions && !isClearSize();
-        return palmer::settleUnit(
+        return palmer::resolveUnit(
             key, said, fitting(said.unit), *guess,
             {question, isUnclear ? RemarkGrade::problem : RemarkGrade::assumption, contradiction(said, key)},
             m_choices, m_remarks);
@@ -429,9 +429,9 @@ private:
         return isBase && size > 0 && (size < smallest || size >= largest);
     }
 
-    void settleUnits() {
+    void resolveUnits() {
         const Unit *base = unitOf(m_angular ? "deg" : "mm");
-        m_form.positionUnit = settleUnit(
+        m_form.positionUnit = resolveUnit(
             "positionUnit",
             m_stated.positionUnit.isSaid() ? m_stated.positionUnit
             : m_positions                  ? SaidUnit{fitting(m_stated.unit.unit)}
@@ -442,7 +442,7 @@ private:
         constexpr double finestGuess = 0.5; // no deviation is half a millimetre or degree
         const Unit *small = unitOf(m_angular ? "arcsec" : "um");
         const Unit *guess = m_positions ? m_form.positionUnit : largest < finestGuess ? base : small;
-        m_form.unit = settleUnit(
+        m_form.unit = resolveUnit(
             "unit", m_stated.unit, guess,
             m_positions
                 ? REPORT_TEXT("report", "Unit of the positions: nothing in the file says it; read as %1.")
@@ -450,17 +450,17 @@ private:
                                         "after their size."));
     }
 
-    void settleSign() {
+    void resolveSign() {
         m_form.sign = "actualMinusTarget";
         if (m_positions)
             return;
         const bool proven = !m_stated.sign.empty();
         const bool said = !proven && !m_stated.said.sign.empty();
-        const auto sign = m_choices.settle("sign",
-                                           proven ? m_stated.sign
-                                           : said ? m_stated.said.sign
-                                                  : std::string_view(m_form.sign),
-                                           proven ? Origin::recognised : Origin::guessed);
+        const auto sign = m_choices.resolve("sign",
+                                            proven ? m_stated.sign
+                                            : said ? m_stated.said.sign
+                                                   : std::string_view(m_form.sign),
+                                            proven ? Origin::recognised : Origin::guessed);
         m_form.sign = sign.value;
         if (sign.origin == Origin::guessed && said)
             ask({sign.value == "targetMinusActual"
@@ -510,12 +510,12 @@ Message unreadable(std::string_view choice, const SaidUnit &said) {
 
 } // namespace
 
-const Unit *settleUnit(std::string_view choice, const SaidUnit &said, const Unit *found, const Unit &guess,
-                       const UnitQuestion &question, Choices &choices, std::vector<Remark> &remarks) {
+const Unit *resolveUnit(std::string_view choice, const SaidUnit &said, const Unit *found, const Unit &guess,
+                        const UnitQuestion &question, Choices &choices, std::vector<Remark> &remarks) {
     if (!found && !said.isSaid())
         found = unitOf(choices.usual(choice));
-    const auto settled = choices.settle(choice, found ? found->word : guess.word,
-                                        found ? Origin::recognised : Origin::guessed);
+    const auto settled = choices.resolve(choice, found ? found->word : guess.word,
+                                         found ? Origin::recognised : Origin::guessed);
     const Unit *unit = unitOf(settled.value);
     if (settled.origin == Origin::guessed && said.isSaid())
         addRemark(remarks, RemarkGrade::problem, question.contradiction.value_or(unreadable(choice, said)), 0,
@@ -526,9 +526,9 @@ const Unit *settleUnit(std::string_view choice, const SaidUnit &said, const Unit
     return unit;
 }
 
-PassForm settleForm(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
-                    std::vector<Remark> &remarks) {
-    return FormSettler(passRange(passes), stated, choices, remarks).settle();
+PassForm resolveForm(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
+                     std::vector<Remark> &remarks) {
+    return FormSettler(passRange(passes), stated, choices, remarks).resolve();
 }
 
 } // namespace palmer

@@ -49,7 +49,7 @@ struct PassForm {
 [[nodiscard]] Test testFrom(PositioningMeasurement measurement, std::string_view axis, Choices &choices);
 
 /// Throws Error unless the units of readings and positions are both lengths or both angles.
-void demandOneMotion(const PassForm &form);
+void requireOneMotion(const PassForm &form);
 
 /// Adds targets of a list that a pass lacks as missing readings, so that targets without reading are kept.
 void addMissing(Pass &pass, std::span<const double> targets);
@@ -80,12 +80,12 @@ struct UnitQuestion {
 
 /// Settles the unit of a choice: the user's, otherwise `found` (the stated one, if usable), otherwise the
 /// usual one if none is stated, otherwise `guess` with its question. Null if the user's is not a unit.
-const Unit *settleUnit(std::string_view choice, const SaidUnit &said, const Unit *found, const Unit &guess,
-                       const UnitQuestion &question, Choices &choices, std::vector<Remark> &remarks);
+const Unit *resolveUnit(std::string_view choice, const SaidUnit &said, const Unit *found, const Unit &guess,
+                        const UnitQuestion &question, Choices &choices, std::vector<Remark> &remarks);
 
 /// Settles content, unit, positionUnit, sign and motion of passes: as stated in the file, otherwise guessed
 /// with a question.
-[[nodiscard]] PassForm settleForm(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
-                                  std::vector<Remark> &remarks);
+[[nodiscard]] PassForm resolveForm(const std::vector<Pass> &passes, const StatedForm &stated,
+                                   Choices &choices, std::vector<Remark> &remarks);
 
 } // namespace palmer

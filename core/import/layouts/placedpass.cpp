@@ -106,12 +106,12 @@ Message questionFor(std::string_view word, const FoundPasses &found,
 
 } // namespace
 
-void settleDirections(FoundPasses &found, TableReading &reading) {
+void resolveDirections(FoundPasses &found, TableReading &reading) {
     std::vector<PlacedPass> &passes = found.passes;
     const bool stated =
         std::ranges::all_of(passes, [](const PlacedPass &p) { return p.direction.has_value(); });
     const Origin origin = stated && !found.hasHints ? Origin::recognised : Origin::guessed;
-    const auto choice = reading.choices.settle("directions", stated ? "stated" : guessOf(passes), origin);
+    const auto choice = reading.choices.resolve("directions", stated ? "stated" : guessOf(passes), origin);
     if (choice.value == "stated" && !stated)
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "the file does not say which runs are ↑ and which ↓; choose "

@@ -44,7 +44,7 @@ struct FoundPasses {
 };
 
 /// Settles the directions of all passes: as stated by the table or chosen, otherwise guessed with a question.
-void settleDirections(FoundPasses &found, TableReading &reading);
+void resolveDirections(FoundPasses &found, TableReading &reading);
 
 /// Orders the passes by run numbers that count both directions, otherwise alternating directions, with a
 /// remark if the table has another order.

@@ -91,11 +91,11 @@ void placeOwnTargets(PositioningColumns &columns) {
 }
 
 /// Settles the columns: the user's choice, otherwise what was found, with its question.
-void settle(ColumnSearch &search) {
+void resolve(ColumnSearch &search) {
     TableReading &m = search.reading;
     const std::string found = wordOf(search.result.columns);
     const auto choice =
-        m.choices.settle("columns", found, search.question ? Origin::guessed : Origin::recognised);
+        m.choices.resolve("columns", found, search.question ? Origin::guessed : Origin::recognised);
     if (choice.origin == Origin::chosen)
         takeChosenColumns(search, choice.value);
     else if (search.question)
@@ -123,12 +123,12 @@ PositioningColumns positioningColumns(TableReading &reading) {
     takeDirectionsOfHeadings(search);
     findOwnTargets(search);
     proveSign(search);
-    settle(search);
+    resolve(search);
     return std::move(search.result);
 }
 
-TestRole settleState(TableReading &reading) {
-    const auto choice = reading.choices.settle("state", "asFound", Origin::guessed);
+TestRole resolveState(TableReading &reading) {
+    const auto choice = reading.choices.resolve("state", "asFound", Origin::guessed);
     const bool isLeft = choice.value == "asLeft";
     reading.remark(
         RemarkGrade::problem,

@@ -33,7 +33,7 @@ struct PositioningColumns {
 [[nodiscard]] PositioningColumns positioningColumns(TableReading &reading);
 
 /// Settles which readings to read if a table has some before and some after an adjustment, with its question.
-[[nodiscard]] TestRole settleState(TableReading &reading);
+[[nodiscard]] TestRole resolveState(TableReading &reading);
 
 /// The question which of several axes in a table to read.
 [[nodiscard]] Remark askForAxis(const std::vector<std::string> &axes, const std::string &axis);

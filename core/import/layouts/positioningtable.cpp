@@ -84,7 +84,7 @@ bool looksLikeRunsDown(const TableReading &reading) {
     return first.size() > 2 && isStrictlyMonotone(first) && !isStrictlyMonotone(column);
 }
 
-std::string settleLayout(TableReading &reading) {
+std::string resolveLayout(TableReading &reading) {
     const TableBody &body = reading.body;
     const auto head = body.blocks.front().numericHead;
     std::string found = body.columnOf(ColumnKind::directions) ? "list" : "targetsDown";
@@ -100,7 +100,7 @@ std::string settleLayout(TableReading &reading) {
         found = "runsDown";
         origin = Origin::guessed;
     }
-    const auto choice = reading.choices.settle("layout", found, origin);
+    const auto choice = reading.choices.resolve("layout", found, origin);
     if (choice.value != "targetsDown" && choice.value != "runsDown" && choice.value != "list")
         throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for a positioning test"),
                                            {nameOfChoice("layout"), nameOfWord("layout", choice.value)}});
@@ -196,21 +196,21 @@ bool hasReading(const PlacedPass &placed) {
 } // namespace
 
 void readPositioning(TableReading &reading) {
-    const std::string layout = settleLayout(reading);
+    const std::string layout = resolveLayout(reading);
     FoundPasses found = layout == "runsDown" ? readRunsDown(reading) : readTargetsDown(reading);
     if (std::ranges::none_of(found.passes, hasReading))
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "there are no readings in it; expected target "
                                            "positions and deviations")});
     askForOtherQuantity(reading);
-    settleDirections(found, reading);
+    resolveDirections(found, reading);
     colour(found.passes, reading);
     std::vector<Pass> passes = inOrder(std::move(found.passes), reading);
     // "Unit: µm" above positions belongs to something else, so the unit is asked.
     const SaidUnit &noted = reading.notes.unit;
     const bool isTooSmall = noted.unit && noted.unit->toBase(1) < 1 && arePositions(passes);
     const SaidUnit unit = found.unit.isSaid() || isTooSmall ? found.unit : noted;
-    const PassForm form = settleForm(
+    const PassForm form = resolveForm(
         passes,
         {found.content, found.sign, unit, found.positionUnit, signOf(reading), namesCorrection(reading)},
         reading.choices, reading.result.remarks);

@@ -188,7 +188,7 @@ private:
                                               : ColumnRole::ignored;
             m.result.columns.push_back(column);
         }
-        m.choices.settle("columns", wordOf(m.result.columns), Origin::recognised);
+        m.choices.resolve("columns", wordOf(m.result.columns), Origin::recognised);
     }
 
     TableReading &m;

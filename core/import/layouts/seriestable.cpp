@@ -41,7 +41,7 @@ public:
 
     void read() {
         chooseColumns();
-        const auto layout = m.choices.settle("layout", "series", Origin::recognised);
+        const auto layout = m.choices.resolve("layout", "series", Origin::recognised);
         if (layout.value != "series")
             throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for values over time"),
                                                {nameOfChoice("layout"), nameOfWord("layout", layout.value)}});
@@ -63,8 +63,8 @@ private:
         m_time = m_clock ? *m_clock : timeColumn();
         m.result.columns[m_time].role = ColumnRole::time;
         chooseValues();
-        const auto choice = m.choices.settle("columns", wordOf(m.result.columns),
-                                             m_question ? Origin::guessed : Origin::recognised);
+        const auto choice = m.choices.resolve("columns", wordOf(m.result.columns),
+                                              m_question ? Origin::guessed : Origin::recognised);
         if (choice.origin == Origin::chosen)
             takeChosen(choice.value);
         else if (m_question)
@@ -173,7 +173,7 @@ private:
             m_names = c;
             const std::string chosen(m.choices.chosen("series"));
             m_series = std::ranges::find(names, chosen) != names.end() ? chosen : names.front();
-            m.choices.settle("series", m_series, names.size() > 1 ? Origin::guessed : Origin::recognised);
+            m.choices.resolve("series", m_series, names.size() > 1 ? Origin::guessed : Origin::recognised);
             if (names.size() < 2)
                 return;
             Remark remark{RemarkGrade::assumption,
@@ -217,13 +217,13 @@ private:
     }
 
     /// Settles the unit of the times; returns it in seconds.
-    double settleTimeUnit() {
+    double resolveTimeUnit() {
         SaidUnit said = m.body.columns[m_time].said();
         if (!said.isSaid())
             said = lastWord(m.body.columns[m_time].heading);
         const bool isTime = said.unit && said.unit->kind == UnitKind::time;
         // Milliseconds are a unit of files, not a choice.
-        return settleUnit(
+        return resolveUnit(
                    "timeUnit", said, isTime ? said.unit : nullptr, *unitOf("s"),
                    {REPORT_TEXT("report", "Unit of the times: nothing in the file says it; read as %1.")},
                    m.choices, m.result.remarks)
@@ -231,7 +231,7 @@ private:
     }
 
     void readTimes() {
-        collectTimes(m_clock ? 1 : settleTimeUnit());
+        collectTimes(m_clock ? 1 : resolveTimeUnit());
         if (m_times.size() < 2 && !m.choices.isChosen("layout"))
             throw Error(
                 Error::Kind::content,
@@ -269,7 +269,7 @@ private:
     }
 
     void readTemperatures() {
-        m.choices.settle("kind", "temperatures", Origin::recognised);
+        m.choices.resolve("kind", "temperatures", Origin::recognised);
         bool air = false;
         for (const std::size_t column : m_values) {
             Sensor sensor;
@@ -347,7 +347,7 @@ private:
         const bool rotary = m.choices.isChosen("motion") ? m.choices.chosen("motion") == "rotary"
                                                          : known && stated->kind == UnitKind::angle;
         const char *guess = rotary ? "arcsec" : std::max(std::abs(low), std::abs(high)) < 0.5 ? "mm" : "um";
-        const Unit *unit = settleUnit(
+        const Unit *unit = resolveUnit(
             "unit", said, known ? stated : nullptr, *unitOf(guess),
             {REPORT_TEXT(
                 "report",
@@ -356,7 +356,7 @@ private:
         for (const double value : values)
             drift.deviations.push_back(unit->toBase(value));
         drift.axis.motion = unit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
-        drift.axis.name = m.choices.settle("axis", m.notes.axis, Origin::recognised).value;
+        drift.axis.name = m.choices.resolve("axis", m.notes.axis, Origin::recognised).value;
         m.remark(RemarkGrade::note,
                  {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
                   {Number{static_cast<double>(drift.times.size()), Quantity::count},

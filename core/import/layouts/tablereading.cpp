@@ -56,7 +56,7 @@ void TableReading::askForTable() {
     result.tables = body.tables;
     result.readTable = body.table;
     const std::string read = std::to_string(body.table + 1);
-    const auto choice = choices.settle("table", read, Origin::guessed);
+    const auto choice = choices.resolve("table", read, Origin::guessed);
     if (choice.origin == Origin::chosen && choice.value != read)
         throw Error(Error::Kind::content,
                     {REPORT_TEXT("report", "%1 cannot be %2; the file has %3 of them"),

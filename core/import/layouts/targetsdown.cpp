@@ -155,7 +155,7 @@ private:
         }
         m_hasStates = found && left && m.stateFound == TestRole::notStated;
         if (m_hasStates)
-            m.stateFound = settleState(m);
+            m.stateFound = resolveState(m);
         else if ((found || left) && m.stateFound == TestRole::notStated)
             m.stateFound = left ? TestRole::asLeft : TestRole::asFound;
     }

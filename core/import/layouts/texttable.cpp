@@ -239,8 +239,8 @@ void keepLines(CellTable &table, std::string_view lines) {
 
 std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &imported) {
     DecodedText decoded = decodeText(bytes, chosenOf<Encoding>(encodings, choices.chosen("encoding")));
-    choices.settle("encoding", encodings[static_cast<std::size_t>(decoded.encoding.value)],
-                   decoded.encoding.origin);
+    choices.resolve("encoding", encodings[static_cast<std::size_t>(decoded.encoding.value)],
+                    decoded.encoding.origin);
     if (decoded.encoding.origin == Origin::guessed)
         addRemark(imported.remarks, RemarkGrade::assumption,
                   {decoded.encoding.value == Encoding::gb18030
@@ -252,13 +252,13 @@ std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &import
 
 void readMeasurementTable(Choices &choices, Imported &imported) {
     if (choices.isChosen("lines"))
-        keepLines(imported.table, choices.settle("lines", {}, Origin::chosen).value);
+        keepLines(imported.table, choices.resolve("lines", {}, Origin::chosen).value);
     imported.table.takeUnits();
     setStatementsAside(imported.table);
     TableReading reading(imported, choices);
     Origin origin = Origin::recognised;
     const std::string found = kindOf(reading, origin);
-    const auto kind = choices.settle("kind", found, origin);
+    const auto kind = choices.resolve("kind", found, origin);
     if (kind.origin == Origin::guessed)
         reading.remark(
             RemarkGrade::assumption,
@@ -307,10 +307,10 @@ void readTextTable(const ImportSource &source, Choices &choices, Imported &impor
     options.decimalMark = chosenOf<DecimalMark>(marks, choices.chosen("decimalMark"));
     imported.table = readTable(std::move(text), options);
     const CellTable &table = imported.table;
-    choices.settle("delimiter", delimiters[static_cast<std::size_t>(table.delimiter.value)],
-                   table.delimiter.origin);
-    choices.settle("decimalMark", marks[static_cast<std::size_t>(table.decimalMark.value)],
-                   table.decimalMark.origin);
+    choices.resolve("delimiter", delimiters[static_cast<std::size_t>(table.delimiter.value)],
+                    table.delimiter.origin);
+    choices.resolve("decimalMark", marks[static_cast<std::size_t>(table.decimalMark.value)],
+                    table.decimalMark.origin);
     if (table.decimalMark.origin == Origin::guessed || table.delimiter.origin == Origin::guessed)
         addRemark(
             imported.remarks, RemarkGrade::assumption,

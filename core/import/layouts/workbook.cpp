@@ -652,7 +652,7 @@ public:
         }
         std::ranges::stable_sort(m.sheets, {}, &ImportSheet::isHidden);
         if (hasTable()) {
-            settle();
+            resolve();
             remarkOnCells();
         }
     }
@@ -692,7 +692,7 @@ private:
     /// Remarks on hidden cells and on formulas without values.
     void remarkOnCells() {
         if (m_hiddenNumbers > 0) {
-            const auto choice = m_choices.settle("hidden", "read", Origin::guessed);
+            const auto choice = m_choices.resolve("hidden", "read", Origin::guessed);
             addRemark(
                 m.remarks, choice.origin == Origin::guessed ? RemarkGrade::assumption : RemarkGrade::note,
                 {choice.value == "leave"
@@ -717,11 +717,11 @@ private:
                 m_emptyFormulaLine, "unread");
     }
 
-    void settle() {
+    void resolve() {
         const SheetName &sheet = m_sheets[m_best];
         const bool doubtful = m_measurements > 1 || m_tables > 1 || sheet.isHidden;
-        const auto choice = m_choices.settle("sheet", sheet.name.toStdString(),
-                                             doubtful ? Origin::guessed : Origin::recognised);
+        const auto choice = m_choices.resolve("sheet", sheet.name.toStdString(),
+                                              doubtful ? Origin::guessed : Origin::recognised);
         if (m_sheets.size() < 2 && !doubtful)
             return;
         Remark remark{
@@ -808,9 +808,9 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
             {REPORT_TEXT("report", "there is no table of numbers in it; expected target positions and "
                                    "readings, points of a circle, or values over time")});
     if (imported.table.decimalMark.origin != Origin::recognised) {
-        choices.settle("decimalMark",
-                       imported.table.decimalMark.value == DecimalMark::comma ? "comma" : "point",
-                       imported.table.decimalMark.origin);
+        choices.resolve("decimalMark",
+                        imported.table.decimalMark.value == DecimalMark::comma ? "comma" : "point",
+                        imported.table.decimalMark.origin);
         if (imported.table.decimalMark.origin == Origin::guessed)
             addRemark(
                 imported.remarks, RemarkGrade::assumption,

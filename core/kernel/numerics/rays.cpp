@@ -66,13 +66,13 @@ Rays::Rays(std::vector<double> ux, std::vector<double> uy, std::vector<double> r
 
 Points Rays::reference() const {
     Points points;
-    Look same = look();
+    Look same = sample();
     same.radii = m_radii;
     fill(same, points);
     return points;
 }
 
-Rays::Look Rays::look() const {
+Rays::Look Rays::sample() const {
     return {std::vector<double>(size()), std::vector<double>(size()), 0, std::vector<double>(m_sectorCount),
             std::vector<double>(m_sectorCount)};
 }

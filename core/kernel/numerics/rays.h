@@ -34,7 +34,7 @@ public:
         std::vector<double> nearest; ///< per sector: bounds of the distances from the centre of the reference
         std::vector<double> farthest;
     };
-    [[nodiscard]] Look look() const;
+    [[nodiscard]] Look sample() const;
     void prepare(Look &look) const;
     [[nodiscard]] static bool finite(const Look &look) { return std::isfinite(look.largest); }
     [[nodiscard]] Point point(const Look &look, std::size_t i) const {

@@ -257,7 +257,7 @@ CircularTrials::Buffers CircularTrials::buffers() const {
                    {}};
     for (const Part &part : m_parts) {
         result.distances.emplace_back(part.deviations.size());
-        result.looks.push_back(part.rays.look());
+        result.looks.push_back(part.rays.sample());
     }
     return result;
 }

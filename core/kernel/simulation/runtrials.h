@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kernel/numerics/beside.h"
 #include "kernel/numerics/lanes.h"
+#include "kernel/numerics/runinbackground.h"
 #include "kernel/simulation/simulate.h"
 
 #include <algorithm>
@@ -205,7 +205,8 @@ private:
         const auto threads = std::min<long long>(static_cast<long long>(m_workers.size()), groups);
         std::vector<std::future<void>> others; // if a thread is unavailable, nothing is left for it to do
         for (long long k = 1; k < threads; ++k)
-            others.push_back(beside(true, [&, k] { loop(m_workers[static_cast<std::size_t>(k)], false); }));
+            others.push_back(
+                runInBackground(true, [&, k] { loop(m_workers[static_cast<std::size_t>(k)], false); }));
         loop(m_workers.front(), true);
         for (std::future<void> &other : others)
             other.get();

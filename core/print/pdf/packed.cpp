@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/pdf/finishpdf.h"
 
-#include "kernel/numerics/beside.h"
+#include "kernel/numerics/runinbackground.h"
 
 #include <libdeflate.h>
 #include <memory>
@@ -34,7 +34,7 @@ QByteArray pack(const QByteArray &bytes) {
 } // namespace
 
 std::shared_future<QByteArray> packed(const QByteArray &bytes) {
-    return beside(bytes.size() > isLong, [bytes] { return pack(bytes); });
+    return runInBackground(bytes.size() > isLong, [bytes] { return pack(bytes); });
 }
 
 } // namespace palmer

@@ -51,7 +51,7 @@ private:
     [[nodiscard]] qint64 askings() const {
         return askingsOfDocument + askingsOfPage * m_document->numPages();
     }
-    void demandNotTooMuch() const;
+    void requireNotTooMuch() const;
 
     std::unique_ptr<Poppler::Document> m_document;
     mutable qint64 m_left = 0; ///< callbacks until the PDF draws too much
@@ -72,7 +72,7 @@ int PagesOfPoppler::count() const {
     return m_document->numPages();
 }
 
-void PagesOfPoppler::demandNotTooMuch() const {
+void PagesOfPoppler::requireNotTooMuch() const {
     if (m_left < 0)
         throw tooMuchDrawn(operatorsOfAnAsking * askings());
 }
@@ -93,7 +93,7 @@ PrintedWords PagesOfPoppler::words(int index) const {
     const QVariant left = QVariant::fromValue(&m_left);
     for (const auto &box : page(index)->textList(Poppler::Page::Rotate0, isTooMuch, left))
         result.push_back({box->text(), box->boundingBox()});
-    demandNotTooMuch();
+    requireNotTooMuch();
     return result;
 }
 
@@ -102,7 +102,7 @@ QImage PagesOfPoppler::picture(int index) const {
     const QVariant left = QVariant::fromValue(&m_left);
     const QImage image = page(index)->renderToImage(
         dotsPerInch, dotsPerInch, -1, -1, -1, -1, Poppler::Page::Rotate0, nullptr, nullptr, isTooMuch, left);
-    demandNotTooMuch();
+    requireNotTooMuch();
     return image.convertToFormat(QImage::Format_RGB32);
 }
 

@@ -233,7 +233,7 @@ private:
         }
         if (found.empty())
             comparePictures(page, follows, foreign, sameProgram);
-        demandFree(page + 1, follows);
+        requireFree(page + 1, follows);
     }
 
     /// If the words are the same, the pictures must be, too.
@@ -248,7 +248,7 @@ private:
     }
 
     /// A signature picture must not hide printed text.
-    void demandFree(int page, const PrintedWords &words) {
+    void requireFree(int page, const PrintedWords &words) {
         for (const SignatureField &field : m_report.parts.signatureFields) {
             const QString covered = field.page == page ? wordsIn(words, field.area) : QString();
             if (!covered.isEmpty())

@@ -3,8 +3,8 @@
 #include "kernel/evaluation/iso230_4/paths.h"
 
 #include "kernel/numerics/angles.h"
-#include "kernel/numerics/beside.h"
 #include "kernel/numerics/centringerror.h"
+#include "kernel/numerics/runinbackground.h"
 
 #include <algorithm>
 #include <array>
@@ -141,7 +141,7 @@ Paths paths(const CircularMeasurement &measurement) {
             continue;
         }
         before = true;
-        made.push_back(beside(made.empty() && selections[k].angles.size() > many, [&, k] {
+        made.push_back(runInBackground(made.empty() && selections[k].angles.size() > many, [&, k] {
             return pathOf(measurement, k, std::move(selections[k]), result.centringError);
         }));
     }

@@ -72,7 +72,7 @@ struct Shape {
             const Rays rays(x, y, r, {});
             const LeastSquaresCircle fit = leastSquaresCircle(rays.reference().view());
             sets.emplace_back(x, y, r, fit.valid() ? fit.centre : Point{});
-            this->looks.push_back(sets.back().look());
+            this->looks.push_back(sets.back().sample());
         }
     }
 

@@ -75,7 +75,7 @@ struct Path {
             radii.push_back(radius + d);
         }
         rays = Rays(x, y, radii, centre);
-        look = rays.look();
+        look = rays.sample();
     }
 
     void lookAgain(const Row &row, std::mt19937_64 &random) {

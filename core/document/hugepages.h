@@ -10,7 +10,7 @@ namespace palmer {
 
 /// Hint to use large pages for reserved memory that will be filled (long texts and tables): their first use
 /// costs less than that of many small ones. Blocks shorter than a large page are unchanged.
-inline void inLargePages([[maybe_unused]] const void *reserved, [[maybe_unused]] std::size_t bytes) {
+inline void inHugePages([[maybe_unused]] const void *reserved, [[maybe_unused]] std::size_t bytes) {
 #ifdef MADV_HUGEPAGE
     constexpr std::uintptr_t page = std::uintptr_t(2) << 20U;
     // NOLINTBEGIN(cppcoreguidelines-pro-type-reinterpret-cast,performance-no-int-to-ptr): addresses of pages

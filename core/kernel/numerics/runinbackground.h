@@ -12,7 +12,7 @@ namespace palmer {
 /// Runs long work on its own thread; other work, and all work if the system provides no thread (limit of
 /// memory or threads), runs when its result is requested. The result is the same either way.
 template <class Work>
-[[nodiscard]] std::future<std::invoke_result_t<Work>> beside(bool isLong, Work work) {
+[[nodiscard]] std::future<std::invoke_result_t<Work>> runInBackground(bool isLong, Work work) {
     if (isLong) {
         try {
             return std::async(std::launch::async, work);
