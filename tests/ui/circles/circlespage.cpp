@@ -419,7 +419,7 @@ private slots:
             return found;
         };
         const auto settle = [] { QTest::qWait(10); };
-        resolve();
+        settle();
         QVERIFY(!add->isEnabled());
         QVERIFY(dialog.findChild<QLabel *>("arcProblem")->text().contains("to answer"));
         QVERIFY(dialog.findChild<QLabel *>("arcPaths")
@@ -429,19 +429,19 @@ private slots:
         // Read as coordinates, as the user says: deviations of metres are asked about.
         auto *content = dialog.findChild<QComboBox *>("arcContent");
         content->setCurrentIndex(content->findData("xy"));
-        resolve();
+        settle();
         QVERIFY(confirm("large"));
         QVERIFY(!add->isEnabled());
         content->setCurrentIndex(0);
-        resolve();
+        settle();
         QVERIFY(!confirm("large"));
         QVERIFY(confirm("layout") && confirm("unit"));
         confirm("layout")->click();
-        resolve();
+        settle();
         QCOMPARE(content->currentData().toString(), QString("angleDeviation"));
         QVERIFY(!add->isEnabled());
         dialog.findChild<QPushButton *>("confirmAll")->click();
-        resolve();
+        settle();
         QStringList open;
         for (const auto *row : dialog.findChildren<QWidget *>(QRegularExpression("^question\\.")))
             open << (row->isVisibleTo(&dialog) ? row->objectName() : QString());
@@ -452,12 +452,12 @@ private slots:
         // Points without a number are left out only where that is said.
         dialog.findChild<QPlainTextEdit *>("arcTable")->setPlainText(text + "365\tn/a\n370\t-\n");
         dialog.findChild<QPushButton *>("confirmAll")->click();
-        resolve();
+        settle();
         QVERIFY(!add->isEnabled());
         auto *leave = dialog.findChild<QPushButton *>("answer.unread.leave");
         QVERIFY(leave);
         leave->click();
-        resolve();
+        settle();
         QVERIFY(add->isEnabled());
         // Deviations alone: their unit is a guess, too.
         ArcDialog alone(circle, Language(Language::Id::english), "1.5\n2.5\n3.5\n");

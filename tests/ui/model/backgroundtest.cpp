@@ -52,7 +52,7 @@ void BackgroundTest::hearsOnTheThreadOfTheWindow() {
     Background lane;
     QThread *told = nullptr;
     QThread *heard = nullptr;
-    lane.start([&](const Background::Job &job) { job.tell([&] { told = QThread::currentThread(); }); },
+    lane.start([&](const Background::Job &job) { job.post([&] { told = QThread::currentThread(); }); },
                [&] { heard = QThread::currentThread(); });
     QTRY_COMPARE(heard, QThread::currentThread());
     QCOMPARE(told, QThread::currentThread());
@@ -80,7 +80,7 @@ void BackgroundTest::hearsWhatAJobTellsBeforeItsResult() {
     lane.start(
         [&](const Background::Job &job) {
             for (const char *half : {"first half", "second half"})
-                job.tell([&heard, half] { heard += QString::fromLatin1(half); });
+                job.post([&heard, half] { heard += QString::fromLatin1(half); });
             return QStringLiteral("whole");
         },
         [&](const QString &result) { heard += result; });
@@ -119,11 +119,11 @@ void BackgroundTest::asksWhatRunsToStopAndHearsNothingOfIt() {
     bool heard = false;
     lane.start(
         [&](const Background::Job &job) {
-            job.tell([&] { heard = true; }); // waits to be heard when the job is cancelled
+            job.post([&] { heard = true; }); // waits to be heard when the job is cancelled
             begun.release();
             while (!job.stop().stop_requested())
                 QThread::yieldCurrentThread();
-            job.tell([&] { heard = true; });
+            job.post([&] { heard = true; });
         },
         [&] { heard = true; });
     begun.acquire();

@@ -124,7 +124,7 @@ void SimulateCircular::trialsAreTheRealEvaluation() {
     const TestEvaluation evaluation = evaluated(test);
     const CircularTrials trials(test, m, noSurroundings(), evaluation, 3);
     QCOMPARE(trials.parameters().size(), evaluation.parameters.size());
-    auto place = trials.workplace();
+    auto place = trials.buffers();
     const auto chunk = static_cast<std::size_t>(trials.chunk());
     std::vector<double> values(trials.parameters().size() * chunk);
     trials.run(0, place, values, {});
@@ -237,7 +237,7 @@ void SimulateCircular::everyTrialIsThePlainWay() {
     const auto &measurement = std::get<CircularMeasurement>(test.measurement);
     const CircularTrials trials(test, measurement, noSurroundings(), evaluation, 11);
     QVERIFY(!trials.parameters().empty());
-    auto place = trials.workplace();
+    auto place = trials.buffers();
     const auto chunk = static_cast<std::size_t>(trials.chunk());
     constexpr std::size_t all = 200;
     std::vector<double> values(trials.parameters().size() * chunk);

@@ -194,7 +194,7 @@ void SimulatePositioning::trialsAreTheRealEvaluation() {
             withValue += p.value.has_value();
         QCOMPARE(trials.parameters().size(), withValue);
         QVERIFY(withValue > 0);
-        auto place = trials.workplace();
+        auto place = trials.buffers();
         const auto chunk = static_cast<std::size_t>(PositioningTrials::chunk());
         std::vector<double> values(withValue * chunk);
         trials.run(0, place, values, {});
