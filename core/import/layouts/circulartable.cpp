@@ -130,6 +130,19 @@ private:
         return angles;
     }
 
+    /// Columns of radial deviations without angles: named so, otherwise by a sense, otherwise the first.
+    [[nodiscard]] std::vector<std::size_t> deviationsAlone() const {
+        std::vector<std::size_t> found = numbersOf(Meaning::deviation);
+        const std::vector<std::size_t> columns = m.body.numberColumns();
+        if (found.empty())
+            std::ranges::copy_if(columns, std::back_inserter(found), [&](std::size_t c) {
+                return senseIn(m.body.columns[c].heading).has_value();
+            });
+        if (found.empty() && !columns.empty())
+            found = {columns.front()};
+        return found;
+    }
+
     /// Sets the roles of columns by their headings; columns of different roles are never paths of one test.
     void takeRoles() {
         const TableBody &body = m.body;
@@ -143,16 +156,9 @@ private:
         // "angle, x, y": points, and the angles at which they were taken.
         const bool isXy =
             coordinates && (angle.empty() || (of(Meaning::radius).empty() && of(Meaning::deviation).empty()));
-        const std::vector<std::size_t> columns = body.numberColumns();
-        if (columns.size() == 1 || m.choices.chosen("layout") == "deviations") {
-            m_seconds = of(Meaning::deviation);
-            if (m_seconds.empty())
-                std::ranges::copy_if(columns, std::back_inserter(m_seconds), [&](std::size_t c) {
-                    return senseIn(body.columns[c].heading).has_value();
-                });
-            if (m_seconds.empty() && !columns.empty())
-                m_seconds = {columns.front()};
+        if (body.numberColumns().size() == 1 || m.choices.chosen("layout") == "deviations") {
             m_first.reset();
+            m_seconds = deviationsAlone();
         } else if (isXy) {
             m_first = coordinates->first;
             m_seconds = {coordinates->second};
