@@ -240,7 +240,7 @@ void DriftPage::paste() {
             PastedDrift pasted = driftReadingsFrom(text, motionOf(*shown), m_language.units(), answers);
             if (pasted.questions.empty())
                 write(row, pasted.readings, QT_TRANSLATE_NOOP("edits", "paste readings"));
-            return pasted;
+            return static_cast<const Pasted &>(pasted);
         },
         [](int taken) { return PasteBar::tr("%n reading(s) pasted", nullptr, taken); });
 }

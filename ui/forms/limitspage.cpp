@@ -271,7 +271,7 @@ void LimitsPage::pasteLimits(std::size_t row) {
                 edit(QT_TRANSLATE_NOOP("edits", "paste limits"), [&](Document &document) {
                     editTest(document, test(), [&](Test &test) { test.limits = pasted.limits; });
                 });
-            return pasted;
+            return static_cast<const Pasted &>(pasted);
         },
         [](int taken) { return PasteBar::tr("%n limit(s) pasted", nullptr, taken); });
 }

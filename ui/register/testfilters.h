@@ -17,7 +17,7 @@ public:
     enum Property { axis, since, edition, purpose, role, limits, accordance, count };
 
     /// Value of a property; an empty one cannot be chosen.
-    [[nodiscard]] static QString valueOf(Property property, const ListedTest &test);
+    [[nodiscard]] static QString valueOf(Property property, const ListedTest &listed);
     [[nodiscard]] static QString nameOf(Property property, const QString &value);
 
     [[nodiscard]] bool passes(Property property, const ListedTest &test) const;
