@@ -264,6 +264,10 @@ std::string_view Choices::usual(std::string_view key) const {
     return found == m_usual.end() ? std::string_view() : std::string_view(found->second);
 }
 
+std::optional<double> Choices::usualNumber(std::string_view key) const {
+    return numberOf(usual(key));
+}
+
 std::optional<double> Choices::chosenNumber(std::string_view key) const {
     return isChosen(key) ? numberOf(chosen(key)) : std::nullopt;
 }

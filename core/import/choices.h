@@ -72,6 +72,7 @@ public:
 
     /// The usual value, empty if there is none.
     [[nodiscard]] std::string_view usual(std::string_view key) const;
+    [[nodiscard]] std::optional<double> usualNumber(std::string_view key) const;
 
     /// Settles and remembers a choice: the user's, otherwise what was found.
     Choice<std::string> resolve(std::string_view key, std::string_view found, Origin origin);

@@ -445,7 +445,7 @@ private:
     /// The column of path numbers: each path has its own arc.
     [[nodiscard]] std::optional<std::size_t> columnOfRuns() const {
         const std::vector<std::size_t> found = numbersOf(Meaning::run);
-        return found.size() == 1 && found.front() != m_first.value_or(m_seconds.front()) &&
+        return found.size() == 1 && m_first != found.front() &&
                        std::ranges::find(m_seconds, found.front()) == m_seconds.end()
                    ? std::optional(found.front())
                    : std::nullopt;
@@ -477,17 +477,28 @@ private:
                              "report", "%n line(s) without a number: without angles every point is needed"),
                          {},
                          static_cast<int>(m_missing)});
-        constexpr double wholeTurn = 360;
-        const auto usual = [this](const char *key, double otherwise) {
-            const std::string_view word = m.choices.usual(key);
-            return word.empty() ? otherwise : std::stod(std::string(word));
+        if (m_paths.empty())
+            refuseColumns();
+        const auto runs = [](Sense sense) {
+            return [sense](const RawPath &path) { return path.stated == sense; };
         };
-        const auto start = m.choices.resolveNumber("startAngle", usual("startAngle", 0), Origin::guessed);
-        const auto way = m.choices.resolveNumber("arc", usual("arc", wholeTurn), Origin::guessed);
+        const bool isClockwise = std::ranges::all_of(m_paths, runs(Sense::clockwise));
+        const bool areMixed = !isClockwise && std::ranges::any_of(m_paths, runs(Sense::clockwise));
+        constexpr double wholeTurn = 360;
+        const double usual = m.choices.usualNumber("arc").value_or(wholeTurn);
+        const auto start = m.choices.resolveNumber(
+            "startAngle", m.choices.usualNumber("startAngle").value_or(0), Origin::guessed);
+        const auto way =
+            m.choices.resolveNumber("arc", isClockwise ? -std::abs(usual) : usual, Origin::guessed);
+        constexpr double mostAngle = 36'000;
+        if (way.value == 0 || std::abs(way.value) > mostAngle || std::abs(start.value) > mostAngle)
+            throw Error(Error::Kind::content,
+                        {REPORT_TEXT("report", "start angle, arc or overshoot is beyond sense")});
         for (RawPath &path : m_paths) {
-            const double extent = !path.stated                       ? way.value
+            const double extent = !areMixed || !path.stated          ? way.value
                                   : *path.stated == Sense::clockwise ? -std::abs(way.value)
                                                                      : std::abs(way.value);
+            path.stated.reset(); // the angles have it
             const auto steps = static_cast<double>(std::max<std::size_t>(path.second.size(), 2) - 1);
             for (std::size_t i = 0; i < path.second.size(); ++i)
                 path.first.push_back(start.value + extent * static_cast<double>(i) / steps);

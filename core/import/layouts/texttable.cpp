@@ -16,17 +16,19 @@ namespace palmer {
 
 namespace {
 
-constexpr std::array encodings{"UTF-8", "UTF-16LE", "UTF-16BE", "Windows-1252", "GB18030"};
-constexpr std::array delimiters{"tab", "semicolon", "comma", "bar", "colon", "blanks"};
-constexpr std::array marks{"point", "comma"};
+/// Resolves a choice among words whose rows are in the order of an enumeration.
+template <class Enumeration>
+std::optional<Enumeration> chosenOf(const char *key, const Choices &choices) {
+    const auto words = findImportKey(key)->words;
+    const auto found =
+        std::ranges::find_if(words, [&](const ImportWord &each) { return choices.chosen(key) == each.word; });
+    return found == words.end() ? std::nullopt
+                                : std::optional(static_cast<Enumeration>(found - words.begin()));
+}
 
-template <class Enumeration, std::size_t size>
-std::optional<Enumeration> chosenOf(const std::array<const char *, size> &words, std::string_view word) {
-    for (std::size_t i = 0; i < size; ++i) {
-        if (words[i] == word)
-            return static_cast<Enumeration>(i);
-    }
-    return {};
+template <class Enumeration>
+void resolveWord(const char *key, const Choice<Enumeration> &found, Choices &choices) {
+    choices.resolve(key, findImportKey(key)->words[static_cast<std::size_t>(found.value)].word, found.origin);
 }
 
 /// Temperatures or a drift, if a column has times. Without a keyword a log of positions is more likely.
@@ -238,9 +240,8 @@ void keepLines(CellTable &table, std::string_view lines) {
 } // namespace
 
 std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &imported) {
-    DecodedText decoded = decodeText(bytes, chosenOf<Encoding>(encodings, choices.chosen("encoding")));
-    choices.resolve("encoding", encodings[static_cast<std::size_t>(decoded.encoding.value)],
-                    decoded.encoding.origin);
+    DecodedText decoded = decodeText(bytes, chosenOf<Encoding>("encoding", choices));
+    resolveWord("encoding", decoded.encoding, choices);
     if (decoded.encoding.origin == Origin::guessed)
         addRemark(imported.remarks, RemarkGrade::assumption,
                   {decoded.encoding.value == Encoding::gb18030
@@ -303,14 +304,12 @@ bool isAnything(QByteArrayView) {
 void readTextTable(const ImportSource &source, Choices &choices, Imported &imported) {
     std::string text = decodedText(source.bytes, choices, imported);
     TableOptions options;
-    options.delimiter = chosenOf<Delimiter>(delimiters, choices.chosen("delimiter"));
-    options.decimalMark = chosenOf<DecimalMark>(marks, choices.chosen("decimalMark"));
+    options.delimiter = chosenOf<Delimiter>("delimiter", choices);
+    options.decimalMark = chosenOf<DecimalMark>("decimalMark", choices);
     imported.table = readTable(std::move(text), options);
     const CellTable &table = imported.table;
-    choices.resolve("delimiter", delimiters[static_cast<std::size_t>(table.delimiter.value)],
-                    table.delimiter.origin);
-    choices.resolve("decimalMark", marks[static_cast<std::size_t>(table.decimalMark.value)],
-                    table.decimalMark.origin);
+    resolveWord("delimiter", table.delimiter, choices);
+    resolveWord("decimalMark", table.decimalMark, choices);
     if (table.decimalMark.origin == Origin::guessed || table.delimiter.origin == Origin::guessed)
         addRemark(
             imported.remarks, RemarkGrade::assumption,

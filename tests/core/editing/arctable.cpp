@@ -194,6 +194,30 @@ private slots:
         QVERIFY_THROWS_EXCEPTION(Error, (void)readArcTable("µm\n1.5\nn/a\n2.5\n3\n", circle(), {}));
     }
 
+    /// The sense of the heading is proposed; the extent and the sign that are chosen win.
+    void theExtentSaysTheSense() {
+        const auto angles = [](const char *text, const ImportOptions &answers,
+                               const ImportOptions &usual = {}) {
+            return readArcTable(text, circle(), answers, std::nullopt, usual).arcs.at(0).angles;
+        };
+        const char *plain = "Δr µm\n1\n2\n3\n";
+        const char *clockwise = "CW µm\n1\n2\n3\n";
+        const ImportOptions start{{"startAngle", "10"}, {"layout", "deviations"}};
+        ImportOptions chosen = start;
+        QCOMPARE(angles(plain, start, {{"arc", "90.5"}}), (std::vector<double>{10, 55.25, 100.5}));
+        QCOMPARE(angles(clockwise, start), (std::vector<double>{10, -170, -350}));
+        chosen["arc"] = "180";
+        QCOMPARE(angles(clockwise, chosen), (std::vector<double>{10, 100, 190}));
+        for (const char *beyond : {"0", "1e9"}) {
+            chosen["arc"] = beyond;
+            QVERIFY_THROWS_EXCEPTION(Error, (void)readArcTable(plain, circle(), chosen));
+        }
+    }
+
+    void aRunWithoutReadingsIsRefused() {
+        QVERIFY_THROWS_EXCEPTION(Error, (void)readArcTable("Run;Angle (°)\n1;0\n1;10\n1;20\n", circle()));
+    }
+
     void theSenseChosenTurnsTheOrder() {
         const ArcTable read =
             readArcTable(table(Columns::angleDeviation, 5, '.', "\t", "angle\tdeviation µm\n").toStdString(),

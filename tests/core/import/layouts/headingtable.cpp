@@ -39,6 +39,14 @@ const std::vector<QStringList> groupWords{
 const std::vector<QStringList> directions{
     {"Forward", "Reverse"}, {"↑", "↓"}, {"aller", "retour"}, {"hin", "zurück"}, {"+", "-"}};
 
+QString byColons(const QStringList &cells) {
+    constexpr qsizetype width = 22;
+    QString line = cells.front().leftJustified(width);
+    for (const QString &cell : cells.mid(1))
+        line += (cell.isEmpty() ? "   " : " : ") + cell.leftJustified(width);
+    return line;
+}
+
 QString fixed(const QStringList &cells) {
     constexpr qsizetype width = 22;
     QString line;
@@ -57,7 +65,7 @@ GroupedTable groupedTable(std::mt19937 &random) {
     const std::size_t pairs = 1 + below(3);
     const bool repeats = below(3) == 0; // the word over each column
     const bool statesUnit = below(2) == 0;
-    const std::size_t form = below(5);
+    const std::size_t form = below(6); // the last: columns parted by " : ", a group over the first of its own
     const bool isSheet = form == 4;
     const QString delimiter = form == 0 ? ";" : form == 1 ? "," : "\t";
     QStringList top{""};
@@ -95,7 +103,11 @@ GroupedTable groupedTable(std::mt19937 &random) {
         return table;
     }
     for (const QStringList &row : rows)
-        table.text += (form == 3 ? fixed(row) : row.join(delimiter)).toUtf8() + '\n';
+        table.text += (form == 3   ? fixed(row)
+                       : form == 5 ? byColons(row)
+                                   : row.join(delimiter))
+                          .toUtf8() +
+                      '\n';
     return table;
 }
 
