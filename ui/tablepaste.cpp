@@ -23,7 +23,7 @@ TablePaste::TablePaste(DocumentModel &model, QWidget &page)
     });
 }
 
-/// Made when it is needed.
+/// Returns the bar, made at the first paste.
 PasteBar &TablePaste::bar() {
     if (m_bar)
         return *m_bar;
@@ -49,7 +49,7 @@ void TablePaste::take(Put put, QString (*counted)(int)) {
     read();
 }
 
-/// Also once more, with another answer: in the place of what was pasted.
+/// Reads the table; after an answer, instead of what was put before.
 void TablePaste::read() {
     QUndoStack &stack = *m_model.undoStack();
     const bool isAgain = m_index == stack.index() && !m_answers.empty();

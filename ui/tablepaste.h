@@ -14,8 +14,8 @@ namespace palmer::ui {
 class DocumentModel;
 class PasteBar;
 
-/// A table that was pasted into a page: read and put by one edit, and anew in its place where the bar below
-/// the page is answered. The bar goes with the next edit.
+/// A table pasted into a page: read and put by one edit. Each answer in the bar below the page undoes that
+/// edit and puts the table again. The next edit hides the bar.
 class TablePaste : public QObject {
     Q_OBJECT
 
@@ -27,11 +27,11 @@ public:
 
     /// `counted`: what was pasted, in words: "3 limits pasted".
     void take(Put put, QString (*counted)(int taken));
-    /// Leaves what was put as it is.
+    /// Hides the bar; what was put stays.
     void end();
 
 signals:
-    /// Nothing could be read.
+    /// The text cannot be read.
     void refused(const QString &sentence);
     void undone();
 

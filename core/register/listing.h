@@ -11,7 +11,7 @@
 namespace palmer {
 
 /// Returns a test as one line of JSON: the keys of `evaluate --json` that the register has, and its places.
-/// Nothing that depends on this register only: the same files give the same bytes.
+/// Independent of the register it comes from: the same files give the same bytes.
 [[nodiscard]] QByteArray listedTestJson(const ListedTest &listed);
 
 /// CSV rows for programs, one per parameter: like `evaluate --table csv`, plus machine columns.

@@ -428,7 +428,7 @@ void ImportAssistant::read(const QByteArray &bytes, const QString &name, const I
 }
 
 /// The displayed data were read with the current options.
-void ImportAssistant::resolve() {
+void ImportAssistant::settle() {
     m_settled = m_options;
     m_settledProfile = m_profile->currentIndex() > 0 ? m_profile->currentText() : QString();
 }
@@ -459,7 +459,7 @@ void ImportAssistant::takeOther(MeasurementFile file) {
     takeRead(std::move(file));
     m_options.clear();
     m_profile->setCurrentIndex(0);
-    resolve();
+    settle();
     retranslate();
     useLastProfile();
 }
@@ -552,7 +552,7 @@ void ImportAssistant::takeOptions(ImportOptions options) {
         } else {
             takeRead(std::move(std::get<MeasurementFile>(outcome)));
         }
-        resolve();
+        settle();
         refresh();
     });
 }

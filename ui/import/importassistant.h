@@ -121,7 +121,7 @@ private:
     void takeOptions(ImportOptions options);
     void read(const QByteArray &bytes, const QString &name, const ImportOptions &options,
               std::function<void(std::variant<MeasurementFile, Error>)> take);
-    void resolve();
+    void settle();
     void cancelReading();
     void takeOther(MeasurementFile file);
     [[nodiscard]] Document destination() const;

@@ -88,7 +88,7 @@ private slots:
     }
 
     void emptyItAsksForAFolder() {
-        resolve();
+        settle();
         QVERIFY(find<QPushButton>("chooseFolder")->isVisible());
         QVERIFY(!m_window->findChild<QAction *>("rescan")->isEnabled());
         QVERIFY(!m_window->findChild<QAction *>("openTest")->isEnabled());
@@ -119,7 +119,7 @@ private slots:
                  QString("19\u00A0May\u00A02026"));
         QCOMPARE(find<QLabel>("shownCount")->text(), QString("7 of 8 tests"));
         machines->setCurrentIndex(machines->model()->index(1, 0));
-        resolve();
+        settle();
         QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 2"));
         QCOMPARE(tests->model()->rowCount(), 1);
         QTest::keyClicks(find<QLineEdit>("machineSearch"), "machine 2");
@@ -194,7 +194,7 @@ private slots:
         auto *machines = find<QListView>("machines");
         for (int row = 0; row < machines->model()->rowCount(); ++row) {
             machines->setCurrentIndex(machines->model()->index(row, 0));
-            resolve();
+            settle();
             isNarrow("of a machine");
         }
         for (const char *filter :
@@ -206,7 +206,7 @@ private slots:
         isNarrow("with filters");
         find<QPushButton>("clearFilters")->click();
         machines->setCurrentIndex(machines->model()->index(1, 0));
-        resolve();
+        settle();
         find<QTableView>("tests")->selectAll();
         m_window->findChild<QAction *>("compareCurves")->trigger();
         isNarrow("with curves");
@@ -248,19 +248,19 @@ private slots:
         // Machines one after another, and the search.
         auto *machines = find<QListView>("machines");
         m_window->findChild<QAction *>("nextMachine")->trigger();
-        resolve();
+        settle();
         QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 2"));
         m_window->findChild<QAction *>("nextMachine")->trigger(); // there is none
         QCOMPARE(machines->currentIndex().row(), 1);
         m_window->findChild<QAction *>("previousMachine")->trigger();
-        resolve();
+        settle();
         QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 1"));
         // The interval, as in the head.
         auto *intervals = m_window->findChild<QMenu *>("intervals");
         emit intervals->aboutToShow();
         QCOMPARE(intervals->actions().size(), find<QComboBox>("interval")->count());
         intervals->actions()[4]->trigger();
-        resolve();
+        settle();
         QCOMPARE(find<QComboBox>("interval")->currentIndex(), 4);
         QVERIFY(find<QWidget>("due")->isVisible());
         // The trend alone, both ways.
@@ -290,7 +290,7 @@ private slots:
         QCOMPARE(row->height(), 44);
         QVERIFY(row->accessibleName().contains("1 test without serial number"));
         row->click();
-        resolve();
+        settle();
         QCOMPARE(machines->model()->rowCount(), 1);
         QVERIFY(find<QLabel>("machineFacts")->text().contains("not identified"));
         find<QToolButton>("allMachines")->click();
@@ -317,7 +317,7 @@ private slots:
         sample.serial = "Machine 3";
         writeFile(folder() + "/new.palmer", fileOf(sample));
         m_service->rescan();
-        resolve();
+        settle();
         QCOMPARE(find<QListView>("machines")->model()->rowCount(), 3);
         QCOMPARE(selected().size(), 1);
         QCOMPARE(selected().front().row(), 3);
@@ -328,13 +328,13 @@ private slots:
         const QString last = QString("/%1.palmer").arg(m_files);
         QVERIFY(QFile::remove(folder() + last)); // all of machine 2
         m_service->rescan();
-        resolve();
+        settle();
         QCOMPARE(find<QListView>("machines")->model()->rowCount(), 2);
         auto *troubled = find<QPushButton>("unreadable");
         QVERIFY(troubled->isVisible());
         QCOMPARE(troubled->text(), QString("1 file not found"));
         troubled->click();
-        resolve();
+        settle();
         auto *dialog = m_window->findChild<TroubledFiles *>();
         QVERIFY(dialog);
         const auto *list = dialog->findChild<QTreeWidget *>("troubledList");
@@ -342,7 +342,7 @@ private slots:
         QVERIFY(list->topLevelItem(0)->text(0).endsWith(last));
         QCOMPARE(list->topLevelItem(0)->text(1), QString("not found any more"));
         dialog->findChild<QPushButton *>("removeNotFound")->click();
-        resolve();
+        settle();
         QVERIFY(!troubled->isVisible());
         QCOMPARE(find<QListView>("machines")->model()->rowCount(), 1);
     }
@@ -367,7 +367,7 @@ private slots:
             find<QPushButton>("stopScan")->click();
         });
         m_window->setFolders({folder()});
-        resolve();
+        settle();
         if (!shown)
             QSKIP("all was read in one go");
         QVERIFY(!find<QWidget>("stopScan")->isVisible());
@@ -378,7 +378,7 @@ private slots:
             QVERIFY(read > 0 && read <= 409);
         }
         m_service->rescan();
-        resolve();
+        settle();
         QVERIFY(!m_service->isStopped());
         QVERIFY(m_service->scannedAt().isValid());
         QCOMPARE(m_service->result().tests, 409);
@@ -407,7 +407,7 @@ private slots:
             if (action->text() == "ISO 230-2:1988")
                 action->trigger();
         }
-        resolve();
+        settle();
         QVERIFY(find<QLabel>("trendTitle")->text().contains("ISO 230-2:1988"));
         QCOMPARE(chart->panel().values.size(), std::size_t{7});
     }
@@ -456,7 +456,7 @@ private slots:
         const QString path = folder() + "/new.palmer";
         writeFile(path, fileOf(sample));
         m_service->fileSaved(path);
-        resolve();
+        settle();
         QCOMPARE(find<QListView>("machines")->model()->rowCount(), 3);
         QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 1")); // what is looked at stays
         // Elsewhere it is none of the register's business.
@@ -499,7 +499,7 @@ private slots:
         scan();
         auto *machines = find<QListView>("machines");
         machines->setCurrentIndex(machines->model()->index(2, 0));
-        resolve();
+        settle();
         choose("filterAxis", "Z");
         QSignalSpy opened(m_window.get(), &RegisterWindow::openAsked);
         auto *tests = find<QTableView>("tests");
@@ -586,16 +586,16 @@ private slots:
         const auto *name = find<QLabel>("machineName");
         QCOMPARE(name->text(), QString("Fine"));
         find<QToolButton>("machinesToDo")->click();
-        resolve();
+        settle();
         QCOMPARE(machines->model()->rowCount(), 1);
         QCOMPARE(name->text(), QString("Late"));
         QTest::keyClicks(find<QLineEdit>("machineSearch"), "nowhere");
-        resolve();
+        settle();
         QCOMPARE(machines->model()->rowCount(), 0);
         QCOMPARE(name->text(), QString());
         QCOMPARE(find<QTableView>("tests")->model()->rowCount(), 0);
         find<QLineEdit>("machineSearch")->clear();
-        resolve();
+        settle();
         QCOMPARE(name->text(), QString("Late"));
     }
 
@@ -624,7 +624,7 @@ private slots:
             auto *machines = find<QListView>("machines");
             for (int row = 0; row < machines->model()->rowCount(); ++row) {
                 machines->setCurrentIndex(machines->model()->index(row, 0));
-                resolve();
+                settle();
                 if (find<TrendChart>("trendChart")->trend().angular)
                     break;
             }
@@ -812,7 +812,7 @@ private slots:
         QCOMPARE(m_service->folders(), QStringList(folder()));
         settings.findChild<FolderList *>()->addFolder(second.path());
         QCOMPARE(m_service->folders(), (QStringList{folder(), second.path()}));
-        resolve();
+        settle();
     }
 
     void aServerThatIsNotThereChangesNothing_data() {
@@ -855,7 +855,7 @@ private slots:
         m_service->setAddress(other);
         QCOMPARE(m_service->address(), other);
         QTRY_VERIFY_WITH_TIMEOUT(m_service->scannedAt().isValid(), 60'000);
-        resolve();
+        settle();
         QVERIFY(!changed.isEmpty());
         QVERIFY(QFileInfo::exists(other));
         QCOMPARE(find<QListView>("machines")->model()->rowCount(), 2); // made anew from the files
@@ -879,7 +879,7 @@ private slots:
             QVERIFY(!settings.findChild<QLineEdit *>("registerServer")->text().contains("s3cret"));
         }
         QTRY_VERIFY_WITH_TIMEOUT(m_service->scannedAt().isValid(), 60'000);
-        resolve();
+        settle();
         QCOMPARE(find<QListView>("machines")->model()->rowCount(), 2);
         QCOMPARE(find<QLabel>("machineName")->text(), QString("Machine 1"));
         m_window.reset(); // before the server goes
@@ -891,7 +891,7 @@ private slots:
         auto *interval = find<QComboBox>("interval");
         interval->setCurrentIndex(interval->findData(6));
         emit interval->activated(interval->currentIndex());
-        resolve();
+        settle();
         QVERIFY(find<QWidget>("due")->isVisible());
         // An index made anew knows it again.
         {
@@ -899,7 +899,7 @@ private slots:
             reg.database().execute("update machine set months = null");
         }
         m_service->rescan();
-        resolve();
+        settle();
         QCOMPARE(find<QComboBox>("interval")->currentData().toInt(), 6);
     }
 
@@ -909,7 +909,7 @@ private slots:
         QVERIFY(find<QPushButton>("unreadable")->isVisible());
         QVERIFY(find<QPushButton>("unreadable")->toolTip().contains("broken.palmer"));
         m_window->findChild<QAction *>("troubledFiles")->trigger();
-        resolve();
+        settle();
         auto *dialog = m_window->findChild<TroubledFiles *>();
         QVERIFY(dialog && dialog->isVisible());
         QVERIFY(!dialog->findChild<QPushButton *>("removeNotFound")->isEnabled());
@@ -945,7 +945,7 @@ private:
         return found;
     }
     /// Until nothing is being read, and what was read is shown.
-    void resolve() const {
+    void settle() const {
         QTRY_VERIFY_WITH_TIMEOUT(m_window->isQuiet(), 60'000);
         QCoreApplication::processEvents();
         QTRY_VERIFY_WITH_TIMEOUT(m_window->isQuiet(), 60'000);
@@ -953,7 +953,7 @@ private:
     void scan() {
         m_window->setFolders({folder()});
         QTRY_VERIFY_WITH_TIMEOUT(m_service->scannedAt().isValid(), 60'000);
-        resolve();
+        settle();
     }
     void choose(const char *filter, const QString &word) {
         auto *menu = find<FilterChip>(filter)->menu();
