@@ -143,6 +143,16 @@ private:
         return found;
     }
 
+    /// Columns of radii, otherwise of deviations, otherwise those the headings do not name. Precondition: the
+    /// column of angles is known.
+    [[nodiscard]] std::vector<std::size_t> readingsByAngle() {
+        for (const Meaning meaning : {Meaning::radius, Meaning::deviation}) {
+            if (std::vector<std::size_t> found = numbersOf(meaning); !found.empty())
+                return found;
+        }
+        return unnamed();
+    }
+
     /// Sets the roles of columns by their headings; columns of different roles are never paths of one test.
     void takeRoles() {
         const TableBody &body = m.body;
@@ -164,11 +174,7 @@ private:
             m_seconds = {coordinates->second};
         } else {
             m_first = angle.empty() ? firstUnnamed() : angle.front();
-            m_seconds = of(Meaning::radius);
-            if (m_seconds.empty())
-                m_seconds = of(Meaning::deviation);
-            if (m_seconds.empty())
-                m_seconds = unnamed();
+            m_seconds = readingsByAngle();
         }
         if (m_first)
             setRole(*m_first, isXy ? ColumnRole::x : ColumnRole::angle);
