@@ -18,26 +18,27 @@ struct FileWord {
     const char *word = nullptr;
 };
 
+/// Returns the rows of an enumeration from its words in the order of its values, which count from 0.
+template <class Enumeration, class... Words>
+constexpr auto wordsInOrder(Words... words) {
+    int next = 0;
+    return std::array{FileWord<Enumeration>{static_cast<Enumeration>(next++), words}...};
+}
+
 /// The words of the file format, one table per enumeration: each word exists once.
 template <class Enumeration>
 inline constexpr auto fileWords = nullptr;
 
 template <>
-inline constexpr auto fileWords<Kind> = std::to_array<FileWord<Kind>>({{Kind::positioning, "positioning"},
-                                                                       {Kind::circular, "circular"},
-                                                                       {Kind::drift, "drift"}});
+inline constexpr auto fileWords<Kind> = wordsInOrder<Kind>("positioning", "circular", "drift");
 template <>
-inline constexpr auto fileWords<Motion> = std::to_array<FileWord<Motion>>({{Motion::linear, "linear"},
-                                                                           {Motion::rotary, "rotary"}});
+inline constexpr auto fileWords<Motion> = wordsInOrder<Motion>("linear", "rotary");
 template <>
-inline constexpr auto fileWords<Direction> = std::to_array<FileWord<Direction>>(
-    {{Direction::positive, "positive"}, {Direction::negative, "negative"}});
+inline constexpr auto fileWords<Direction> = wordsInOrder<Direction>("positive", "negative");
 template <>
-inline constexpr auto fileWords<Cycle> = std::to_array<FileWord<Cycle>>({{Cycle::standard, "standard"},
-                                                                         {Cycle::step, "step"}});
+inline constexpr auto fileWords<Cycle> = wordsInOrder<Cycle>("standard", "step");
 template <>
-inline constexpr auto fileWords<DeviationMethod> = std::to_array<FileWord<DeviationMethod>>(
-    {{DeviationMethod::calculation, "calculation"}, {DeviationMethod::range, "range"}});
+inline constexpr auto fileWords<DeviationMethod> = wordsInOrder<DeviationMethod>("calculation", "range");
 template <>
 inline constexpr auto fileWords<TargetChoiceKind> =
     std::to_array<FileWord<TargetChoiceKind>>({{TargetChoiceKind::free, "free"},
@@ -45,120 +46,71 @@ inline constexpr auto fileWords<TargetChoiceKind> =
                                                {TargetChoiceKind::fixed, "fixed"},
                                                {TargetChoiceKind::notStated, "notStated"}});
 template <>
-inline constexpr auto fileWords<Sense> = std::to_array<FileWord<Sense>>(
-    {{Sense::counterclockwise, "counterclockwise"}, {Sense::clockwise, "clockwise"}});
+inline constexpr auto fileWords<Sense> = wordsInOrder<Sense>("counterclockwise", "clockwise");
 template <>
-inline constexpr auto fileWords<AngleReference> = std::to_array<FileWord<AngleReference>>(
-    {{AngleReference::polar, "polar"}, {AngleReference::commanded, "commanded"}});
+inline constexpr auto fileWords<AngleReference> = wordsInOrder<AngleReference>("polar", "commanded");
 template <>
-inline constexpr auto fileWords<SignalSource> = std::to_array<FileWord<SignalSource>>(
-    {{SignalSource::external, "external"}, {SignalSource::feedback, "feedback"}});
+inline constexpr auto fileWords<SignalSource> = wordsInOrder<SignalSource>("external", "feedback");
 template <>
-inline constexpr auto fileWords<Centring> = std::to_array<FileWord<Centring>>(
-    {{Centring::leastSquares, "leastSquares"}, {Centring::instrument, "instrument"}});
+inline constexpr auto fileWords<Centring> = wordsInOrder<Centring>("leastSquares", "instrument");
 template <>
-inline constexpr auto fileWords<ReferenceCircle> = std::to_array<FileWord<ReferenceCircle>>(
-    {{ReferenceCircle::minimumZone, "minimumZone"}, {ReferenceCircle::leastSquares, "leastSquares"}});
+inline constexpr auto fileWords<ReferenceCircle> = wordsInOrder<ReferenceCircle>("minimumZone",
+                                                                                 "leastSquares");
 template <>
-inline constexpr auto
-    fileWords<WarmUpKind> = std::to_array<FileWord<WarmUpKind>>({{WarmUpKind::notStated, "notStated"},
-                                                                 {WarmUpKind::procedure, "procedure"},
-                                                                 {WarmUpKind::dryRun, "dryRun"},
-                                                                 {WarmUpKind::setUpOnly, "setUpOnly"}});
+inline constexpr auto fileWords<WarmUpKind> = wordsInOrder<WarmUpKind>("notStated", "procedure", "dryRun",
+                                                                       "setUpOnly");
 template <>
-inline constexpr auto
-    fileWords<SpecifiedBy> = std::to_array<FileWord<SpecifiedBy>>({{SpecifiedBy::notStated, "notStated"},
-                                                                   {SpecifiedBy::maker, "maker"},
-                                                                   {SpecifiedBy::agreement, "agreement"}});
+inline constexpr auto fileWords<SpecifiedBy> = wordsInOrder<SpecifiedBy>("notStated", "maker", "agreement");
 template <>
-inline constexpr auto fileWords<InstrumentCompensation> =
-    std::to_array<FileWord<InstrumentCompensation>>({{InstrumentCompensation::notStated, "notStated"},
-                                                     {InstrumentCompensation::on, "on"},
-                                                     {InstrumentCompensation::off, "off"},
-                                                     {InstrumentCompensation::none, "none"}});
+inline constexpr auto fileWords<InstrumentCompensation> = wordsInOrder<InstrumentCompensation>("notStated",
+                                                                                               "on", "off",
+                                                                                               "none");
 template <>
-inline constexpr auto
-    fileWords<Purpose> = std::to_array<FileWord<Purpose>>({{Purpose::notStated, "notStated"},
-                                                           {Purpose::type, "type"},
-                                                           {Purpose::acceptance, "acceptance"},
-                                                           {Purpose::comparison, "comparison"},
-                                                           {Purpose::periodic, "periodic"},
-                                                           {Purpose::compensation, "compensation"},
-                                                           {Purpose::afterRepair, "afterRepair"},
-                                                           {Purpose::afterCollision, "afterCollision"},
-                                                           {Purpose::other, "other"}});
+inline constexpr auto fileWords<Purpose> = wordsInOrder<Purpose>("notStated", "type", "acceptance",
+                                                                 "comparison", "periodic", "compensation",
+                                                                 "afterRepair", "afterCollision", "other");
 template <>
-inline constexpr auto fileWords<TestRole> = std::to_array<FileWord<TestRole>>(
-    {{TestRole::notStated, "notStated"}, {TestRole::asFound, "asFound"}, {TestRole::asLeft, "asLeft"}});
+inline constexpr auto fileWords<TestRole> = wordsInOrder<TestRole>("notStated", "asFound", "asLeft");
 template <>
-inline constexpr auto fileWords<FeedMode> =
-    std::to_array<FileWord<FeedMode>>({{FeedMode::programmed, "programmed"}, {FeedMode::rapid, "rapid"}});
+inline constexpr auto fileWords<FeedMode> = wordsInOrder<FeedMode>("programmed", "rapid");
 template <>
-inline constexpr auto fileWords<SensorMeasures> =
-    std::to_array<FileWord<SensorMeasures>>({{SensorMeasures::machine, "machine"},
-                                             {SensorMeasures::instrument, "instrument"},
-                                             {SensorMeasures::air, "air"},
-                                             {SensorMeasures::notStated, "notStated"}});
+inline constexpr auto fileWords<SensorMeasures> = wordsInOrder<SensorMeasures>("machine", "instrument", "air",
+                                                                               "notStated");
 template <>
-inline constexpr auto fileWords<CorrectionTo20> = std::to_array<FileWord<CorrectionTo20>>(
-    {{CorrectionTo20::notStated, "not stated"},
-     {CorrectionTo20::notApplied, "not applied"},
-     {CorrectionTo20::appliedByInstrument, "applied by the instrument"},
-     {CorrectionTo20::appliedHere, "applied here"}});
+inline constexpr auto fileWords<CorrectionTo20> = wordsInOrder<CorrectionTo20>("not stated", "not applied",
+                                                                               "applied by the instrument",
+                                                                               "applied here");
 template <>
-inline constexpr auto
-    fileWords<Rule> = std::to_array<FileWord<Rule>>({{Rule::simpleAcceptance, "simple acceptance"},
-                                                     {Rule::iso14253_1, "ISO 14253-1"},
-                                                     {Rule::rejectionProven, "rejection proven"}});
+inline constexpr auto fileWords<Rule> = wordsInOrder<Rule>("simple acceptance", "ISO 14253-1",
+                                                           "rejection proven");
 template <>
-inline constexpr auto fileWords<UncertaintyMethod> =
-    std::to_array<FileWord<UncertaintyMethod>>({{UncertaintyMethod::none, "none"},
-                                                {UncertaintyMethod::budget, "budget"},
-                                                {UncertaintyMethod::budgetActual, "budgetActual"},
-                                                {UncertaintyMethod::monteCarlo, "monteCarlo"},
-                                                {UncertaintyMethod::direct, "direct"}});
+inline constexpr auto fileWords<UncertaintyMethod> = wordsInOrder<UncertaintyMethod>("none", "budget",
+                                                                                     "budgetActual",
+                                                                                     "monteCarlo", "direct");
 template <>
-inline constexpr auto fileWords<DeviceKind> = std::to_array<FileWord<DeviceKind>>(
-    {{DeviceKind::certificate, "certificate"}, {DeviceKind::range, "range"}});
+inline constexpr auto fileWords<DeviceKind> = wordsInOrder<DeviceKind>("certificate", "range");
 template <>
-inline constexpr auto fileWords<DriftModel> = std::to_array<FileWord<DriftModel>>(
-    {{DriftModel::independent, "independent"}, {DriftModel::linear, "linear"}});
+inline constexpr auto fileWords<DriftModel> = wordsInOrder<DriftModel>("independent", "linear");
 template <>
-inline constexpr auto fileWords<CircleFigures> = std::to_array<FileWord<CircleFigures>>(
-    {{CircleFigures::combined, "combined"}, {CircleFigures::separate, "separate"}});
+inline constexpr auto fileWords<CircleFigures> = wordsInOrder<CircleFigures>("combined", "separate");
 template <>
-inline constexpr auto fileWords<Paper> = std::to_array<FileWord<Paper>>({{Paper::a4, "A4"},
-                                                                         {Paper::letter, "Letter"}});
+inline constexpr auto fileWords<Paper> = wordsInOrder<Paper>("A4", "Letter");
 template <>
-inline constexpr auto fileWords<ReportLanguage> =
-    std::to_array<FileWord<ReportLanguage>>({{ReportLanguage::fr, "fr"}, {ReportLanguage::en, "en"}});
+inline constexpr auto fileWords<ReportLanguage> = wordsInOrder<ReportLanguage>("fr", "en");
 template <>
-inline constexpr auto
-    fileWords<Signer> = std::to_array<FileWord<Signer>>({{Signer::operatorSigns, "operator"},
-                                                         {Signer::laboratory, "laboratory"},
-                                                         {Signer::supplier, "supplier"},
-                                                         {Signer::customer, "customer"}});
+inline constexpr auto fileWords<Signer> = wordsInOrder<Signer>("operator", "laboratory", "supplier",
+                                                               "customer");
 template <>
-inline constexpr auto fileWords<ReportExtra> =
-    std::to_array<FileWord<ReportExtra>>({{ReportExtra::readingMarks, "readingMarks"},
-                                          {ReportExtra::meanRepeatability, "meanRepeatability"},
-                                          {ReportExtra::repetitions, "repetitions"},
-                                          {ReportExtra::allReadings, "allReadings"},
-                                          {ReportExtra::diagnosis, "diagnosis"}});
+inline constexpr auto fileWords<ReportExtra> = wordsInOrder<ReportExtra>("readingMarks", "meanRepeatability",
+                                                                         "repetitions", "allReadings",
+                                                                         "diagnosis");
 template <>
-inline constexpr auto fileWords<ReportPart> =
-    std::to_array<FileWord<ReportPart>>({{ReportPart::readings, "readings"},
-                                         {ReportPart::targetTable, "targetTable"},
-                                         {ReportPart::uncertainty, "uncertainty"},
-                                         {ReportPart::findings, "findings"},
-                                         {ReportPart::diagnosis, "diagnosis"},
-                                         {ReportPart::signatures, "signatures"},
-                                         {ReportPart::temperatureCurve, "temperatureCurve"}});
+inline constexpr auto fileWords<ReportPart> = wordsInOrder<ReportPart>("readings", "targetTable",
+                                                                       "uncertainty", "findings", "diagnosis",
+                                                                       "signatures", "temperatureCurve");
 template <>
-inline constexpr auto fileWords<AgreementState> =
-    std::to_array<FileWord<AgreementState>>({{AgreementState::notAgreed, "notAgreed"},
-                                             {AgreementState::agreed, "agreed"},
-                                             {AgreementState::notApplicable, "notApplicable"}});
+inline constexpr auto fileWords<AgreementState> = wordsInOrder<AgreementState>("notAgreed", "agreed",
+                                                                               "notApplicable");
 
 /// Returns the word of a value.
 template <class Enumeration>

@@ -13,50 +13,26 @@ namespace palmer {
 // Words for results, in files for scripts, the register and the settings.
 
 template <>
-inline constexpr auto
-    fileWords<Verdict> = std::to_array<FileWord<Verdict>>({{Verdict::conforms, "conforms"},
-                                                           {Verdict::notProven, "notProven"},
-                                                           {Verdict::doesNotConform, "doesNotConform"}});
+inline constexpr auto fileWords<Verdict> = wordsInOrder<Verdict>("conforms", "notProven", "doesNotConform");
 template <>
-inline constexpr auto fileWords<Grade> = std::to_array<FileWord<Grade>>(
-    {{Grade::requirement, "requirement"}, {Grade::recommendation, "recommendation"}, {Grade::note, "note"}});
+inline constexpr auto fileWords<Grade> = wordsInOrder<Grade>("requirement", "recommendation", "note");
 template <>
-inline constexpr auto fileWords<Source> = std::to_array<FileWord<Source>>({{Source::text, "text"},
-                                                                           {Source::practice, "practice"},
-                                                                           {Source::laboratory, "laboratory"},
-                                                                           {Source::program, "program"}});
+inline constexpr auto fileWords<Source> = wordsInOrder<Source>("text", "practice", "laboratory", "program");
 template <>
-inline constexpr auto fileWords<State> = std::to_array<FileWord<State>>({{State::unmet, "unmet"},
-                                                                         {State::undeclared, "undeclared"}});
+inline constexpr auto fileWords<State> = wordsInOrder<State>("unmet", "undeclared");
+template <>
+inline constexpr auto fileWords<CircleOf> = wordsInOrder<CircleOf>("both", "counterclockwise", "clockwise");
+template <>
+inline constexpr auto fileWords<LimitState> = wordsInOrder<LimitState>("respected", "notProven",
+                                                                       "notEvaluable", "exceeded");
 template <>
 inline constexpr auto
-    fileWords<CircleOf> = std::to_array<FileWord<CircleOf>>({{CircleOf::both, "both"},
-                                                             {CircleOf::counterclockwise, "counterclockwise"},
-                                                             {CircleOf::clockwise, "clockwise"}});
+    fileWords<NotEvaluable> = wordsInOrder<NotEvaluable>("oneRun", "oneDirection", "oneSense",
+                                                         "feedbackSignal", "notCalibrated", "notCalibrated",
+                                                         "noSuchParameter", "otherEdition", "noValue");
 template <>
-inline constexpr auto
-    fileWords<LimitState> = std::to_array<FileWord<LimitState>>({{LimitState::respected, "respected"},
-                                                                 {LimitState::notProven, "notProven"},
-                                                                 {LimitState::notEvaluable, "notEvaluable"},
-                                                                 {LimitState::exceeded, "exceeded"}});
-template <>
-inline constexpr auto fileWords<NotEvaluable> =
-    std::to_array<FileWord<NotEvaluable>>({{NotEvaluable::oneRun, "oneRun"},
-                                           {NotEvaluable::oneDirection, "oneDirection"},
-                                           {NotEvaluable::oneSense, "oneSense"},
-                                           {NotEvaluable::feedbackSignal, "feedbackSignal"},
-                                           {NotEvaluable::notCalibrated, "notCalibrated"},
-                                           {NotEvaluable::calibrationOpen, "notCalibrated"},
-                                           {NotEvaluable::noSuchParameter, "noSuchParameter"},
-                                           {NotEvaluable::otherEdition, "otherEdition"},
-                                           {NotEvaluable::noValue, "noValue"}});
-template <>
-inline constexpr auto
-    fileWords<Accordance> = std::to_array<FileWord<Accordance>>({{Accordance::notChecked, "notChecked"},
-                                                                 {Accordance::no, "no"},
-                                                                 {Accordance::notShown, "notShown"},
-                                                                 {Accordance::partly, "partly"},
-                                                                 {Accordance::yes, "yes"}});
+inline constexpr auto fileWords<Accordance> = wordsInOrder<Accordance>("notChecked", "no", "notShown",
+                                                                       "partly", "yes");
 
 /// Returns the state of a test or parameter relative to its limits, independent of its accordance.
 [[nodiscard]] constexpr const char *limitsWord(std::optional<Verdict> verdict) {
