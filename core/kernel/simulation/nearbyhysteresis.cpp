@@ -3,7 +3,6 @@
 #include "kernel/simulation/nearbyhysteresis.h"
 
 #include "kernel/evaluation/iso230_4/hysteresis.h"
-#include "kernel/numerics/wideregisters.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,33 +36,15 @@ struct Columns {
     std::size_t count; ///< up to a block
 };
 
-/// |differences| of up to a block of points, padded with zeros. A plain loop, so that the compiler can
-/// vectorise it for the function it is inlined into.
-[[gnu::always_inline]] inline void differences(const Columns &c, Block &into) {
+/// |differences| of up to a block of points, padded with zeros.
+void differencesOf(const Columns &c, Block &into) {
     for (std::size_t k = 0; k < c.count; ++k) {
         const double before = c.to[c.before[k]];
         const double change = (c.from[c.point[k]] - before) - c.part[k] * (c.to[c.above[k]] - before);
-        into[k] = __builtin_fabs(c.difference[k] + change);
+        into[k] = std::abs(c.difference[k] + change);
     }
     for (std::size_t k = c.count; k < block; ++k)
         into[k] = 0;
-}
-
-PALMER_WIDE void differencesWide(const Columns &c, Block &into) {
-    differences(c, into);
-}
-
-PALMER_WIDEST void differencesWidest(const Columns &c, Block &into) {
-    differences(c, into);
-}
-
-void differencesOf(const Columns &c, Block &into) {
-    if (hasWidestRegisters())
-        differencesWidest(c, into);
-    else if (hasWideRegisters())
-        differencesWide(c, into);
-    else
-        differences(c, into);
 }
 
 /// Returns the columns of the comparisons of a path from `begin`.
