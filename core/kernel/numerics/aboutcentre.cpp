@@ -45,14 +45,13 @@ double turnBySlowWay(Point p, Point away) {
     return large == 0;
 }
 
-PALMER_WIDE bool allSmallWide(const double *x, const double *y, std::size_t size, Point centre, double *turns,
-                              double *distances) {
-    return allSmall(x, y, size, centre, turns, distances);
-}
-
-PALMER_WIDEST bool allSmallWidest(const double *x, const double *y, std::size_t size, Point centre,
-                                  double *turns, double *distances) {
-    return allSmall(x, y, size, centre, turns, distances);
+bool allSmallByRegisters(const double *x, const double *y, std::size_t size, Point centre, double *turns,
+                         double *distances) {
+    bool all = false;
+    inAvailableRegisters([&](auto) __attribute__((always_inline)) {
+        all = allSmall(x, y, size, centre, turns, distances);
+    });
+    return all;
 }
 
 template <class AllSmall>
@@ -77,12 +76,7 @@ void aboutCentreNarrow(PointsView points, Point centre, std::span<double> turns,
 }
 
 void aboutCentre(PointsView points, Point centre, std::span<double> turns, std::span<double> distances) {
-    if (hasWidestRegisters())
-        fill(points, centre, turns, distances, allSmallWidest);
-    else if (hasWideRegisters())
-        fill(points, centre, turns, distances, allSmallWide);
-    else
-        aboutCentreNarrow(points, centre, turns, distances);
+    fill(points, centre, turns, distances, allSmallByRegisters);
 }
 
 } // namespace palmer

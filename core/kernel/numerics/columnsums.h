@@ -6,7 +6,6 @@
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
 #include <cstring>
 
 /// Sums over columns of numbers. Eight rows are summed in parallel, in one register or several: the sums are
@@ -14,19 +13,6 @@
 namespace palmer::columnsums {
 
 inline constexpr std::size_t together = 8;
-
-struct Narrow {
-    using Value = double __attribute__((vector_size(16)));
-    using Index = std::int64_t __attribute__((vector_size(16)));
-};
-struct Wide {
-    using Value = double __attribute__((vector_size(32)));
-    using Index = std::int64_t __attribute__((vector_size(32)));
-};
-struct Widest {
-    using Value = double __attribute__((vector_size(64)));
-    using Index = std::int64_t __attribute__((vector_size(64)));
-};
 
 // NOLINTBEGIN(modernize-avoid-c-arrays): registers are no arguments of templates, GCC drops their width
 
@@ -65,27 +51,13 @@ template <class Register, class Terms>
     }
 }
 
-template <class Terms>
-PALMER_WIDE void sumUpWide(const Terms &terms, std::size_t n, std::array<double, Terms::number> &sums) {
-    sumUp<Wide>(terms, n, sums);
-}
-
-template <class Terms>
-PALMER_WIDEST void sumUpWidest(const Terms &terms, std::size_t n, std::array<double, Terms::number> &sums) {
-    sumUp<Widest>(terms, n, sums);
-}
-
 /// `Terms` has a `number` of sums, `columns` and their starts in `column[columns]`, and a template `of(row,
 /// values)` that computes the terms of a row, for doubles or registers of them.
 template <class Terms>
 std::array<double, Terms::number> sumsOf(const Terms &terms, std::size_t n) {
     std::array<double, Terms::number> sums{};
-    if (hasWidestRegisters())
-        sumUpWidest(terms, n, sums);
-    else if (hasWideRegisters())
-        sumUpWide(terms, n, sums);
-    else
-        sumUp<Narrow>(terms, n, sums);
+    inAvailableRegisters([&](auto registers)
+                             __attribute__((always_inline)) { sumUp<decltype(registers)>(terms, n, sums); });
     return sums;
 }
 

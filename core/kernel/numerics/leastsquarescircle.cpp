@@ -194,16 +194,6 @@ struct Directions {
     }
 }
 
-PALMER_WIDE void directionsWide(const double *x, const double *y, std::size_t size, Point origin, Point c,
-                                double R, Directions &into) {
-    directions(x, y, size, origin, c, R, into);
-}
-
-PALMER_WIDEST void directionsWidest(const double *x, const double *y, std::size_t size, Point origin, Point c,
-                                    double R, Directions &into) {
-    directions(x, y, size, origin, c, R, into);
-}
-
 // NOLINTBEGIN(modernize-avoid-c-arrays): rows as columnsums::sumUp makes them
 
 /// In the order of the members of Linearised.
@@ -236,12 +226,11 @@ struct LinearTerms {
 // NOLINTEND(modernize-avoid-c-arrays)
 
 Linearised linearise(PointsView points, std::span<const std::size_t> groups, Point mean, Point c, double R) {
-    const auto look = hasWidestRegisters() ? directionsWidest
-                      : hasWideRegisters() ? directionsWide
-                                           : directions;
     Directions of; // NOLINT(cppcoreguidelines-pro-type-member-init): what is read is written before
     const auto m = weightedMean<LinearTerms::number>(groups, [&](std::size_t begin, std::size_t size) {
-        look(&points.x[begin], &points.y[begin], size, mean, c, R, of);
+        inAvailableRegisters([&](auto) __attribute__((always_inline)) {
+            directions(&points.x[begin], &points.y[begin], size, mean, c, R, of);
+        });
         return columnsums::sumsOf(LinearTerms{{of.ux.data(), of.uy.data(), of.f.data(), of.bend.data()}},
                                   size);
     });

@@ -202,25 +202,14 @@ template <class Register>
 
 // NOLINTEND(modernize-avoid-c-arrays)
 
-PALMER_WIDE std::size_t Rays::outermostOfWide(const Compared &c, std::size_t count, Outermost &result) {
-    return outermostOf<columnsums::Wide>(c, count, result);
-}
-
-PALMER_WIDEST std::size_t Rays::outermostOfWidest(const Compared &c, std::size_t count, Outermost &result) {
-    return outermostOf<columnsums::Widest>(c, count, result);
-}
-
 Rays::Outermost Rays::outermost(const Look &look, Point centre) const {
     const Compared compared{look.farthest.data(), look.nearest.data(),     m_sectors.wx.data(),
                             m_sectors.wy.data(),  m_sectors.spread.data(), boundOf(look, centre)};
     Outermost result;
     std::size_t s = 0;
-    if (hasWidestRegisters())
-        s = outermostOfWidest(compared, m_sectorCount, result);
-    else if (hasWideRegisters())
-        s = outermostOfWide(compared, m_sectorCount, result);
-    else
-        s = outermostOf<columnsums::Narrow>(compared, m_sectorCount, result);
+    inAvailableRegisters([&](auto registers) __attribute__((always_inline)) {
+        s = outermostOf<decltype(registers)>(compared, m_sectorCount, result);
+    });
     for (; s < m_sectorCount; ++s) {
         if (const double r = farthest(look, s, compared.bound); r > result.greatest) {
             result.greatest = r;

@@ -106,8 +106,6 @@ private:
     };
     template <class Register>
     static std::size_t outermostOf(const Compared &c, std::size_t count, Outermost &result);
-    static std::size_t outermostOfWide(const Compared &c, std::size_t count, Outermost &result);
-    static std::size_t outermostOfWidest(const Compared &c, std::size_t count, Outermost &result);
     [[nodiscard]] Bound boundOf(const Look &look, Point centre) const;
     [[nodiscard]] double farthest(const Look &look, std::size_t s, const Bound &bound) const {
         return look.farthest[s] - (bound.delta.x * m_sectors.wx[s] + bound.delta.y * m_sectors.wy[s]) +

@@ -48,32 +48,11 @@ struct Shift {
     }
 }
 
-PALMER_WIDE void shiftWide(const Shift &by, double nominalRadius, const double *deviation, const double *ux,
-                           const double *uy, std::span<double> errors, double *distance) {
-    shift(by, nominalRadius, deviation, ux, uy, errors, distance);
-}
-
-PALMER_WIDEST void shiftWidest(const Shift &by, double nominalRadius, const double *deviation,
-                               const double *ux, const double *uy, std::span<double> errors,
-                               double *distance) {
-    shift(by, nominalRadius, deviation, ux, uy, errors, distance);
-}
-
 /// rebuiltRadius() for all points of a path.
 [[gnu::always_inline]] inline void rebuild(std::span<const double> distances, const double *ux,
                                            const double *uy, Point e, double *radius) {
     for (std::size_t i = 0; i < distances.size(); ++i)
         radius[i] = rebuiltRadius(distances[i], {ux[i], uy[i]}, e);
-}
-
-PALMER_WIDE void rebuildWide(std::span<const double> distances, const double *ux, const double *uy, Point e,
-                             double *radius) {
-    rebuild(distances, ux, uy, e, radius);
-}
-
-PALMER_WIDEST void rebuildWidest(std::span<const double> distances, const double *ux, const double *uy,
-                                 Point e, double *radius) {
-    rebuild(distances, ux, uy, e, radius);
 }
 
 } // namespace
@@ -287,9 +266,10 @@ void CircularTrials::perturb(long long trial, std::size_t index, const Common &a
     else
         std::ranges::fill(errors, 0);
     const Shift by{all.drift[index % 2] + all.zero, all.scale, m_middle, all.centring};
-    const auto apply = hasWidestRegisters() ? shiftWidest : hasWideRegisters() ? shiftWide : shift;
-    apply(by, m_measurement.nominalRadius, part.deviations.data(), part.rays.x().data(), part.rays.y().data(),
-          errors, buffers.distances[index].data());
+    inAvailableRegisters([&](auto) __attribute__((always_inline)) {
+        shift(by, m_measurement.nominalRadius, part.deviations.data(), part.rays.x().data(),
+              part.rays.y().data(), errors, buffers.distances[index].data());
+    });
     if (m_readings)
         setReadings(index, buffers);
 }
@@ -340,10 +320,10 @@ void CircularTrials::setPoints(Buffers &buffers) const {
         Rays::Look &look = buffers.looks[k];
         const auto &e = buffers.results->centringError;
         if (part.commanded && e) {
-            const auto apply = hasWidestRegisters() ? rebuildWidest
-                               : hasWideRegisters() ? rebuildWide
-                                                    : rebuild;
-            apply(buffers.distances[k], part.rays.x().data(), part.rays.y().data(), *e, look.radii.data());
+            inAvailableRegisters([&](auto) __attribute__((always_inline)) {
+                rebuild(buffers.distances[k], part.rays.x().data(), part.rays.y().data(), *e,
+                        look.radii.data());
+            });
         } else {
             look.radii.swap(buffers.distances[k]); // redrawn by the next trial
         }

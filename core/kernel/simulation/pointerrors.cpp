@@ -115,16 +115,6 @@ using Tile = std::array<double, tile>;
     }
 }
 
-PALMER_WIDE void drawWide(const RandomDraws &draws, long long trial, std::uint32_t place,
-                          const PointErrors &errors, std::span<double> into) {
-    draw(draws, trial, place, errors, into);
-}
-
-PALMER_WIDEST void drawWidest(const RandomDraws &draws, long long trial, std::uint32_t place,
-                              const PointErrors &errors, std::span<double> into) {
-    draw(draws, trial, place, errors, into);
-}
-
 } // namespace
 
 std::uint32_t placesOfPoints(std::size_t points) {
@@ -138,12 +128,8 @@ void drawPointErrorsNarrow(const RandomDraws &draws, long long trial, std::uint3
 
 void drawPointErrors(const RandomDraws &draws, long long trial, std::uint32_t place,
                      const PointErrors &errors, std::span<double> into) {
-    if (hasWidestRegisters())
-        drawWidest(draws, trial, place, errors, into);
-    else if (hasWideRegisters())
-        drawWide(draws, trial, place, errors, into);
-    else
-        drawPointErrorsNarrow(draws, trial, place, errors, into);
+    inAvailableRegisters([&](auto)
+                             __attribute__((always_inline)) { draw(draws, trial, place, errors, into); });
 }
 
 } // namespace palmer
