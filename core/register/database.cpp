@@ -268,6 +268,11 @@ QSqlQuery &Database::run(const QString &statement, const QVariantList &values) {
     return known->second;
 }
 
+void Database::insert(const QString &columns, const QVariantList &values) {
+    const QString places = QStringList(values.size(), QStringLiteral("?")).join(QStringLiteral(", "));
+    run(QStringLiteral("insert into ") + columns + QStringLiteral(" values (") + places + u')', values);
+}
+
 std::optional<QVariant> Database::first(const QString &statement, const QVariantList &values) {
     QSqlQuery &query = run(statement, values);
     std::optional<QVariant> result;

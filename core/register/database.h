@@ -28,6 +28,8 @@ public:
     /// Runs a statement; values are bound, never part of it. The query stays prepared: read it to its end, or
     /// finish it, before running the statement again. Throws Error.
     QSqlQuery &run(const QString &statement, const QVariantList &values = {});
+    /// Inserts a row; `columns`: "place (source, position, test)".
+    void insert(const QString &columns, const QVariantList &values);
     /// Returns the first value of a statement's result; null without a row.
     std::optional<QVariant> first(const QString &statement, const QVariantList &values = {});
     /// Runs a statement without values once: schema, transactions.

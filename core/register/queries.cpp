@@ -2,64 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/queries.h"
 
-#include "document/filewords.h"
-#include "document/resultwords.h"
 #include "register/machineidentity.h"
 #include "register/register.h"
+#include "register/storedvalues.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
 #include <map>
 
 namespace palmer {
 
 namespace {
-
-std::string utf8(const QVariant &value) {
-    return value.toString().toStdString();
-}
-
-std::optional<std::string> optionalText(const QVariant &value) {
-    return value.isNull() ? std::nullopt : std::optional(utf8(value));
-}
-
-std::optional<double> optionalNumber(const QVariant &value) {
-    return value.isNull() ? std::nullopt : std::optional(value.toDouble());
-}
-
-std::optional<int> optionalCount(const QVariant &value) {
-    return value.isNull() ? std::nullopt : std::optional(value.toInt());
-}
-
-template <class Enumeration>
-Enumeration fromWord(const QVariant &value) {
-    const std::string word = utf8(value);
-    for (const auto &row : fileWords<Enumeration>) {
-        if (word == row.word)
-            return row.value;
-    }
-    return {};
-}
-
-std::optional<Verdict> verdictFrom(const QVariant &value) {
-    if (value.isNull())
-        return std::nullopt;
-    for (const Verdict verdict : {Verdict::conforms, Verdict::notProven, Verdict::doesNotConform}) {
-        if (value.toString() == QLatin1StringView(limitsWord(verdict)))
-            return verdict;
-    }
-    return std::nullopt;
-}
-
-Accordance accordanceFrom(const QVariant &value) {
-    for (const Accordance accordance :
-         {Accordance::no, Accordance::notShown, Accordance::partly, Accordance::yes}) {
-        if (value.toString() == QLatin1StringView(fileWord(accordance)))
-            return accordance;
-    }
-    return Accordance::notChecked;
-}
 
 std::optional<double> numberFrom(QStringView digits) {
     if (digits.isEmpty())
@@ -127,61 +80,27 @@ Condition conditionOf(const TestFilter &filter) {
 
 ListedTest testFrom(const QSqlQuery &row) {
     ListedTest result;
-    int column = 0;
-    const auto next = [&] { return row.value(column++); };
-    result.id = next().toInt();
-    result.test.digest = next().toString();
-    result.machine = next().toInt();
     RegisteredTest &test = result.test;
-    test.machineName = utf8(next());
-    test.manufacturer = utf8(next());
-    test.model = utf8(next());
-    test.serialNumber = utf8(next());
-    test.location = utf8(next());
-    test.kind = fromWord<Kind>(next());
-    test.title = utf8(next());
-    test.id = utf8(next());
-    test.edition = utf8(next());
-    test.axis = utf8(next());
-    test.angular = next().toInt() != 0;
-    test.date = optionalText(next());
-    test.time = optionalText(next());
-    test.feed = optionalNumber(next());
-    test.travel = optionalNumber(next());
-    test.setUp = utf8(next());
-    test.correction = fromWord<CorrectionTo20>(next());
-    test.purpose = fromWord<Purpose>(next());
-    test.role = fromWord<TestRole>(next());
-    test.verdict = verdictFrom(next());
-    test.rule = fromWord<Rule>(next());
-    test.accordance = accordanceFrom(next());
-    test.counts.unmet = next().toInt();
-    test.counts.undeclared = next().toInt();
-    test.counts.departures = next().toInt();
-    test.fingerprint = next().toString();
-    test.parts = partsFrom(next().toString());
-    test.awaitsSimulation = next().toInt() != 0;
+    QString parts;
+    RowReader(row).read(result.id, test.digest, result.machine, test.machineName, test.manufacturer,
+                        test.model, test.serialNumber, test.location, test.kind, test.title, test.id,
+                        test.edition, test.axis, test.angular, test.date, test.time, test.feed, test.travel,
+                        test.setUp, test.correction, test.purpose, test.role, test.verdict, test.rule,
+                        test.accordance, test.counts.unmet, test.counts.undeclared, test.counts.departures,
+                        test.fingerprint, parts, test.awaitsSimulation);
+    test.parts = partsFrom(parts);
     return result;
 }
 
 RegisteredResult resultFrom(const QSqlQuery &row) {
-    int column = 1;
-    const auto next = [&] { return row.value(column++); };
     RegisteredResult result;
-    result.id = utf8(next());
-    result.value = optionalNumber(next());
-    result.expandedUncertainty = optionalNumber(next());
-    result.k = optionalNumber(next());
-    result.bound = static_cast<Bound>(next().toInt());
-    result.limit = optionalNumber(next());
-    result.guardBand = optionalNumber(next());
-    result.verdict = verdictFrom(next());
-    result.own = next().toDouble();
-    result.shared = static_cast<unsigned>(next().toInt());
-    result.sharedFactor = next().toDouble();
-    result.withoutParts = next().toInt() != 0;
-    result.decimals = optionalCount(next());
-    result.uncertaintyDecimals = optionalCount(next());
+    int bound = 0;
+    int shared = 0;
+    RowReader(row, 1).read(result.id, result.value, result.expandedUncertainty, result.k, bound, result.limit,
+                           result.guardBand, result.verdict, result.own, shared, result.sharedFactor,
+                           result.withoutParts, result.decimals, result.uncertaintyDecimals);
+    result.bound = static_cast<Bound>(bound);
+    result.shared = static_cast<unsigned>(shared);
     return result;
 }
 
@@ -204,18 +123,18 @@ void addParts(Database &database, const TestFilter &filter, const Condition &con
     std::map<int, ListedTest *> byId;
     for (ListedTest &test : list)
         byId.emplace(test.id, &test);
-    eachRow(
-        database, condition,
-        QStringLiteral("select place.test, source.path, place.position, source.state from place, source "
-                       "where source.id = place.source and place.test"),
-        {}, byId, [](ListedTest &test, const QSqlQuery &row) {
-            test.places.push_back({row.value(1).toString(), row.value(2).toInt(), row.value(3).toString()});
-        });
+    eachRow(database, condition,
+            QStringLiteral("select place.test, source.path, place.position, source.state from place, source "
+                           "where source.id = place.source and place.test"),
+            {}, byId, [](ListedTest &test, const QSqlQuery &row) {
+                TestPlace &place = test.places.emplace_back();
+                RowReader(row, 1).read(place.path, place.test, place.state);
+            });
     eachRow(database, condition,
             QStringLiteral("select test, description, serial, certificate, due from instrument where test"),
             QStringLiteral("order by test, position"), byId, [](ListedTest &test, const QSqlQuery &row) {
-                test.test.instruments.push_back(
-                    {utf8(row.value(1)), utf8(row.value(2)), utf8(row.value(3)), optionalText(row.value(4))});
+                RegisteredInstrument &one = test.test.instruments.emplace_back();
+                RowReader(row, 1).read(one.description, one.serialNumber, one.certificate, one.due);
             });
     eachRow(database, condition,
             QStringLiteral(
@@ -280,18 +199,10 @@ std::vector<ListedMachine> machines(Database &database) {
                        "from machine where months is not null or exists (select 1 from test where "
                        "test.machine = machine.id)"));
     while (query.next()) {
-        ListedMachine machine;
-        machine.id = query.value(0).toInt();
-        machine.identity = query.value(1).toString();
-        machine.isIdentified = query.value(2).toInt() != 0;
-        machine.name = query.value(3).toString();
-        machine.manufacturer = query.value(4).toString();
-        machine.model = query.value(5).toString();
-        machine.serialNumber = query.value(6).toString();
-        machine.location = query.value(7).toString();
-        if (!query.value(8).isNull())
-            machine.months = query.value(8).toInt();
-        result.push_back(std::move(machine));
+        ListedMachine &machine = result.emplace_back();
+        RowReader(query).read(machine.id, machine.identity, machine.isIdentified, machine.name,
+                              machine.manufacturer, machine.model, machine.serialNumber, machine.location,
+                              machine.months);
     }
     std::ranges::sort(result, {}, [](const ListedMachine &machine) {
         return std::tuple(!machine.isIdentified, machine.title(), machine.serialNumber, machine.identity);
@@ -309,12 +220,15 @@ std::map<int, std::vector<AxisState>> axisStates(Database &database) {
         "kind <> 'drift' group by machine, axis) as last where test.machine = last.machine and test.axis = "
         "last.axis and test.date = last.day and test.kind <> 'drift'"));
     while (query.next()) {
-        AxisState state{query.value(1).toString(), fromWord<Kind>(query.value(2)),
-                        verdictFrom(query.value(3)), accordanceFrom(query.value(4))};
-        const QString place = query.value(5).toString() + u' ' +
-                              QString::number(order(fromWord<TestRole>(query.value(6)))) + u' ' +
-                              query.value(7).toString();
-        auto &known = newest[{query.value(0).toInt(), state.axis}];
+        int machine = 0;
+        AxisState state;
+        QString time;
+        TestRole role{};
+        QString digest;
+        RowReader(query).read(machine, state.axis, state.kind, state.verdict, state.accordance, time, role,
+                              digest);
+        const QString place = time + u' ' + QString::number(order(role)) + u' ' + digest;
+        auto &known = newest[{machine, state.axis}];
         if (known.first.isEmpty() || place > known.first)
             known = {place, std::move(state)};
     }

@@ -149,9 +149,10 @@ void Register::rebuild() {
     int id = 0;
     for (QVariantList values : intervals) {
         values.prepend(++id);
-        m_database.run(QStringLiteral("insert into machine (id, identity, identified, name, manufacturer, "
-                                      "model, serial, location, months) values (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-                       values);
+        m_database.insert(
+            QStringLiteral(
+                "machine (id, identity, identified, name, manufacturer, model, serial, location, months)"),
+            values);
     }
 }
 

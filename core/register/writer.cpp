@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/writer.h"
 
-#include "document/filewords.h"
-#include "document/resultwords.h"
 #include "kernel/words/shortest.h"
 #include "register/machineidentity.h"
+#include "register/storedvalues.h"
 
 #include <array>
 #include <charconv>
@@ -13,24 +12,6 @@
 namespace palmer {
 
 namespace {
-
-QVariant text(const std::string &utf8) {
-    return QString::fromStdString(utf8);
-}
-
-template <class T>
-QVariant orNull(const std::optional<T> &value) {
-    if (!value)
-        return {};
-    if constexpr (std::same_as<T, std::string>)
-        return text(*value);
-    else
-        return *value;
-}
-
-QVariant verdictOrNull(std::optional<Verdict> verdict) {
-    return verdict ? QVariant(QString::fromLatin1(limitsWord(verdict))) : QVariant();
-}
 
 QString partsText(const std::vector<SharedPart> &parts) {
     QStringList lines;
@@ -82,10 +63,9 @@ std::map<QString, KnownSource> RegisterWriter::sources(Database &database) {
     QSqlQuery &query = database.run(
         QStringLiteral("select id, path, size, modified, sha256, program, state, error from source"));
     while (query.next()) {
-        KnownSource source{query.value(0).toInt(),      query.value(1).toString(),
-                           query.value(2).toLongLong(), query.value(3).toLongLong(),
-                           query.value(4).toString(),   query.value(5).toString(),
-                           query.value(6).toString(),   query.value(7).toString()};
+        KnownSource source;
+        RowReader(query).read(source.id, source.path, source.size, source.modified, source.sha256,
+                              source.program, source.state, source.error);
         const QString path = source.path;
         result.emplace(path, std::move(source));
     }
@@ -116,15 +96,13 @@ void RegisterWriter::put(const KnownSource &source, const std::vector<Registered
             {source.size, source.modified, source.sha256, source.program, source.state, error, id});
     } else {
         id = next(QStringLiteral("source"));
-        m_database.run(QStringLiteral("insert into source (id, path, size, modified, sha256, program, state, "
-                                      "error) values (?, ?, ?, ?, ?, ?, ?, ?)"),
-                       {id, source.path, source.size, source.modified, source.sha256, source.program,
-                        source.state, error});
+        m_database.insert(QStringLiteral("source (id, path, size, modified, sha256, program, state, error)"),
+                          {id, source.path, source.size, source.modified, source.sha256, source.program,
+                           source.state, error});
     }
     int position = 0;
     for (const RegisteredTest &test : tests)
-        m_database.run(QStringLiteral("insert into place (source, position, test) values (?, ?, ?)"),
-                       {id, ++position, testId(test)});
+        m_database.insert(QStringLiteral("place (source, position, test)"), {id, ++position, testId(test)});
 }
 
 void RegisterWriter::refresh(const KnownSource &source) {
@@ -150,10 +128,10 @@ int RegisterWriter::machineId(const RegisteredTest &test) {
             m_database.first(QStringLiteral("select id from machine where identity = ?"), {identity.key}))
         return known->toInt();
     const int id = next(QStringLiteral("machine"));
-    m_database.run(QStringLiteral("insert into machine (id, identity, identified, name, manufacturer, model, "
-                                  "serial, location) values (?, ?, ?, ?, ?, ?, ?, ?)"),
-                   {id, identity.key, identity.isIdentified ? 1 : 0, text(test.machineName),
-                    text(test.manufacturer), text(test.model), text(test.serialNumber), text(test.location)});
+    m_database.insert(
+        QStringLiteral("machine (id, identity, identified, name, manufacturer, model, serial, location)"),
+        storedValues(id, identity.key, identity.isIdentified, test.machineName, test.manufacturer, test.model,
+                     test.serialNumber, test.location));
     return id;
 }
 
@@ -171,68 +149,40 @@ int RegisterWriter::testId(const RegisteredTest &test) {
 void RegisterWriter::insertTest(int id, const RegisteredTest &test) {
     const int machine = machineId(test);
     m_touched.insert(machine);
-    m_database.run(
-        QStringLiteral("insert into test (id, digest, machine, name, manufacturer, model, serial, location, "
-                       "kind, title, word, edition, axis, angular, date, time, feed, travel, setup, "
-                       "correction, purpose, role, verdict, rule, accordance, unmet, undeclared, departures, "
-                       "fingerprint, parts, awaits) values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, "
-                       "?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-        {id,
-         test.digest,
-         machine,
-         text(test.machineName),
-         text(test.manufacturer),
-         text(test.model),
-         text(test.serialNumber),
-         text(test.location),
-         QString::fromLatin1(fileWord(test.kind)),
-         text(test.title),
-         text(test.id),
-         text(test.edition),
-         text(test.axis),
-         test.angular ? 1 : 0,
-         orNull(test.date),
-         orNull(test.time),
-         orNull(test.feed),
-         orNull(test.travel),
-         text(test.setUp),
-         QString::fromLatin1(fileWord(test.correction)),
-         QString::fromLatin1(fileWord(test.purpose)),
-         QString::fromLatin1(fileWord(test.role)),
-         verdictOrNull(test.verdict),
-         QString::fromLatin1(fileWord(test.rule)),
-         QString::fromLatin1(fileWord(test.accordance)),
-         test.counts.unmet,
-         test.counts.undeclared,
-         test.counts.departures,
-         test.fingerprint,
-         partsText(test.parts),
-         test.awaitsSimulation ? 1 : 0});
+    m_database.insert(
+        QStringLiteral(
+            "test (id, digest, machine, name, manufacturer, model, serial, location, kind, title, word, "
+            "edition, axis, angular, date, time, feed, travel, setup, correction, purpose, role, verdict, "
+            "rule, accordance, unmet, undeclared, departures, fingerprint, parts, awaits)"),
+        storedValues(id, test.digest, machine, test.machineName, test.manufacturer, test.model,
+                     test.serialNumber, test.location, test.kind, test.title, test.id, test.edition,
+                     test.axis, test.angular, test.date, test.time, test.feed, test.travel, test.setUp,
+                     test.correction, test.purpose, test.role, test.verdict, test.rule, test.accordance,
+                     test.counts.unmet, test.counts.undeclared, test.counts.departures, test.fingerprint,
+                     partsText(test.parts), test.awaitsSimulation));
     insertResults(id, test);
     int position = 0;
     for (const RegisteredInstrument &instrument : test.instruments)
-        m_database.run(QStringLiteral("insert into instrument (test, position, description, serial, "
-                                      "certificate, due) values (?, ?, ?, ?, ?, ?)"),
-                       {id, ++position, text(instrument.description), text(instrument.serialNumber),
-                        text(instrument.certificate), orNull(instrument.due)});
+        m_database.insert(
+            QStringLiteral("instrument (test, position, description, serial, certificate, due)"),
+            storedValues(id, ++position, instrument.description, instrument.serialNumber,
+                         instrument.certificate, instrument.due));
     if (!test.curve.empty())
-        m_database.run(QStringLiteral("insert into curve (test, points) values (?, ?)"),
-                       {id, curveText(test.curve)});
+        m_database.insert(QStringLiteral("curve (test, points)"), {id, curveText(test.curve)});
 }
 
 void RegisterWriter::insertResults(int id, const RegisteredTest &test) {
-    const QString insert = QStringLiteral(
-        "insert into result (test, position, id, value, expanded, k, bound, limit_value, guard, "
-        "verdict, own, shared, factor, whole, decimals, udecimals) "
-        "values (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+    const QString columns =
+        QStringLiteral("result (test, position, id, value, expanded, k, bound, limit_value, guard, verdict, "
+                       "own, shared, factor, whole, decimals, udecimals)");
     int position = 0;
     for (const RegisteredResult &result : test.results)
-        m_database.run(
-            insert,
-            {id, ++position, text(result.id), orNull(result.value), orNull(result.expandedUncertainty),
-             orNull(result.k), static_cast<int>(result.bound), orNull(result.limit), orNull(result.guardBand),
-             verdictOrNull(result.verdict), result.own, static_cast<int>(result.shared), result.sharedFactor,
-             result.withoutParts ? 1 : 0, orNull(result.decimals), orNull(result.uncertaintyDecimals)});
+        m_database.insert(columns,
+                          storedValues(id, ++position, result.id, result.value, result.expandedUncertainty,
+                                       result.k, static_cast<int>(result.bound), result.limit,
+                                       result.guardBand, result.verdict, result.own,
+                                       static_cast<int>(result.shared), result.sharedFactor,
+                                       result.withoutParts, result.decimals, result.uncertaintyDecimals));
 }
 
 void RegisterWriter::replaceResults(const QString &digest, const RegisteredTest &test) {
@@ -243,9 +193,8 @@ void RegisterWriter::replaceResults(const QString &digest, const RegisteredTest 
     m_database.run(QStringLiteral("delete from result where test = ?"), {id});
     m_database.run(QStringLiteral("update test set verdict = ?, accordance = ?, unmet = ?, undeclared = ?, "
                                   "departures = ?, parts = ?, awaits = 0 where id = ?"),
-                   {verdictOrNull(test.verdict), QString::fromLatin1(fileWord(test.accordance)),
-                    test.counts.unmet, test.counts.undeclared, test.counts.departures, partsText(test.parts),
-                    id});
+                   storedValues(test.verdict, test.accordance, test.counts.unmet, test.counts.undeclared,
+                                test.counts.departures, partsText(test.parts), id));
     insertResults(id, test);
 }
 
