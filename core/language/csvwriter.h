@@ -62,6 +62,16 @@ public:
         std::replace(digits.data(), end, '.', m_mark);
         m_text.append(digits.data(), end);
     }
+    /// Texts and numbers, in their order.
+    template <class... Cells>
+    void cells(const Cells &...values) {
+        (cell(values), ...);
+    }
+    template <class... Cells>
+    void row(const Cells &...values) {
+        cells(values...);
+        endRow();
+    }
     void endRow() {
         m_text += '\n';
         m_first = true;
@@ -69,6 +79,8 @@ public:
     [[nodiscard]] QByteArray bytes() const { return QByteArray::fromStdString(m_text); }
 
 private:
+    void cell(const std::string &value) { text(value); }
+    void cell(std::optional<double> value) { number(value); }
     void begin() {
         if (!m_first)
             m_text += m_delimiter;

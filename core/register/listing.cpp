@@ -14,18 +14,15 @@
 #include "report/words/wording.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace palmer {
 
 namespace {
 
-constexpr std::array verdictWords{"conforms", "notProven", "doesNotConform"};
-
 Members verdictMember(Members members, std::optional<Verdict> verdict) {
     if (verdict)
-        members.quoted("verdict", verdictWords.at(static_cast<std::size_t>(*verdict)));
+        members.quoted("verdict", fileWord(*verdict));
     else
         members.word("verdict", "null");
     return members;
@@ -130,11 +127,8 @@ QByteArray listedTestJson(const ListedTest &listed) {
 
 QByteArray listedTestsCsvHead() {
     CsvWriter csv('.');
-    for (const char *word :
-         {"file", "test", "machine", "manufacturer", "model", "serialNumber", "axis", "date", "edition",
-          "purpose", "role", "parameter", "value", "U", "limit", "unit", "limits", "accordance"})
-        csv.text(word);
-    csv.endRow();
+    csv.row("file", "test", "machine", "manufacturer", "model", "serialNumber", "axis", "date", "edition",
+            "purpose", "role", "parameter", "value", "U", "limit", "unit", "limits", "accordance");
     return csv.bytes();
 }
 
@@ -142,31 +136,18 @@ QByteArray listedTestCsv(const ListedTest &listed) {
     const RegisteredTest &test = listed.test;
     CsvWriter csv('.');
     const auto head = [&] {
-        csv.text(fileOf(listed).toStdString());
-        csv.number(listed.places.empty() ? 1 : listed.places.front().test);
-        for (const std::string &cell :
-             {test.machineName, test.manufacturer, test.model, test.serialNumber, test.axis,
-              test.date.value_or(""), test.edition, std::string(fileWord(test.purpose)),
-              std::string(fileWord(test.role))})
-            csv.text(cell);
+        csv.cells(fileOf(listed).toStdString(), listed.places.empty() ? 1 : listed.places.front().test,
+                  test.machineName, test.manufacturer, test.model, test.serialNumber, test.axis,
+                  test.date.value_or(""), test.edition, fileWord(test.purpose), fileWord(test.role));
     };
     for (const RegisteredResult &result : test.results) {
         head();
-        csv.text(result.id);
-        csv.number(result.value);
-        csv.number(result.expandedUncertainty);
-        csv.number(result.limit);
-        csv.text(unitOf(test));
-        csv.text(limitsWord(result.verdict));
-        csv.text(fileWord(test.accordance));
-        csv.endRow();
+        csv.row(result.id, result.value, result.expandedUncertainty, result.limit, unitOf(test),
+                limitsWord(result.verdict), fileWord(test.accordance));
     }
     if (test.results.empty()) {
         head();
-        for (int i = 0; i < 6; ++i)
-            csv.text({});
-        csv.text(fileWord(test.accordance));
-        csv.endRow();
+        csv.row("", "", "", "", "", "", fileWord(test.accordance));
     }
     return csv.bytes();
 }

@@ -303,33 +303,19 @@ QByteArray trendJson(const ListedMachine &machine, const std::string &axis, cons
 QByteArray trendCsv(const ListedMachine &machine, const std::string &axis,
                     const std::vector<MachineTrend> &trends) {
     CsvWriter csv('.');
-    for (const char *word :
-         {"machine", "serialNumber", "axis", "parameter", "series", "edition", "date", "value", "U", "limit",
-          "unit", "role", "purpose", "line", "uOfLine", "file", "test"})
-        csv.text(word);
-    csv.endRow();
+    csv.row("machine", "serialNumber", "axis", "parameter", "series", "edition", "date", "value", "U",
+            "limit", "unit", "role", "purpose", "line", "uOfLine", "file", "test");
     for (const MachineTrend &trend : trends) {
         for (std::size_t i = 0; i < trend.series.size(); ++i) {
             for (const TrendEntry &entry : trend.series[i].entries) {
                 const bool onLine = i == 0 && trend.line && entry.stretch == trend.interventions.size();
-                csv.text(machine.name.toStdString());
-                csv.text(machine.serialNumber.toStdString());
-                csv.text(axis);
-                csv.text(trend.parameter);
-                csv.number(static_cast<double>(i + 1));
-                csv.text(trend.series[i].edition);
-                csv.text(entry.date);
-                csv.number(entry.result.value);
-                csv.number(entry.result.expandedUncertainty);
-                csv.number(entry.result.limit);
-                csv.text(trend.angular ? "deg" : "mm");
-                csv.text(fileWord(entry.role));
-                csv.text(fileWord(entry.purpose));
-                csv.number(onLine ? std::optional(trend.line->at(entry.time)) : std::nullopt);
-                csv.number(onLine ? std::optional(trend.line->uncertaintyAt(entry.time)) : std::nullopt);
-                csv.text(entry.file.toStdString());
-                csv.number(entry.test);
-                csv.endRow();
+                csv.row(machine.name.toStdString(), machine.serialNumber.toStdString(), axis, trend.parameter,
+                        static_cast<double>(i + 1), trend.series[i].edition, entry.date, entry.result.value,
+                        entry.result.expandedUncertainty, entry.result.limit, trend.angular ? "deg" : "mm",
+                        fileWord(entry.role), fileWord(entry.purpose),
+                        onLine ? std::optional(trend.line->at(entry.time)) : std::nullopt,
+                        onLine ? std::optional(trend.line->uncertaintyAt(entry.time)) : std::nullopt,
+                        entry.file.toStdString(), entry.test);
             }
         }
     }
