@@ -3,6 +3,7 @@
 #include "register/history.h"
 
 #include "document/documenterror.h"
+#include "kernel/evaluation/conformity.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/rounding.h"
 #include "register/listing.h"
@@ -40,10 +41,6 @@ struct AxisTrends {
 
 QString utf8(const std::string &text) {
     return QString::fromStdString(text);
-}
-
-Verdict worse(Verdict a, Verdict b) {
-    return std::max(a, b);
 }
 
 class Composer {
@@ -218,17 +215,13 @@ private:
                                                       trendStatement(trend, m_language).toStdString()});
             const Quantity quantity = trendQuantity(trend);
             const TrendEntry &last = trend.series.front().entries.back();
-            const ShownResult shown = shownResult(last.result, trend.angular, m_language);
             line.limits.label = text(REPORT_TEXT("report", "Limit"));
             line.limits.state =
                 m_language.quantity(*trend.limit, quantity, limitDecimals(*trend.limit, quantity));
-            line.limits.text =
-                say(REPORT_TEXT("report", "%1 at the last test"),
-                    {(shown.value +
-                      (shown.uncertainty.isEmpty() ? QString()
-                                                   : QStringLiteral("\u00A0±\u00A0") + shown.uncertainty) +
-                      QChar(QChar::Nbsp) + m_language.unit(quantity))
-                         .toStdString()});
+            line.limits.text = say(REPORT_TEXT("report", "%1 at the last test"),
+                                   {(shownResult(last.result, trend.angular, m_language).text() +
+                                     QChar(QChar::Nbsp) + m_language.unit(quantity))
+                                        .toStdString()});
             if (list.size() > 1) {
                 line.accordance.label = text(REPORT_TEXT("report", "Then"));
                 line.accordance.state = symbolAndAxis(list[1]);
@@ -364,11 +357,8 @@ private:
         bool anyLimit = false;
         for (const auto &[axis, listed] : campaign) {
             const RegisteredTest &test = listed->test;
-            if (test.verdict)
-                verdict = verdict ? worse(*verdict, *test.verdict) : *test.verdict;
-            anyLimit = anyLimit || std::ranges::any_of(test.results, [](const RegisteredResult &result) {
-                           return result.limit.has_value();
-                       });
+            verdict = worst(verdict, test.verdict);
+            anyLimit = anyLimit || hasLimit(test);
         }
         Cell limits(text(limitsText(verdict, anyLimit)));
         if (verdict)
@@ -453,7 +443,6 @@ private:
         int count = 0;
         for (const std::string &id : parametersOf({one})) {
             const auto found = std::ranges::find(test.results, id, &RegisteredResult::id);
-            const ShownResult shown = shownResult(*found, test.angular, m_language);
             const QString symbol = plainSymbolOf(id);
             const std::size_t end = id.find('_');
             const QString index = end == std::string::npos ? QString() : utf8(id.substr(end + 1));
@@ -461,10 +450,7 @@ private:
                 {(count == 0 ? QString() : QStringLiteral("; ")) + symbol.chopped(index.size())});
             if (!index.isEmpty())
                 results.push_back({index, true});
-            results.push_back(
-                {QChar(QChar::Nbsp) + shown.value +
-                 (shown.uncertainty.isEmpty() ? QString()
-                                              : QStringLiteral("\u00A0±\u00A0") + shown.uncertainty)});
+            results.push_back({QChar(QChar::Nbsp) + shownResult(*found, test.angular, m_language).text()});
             if (++count == mostResults)
                 break;
         }

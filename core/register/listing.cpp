@@ -196,21 +196,16 @@ Report composeList(const QString &title, const std::vector<ListedTest> &tests, c
             const auto found = std::ranges::find(test.results, id, &RegisteredResult::id);
             if (found == test.results.end())
                 continue;
-            const ShownResult shown = shownResult(*found, test.angular, language);
-            results << plainSymbolOf(id) + QChar(QChar::Nbsp) + shown.value +
-                           (shown.uncertainty.isEmpty()
-                                ? QString()
-                                : QStringLiteral("\u00A0±\u00A0") + shown.uncertainty);
+            results << plainSymbolOf(id) + QChar(QChar::Nbsp) +
+                           shownResult(*found, test.angular, language).text();
         }
-        const bool anyLimit = std::ranges::any_of(
-            test.results, [](const RegisteredResult &result) { return result.limit.has_value(); });
         const auto said = [&](const Text &text) { return text.empty() ? QString() : language.text(text); };
         table.rows.push_back(
             {Cell(test.date ? language.shortDate(*test.date) : QString()),
              Cell(QString::fromStdString(test.axis)), Cell(QString::fromStdString(test.edition)),
              Cell(said(purposeText(test.purpose))), Cell(said(roleText(test.role))),
              Cell(results.join(QStringLiteral("; "))),
-             Cell(language.text(limitsText(test.verdict, anyLimit))),
+             Cell(language.text(limitsText(test.verdict, hasLimit(test)))),
              Cell(traitsOf(test.kind).isJudged ? language.text(accordanceWords(test.accordance))
                                                : QString())});
     }

@@ -26,6 +26,11 @@ namespace palmer {
 struct ShownResult {
     QString value;
     QString uncertainty; ///< empty: none
+
+    /// Returns both: "12.3 ± 0.4".
+    [[nodiscard]] QString text() const {
+        return uncertainty.isEmpty() ? value : value + QStringLiteral("\u00A0±\u00A0") + uncertainty;
+    }
 };
 [[nodiscard]] ShownResult shownResult(const RegisteredResult &result, bool angular, const Language &language);
 

@@ -350,6 +350,10 @@ std::vector<RegisteredTest> registeredTests(const EvaluatedDocument &evaluated, 
     return result;
 }
 
+bool hasLimit(const RegisteredTest &test) {
+    return std::ranges::any_of(test.results, [](const RegisteredResult &r) { return r.limit.has_value(); });
+}
+
 std::string quantityOf(const std::string &resultId) {
     return resultId.substr(0, resultId.find('_'));
 }

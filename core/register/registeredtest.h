@@ -93,6 +93,9 @@ struct RegisteredTest {
 [[nodiscard]] std::vector<RegisteredTest> registeredTests(const EvaluatedDocument &evaluated,
                                                           const QString &program);
 
+/// True if any of its results has a limit.
+[[nodiscard]] bool hasLimit(const RegisteredTest &test);
+
 /// Returns the quantity of an id without axes: "G(b)" for "G(b)_XY".
 [[nodiscard]] std::string quantityOf(const std::string &resultId);
 
