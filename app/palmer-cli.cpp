@@ -32,7 +32,7 @@ const Command &commandCalled(const QString &name) {
 
 int runCommand(const Command &command, const QStringList &words, const Language &language) {
     const Invocation invocation = parseArguments(command, words, language);
-    if (invocation.has(QLatin1StringView("help"))) {
+    if (invocation.has("help")) {
         const bool asksKeys = takesKeys(command) &&
                               invocation.arguments.contains(QLatin1StringView(keysWord), Qt::CaseInsensitive);
         printOut(asksKeys ? keysHelp(invocation.language) : commandHelp(command, invocation.language));

@@ -92,7 +92,7 @@ std::string partnersOf(const Command &command, const Option &option) {
 /// Throws UsageError for an option without effect, instead of silently ignoring it.
 void requireEffects(const Command &command, const Invocation &invocation) {
     for (const Option &option : command.options) {
-        if (invocation.has(QLatin1StringView(option.name)) && !hasEffect(option, invocation))
+        if (invocation.has(option.name) && !hasEffect(option, invocation))
             throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
                               {dashed(option).toStdString(), partnersOf(command, option)}});
     }
@@ -110,7 +110,7 @@ QString optionName(const QString &word) {
 }
 
 void resolveLanguage(Invocation &invocation) {
-    const auto chosen = invocation.value(QLatin1StringView("language")); // already checked to be a known word
+    const auto chosen = invocation.value("language"); // already checked to be a known word
     if (!chosen)
         return;
     invocation.language = Language::fromName(*chosen).value();
@@ -136,17 +136,17 @@ int worse(int a, int b) {
     return std::max(a, b); // higher codes rank higher
 }
 
-bool Invocation::has(QLatin1StringView option) const {
-    return options.contains(option);
+bool Invocation::has(const char *option) const {
+    return options.contains(QLatin1StringView(option));
 }
 
-std::optional<QString> Invocation::value(QLatin1StringView option) const {
-    const auto found = options.find(option);
+std::optional<QString> Invocation::value(const char *option) const {
+    const auto found = options.find(QLatin1StringView(option));
     return found == options.end() ? std::nullopt : std::optional(found->second.front());
 }
 
-QStringList Invocation::values(QLatin1StringView option) const {
-    const auto found = options.find(option);
+QStringList Invocation::values(const char *option) const {
+    const auto found = options.find(QLatin1StringView(option));
     return found == options.end() ? QStringList() : found->second;
 }
 
@@ -201,7 +201,7 @@ Invocation parseArguments(const Command &command, const QStringList &words, Lang
     // A command may redefine the option as the languages of its reports.
     if (!findOwnOption(command, QStringLiteral("language")))
         resolveLanguage(result);
-    if (!result.has(QLatin1StringView("help"))) {
+    if (!result.has("help")) {
         requireFiles(command, result);
         requireEffects(command, result);
     }

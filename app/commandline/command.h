@@ -52,10 +52,10 @@ struct Invocation {
     std::map<QString, QStringList> options; ///< values in order; one empty value for a switch
     QStringList arguments;
 
-    [[nodiscard]] bool has(QLatin1StringView option) const;
+    [[nodiscard]] bool has(const char *option) const;
     /// The first value of an option; null without it.
-    [[nodiscard]] std::optional<QString> value(QLatin1StringView option) const;
-    [[nodiscard]] QStringList values(QLatin1StringView option) const;
+    [[nodiscard]] std::optional<QString> value(const char *option) const;
+    [[nodiscard]] QStringList values(const char *option) const;
 };
 
 /// A command of the program; the help is generated from it.

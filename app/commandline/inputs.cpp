@@ -176,7 +176,7 @@ int eachDocument(const Invocation &invocation, const Inputs &inputs,
 }
 
 int jobsOf(const Invocation &invocation) {
-    const auto given = invocation.value(QLatin1StringView(jobsName));
+    const auto given = invocation.value(jobsName);
     if (!given)
         return defaultJobs();
     constexpr long long most = 1'000'000; // more than are ever started

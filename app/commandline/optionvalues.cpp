@@ -90,7 +90,7 @@ double numberAbove(const char *option, const QString &given, double bound) {
 }
 
 std::optional<double> numberOf(const Invocation &invocation, const char *option) {
-    const auto given = invocation.value(QLatin1StringView(option));
+    const auto given = invocation.value(option);
     return given ? std::optional(numberGiven(option, *given)) : std::nullopt;
 }
 
@@ -127,7 +127,7 @@ long long wholeBetween(const char *option, const QString &given, long long least
 }
 
 std::size_t testIndex(const Invocation &invocation, std::size_t count) {
-    const QString word = invocation.value(QLatin1StringView("test")).value_or(QStringLiteral("1"));
+    const QString word = invocation.value("test").value_or(QStringLiteral("1"));
     bool isNumber = false;
     const uint number = word.toUInt(&isNumber);
     if (!isNumber || number < 1 || number > count)
@@ -137,14 +137,14 @@ std::size_t testIndex(const Invocation &invocation, std::size_t count) {
 }
 
 std::optional<std::int64_t> seedOf(const Invocation &invocation) {
-    const auto given = invocation.value(QLatin1StringView("seed"));
+    const auto given = invocation.value("seed");
     if (!given)
         return std::nullopt;
     return wholeBetween("seed", *given, 0, std::numeric_limits<std::int64_t>::max());
 }
 
 const Edition *editionAsked(const Invocation &invocation, std::optional<Kind> kind) {
-    const auto word = invocation.value(QLatin1StringView("edition"));
+    const auto word = invocation.value("edition");
     return word ? editionCalled(*word, kind) : nullptr;
 }
 

@@ -42,7 +42,7 @@ bool isStandardOutput(const QString &file) {
 void requireOutput(const Invocation &invocation, const QString &file,
                    std::initializer_list<const char *> endings) {
     QStringList inputs = invocation.arguments;
-    if (const auto compared = invocation.value(QLatin1StringView("compare")))
+    if (const auto compared = invocation.value("compare"))
         inputs.append(*compared);
     for (const QString &input : inputs) {
         if (isSameFile(systemName(file, "/dev/stdout"), systemName(input, "/dev/stdin")))
@@ -53,7 +53,7 @@ void requireOutput(const Invocation &invocation, const QString &file,
     const QString ending = QFileInfo(file).suffix().toLower();
     const bool isOwn =
         std::ranges::any_of(endings, [&](const char *own) { return ending == QLatin1StringView(own); });
-    if (isOwn || invocation.has(QLatin1StringView(forceOption.name)) || !isKnown(ending))
+    if (isOwn || invocation.has(forceOption.name) || !isKnown(ending))
         return;
     std::string expected;
     for (const char *own : endings)

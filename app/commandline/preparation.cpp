@@ -71,7 +71,7 @@ std::vector<std::string> editionsOf(const QString &words) {
 
 std::vector<FieldSetting> fieldSettings(const Invocation &invocation) {
     std::vector<FieldSetting> result;
-    for (const QString &setting : invocation.values(QLatin1StringView("set"))) {
+    for (const QString &setting : invocation.values("set")) {
         const qsizetype mark = setting.indexOf(u'=');
         if (mark < 1)
             throw UsageError(
@@ -83,7 +83,7 @@ std::vector<FieldSetting> fieldSettings(const Invocation &invocation) {
 }
 
 bool canReadTemplates(const Invocation &invocation) {
-    return std::ranges::all_of(invocation.values(QLatin1StringView("template")), [&](const QString &file) {
+    return std::ranges::all_of(invocation.values("template"), [&](const QString &file) {
         try {
             static_cast<void>(readTemplate(readBytes(file)));
             return true;
@@ -95,11 +95,11 @@ bool canReadTemplates(const Invocation &invocation) {
 }
 
 Document prepared(Document document, const Invocation &invocation) {
-    for (const QString &file : invocation.values(QLatin1StringView("template")))
+    for (const QString &file : invocation.values("template"))
         std::visit([&](const auto &content) { apply(document, content); }, templateFrom(file).content);
-    if (const auto words = invocation.value(QLatin1StringView("editions")))
+    if (const auto words = invocation.value("editions"))
         document.report.editions = editionsOf(*words);
-    if (isOneFile(invocation) && invocation.has(QLatin1StringView("editions"))) {
+    if (isOneFile(invocation) && invocation.has("editions")) {
         for (const std::string &word : document.report.editions)
             requireTestOf(*findEdition(word), document);
     }

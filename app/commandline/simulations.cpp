@@ -17,7 +17,7 @@ namespace {
 /// Integer value of an option; null without it. Error messages name `most` only if it is exceeded.
 std::optional<long long> wholeNumber(const Invocation &invocation, const char *option, long long least,
                                      long long most = std::numeric_limits<long long>::max()) {
-    const auto text = invocation.value(QLatin1StringView(option));
+    const auto text = invocation.value(option);
     if (!text)
         return std::nullopt;
     const std::optional<long long> number = wholeGiven(*text);
@@ -31,7 +31,7 @@ std::optional<long long> wholeNumber(const Invocation &invocation, const char *o
 }
 
 std::optional<UncertaintyMethod> methodOf(const Invocation &invocation) {
-    const auto word = invocation.value(QLatin1StringView("uncertainty"));
+    const auto word = invocation.value("uncertainty");
     if (!word)
         return std::nullopt;
     return *word == QLatin1StringView("budget") ? UncertaintyMethod::budget : UncertaintyMethod::monteCarlo;

@@ -60,9 +60,9 @@ void printOut(const QString &text) {
 }
 
 std::optional<JsonForm> jsonForm(const Invocation &invocation, bool several) {
-    if (invocation.has(QLatin1StringView(jsonLinesOption.name)))
+    if (invocation.has(jsonLinesOption.name))
         return JsonForm::oneLine;
-    if (!invocation.has(QLatin1StringView("json")))
+    if (!invocation.has("json"))
         return {};
     return several ? JsonForm::oneLine : JsonForm::pretty;
 }
@@ -154,7 +154,7 @@ void printRemarks(const QString &file, const std::vector<Remark> &remarks, const
 
 ImportOptions chosenOptions(const Invocation &invocation) {
     ImportOptions chosen;
-    if (const auto profile = invocation.value(QLatin1StringView("profile"))) {
+    if (const auto profile = invocation.value("profile")) {
         const ImportProfiles profiles = readImportProfiles(importProfilesPath());
         const auto found = profiles.find(profile->toStdString());
         if (found == profiles.end()) {
@@ -166,7 +166,7 @@ ImportOptions chosenOptions(const Invocation &invocation) {
         }
         chosen = found->second;
     }
-    for (const QString &setting : invocation.values(QLatin1StringView("set"))) {
+    for (const QString &setting : invocation.values("set")) {
         const qsizetype mark = setting.indexOf(u'=');
         if (mark < 1)
             throw UsageError(
@@ -195,7 +195,7 @@ std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file, 
         throw Error(*imported.refusal);
     }
     printRemarks(file, imported.remarks, invocation.language);
-    const bool accepts = invocation.has(QLatin1StringView("accept"));
+    const bool accepts = invocation.has("accept");
     std::size_t open = 0;
     std::size_t assumed = 0;
     for (const Question &question : imported.questions) {
@@ -227,7 +227,7 @@ std::optional<Imported> importedFrom(QByteArrayView bytes, const QString &file, 
 
 std::vector<std::string> choicesWithoutEffect(const Imported &imported, const Invocation &invocation) {
     std::vector<std::string> keys;
-    for (const QString &setting : invocation.values(QLatin1StringView("set"))) {
+    for (const QString &setting : invocation.values("set")) {
         const std::string key = setting.section(u'=', 0, 0).toStdString();
         const ImportKey *known = findImportKey(key);
         const bool isAnswer = known && known->words.size() == 1; // answers a question that may not arise
@@ -259,12 +259,12 @@ Document withTests(Document document) {
 
 /// Throws UsageError for a choice of the import, which has no effect on a test file.
 void requireNoChoice(const Invocation &invocation) {
-    if (invocation.has(QLatin1StringView("profile")))
+    if (invocation.has("profile"))
         throw UsageError(
             {REPORT_TEXT("report", "--%1 has no effect here: this is a test file, which needs no "
                                    "choices of the import"),
              {std::string("profile")}});
-    for (const QString &setting : invocation.values(QLatin1StringView("set"))) {
+    for (const QString &setting : invocation.values("set")) {
         const QString key = setting.section(u'=', 0, 0);
         if (findImportKey(key.toStdString()))
             throw UsageError(

@@ -62,7 +62,7 @@ std::vector<QStringList> unpacked(const QByteArray &bytes) {
 
 /// The requested form of the table; null: none. Throws UsageError.
 std::optional<SummaryForm> tableForm(const Invocation &invocation) {
-    const auto word = invocation.value(QLatin1StringView(tableOption));
+    const auto word = invocation.value(tableOption);
     if (!word)
         return {};
     if (*word == QLatin1StringView("csv"))

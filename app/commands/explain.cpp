@@ -85,9 +85,9 @@ Asked askedOf(const Invocation &invocation, std::size_t tests) {
             {REPORT_TEXT("report", "the command %1 takes a file and a parameter"), {std::string("explain")}});
     if (invocation.arguments.size() == 2)
         asked.parameter = invocation.arguments.back();
-    if (invocation.has(QLatin1StringView("test")))
+    if (invocation.has("test"))
         asked.test = testIndex(invocation, tests);
-    asked.typical = invocation.has(QLatin1StringView("typical"));
+    asked.typical = invocation.has("typical");
     if (asked.typical && asked.parameter)
         throw UsageError({REPORT_TEXT("report", "--typical takes no parameter"), {}});
     return asked;

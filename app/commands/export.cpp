@@ -77,11 +77,11 @@ std::optional<CompensationFormat> compensationFormat(const QString &word) {
 }
 
 char decimalMark(const Invocation &invocation) {
-    return invocation.value(QLatin1StringView("decimal-mark")) == QLatin1StringView("comma") ? ',' : '.';
+    return invocation.value("decimal-mark") == QLatin1StringView("comma") ? ',' : '.';
 }
 
 int encoder(const Invocation &invocation) {
-    return invocation.value(QLatin1StringView("encoder")).value_or(QStringLiteral("0")).toInt();
+    return invocation.value("encoder").value_or(QStringLiteral("0")).toInt();
 }
 
 void requireEnding(const Invocation &invocation, const QString &output, const QString &form) {
@@ -102,10 +102,10 @@ CompensationOptions compensationOptions(const Invocation &invocation) {
     result.from = numberOf(invocation, "from");
     result.to = numberOf(invocation, "to");
     result.interval = numberOf(invocation, "interval");
-    result.perDirection = invocation.has(QLatin1StringView("per-direction"));
-    result.incremental = invocation.has(QLatin1StringView("incremental"));
-    result.deviations = invocation.has(QLatin1StringView("deviations"));
-    result.signConfirmed = invocation.has(QLatin1StringView("confirm-sign"));
+    result.perDirection = invocation.has("per-direction");
+    result.incremental = invocation.has("incremental");
+    result.deviations = invocation.has("deviations");
+    result.signConfirmed = invocation.has("confirm-sign");
     result.decimalMark = decimalMark(invocation);
     result.reference = numberOf(invocation, "reference");
     result.encoder = encoder(invocation);
@@ -173,7 +173,7 @@ void printWhatItBrings(const TestToCompensate &of, const CompensationTable &writ
 }
 
 std::optional<FoundTable> comparedTable(const Invocation &invocation) {
-    const auto file = invocation.value(QLatin1StringView("compare"));
+    const auto file = invocation.value("compare");
     if (!file)
         return {};
     try {
@@ -185,10 +185,10 @@ std::optional<FoundTable> comparedTable(const Invocation &invocation) {
 }
 
 void requireFormAndFiles(const Invocation &invocation) {
-    if (invocation.value(QLatin1StringView("as")).value_or(QString()).isEmpty())
+    if (invocation.value("as").value_or(QString()).isEmpty())
         throw UsageError({REPORT_TEXT("report", "the command %1 needs the option --%2 %3"),
                           {std::string("export"), std::string("as"), std::string(exportOptions[0].value)}});
-    if (!invocation.has(QLatin1StringView("o")))
+    if (!invocation.has("o"))
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("export"), std::string("-o OUT")}});
     if (invocation.arguments.size() != 1)
@@ -210,8 +210,8 @@ void requireSign(const Test &test, bool isConfirmed) {
 }
 
 int runExport(const Invocation &invocation) {
-    const auto output = invocation.value(QLatin1StringView("o"));
-    const QString form = invocation.value(QLatin1StringView("as")).value_or(QString());
+    const auto output = invocation.value("o");
+    const QString form = invocation.value("as").value_or(QString());
     const auto compensation = compensationFormat(form);
     requireFormAndFiles(invocation);
     requireEnding(invocation, *output, form);

@@ -20,7 +20,7 @@ constexpr std::array feedOptions{
 };
 
 double positiveNumber(const Invocation &invocation, const Option &option) {
-    const auto word = invocation.value(QLatin1StringView(option.name));
+    const auto word = invocation.value(option.name);
     if (!word)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs the option --%2 %3"),
                           {std::string("feed"), std::string(option.name), std::string(option.value)}});

@@ -128,7 +128,7 @@ bool isEnding(const QString &ending) {
 
 /// The picture format: --as, or the ending of the file, which must agree.
 QString endingOf(const Invocation &invocation, const QString &output, bool several) {
-    const auto asked = invocation.value(QLatin1StringView(asOption));
+    const auto asked = invocation.value(asOption);
     const QString ending = QFileInfo(output).suffix().toLower();
     if (output.isEmpty() || (!several && !asked && !isEnding(ending)))
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
@@ -146,9 +146,9 @@ QString endingOf(const Invocation &invocation, const QString &output, bool sever
 
 int runFigure(const Invocation &invocation) {
     const Inputs inputs = inputsOf(invocation);
-    const QString output = invocation.value(QLatin1StringView("o")).value_or(QString());
+    const QString output = invocation.value("o").value_or(QString());
     const QString ending = endingOf(invocation, output, inputs.several);
-    const auto wanted = invocation.value(QLatin1StringView("figure"));
+    const auto wanted = invocation.value("figure");
     QStringList outputs{output};
     if (inputs.several)
         outputs = outputsInFolder(output, inputs, u'.' + ending);

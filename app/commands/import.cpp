@@ -61,13 +61,13 @@ bool needsTest(const Imported &imported) {
 }
 
 int runImport(const Invocation &invocation) {
-    const auto output = invocation.value(QLatin1StringView("o"));
+    const auto output = invocation.value("o");
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("import"), std::string("-o OUT.palmer")}});
     requireOutput(invocation, *output, {"palmer", "json"}); // test files are JSON
     const ImportOptions chosen = chosenOptions(invocation);
-    const bool keep = invocation.has(QLatin1StringView("keep-original"));
+    const bool keep = invocation.has("keep-original");
     if (!canReadTemplates(invocation))
         return cannotRead;
     struct Read {

@@ -69,7 +69,7 @@ bool isTerminal() {
 }
 
 QString dateOption(const Invocation &invocation, const char *option) {
-    QString given = invocation.value(QLatin1StringView(option)).value_or(QString());
+    QString given = invocation.value(option).value_or(QString());
     constexpr qsizetype length = 10;
     if (!given.isEmpty() && (given.size() != length || !QDate::fromString(given, Qt::ISODate).isValid()))
         refuse(option, given, "YYYY-MM-DD");
@@ -84,7 +84,7 @@ Register openRegisterFor(const Invocation &invocation, Register::Open open) {
 ScanOptions scanOptions(const Invocation &invocation) {
     ScanOptions result;
     result.jobs = jobsOf(invocation);
-    result.prune = invocation.has(QLatin1StringView("prune"));
+    result.prune = invocation.has("prune");
     result.progress = [](const ScanProgress &progress) {
         if (isTerminal())
             std::fputs(
@@ -116,7 +116,7 @@ int report(const ScanResult &result, const Invocation &invocation) {
     for (const Unreadable &one : result.unreadable)
         printError(one.path + QStringLiteral(": ") + sentenceFrom(one.error, invocation.language));
     const auto count = [](int value) { return Number{static_cast<double>(value), Quantity::count}; };
-    if (invocation.has(QLatin1StringView("json")))
+    if (invocation.has("json"))
         printOut(json(result));
     else
         printOut(
@@ -164,20 +164,19 @@ QStringList foldersOf(const Invocation &invocation) {
 
 int runScan(const Invocation &invocation) {
     const QStringList folders = foldersOf(invocation);
-    const auto open =
-        invocation.has(QLatin1StringView("rebuild")) ? Register::Open::rebuild : Register::Open::keep;
+    const auto open = invocation.has("rebuild") ? Register::Open::rebuild : Register::Open::keep;
     int code = done;
     {
         Register reg = openRegisterFor(invocation, open);
         code = report(scan(reg, folders, scanOptions(invocation)), invocation);
     }
-    if (invocation.has(QLatin1StringView("watch")))
+    if (invocation.has("watch"))
         watch(invocation, folders);
     return code;
 }
 
 std::optional<Kind> kindOption(const Invocation &invocation) {
-    const auto given = invocation.value(QLatin1StringView("kind"));
+    const auto given = invocation.value("kind");
     if (!given)
         return std::nullopt;
     for (const auto &row : fileWords<Kind>) {
@@ -202,22 +201,22 @@ class List {
 public:
     explicit List(const Invocation &invocation)
         : m_invocation(invocation)
-        , m_csv(invocation.has(QLatin1StringView("csv")))
-        , m_json(invocation.has(QLatin1StringView("json")))
+        , m_csv(invocation.has("csv"))
+        , m_json(invocation.has("json"))
         , m_due(dateOption(invocation, "due")) {
-        m_filter.axis = invocation.value(QLatin1StringView("axis")).value_or(QString());
+        m_filter.axis = invocation.value("axis").value_or(QString());
         m_filter.kind = kindOption(invocation);
         m_filter.since = dateOption(invocation, "since");
         m_filter.until = dateOption(invocation, "until");
-        m_filter.limits = invocation.value(QLatin1StringView("verdict")).value_or(QString());
-        m_filter.words = invocation.value(QLatin1StringView("text")).value_or(QString());
+        m_filter.limits = invocation.value("verdict").value_or(QString());
+        m_filter.words = invocation.value("text").value_or(QString());
         if (m_csv && m_json)
             throw UsageError({REPORT_TEXT("report", "--%1 and --%2 do not go together"),
                               {std::string("csv"), std::string("json")}});
         if (const auto months = numberOf(invocation, "interval")) {
             constexpr double most = 1200;
             if (*months < 1 || *months > most || *months != std::floor(*months))
-                refuse("interval", *invocation.value(QLatin1StringView("interval")), "1 … 1200");
+                refuse("interval", *invocation.value("interval"), "1 … 1200");
             m_interval = static_cast<int>(*months);
         }
     }
@@ -226,12 +225,12 @@ public:
         requireRegister(m_invocation);
         Register reg = openRegisterFor(m_invocation, Register::Open::keep);
         Database &database = reg.database();
-        if (m_invocation.has(QLatin1StringView("files"))) {
+        if (m_invocation.has("files")) {
             listFiles(database, m_invocation);
             return done;
         }
         std::vector<ListedMachine> list = machines(database);
-        if (const auto called = m_invocation.value(QLatin1StringView("machine")))
+        if (const auto called = m_invocation.value("machine"))
             list = machinesCalled(list, *called);
         if (m_csv)
             printOut(listedTestsCsvHead());
@@ -332,13 +331,12 @@ int runRegister(const Invocation &invocation) {
                                "register " + std::string(part->name)}});
     }
     const bool both = word == QLatin1StringView("report");
-    for (const QString &name : invocation.value(QLatin1StringView("language"))
-                                   .value_or(QString())
-                                   .split(u',', Qt::SkipEmptyParts)) {
-        const bool alone = name == invocation.value(QLatin1StringView("language"));
+    for (const QString &name :
+         invocation.value("language").value_or(QString()).split(u',', Qt::SkipEmptyParts)) {
+        const bool alone = name == invocation.value("language");
         if (!Language::fromName(name) || (!alone && !both))
             throw UsageError({REPORT_TEXT("report", "unknown language %1; known: fr, en"),
-                              {invocation.value(QLatin1StringView("language"))->toStdString()}});
+                              {invocation.value("language")->toStdString()}});
     }
     if (word != QLatin1StringView("scan") && invocation.arguments.size() > 1)
         throw UsageError({REPORT_TEXT("report", "register %1 takes no file"), {word.toStdString()}});
@@ -353,7 +351,7 @@ int runRegister(const Invocation &invocation) {
 } // namespace
 
 QString registerAddress(const Invocation &invocation) {
-    return invocation.value(QLatin1StringView("register")).value_or(Register::standardPath());
+    return invocation.value("register").value_or(Register::standardPath());
 }
 
 void requireRegister(const Invocation &invocation) {

@@ -26,7 +26,7 @@ namespace palmer {
 namespace {
 
 QString needed(const Invocation &invocation, const char *option) {
-    const auto given = invocation.value(QLatin1StringView(option));
+    const auto given = invocation.value(option);
     if (!given || given->isEmpty())
         throw UsageError({REPORT_TEXT("report", "this part of register needs --%1"), {std::string(option)}});
     return *given;
@@ -52,7 +52,7 @@ ListedMachine machineCalled(Database &database, const QString &words) {
 }
 
 std::vector<std::string> parametersAsked(const Invocation &invocation, const std::vector<ListedTest> &list) {
-    const QStringList asked = invocation.values(QLatin1StringView("parameter"));
+    const QStringList asked = invocation.values("parameter");
     if (asked.isEmpty())
         return mainParametersOf(list);
     const std::vector<std::string> known = parametersOf(list);
@@ -84,7 +84,7 @@ Form formOf(const Invocation &invocation, const QString &output) {
         if (ending == QLatin1StringView(word))
             return form;
     }
-    if (ending == QLatin1StringView("json") || invocation.has(QLatin1StringView("json")))
+    if (ending == QLatin1StringView("json") || invocation.has("json"))
         return Form::json;
     if (!output.isEmpty() && output != QLatin1StringView("-"))
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
@@ -103,7 +103,7 @@ QByteArray picture(const ListedMachine &machine, const std::string &axis, const 
 
 /// Languages of --language, otherwise the language of the command.
 QStringList reportLanguages(const Invocation &invocation) {
-    const auto chosen = invocation.value(QLatin1StringView("language"));
+    const auto chosen = invocation.value("language");
     QStringList result = chosen ? chosen->split(u',') : QStringList{invocation.language.code()};
     result.removeDuplicates();
     return result;
@@ -115,7 +115,7 @@ constexpr qsizetype longestNumber = 40; ///< fits in the head of the page
 
 int runRegisterReport(const Invocation &invocation) {
     const QString words = needed(invocation, "machine");
-    const QString output = invocation.value(QLatin1StringView("o")).value_or(QString());
+    const QString output = invocation.value("o").value_or(QString());
     if (output.isEmpty())
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("register report"), std::string("-o OUT.pdf")}});
@@ -128,7 +128,7 @@ int runRegisterReport(const Invocation &invocation) {
     const ListedMachine machine = machineCalled(reg.database(), words);
     History history =
         historyOf(reg.database(), machine, QDate::currentDate(), QStringLiteral("Palmer " PALMER_VERSION));
-    if (const auto number = invocation.value(QLatin1StringView("number"))) {
+    if (const auto number = invocation.value("number")) {
         if (number->size() > longestNumber)
             throw UsageError({REPORT_TEXT("report", "the number of a history has at most %1 characters"),
                               {Number{static_cast<double>(longestNumber), Quantity::count}}});
@@ -152,7 +152,7 @@ int runRegisterTrend(const Invocation &invocation) {
     const QString words = needed(invocation, "machine");
     TestFilter filter;
     filter.axis = needed(invocation, "axis");
-    const QString output = invocation.value(QLatin1StringView("o")).value_or(QString());
+    const QString output = invocation.value("o").value_or(QString());
     const Form form = formOf(invocation, output);
     if (!output.isEmpty())
         requireOutput(invocation, output, {"csv", "json", "svg", "png", "pdf"});

@@ -55,7 +55,7 @@ constexpr std::array reportOptions{
 
 QStringList languagesOf(const Invocation &invocation, const Document &document) {
     QStringList result;
-    if (const auto chosen = invocation.value(QLatin1StringView("language"))) {
+    if (const auto chosen = invocation.value("language")) {
         result = chosen->split(u',');
     } else {
         for (const ReportLanguage language : document.report.languages)
@@ -94,7 +94,7 @@ public:
     explicit Reports(const Invocation &invocation)
         : m_invocation(invocation)
         , m_inputs(inputsOf(invocation)) {
-        const auto output = invocation.value(QLatin1StringView("o"));
+        const auto output = invocation.value("o");
         if (!output)
             throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                               {std::string("report"), std::string("-o OUT.pdf")}});
@@ -146,7 +146,7 @@ private:
         warnOfLength(document);
         const auto whole = std::make_shared<const Document>(std::move(document));
         const Originals originals =
-            m_invocation.has(QLatin1StringView(originalsOption)) ? Originals::include : Originals::leaveOut;
+            m_invocation.has(originalsOption) ? Originals::include : Originals::leaveOut;
         // Written during the evaluation and then compressed: for 10⁶ readings each takes longer than all
         // pages.
         auto carried = runInBackground(true, [&whole, originals] {

@@ -65,14 +65,14 @@ constexpr std::array synthesizeOptions{
 
 /// The value of an option within bounds.
 double number(const Invocation &invocation, const char *option, double otherwise, double least, double most) {
-    const auto given = invocation.value(QLatin1StringView(option));
+    const auto given = invocation.value(option);
     if (!given)
         return otherwise;
     return numberBetween(option, *given, least, most);
 }
 
 std::size_t count(const Invocation &invocation, const char *option, std::size_t otherwise, long long most) {
-    const auto given = invocation.value(QLatin1StringView(option));
+    const auto given = invocation.value(option);
     return given ? static_cast<std::size_t>(wholeBetween(option, *given, 1, most)) : otherwise;
 }
 
@@ -131,7 +131,7 @@ struct GivenSource {
 
 std::vector<GivenSource> givenSources(const Invocation &invocation) {
     std::vector<GivenSource> result;
-    for (const QString &whole : invocation.values(QLatin1StringView("source"))) {
+    for (const QString &whole : invocation.values("source")) {
         const qsizetype equals = whole.indexOf(u'=');
         if (equals < 0)
             refuseSource(invocation, whole);
@@ -156,7 +156,7 @@ std::vector<GivenSource> givenSources(const Invocation &invocation) {
 
 std::vector<double> feeds(const Invocation &invocation) {
     std::vector<double> result;
-    const QStringList all = invocation.values(QLatin1StringView("feed"));
+    const QStringList all = invocation.values("feed");
     for (const QString &given : all.isEmpty() ? QStringList(QStringLiteral("1000")) : all) {
         result.push_back(numberBetween("feed", given, smallest, largest));
     }
@@ -164,7 +164,7 @@ std::vector<double> feeds(const Invocation &invocation) {
 }
 
 Plane plane(const Invocation &invocation) {
-    const QString given = invocation.value(QLatin1StringView("plane")).value_or(QStringLiteral("XY"));
+    const QString given = invocation.value("plane").value_or(QStringLiteral("XY"));
     const std::optional<Plane> named = planeOf(given.toStdString());
     if (!named)
         refuse("plane", given, "XY");
@@ -202,15 +202,15 @@ CircularSynthesis circular(const Invocation &invocation) {
     constexpr long long most = 4'000'000; // a file holds 10⁷ readings, in two senses
     asked.points = count(invocation, "points", asked.points, most);
     asked.pause = number(invocation, "pause", 0, 0, largest);
-    const QString senses = invocation.value(QLatin1StringView("senses")).value_or(QStringLiteral("both"));
+    const QString senses = invocation.value("senses").value_or(QStringLiteral("both"));
     if (senses == QLatin1StringView("counterclockwise"))
         asked.senses = {Sense::counterclockwise};
     else if (senses == QLatin1StringView("clockwise"))
         asked.senses = {Sense::clockwise};
-    if (asked.senses.size() == 1 && invocation.has(QLatin1StringView("pause")))
+    if (asked.senses.size() == 1 && invocation.has("pause"))
         throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
                           {std::string("--pause"), std::string("--senses both")}});
-    if (const auto arc = invocation.value(QLatin1StringView("arc"))) {
+    if (const auto arc = invocation.value("arc")) {
         asked.arc = intervalGiven("arc", *arc);
         if (asked.arc.to - asked.arc.from > 360 || std::abs(asked.arc.from) > largest)
             refuse("arc", *arc, "FROM:TO");
@@ -230,10 +230,10 @@ CircularSynthesis circular(const Invocation &invocation) {
 
 PositioningSynthesis positioning(const Invocation &invocation) {
     PositioningSynthesis asked;
-    if (invocation.has(QLatin1StringView("pause")))
+    if (invocation.has("pause"))
         throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
                           {std::string("--pause"), std::string(circularWord)}});
-    asked.axis = invocation.value(QLatin1StringView("axis")).value_or(QStringLiteral("X")).toStdString();
+    asked.axis = invocation.value("axis").value_or(QStringLiteral("X")).toStdString();
     const double travel = number(invocation, "travel", 1000, smallest, largest);
     constexpr long long mostTargets = 10'000;
     const std::size_t targets = count(invocation, "targets", 11, mostTargets);
@@ -274,7 +274,7 @@ TestPointer madeTest(const Language &language, const char *id, decltype(Test::me
 int write(const Document &document, const QByteArray &truth, const Invocation &invocation,
           const QString &output) {
     std::vector<FileToSave> files{{writeDocument(document), output}};
-    if (const auto other = invocation.value(QLatin1StringView(truthOption)))
+    if (const auto other = invocation.value(truthOption))
         files.push_back({truth, *other});
     try {
         writeOutputs(files); // both or none
@@ -291,7 +291,7 @@ int write(const Document &document, const QByteArray &truth, const Invocation &i
 /// Throws UsageError if outputs have endings of other kinds of files or are the same file.
 void requireOutputs(const Invocation &invocation, const QString &output) {
     requireOutput(invocation, output, {"palmer", "json"});
-    const auto truth = invocation.value(QLatin1StringView(truthOption));
+    const auto truth = invocation.value(truthOption);
     if (!truth)
         return;
     requireOutput(invocation, *truth, {"json"});
@@ -307,7 +307,7 @@ int runSynthesize(const Invocation &invocation) {
     if (invocation.arguments.size() != 1 || (!isCircular && kind != QLatin1StringView("positioning")))
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one word: %2"),
                           {std::string("synthesize"), std::string("circular|positioning")}});
-    const auto output = invocation.value(QLatin1StringView("o"));
+    const auto output = invocation.value("o");
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("synthesize"), std::string("-o OUT.palmer")}});

@@ -65,12 +65,12 @@ constexpr std::array targetsOptions{
 
 /// The value of an option, which must be greater than a bound.
 std::optional<double> number(const Invocation &invocation, const char *option, double greaterThan) {
-    const auto given = invocation.value(QLatin1StringView(option));
+    const auto given = invocation.value(option);
     return given ? std::optional(numberAbove(option, *given, greaterThan)) : std::nullopt;
 }
 
 std::optional<int> whole(const Invocation &invocation, const char *option, int least, int most) {
-    const auto given = invocation.value(QLatin1StringView(option));
+    const auto given = invocation.value(option);
     return given ? std::optional(static_cast<int>(wholeBetween(option, *given, least, most))) : std::nullopt;
 }
 
@@ -86,7 +86,7 @@ struct Begun {
 std::optional<Begun> begun(const Invocation &invocation) {
     Begun result;
     if (invocation.arguments.isEmpty()) {
-        if (invocation.has(QLatin1StringView("test")))
+        if (invocation.has("test"))
             throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
                               {std::string("--test"), std::string("FILE")}});
         return result;
@@ -107,7 +107,7 @@ std::optional<Begun> begun(const Invocation &invocation) {
 }
 
 std::optional<Dialect> dialect(const Invocation &invocation) {
-    const auto word = invocation.value(QLatin1StringView("program"));
+    const auto word = invocation.value("program");
     if (!word)
         return std::nullopt;
     const auto found = std::ranges::find_if(
@@ -116,7 +116,7 @@ std::optional<Dialect> dialect(const Invocation &invocation) {
 }
 
 std::optional<Interval> interval(const Invocation &invocation, const char *option) {
-    const auto given = invocation.value(QLatin1StringView(option));
+    const auto given = invocation.value(option);
     return given ? std::optional(intervalGiven(option, *given)) : std::nullopt;
 }
 
@@ -124,7 +124,7 @@ std::optional<Interval> interval(const Invocation &invocation, const char *optio
 TargetRequest request(const Invocation &invocation, const Begun &begun, double approach) {
     TargetRequest result = begun.request;
     result.rule = begun.edition->targetRule;
-    if (invocation.has(QLatin1StringView("rotary")))
+    if (invocation.has("rotary"))
         result.motion = Motion::rotary;
     result.perMetre = number(invocation, "per-metre", 0).value_or(result.perMetre);
     if (const auto period = number(invocation, "period", 0))
@@ -177,9 +177,9 @@ QByteArray planned(std::span<const PlannedMeasurement> plans, const CycleProgram
 }
 
 CycleProgram program(const Invocation &invocation, CycleProgram result, double approach, int runs) {
-    if (const auto axis = invocation.value(QLatin1StringView("axis")))
+    if (const auto axis = invocation.value("axis"))
         result.axis = axis->trimmed().toStdString();
-    if (const auto cycle = invocation.value(QLatin1StringView("cycle")))
+    if (const auto cycle = invocation.value("cycle"))
         result.cycle = *cycle == QLatin1StringView("step") ? Cycle::step : Cycle::standard;
     result.runs = whole(invocation, "runs", 1, 1000).value_or(runs);
     if (const auto feed = number(invocation, "feed", 0))
@@ -215,7 +215,7 @@ std::vector<std::pair<QString, QByteArray>> filesOf(const Invocation &invocation
 }
 
 int runTargets(const Invocation &invocation) {
-    const auto output = invocation.value(QLatin1StringView("o"));
+    const auto output = invocation.value("o");
     if (!output)
         throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
                           {std::string("targets"), std::string("-o OUT")}});
@@ -233,7 +233,7 @@ int runTargets(const Invocation &invocation) {
                                    "to tell them apart"),
              {}});
     const Motion motion = plans.empty() ? Motion::linear : plans.front().request.motion;
-    if (plans.size() == 1 && invocation.has(QLatin1StringView("zone")))
+    if (plans.size() == 1 && invocation.has("zone"))
         throw UsageError(
             {REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
              {std::string("--zone"), "--travel > " + std::to_string(std::lround(longestShort(motion)))}});

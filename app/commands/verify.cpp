@@ -33,7 +33,7 @@ constexpr std::array verifyOptions{
 };
 
 int threadsOf(const Invocation &invocation) {
-    const auto word = invocation.value(QLatin1StringView("threads"));
+    const auto word = invocation.value("threads");
     if (!word)
         return 0;
     constexpr long long most = 256;
@@ -51,7 +51,7 @@ QByteArray reportFrom(const QString &file) {
 
 int extract(const Invocation &invocation, const QString &output) {
     for (const char *other : {"json", jsonLinesOption.name, "threads", jobsOption.name}) {
-        if (invocation.has(QLatin1StringView(other)))
+        if (invocation.has(other))
             throw UsageError({REPORT_TEXT("report", "--%1 and --%2 do not go together"),
                               {std::string(extractOption), std::string(other)}});
     }
@@ -106,7 +106,7 @@ int verify(const Invocation &invocation, const Input &input, int threads, bool s
 
 int runVerify(const Invocation &invocation) {
     const int threads = threadsOf(invocation);
-    if (const auto output = invocation.value(QLatin1StringView(extractOption)))
+    if (const auto output = invocation.value(extractOption))
         return extract(invocation, *output);
     const Inputs inputs = inputsOf(invocation, InFolders::reports);
     const auto work = [&](const Input &input) -> JobResult {
