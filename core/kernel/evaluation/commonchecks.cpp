@@ -47,22 +47,6 @@ Judgement correction(const Conditions &conditions, At20 lengths,
     return Judgement::unmet(notCorrected(*away));
 }
 
-Judgement stabilised(const Conditions &conditions) {
-    return Judgement::of(conditions.stabilised);
-}
-
-Judgement shielded(const Conditions &conditions) {
-    return Judgement::of(conditions.shielded);
-}
-Judgement complete(const Conditions &conditions) {
-    return Judgement::of(conditions.complete);
-}
-Judgement levelled(const Conditions &conditions) {
-    return Judgement::of(conditions.levelled);
-}
-Judgement unloaded(const Conditions &conditions) {
-    return Judgement::of(conditions.unloaded);
-}
 Judgement otherAxes(const Conditions &conditions) {
     return isBlank(conditions.otherAxes) ? Judgement::unmet() : Judgement::met();
 }

@@ -17,11 +17,6 @@ namespace palmer::common {
                                    Message (*notCorrected)(const OtherTemperature &away));
 [[nodiscard]] bool mayBeControlled(const Conditions &conditions);
 
-[[nodiscard]] Judgement stabilised(const Conditions &conditions); ///< declared, or a soaking time is stated
-[[nodiscard]] Judgement shielded(const Conditions &conditions);
-[[nodiscard]] Judgement complete(const Conditions &conditions);
-[[nodiscard]] Judgement levelled(const Conditions &conditions);
-[[nodiscard]] Judgement unloaded(const Conditions &conditions);
 [[nodiscard]] Judgement otherAxes(const Conditions &conditions);
 
 /// As specified by the maker or agreed; if not specified, only the movements to set up the instruments.
@@ -56,10 +51,22 @@ Judgement ofConditions(const Case &test) {
         return Judgement(check(test.common()));
 }
 
+/// A row about a condition that is declared or not.
+template <auto member, class Case>
+Judgement ofDeclared(const Case &test) {
+    return Judgement::of(test.common().*member);
+}
+
 /// A row about a condition that is stated or not.
 template <auto stated, class Case>
 Judgement statingConditions(const Case &test) {
     return stated(test.common()) ? Judgement::met() : Judgement::unmet();
+}
+
+/// A row about U of the results.
+template <class Case>
+Judgement uncertaintyStated(const Case &test) {
+    return uncertainty(test.withoutUncertainty);
 }
 
 template <class Case>

@@ -25,33 +25,28 @@ bool named(const Case &test) {
 
 template <class Case>
 std::optional<Message> purposeNotStated(const Case &test) {
-    if (test.test.purpose != Purpose::notStated)
-        return std::nullopt;
-    return Message{REPORT_TEXT("report", "Purpose of the test not stated.")};
+    return sentenceIf(test.test.purpose == Purpose::notStated,
+                      REPORT_TEXT("report", "Purpose of the test not stated."));
 }
 
 /// One of two tests of the same axis or plane does not state whether it is before or after.
 template <class Case>
 std::optional<Message> roleNotStated(const Case &test) {
-    if (!test.surroundings.repeated || test.test.role != TestRole::notStated)
-        return std::nullopt;
-    return Message{REPORT_TEXT("report", "As found or as left: not stated.")};
+    return sentenceIf(test.surroundings.repeated && test.test.role == TestRole::notStated,
+                      REPORT_TEXT("report", "As found or as left: not stated."));
 }
 
 template <class Case>
 std::optional<Message> adjustmentsNotStated(const Case &test) {
-    if (test.test.role != TestRole::asLeft || test.surroundings.adjustmentsStated)
-        return std::nullopt;
-    return Message{REPORT_TEXT("report", "Adjustments not stated.")};
+    return sentenceIf(test.test.role == TestRole::asLeft && !test.surroundings.adjustmentsStated,
+                      REPORT_TEXT("report", "Adjustments not stated."));
 }
 
 template <class Case>
 std::optional<Message> picturesNotReadable(const Case &test) {
-    if (test.surroundings.picturesReadable)
-        return std::nullopt;
-    return Message{REPORT_TEXT("report",
-                               "The logo or the mark of the laboratory is no PNG or SVG picture: the "
-                               "report is printed without it.")};
+    return sentenceIf(!test.surroundings.picturesReadable,
+                      REPORT_TEXT("report", "The logo or the mark of the laboratory is no PNG or SVG "
+                                            "picture: the report is printed without it."));
 }
 
 /// Instruments whose calibration had expired or was made after the test. ISO dates compare as strings.
@@ -127,10 +122,10 @@ inline constexpr std::array machineTable{
 template <class Case>
 inline constexpr std::array instrumentTable{
     RequirementOf<Case>{"instruments", Source::laboratory, "", Grade::note, Subject::namedInstruments, nullptr, stating<stated::instruments<Case>>, REPORT_TEXT("report", "instrument"), {}, {"instruments"}},
-    RequirementOf<Case>{"instrumentSerialNumber", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::instrumentSerial<Case>>, REPORT_TEXT("report", "serial number of each instrument"), {}, {"instruments.serialNumber"}},
-    RequirementOf<Case>{"certificate", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::certificate<Case>>, REPORT_TEXT("report", "calibration certificate of each instrument"), {}, {"instruments.certificate"}},
-    RequirementOf<Case>{"calibrationDate", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::calibrationDate<Case>>, REPORT_TEXT("report", "calibration date of each instrument"), {}, {"instruments.calibrationDate"}},
-    RequirementOf<Case>{"calibrationDue", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::calibrationDue<Case>>, REPORT_TEXT("report", "end of validity of each calibration"), {}, {"instruments.calibrationDue"}},
+    RequirementOf<Case>{"instrumentSerialNumber", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::ofInstruments<&Instrument::serialNumber, Case>>, REPORT_TEXT("report", "serial number of each instrument"), {}, {"instruments.serialNumber"}},
+    RequirementOf<Case>{"certificate", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::ofInstruments<&Instrument::certificate, Case>>, REPORT_TEXT("report", "calibration certificate of each instrument"), {}, {"instruments.certificate"}},
+    RequirementOf<Case>{"calibrationDate", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::ofInstruments<&Instrument::calibrationDate, Case>>, REPORT_TEXT("report", "calibration date of each instrument"), {}, {"instruments.calibrationDate"}},
+    RequirementOf<Case>{"calibrationDue", Source::laboratory, "", Grade::note, Subject::instruments, nullptr, stating<stated::ofInstruments<&Instrument::calibrationDue, Case>>, REPORT_TEXT("report", "end of validity of each calibration"), {}, {"instruments.calibrationDue"}},
 };
 // clang-format on
 

@@ -120,6 +120,11 @@ asPractice(std::span<const RequirementOf<Case>> rows, std::initializer_list<std:
     return result;
 }
 
+/// Returns the sentence that says what is wrong, or null if nothing is.
+[[nodiscard]] inline std::optional<Message> sentenceIf(bool wrong, const Text &text) {
+    return wrong ? std::optional(Message{text}) : std::nullopt;
+}
+
 // ---- Words for tables ------------------------------------------------------------------------------------
 
 /// Converts a check that returns a sentence into a judgement.

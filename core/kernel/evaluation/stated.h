@@ -12,19 +12,44 @@
 /// Checks that a test states what all reports must state. `Case` has test, surroundings and common().
 namespace palmer::stated {
 
-template <auto text, class Case>
-bool ofMachine(const Case &test) {
-    return test.surroundings.machine && !isBlank(test.surroundings.machine->*text);
-}
-
-/// True for a non-empty text or a non-null value of the conditions.
-template <auto member, class Case>
-bool common(const Case &test) {
-    const auto &value = test.common().*member;
-    if constexpr (std::is_convertible_v<decltype(value), std::string_view>)
+/// True for a text that is not blank, a word that states something, or a value.
+template <class T>
+bool isStated(const T &value) {
+    if constexpr (std::is_enum_v<T>)
+        return value != T::notStated;
+    else if constexpr (std::is_convertible_v<T, std::string_view>)
         return !isBlank(value);
     else
         return value.has_value();
+}
+
+template <auto member, class Case>
+bool ofMachine(const Case &test) {
+    return test.surroundings.machine && isStated(test.surroundings.machine->*member);
+}
+
+template <auto member, class Case>
+bool ofMeasurement(const Case &test) {
+    return isStated(test.measurement.*member);
+}
+
+/// Of the conditions that all kinds of tests have.
+template <auto member, class Case>
+bool common(const Case &test) {
+    return isStated(test.common().*member);
+}
+
+/// Of the conditions of one kind.
+template <auto member, class Case>
+bool condition(const Case &test) {
+    return isStated(test.conditions().*member);
+}
+
+/// True if every named instrument states it; without instruments the row "instruments" reports it.
+template <auto member, class Case>
+bool ofInstruments(const Case &test) {
+    return std::ranges::all_of(test.surroundings.instruments,
+                               [](const Instrument *i) { return isStated(i->*member); });
 }
 
 template <class Case>
@@ -35,31 +60,6 @@ bool date(const Case &test) {
 template <class Case>
 bool instruments(const Case &test) {
     return !test.surroundings.instruments.empty();
-}
-
-/// True if every named instrument has one; without instruments the row "instruments" reports it.
-template <class Case>
-bool instrumentSerial(const Case &test) {
-    return std::ranges::none_of(test.surroundings.instruments,
-                                [](const Instrument *i) { return isBlank(i->serialNumber); });
-}
-
-template <class Case>
-bool certificate(const Case &test) {
-    return std::ranges::none_of(test.surroundings.instruments,
-                                [](const Instrument *i) { return isBlank(i->certificate); });
-}
-
-template <class Case>
-bool calibrationDate(const Case &test) {
-    return std::ranges::all_of(test.surroundings.instruments,
-                               [](const Instrument *i) { return i->calibrationDate.has_value(); });
-}
-
-template <class Case>
-bool calibrationDue(const Case &test) {
-    return std::ranges::all_of(test.surroundings.instruments,
-                               [](const Instrument *i) { return i->calibrationDue.has_value(); });
 }
 
 template <class Case>

@@ -73,7 +73,6 @@ Judgement temperaturesOf2006(const PositioningCase &test);     ///< of machine a
 Judgement temperaturesOfMachineAndInstrument(const PositioningCase &test); ///< each by its own sensor
 Judgement sensorsOf1988(const PositioningCase &test);        ///< positions and type of compensation
 Judgement correctionStatements(const PositioningCase &test); ///< the statements that belong to a correction
-Judgement uncertaintyStated(const PositioningCase &test);    ///< U with the results
 Judgement namedInstrument(const PositioningCase &test);      ///< one with a description
 
 } // namespace palmer::iso230_2

@@ -110,20 +110,17 @@ Judgement correction(const PositioningCase &test) {
 }
 
 Sentence correctionImpossible(const PositioningCase &test) {
-    if (!test.linear() || test.common().correctionTo20 != CorrectionTo20::appliedHere ||
-        isCorrectedTo20(test.common()))
-        return std::nullopt;
-    return Message{REPORT_TEXT("report",
-                               "The correction to 20 °C cannot be applied: it needs the temperatures and the "
-                               "coefficients of thermal expansion of machine and instrument (0 for a "
-                               "laser whose compensation covers the air only)."),
-                   {}};
+    return sentenceIf(
+        test.linear() && test.common().correctionTo20 == CorrectionTo20::appliedHere &&
+            !isCorrectedTo20(test.common()),
+        REPORT_TEXT("report", "The correction to 20 °C cannot be applied: it needs the temperatures and the "
+                              "coefficients of thermal expansion of machine and instrument (0 for a "
+                              "laser whose compensation covers the air only)."));
 }
 
 Sentence correctionOfRotary(const PositioningCase &test) {
-    if (test.linear() || test.conditions().common.correctionTo20 != CorrectionTo20::appliedHere)
-        return std::nullopt;
-    return Message{REPORT_TEXT("report", "A rotary axis has no correction to 20 °C: none was applied."), {}};
+    return sentenceIf(!test.linear() && test.common().correctionTo20 == CorrectionTo20::appliedHere,
+                      REPORT_TEXT("report", "A rotary axis has no correction to 20 °C: none was applied."));
 }
 
 Sentence expansionUncertainty(const PositioningCase &test) {
@@ -180,10 +177,6 @@ Judgement correctionStatements(const PositioningCase &test) {
     if (lacking.state && test.common().correctionTo20 == CorrectionTo20::notStated)
         return {State::undeclared, {}, REPORT_TEXT("report", "correction to 20 °C")};
     return lacking;
-}
-
-Judgement uncertaintyStated(const PositioningCase &test) {
-    return common::uncertainty(test.withoutUncertainty);
 }
 
 Judgement namedInstrument(const PositioningCase &test) {

@@ -165,11 +165,10 @@ Sentence excludedWithoutReason(const PositioningCase &test) {
 }
 
 Sentence rangeMethodElsewhere(const PositioningCase &test) {
-    if (test.measurement.standardDeviation != DeviationMethod::range || test.edition.rangeMethod)
-        return std::nullopt;
-    return Message{
-        REPORT_TEXT("report", "The range method for s belongs to ISO 230-2:1988 only: s is calculated here."),
-        {}};
+    return sentenceIf(
+        test.measurement.standardDeviation == DeviationMethod::range && !test.edition.rangeMethod,
+        REPORT_TEXT("report",
+                    "The range method for s belongs to ISO 230-2:1988 only: s is calculated here."));
 }
 
 Sentence rangeMethodRuns(const PositioningCase &test) {

@@ -15,6 +15,7 @@ namespace palmer::iso230_2 {
 namespace {
 
 using common::ofConditions;
+using common::ofDeclared;
 using common::statingConditions;
 using enum Source;
 using enum Subject;
@@ -110,13 +111,6 @@ bool positionFeedback(const PositioningCase &test) {
 bool feedStated(const PositioningCase &test) {
     return test.conditions().feed || test.conditions().feedMode == FeedMode::rapid;
 }
-bool correctionStated(const PositioningCase &test) {
-    return test.common().correctionTo20 != CorrectionTo20::notStated;
-}
-template <auto member>
-bool number(const PositioningCase &test) {
-    return (test.conditions().*member).has_value();
-}
 bool airTemperature(const PositioningCase &test) {
     return common::anyTemperature(test.common(), SensorMeasures::air);
 }
@@ -130,10 +124,10 @@ using Demand = Requirement;
 constexpr std::array text1988{
     Demand{"temperature", text, "3.1", shall, conditions, common::controllable, temperature1988,
         REPORT_TEXT("report", "temperature of the environment"), {}, {"conditions.sensors", "conditions.temperatureControlled"}},
-    Demand{"soak", text, "3.1", shall, conditions, nullptr, ofConditions<common::stabilised>,
+    Demand{"soak", text, "3.1", shall, conditions, nullptr, ofDeclared<&Conditions::stabilised>,
         REPORT_TEXT("report", "thermal stability before the test"),
         REPORT_TEXT("report", "Machine or instruments were not thermally stable."), {"conditions.stabilised", "conditions.soak"}},
-    Demand{"shielded", text, "3.1", shall, conditions, nullptr, ofConditions<common::shielded>,
+    Demand{"shielded", text, "3.1", shall, conditions, nullptr, ofDeclared<&Conditions::shielded>,
         REPORT_TEXT("report", "protection from draughts and radiation"),
         REPORT_TEXT("report", "Not protected from draughts or radiation."), {"conditions.shielded"}},
     Demand{"instrumentCompensation", text, "3.1", shall, conditions, compensatingInstrument, instrumentCompensation,
@@ -141,13 +135,13 @@ constexpr std::array text1988{
         REPORT_TEXT("report", "The instrument's compensation was switched off."), {"conditions.instrumentCompensation"}},
     Demand{"gradientPerHour", text, "3.1", shall, conditions, nullptr, gradient,
         REPORT_TEXT("report", "temperature gradient over 12 h and its agreed limit"), {}, {"conditions.gradientPerHour", "conditions.gradientHoursBefore"}},
-    Demand{"complete", text, "3.2", shall, conditions, nullptr, ofConditions<common::complete>,
+    Demand{"complete", text, "3.2", shall, conditions, nullptr, ofDeclared<&Conditions::complete>,
         REPORT_TEXT("report", "machine complete and in working order"),
         REPORT_TEXT("report", "The machine was not complete or not in working order."), {"conditions.complete"}},
-    Demand{"levelled", text, "3.2", shall, conditions, nullptr, ofConditions<common::levelled>,
+    Demand{"levelled", text, "3.2", shall, conditions, nullptr, ofDeclared<&Conditions::levelled>,
         REPORT_TEXT("report", "levelling, alignment and functional checks"),
         REPORT_TEXT("report", "Levelling, alignment or functional checks were not done."), {"conditions.levelled"}},
-    Demand{"unloaded", text, "3.2", shall, conditions, nullptr, ofConditions<common::unloaded>,
+    Demand{"unloaded", text, "3.2", shall, conditions, nullptr, ofDeclared<&Conditions::unloaded>,
         REPORT_TEXT_FOR("report", "machine unloaded", "1988"),
         REPORT_TEXT_FOR("report", "The machine was loaded.", "1988"), {"conditions.unloaded"}},
     Demand{"otherAxes", text, "3.2", shall, conditions, nullptr, ofConditions<common::otherAxes>,
@@ -198,7 +192,7 @@ constexpr std::array text1988{
 // ---- ISO 230-2:2006 ------------------------------------------------------------------------------------------
 
 constexpr std::array text2006{
-    Demand{"uncertainty", text, "Foreword (7)", shall, uncertainty, nullptr, uncertaintyStated,
+    Demand{"uncertainty", text, "Foreword (7)", shall, uncertainty, nullptr, common::uncertaintyStated,
         REPORT_TEXT("report", "measurement uncertainty"), {}, {"uncertainty"}, Explains::missingUncertainty},
     Demand{"cycle", text, "1", should, conditions, notShortLinear, cycleOf2006,
         REPORT_TEXT("report", "measuring cycle"), {}, {"cycle", "agreedPoints.stepCycle"}},
@@ -209,23 +203,23 @@ constexpr std::array text2006{
     Demand{"correctionTo20", text, "3.1", shall, conditions, linear, correction,
         REPORT_TEXT("report", "correction to 20 °C"), {}, {"conditions.correctionTo20"}},
     Demand{"expansionRange", text, "3.1", info, uncertainty, nullptr, unless<expansionUncertainty>, {}, {}, {"uncertainty.expansionRange"}},
-    Demand{"soak", text, "3.1", shall, conditions, nullptr, ofConditions<common::stabilised>,
+    Demand{"soak", text, "3.1", shall, conditions, nullptr, ofDeclared<&Conditions::stabilised>,
         REPORT_TEXT("report", "thermal stability before the test"),
         REPORT_TEXT("report", "Machine or instruments were not thermally stable."), {"conditions.stabilised", "conditions.soak"}},
-    Demand{"shielded", text, "3.1", shall, conditions, nullptr, ofConditions<common::shielded>,
+    Demand{"shielded", text, "3.1", shall, conditions, nullptr, ofDeclared<&Conditions::shielded>,
         REPORT_TEXT("report", "protection from draughts and radiation"),
         REPORT_TEXT("report", "Not protected from draughts or radiation."), {"conditions.shielded"}},
     Demand{"gradientPerHour", text, "3.1", shall, conditions, nullptr, gradient,
         REPORT_TEXT("report", "temperature gradient over 12 h and its agreed limit"), {}, {"conditions.gradientPerHour", "conditions.gradientHoursBefore"}},
     Demand{"compensation", text, "3.2", should, conditions, nullptr, stating<stated::common<&Conditions::compensation, PositioningCase>>,
         REPORT_TEXT("report", "use of compensation"), {}, {"conditions.compensation"}},
-    Demand{"complete", text, "3.2", shall, conditions, nullptr, ofConditions<common::complete>,
+    Demand{"complete", text, "3.2", shall, conditions, nullptr, ofDeclared<&Conditions::complete>,
         REPORT_TEXT("report", "machine complete and in working order"),
         REPORT_TEXT("report", "The machine was not complete or not in working order."), {"conditions.complete"}},
-    Demand{"levelled", text, "3.2", shall, conditions, nullptr, ofConditions<common::levelled>,
+    Demand{"levelled", text, "3.2", shall, conditions, nullptr, ofDeclared<&Conditions::levelled>,
         REPORT_TEXT("report", "levelling and alignment"),
         REPORT_TEXT("report", "Levelling or alignment was not done."), {"conditions.levelled"}},
-    Demand{"unloaded", text, "3.2", shall, conditions, nullptr, ofConditions<common::unloaded>,
+    Demand{"unloaded", text, "3.2", shall, conditions, nullptr, ofDeclared<&Conditions::unloaded>,
         REPORT_TEXT("report", "machine unloaded"), REPORT_TEXT("report", "The machine was loaded."), {"conditions.unloaded"}},
     Demand{"otherAxes", text, "3.2", shall, conditions, nullptr, ofConditions<common::otherAxes>,
         REPORT_TEXT("report", "position of the axes not under test"), {}, {"conditions.otherAxes"}},
@@ -283,15 +277,15 @@ constexpr std::array laboratoryRows{
     laboratoryRow("positionFeedback", conditions, nullptr, stating<positionFeedback>, REPORT_TEXT("report", "measuring system of the axis"), "axis.positionFeedback"),
     laboratoryRow("offsets", conditions, nullptr, ofConditions<common::offsetsStated>, REPORT_TEXT("report", "offset of the measuring line to the tool and workpiece reference"), "conditions.toolOffset"),
     laboratoryRow("sensors", conditions, nullptr, stating<airTemperature>, REPORT_TEXT("report", "temperature of the air"), "conditions.sensors"),
-    laboratoryRow("airPressure", conditions, nullptr, stating<number<&PositioningConditions::airPressure>>, REPORT_TEXT("report", "air pressure"), "conditions.airPressure"),
-    laboratoryRow("airHumidity", conditions, nullptr, stating<number<&PositioningConditions::airHumidity>>, REPORT_TEXT("report", "air humidity"), "conditions.airHumidity"),
+    laboratoryRow("airPressure", conditions, nullptr, stating<stated::condition<&PositioningConditions::airPressure, PositioningCase>>, REPORT_TEXT("report", "air pressure"), "conditions.airPressure"),
+    laboratoryRow("airHumidity", conditions, nullptr, stating<stated::condition<&PositioningConditions::airHumidity, PositioningCase>>, REPORT_TEXT("report", "air humidity"), "conditions.airHumidity"),
 };
 /// If the text of the edition does not ask for temperatures.
 constexpr std::array temperatureRows{
     laboratoryRow("sensors", conditions, linear, temperaturesOfMachineAndInstrument, REPORT_TEXT("report", "temperatures of machine and instrument"), "conditions.sensors"),
     laboratoryRow("expansion", conditions, linear, ofConditions<common::expansionStated>, REPORT_TEXT("report", "coefficients of thermal expansion of machine and instrument"), "conditions.expansion"),
     laboratoryRow("compensation", conditions, nullptr, stating<stated::common<&Conditions::compensation, PositioningCase>>, REPORT_TEXT("report", "compensation active during the test"), "conditions.compensation"),
-    laboratoryRow("uncertainty", uncertainty, nullptr, uncertaintyStated, REPORT_TEXT("report", "measurement uncertainty"), "uncertainty"),
+    laboratoryRow("uncertainty", uncertainty, nullptr, common::uncertaintyStated, REPORT_TEXT("report", "measurement uncertainty"), "uncertainty"),
 };
 constexpr std::array choiceOfRotary{
     laboratoryRow("targetChoice", conditions, rotary, stating<choiceStated>, REPORT_TEXT("report", "how the targets were chosen"), "targetChoice"),
@@ -301,10 +295,10 @@ constexpr std::array otherRows{
     laboratoryRow("targetChoice", conditions, nullptr, stating<choiceStated>, REPORT_TEXT("report", "how the targets were chosen"), "targetChoice"),
     laboratoryRow("otherAxes", conditions, nullptr, ofConditions<common::otherAxes>, REPORT_TEXT("report", "position of the axes not under test"), "conditions.otherAxes"),
     laboratoryRow("instrumentPosition", conditions, nullptr, statingConditions<common::instrumentPosition>, REPORT_TEXT("report", "position of the measuring device"), "conditions.instrumentPosition"),
-    laboratoryRow("correctionTo20", conditions, linear, stating<correctionStated>, REPORT_TEXT("report", "correction to 20 °C"), "conditions.correctionTo20"),
+    laboratoryRow("correctionTo20", conditions, linear, stating<stated::common<&Conditions::correctionTo20, PositioningCase>>, REPORT_TEXT("report", "correction to 20 °C"), "conditions.correctionTo20"),
     laboratoryRow("warmUp", conditions, nullptr, stating<stated::warmUp<PositioningCase>>, REPORT_TEXT("report", "warm-up"), "conditions.warmUp"),
     laboratoryRow("feed", conditions, nullptr, stating<feedStated>, REPORT_TEXT("report", "feed rate"), "conditions.feed"),
-    laboratoryRow("dwell", conditions, nullptr, stating<number<&PositioningConditions::dwell>>, REPORT_TEXT("report", "dwell at each target"), "conditions.dwell"),
+    laboratoryRow("dwell", conditions, nullptr, stating<stated::condition<&PositioningConditions::dwell, PositioningCase>>, REPORT_TEXT("report", "dwell at each target"), "conditions.dwell"),
 };
 
 // ---- Rows of the program ----------------------------------------------------------------------------------

@@ -267,13 +267,11 @@ Judgement endsOf2006(const PositioningCase &test) {
 }
 
 Sentence endsUnknown(const PositioningCase &test) {
-    if (test.measurement.axis.range)
-        return std::nullopt;
-    return Message{
+    return sentenceIf(
+        !test.measurement.axis.range,
         REPORT_TEXT("report",
                     "The ends of the axis are not stated: whether the first and the last target can be "
-                    "approached from both sides is not checked."),
-        {}};
+                    "approached from both sides is not checked."));
 }
 
 Judgement axisTravel(const PositioningCase &test) {

@@ -57,16 +57,12 @@ bool lacksLeastSquares(const CircularCase &test, CircleOf of, bool needed) {
            !test.results.circle(of, ReferenceCircle::leastSquares);
 }
 
-Message plain(Text text) {
-    return {text};
-}
-
 } // namespace
 
 Sentence noArcs(const CircularCase &test) {
-    if (std::ranges::any_of(test.results.paths, [](const EvaluatedPath &p) { return !p.source.empty(); }))
-        return std::nullopt;
-    return plain(REPORT_TEXT("report", "The test has no measured points in the evaluated range."));
+    return sentenceIf(
+        std::ranges::all_of(test.results.paths, [](const EvaluatedPath &p) { return p.source.empty(); }),
+        REPORT_TEXT("report", "The test has no measured points in the evaluated range."));
 }
 
 Sentence shortArc(const CircularCase &test) {
@@ -132,32 +128,30 @@ Judgement bothSenses(const CircularCase &test) {
 }
 
 Sentence partialArcsForD(const CircularCase &test) {
-    if (!asksForD(test) || !test.bothSenses() || !partialArc(test))
-        return std::nullopt;
-    return plain(REPORT_TEXT("report", "No value for D: it needs full circles in both senses."));
+    return sentenceIf(asksForD(test) && test.bothSenses() && partialArc(test),
+                      REPORT_TEXT("report", "No value for D: it needs full circles in both senses."));
 }
 
 Sentence partialArcsForH(const CircularCase &test) {
-    if (test.feedback() || !test.asksFor(OfCircle::hysteresis) || !test.bothSenses() || !partialArc(test))
-        return std::nullopt;
-    return plain(REPORT_TEXT("report", "No value for H: it needs full circles in both senses."));
+    return sentenceIf(!test.feedback() && test.asksFor(OfCircle::hysteresis) && test.bothSenses() &&
+                          partialArc(test),
+                      REPORT_TEXT("report", "No value for H: it needs full circles in both senses."));
 }
 
 Sentence leastSquaresOfPartialArc(const CircularCase &test) {
-    if (!asksForF(test) || test.measurement.centring != Centring::leastSquares || !partialArc(test))
-        return std::nullopt;
-    return plain(REPORT_TEXT("report",
-                             "No value for F of a partial arc: the least squares centre is for full circles "
-                             "only."));
+    return sentenceIf(
+        asksForF(test) && test.measurement.centring == Centring::leastSquares && partialArc(test),
+        REPORT_TEXT("report", "No value for F of a partial arc: the least squares centre is for full circles "
+                              "only."));
 }
 
 Sentence setUpCentring(const CircularCase &test) {
-    if (!asksForF(test) || test.measurement.centring != Centring::instrument || test.results.paths.empty() ||
-        partialArc(test))
-        return std::nullopt;
-    return plain(REPORT_TEXT(
-        "report", "F is taken about the set-up centre: it contains the set-up error, which table A.1 "
-                  "does not expect of full circles."));
+    return sentenceIf(
+        asksForF(test) && test.measurement.centring == Centring::instrument && !test.results.paths.empty() &&
+            !partialArc(test),
+        REPORT_TEXT("report",
+                    "F is taken about the set-up centre: it contains the set-up error, which table A.1 "
+                    "does not expect of full circles."));
 }
 
 Sentence noCircle(const CircularCase &test) {
@@ -180,18 +174,16 @@ Sentence noLeastSquaresCircle(const CircularCase &test) {
     bool lacks = test.bothSenses() && lacksLeastSquares(test, CircleOf::both, ofG || ofPair);
     for (const EvaluatedPath &path : test.results.paths)
         lacks |= lacksLeastSquares(test, circleOf(path.sense), ofG || ofF);
-    if (!lacks)
-        return std::nullopt;
-    return plain(REPORT_TEXT("report",
-                             "No least squares circle was found for the points: what rests on it has no "
-                             "value."));
+    return sentenceIf(lacks,
+                      REPORT_TEXT("report",
+                                  "No least squares circle was found for the points: what rests on it has no "
+                                  "value."));
 }
 
 Sentence notCertified(const CircularCase &test) {
     const auto open = [](const CircleResult &c) { return c.certified == false; };
-    if (std::ranges::none_of(test.results.circles, open))
-        return std::nullopt;
-    return plain(REPORT_TEXT("report", "The minimum zone circles are not proven to be the narrowest."));
+    return sentenceIf(std::ranges::any_of(test.results.circles, open),
+                      REPORT_TEXT("report", "The minimum zone circles are not proven to be the narrowest."));
 }
 
 Sentence leftHandedPlane(const CircularCase &test) {
@@ -234,18 +226,16 @@ Judgement correction(const CircularCase &test) {
 }
 
 Sentence correctionImpossible(const CircularCase &test) {
-    if (!test.needsLength() || test.common().correctionTo20 != CorrectionTo20::appliedHere ||
-        test.results.correction)
-        return std::nullopt;
-    return plain(REPORT_TEXT("report",
-                             "F and D cannot be corrected to 20 °C: temperatures and "
-                             "coefficients of thermal expansion of machine and instrument are needed."));
+    return sentenceIf(test.needsLength() && test.common().correctionTo20 == CorrectionTo20::appliedHere &&
+                          !test.results.correction,
+                      REPORT_TEXT("report",
+                                  "F and D cannot be corrected to 20 °C: temperatures and "
+                                  "coefficients of thermal expansion of machine and instrument are needed."));
 }
 
 Sentence recentred(const CircularCase &test) {
-    if (!test.conditions().recentredBetweenRuns.value_or(false))
-        return std::nullopt;
-    return plain(REPORT_TEXT("report", "The instrument was re-centred between the runs."));
+    return sentenceIf(test.conditions().recentredBetweenRuns.value_or(false),
+                      REPORT_TEXT("report", "The instrument was re-centred between the runs."));
 }
 
 Sentence feedbackSignal(const CircularCase &test) {
@@ -253,11 +243,10 @@ Sentence feedbackSignal(const CircularCase &test) {
     constexpr std::array<std::string_view, 4> linear{"linear", "Linear", "linéaire", "Linéaire"};
     const bool linearScale = std::ranges::any_of(
         linear, [&](std::string_view word) { return scale.find(word) != std::string::npos; });
-    if (!test.feedback() || linearScale)
-        return std::nullopt;
-    return plain(REPORT_TEXT("report",
-                             "Feedback signal: the annex speaks of machines with linear scales; what lies "
-                             "between scale and tool is not seen."));
+    return sentenceIf(
+        test.feedback() && !linearScale,
+        REPORT_TEXT("report", "Feedback signal: the annex speaks of machines with linear scales; what lies "
+                              "between scale and tool is not seen."));
 }
 
 Sentence lengthOfFeedback(const CircularCase &test) {
@@ -266,13 +255,8 @@ Sentence lengthOfFeedback(const CircularCase &test) {
             return row.dependsOnTemperature && row.term.isMeantBy(word);
         });
     };
-    if (!test.feedback() || std::ranges::none_of(test.measurement.requiredResults, isLength))
-        return std::nullopt;
-    return plain(REPORT_TEXT("report", "F and D cannot be had from a feedback signal."));
-}
-
-Judgement uncertaintyStated(const CircularCase &test) {
-    return common::uncertainty(test.withoutUncertainty);
+    return sentenceIf(test.feedback() && std::ranges::any_of(test.measurement.requiredResults, isLength),
+                      REPORT_TEXT("report", "F and D cannot be had from a feedback signal."));
 }
 
 Sentence rotaryAxis(const CircularCase &test) {
@@ -280,17 +264,14 @@ Sentence rotaryAxis(const CircularCase &test) {
         constexpr std::string_view rotaryAxes = "ABCabc";
         return !name.empty() && rotaryAxes.find(name[0]) != std::string_view::npos;
     };
-    if (!rotary(test.measurement.plane.first) && !rotary(test.measurement.plane.second))
-        return std::nullopt;
-    return plain(REPORT_TEXT("report", "Paths of rotary axes are outside the scope."));
+    return sentenceIf(rotary(test.measurement.plane.first) || rotary(test.measurement.plane.second),
+                      REPORT_TEXT("report", "Paths of rotary axes are outside the scope."));
 }
 
 Sentence notConsecutive(const CircularCase &test) {
-    if (!test.bothSenses() || !test.asksForPair())
-        return std::nullopt;
-    if (test.results.paths[0].arc + 1 == test.results.paths[1].arc)
-        return std::nullopt;
-    return plain(REPORT_TEXT("report", "Other paths were measured between the two."));
+    return sentenceIf(test.bothSenses() && test.asksForPair() &&
+                          test.results.paths[0].arc + 1 != test.results.paths[1].arc,
+                      REPORT_TEXT("report", "Other paths were measured between the two."));
 }
 
 Judgement allPoints(const CircularCase &test) {
@@ -342,13 +323,9 @@ bool partialF(const CircularCase &test) {
 bool centringUncertaintyStated(const CircularCase &test) {
     return test.measurement.uncertainty.centring.has_value();
 }
-
 bool planeStated(const CircularCase &test) {
     const Plane &plane = test.measurement.plane; // a circle lies in the plane of two axes
     return !isBlank(plane.first) && !isBlank(plane.second) && plane.first != plane.second;
-}
-bool positionFeedbackStated(const CircularCase &test) {
-    return !isBlank(test.measurement.positionFeedback);
 }
 bool feedStated(const CircularCase &test) {
     return test.measurement.feed.value_or(0) > 0;
@@ -371,16 +348,5 @@ Judgement temperaturesStated(const CircularCase &test) {
         missingOf(any(SensorMeasures::machine), any(SensorMeasures::instrument), any(SensorMeasures::air)),
         names);
 }
-bool correctionStated(const CircularCase &test) {
-    return test.common().correctionTo20 != CorrectionTo20::notStated;
-}
-bool startPointStated(const CircularCase &test) {
-    return !isBlank(test.conditions().startPoint);
-}
-bool stopPointStated(const CircularCase &test) {
-    return !isBlank(test.conditions().stopPoint);
-}
-bool smoothingStated(const CircularCase &test) {
-    return !isBlank(test.conditions().smoothing);
-}
+
 } // namespace palmer::iso230_4

@@ -46,16 +46,10 @@ bool needsOnlyD(const CircularCase &test);
 bool partialF(const CircularCase &test); ///< F of a partial arc
 
 // Statements
-Judgement uncertaintyStated(const CircularCase &test);
 bool centringUncertaintyStated(const CircularCase &test);
 bool planeStated(const CircularCase &test);
-bool positionFeedbackStated(const CircularCase &test);
 bool feedStated(const CircularCase &test);
 bool locationStated(const CircularCase &test);          ///< centre, or the position of the instrument
 Judgement temperaturesStated(const CircularCase &test); ///< for machine, instrument and air
-bool correctionStated(const CircularCase &test);
-bool startPointStated(const CircularCase &test);
-bool stopPointStated(const CircularCase &test);
-bool smoothingStated(const CircularCase &test);
 
 } // namespace palmer::iso230_4

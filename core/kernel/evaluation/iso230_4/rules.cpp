@@ -34,6 +34,7 @@ constexpr auto info = Grade::note;
 constexpr auto missingValues = Explains::missingValues;
 
 using common::ofConditions;
+using common::ofDeclared;
 using common::statingConditions;
 using enum Source;
 using enum Subject;
@@ -84,19 +85,19 @@ constexpr std::array text2005{
         REPORT_TEXT("report", "correction to 20 °C"), {}, {"conditions.correctionTo20"}},
     Row{"correctionTo20", text, "4.1, 6 b", shall, conditions, needsOnlyD, correction,
         REPORT_TEXT("report", "correction to 20 °C"), {}, {"conditions.correctionTo20"}},
-    Row{"soak", text, "4.1", shall, conditions, nullptr, ofConditions<common::stabilised>,
+    Row{"soak", text, "4.1", shall, conditions, nullptr, ofDeclared<&Conditions::stabilised>,
         REPORT_TEXT("report", "thermal stability before the test"),
         REPORT_TEXT("report", "Machine or instruments were not thermally stable."), {"conditions.stabilised", "conditions.soak"}},
-    Row{"shielded", text, "4.1", shall, conditions, nullptr, ofConditions<common::shielded>,
+    Row{"shielded", text, "4.1", shall, conditions, nullptr, ofDeclared<&Conditions::shielded>,
         REPORT_TEXT("report", "protection from draughts and radiation"),
         REPORT_TEXT("report", "Not protected from draughts or radiation."), {"conditions.shielded"}},
-    Row{"complete", text, "4.2", shall, conditions, nullptr, ofConditions<common::complete>,
+    Row{"complete", text, "4.2", shall, conditions, nullptr, ofDeclared<&Conditions::complete>,
         REPORT_TEXT("report", "machine complete and in working order"),
         REPORT_TEXT("report", "The machine was not complete or not in working order."), {"conditions.complete"}},
-    Row{"levelled", text, "4.2", shall, conditions, nullptr, ofConditions<common::levelled>,
+    Row{"levelled", text, "4.2", shall, conditions, nullptr, ofDeclared<&Conditions::levelled>,
         REPORT_TEXT("report", "levelling and functional checks"),
         REPORT_TEXT("report", "Levelling or functional checks were not done."), {"conditions.levelled"}},
-    Row{"unloaded", text, "4.2", shall, conditions, nullptr, ofConditions<common::unloaded>,
+    Row{"unloaded", text, "4.2", shall, conditions, nullptr, ofDeclared<&Conditions::unloaded>,
         REPORT_TEXT("report", "machine unloaded"), REPORT_TEXT("report", "The machine was loaded."), {"conditions.unloaded"}},
     Row{"warmUp", text, "4.3", shall, conditions, nullptr, ofConditions<common::warmUpOrSetUp>,
         REPORT_TEXT("report", "warm-up: by whom specified"),
@@ -110,7 +111,7 @@ constexpr std::array text2005{
         REPORT_TEXT("report", "what the evaluated range leaves out"), {}, {"arcs.cutOff"}},
     Row{"setUp", text, "5", should, Subject::uncertainty, partialF, stating<centringUncertaintyStated>,
         REPORT_TEXT("report", "set-up error"), {}, {"uncertainty.centring"}},
-    Row{"uncertainty", text, "6", should, Subject::uncertainty, nullptr, uncertaintyStated,
+    Row{"uncertainty", text, "6", should, Subject::uncertainty, nullptr, common::uncertaintyStated,
         REPORT_TEXT("report", "test uncertainty"), {}, {"uncertainty"}, Explains::missingUncertainty},
     Row{"contouringFeed", text, "Annex C", info, conditions, nullptr, unless<otherContouringFeed>, {}, {}, {"specified"}},
     Row{"requiredResults", text, "Annex D", shall, limits, nullptr, unless<lengthOfFeedback>, {}, {}, {"requiredResults"}},
@@ -132,9 +133,9 @@ constexpr std::array statements2005{
     statement("centre", "6 (4.4 e)", conditions, external, stating<locationStated>, REPORT_TEXT("report", "location of the measuring instrument"), "conditions.centre"),
     statement("sensors", "6 (4.4 f)", conditions, needsLength, temperaturesStated, REPORT_TEXT("report", "temperatures of machine, instrument and air"), "conditions.sensors"),
     statement("expansion", "6 (4.4 f)", conditions, needsLength, ofConditions<common::expansionStated>, REPORT_TEXT("report", "coefficients of thermal expansion of machine and instrument"), "conditions.expansion"),
-    statement("startPoint", "6 (4.4 g)", conditions, nullptr, stating<startPointStated>, REPORT_TEXT("report", "start point"), "conditions.startPoint"),
-    statement("stopPoint", "6 (4.4 g)", conditions, nullptr, stating<stopPointStated>, REPORT_TEXT("report", "stop point"), "conditions.stopPoint"),
-    statement("smoothing", "6 (4.4 g)", conditions, nullptr, stating<smoothingStated>, REPORT_TEXT("report", "data smoothing"), "conditions.smoothing"),
+    statement("startPoint", "6 (4.4 g)", conditions, nullptr, stating<stated::condition<&CircularConditions::startPoint, CircularCase>>, REPORT_TEXT("report", "start point"), "conditions.startPoint"),
+    statement("stopPoint", "6 (4.4 g)", conditions, nullptr, stating<stated::condition<&CircularConditions::stopPoint, CircularCase>>, REPORT_TEXT("report", "stop point"), "conditions.stopPoint"),
+    statement("smoothing", "6 (4.4 g)", conditions, nullptr, stating<stated::condition<&CircularConditions::smoothing, CircularCase>>, REPORT_TEXT("report", "data smoothing"), "conditions.smoothing"),
     statement("compensation", "6 (4.4 h)", conditions, nullptr, stating<stated::common<&Conditions::compensation, CircularCase>>, REPORT_TEXT("report", "compensation active during the test"), "conditions.compensation"),
     statement("otherAxes", "6 (4.4 i)", conditions, nullptr, ofConditions<common::otherAxes>, REPORT_TEXT("report", "position of the axes not under test"), "conditions.otherAxes"),
 };
@@ -143,10 +144,10 @@ constexpr Row laboratoryRow(const char *id, bool (*applies)(const CircularCase &
     return {id, Source::laboratory, "", info, conditions, applies, judge, name, {}, {key}};
 }
 constexpr std::array laboratoryRows{
-    laboratoryRow("positionFeedback", external, stating<positionFeedbackStated>, REPORT_TEXT("report", "measuring system of the axes"), "positionFeedback"),
+    laboratoryRow("positionFeedback", external, stating<stated::ofMeasurement<&CircularMeasurement::positionFeedback, CircularCase>>, REPORT_TEXT("report", "measuring system of the axes"), "positionFeedback"),
     laboratoryRow("offsets", external, ofConditions<common::offsetsStated>, REPORT_TEXT("report", "offset of the measuring line to the tool and workpiece reference"), "conditions.toolOffset"),
     laboratoryRow("sensorPositions", needsLength, statingConditions<common::machineSensorsPlaced>, REPORT_TEXT("report", "position of the temperature sensors"), "conditions.sensors"),
-    laboratoryRow("correctionTo20", needsLength, stating<correctionStated>, REPORT_TEXT("report", "type of compensation"), "conditions.correctionTo20"),
+    laboratoryRow("correctionTo20", needsLength, stating<stated::common<&Conditions::correctionTo20, CircularCase>>, REPORT_TEXT("report", "type of compensation"), "conditions.correctionTo20"),
 };
 
 constexpr Row programRow(const char *id, Subject subject, Judgement (*judge)(const CircularCase &),
