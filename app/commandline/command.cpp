@@ -93,8 +93,7 @@ std::string partnersOf(const Command &command, const Option &option) {
 void requireEffects(const Command &command, const Invocation &invocation) {
     for (const Option &option : command.options) {
         if (invocation.has(option.name) && !hasEffect(option, invocation))
-            throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
-                              {dashed(option).toStdString(), partnersOf(command, option)}});
+            refuseEffect(dashed(option).toStdString(), partnersOf(command, option));
     }
 }
 
@@ -131,6 +130,10 @@ void requireFiles(const Command &command, const Invocation &invocation) {
 }
 
 } // namespace
+
+void refuseEffect(const std::string &option, const std::string &partners) {
+    throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"), {option, partners}});
+}
 
 int worse(int a, int b) {
     return std::max(a, b); // higher codes rank higher

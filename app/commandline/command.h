@@ -78,6 +78,9 @@ public:
     Message message;
 };
 
+/// Throws UsageError: the option has no effect without one of its partners.
+[[noreturn]] void refuseEffect(const std::string &option, const std::string &partners);
+
 /// All commands.
 [[nodiscard]] std::span<const Command> commands();
 

@@ -236,7 +236,14 @@ bool isTerminal() {
     return ::isatty(STDERR_FILENO) != 0;
 }
 
-/// Shows "12 / 500" on a terminal, overwriting the previous text.
+void printWhat(const Finished &finished, bool parted) {
+    std::fwrite(finished.errors.constData(), 1, static_cast<std::size_t>(finished.errors.size()), stderr);
+    if (!finished.printed.isEmpty())
+        printOut((parted ? QByteArray("\n") : QByteArray()) + finished.printed);
+}
+
+} // namespace
+
 void showProgress(int done, int count) {
     if (isTerminal())
         std::fputs(("\r" + std::to_string(done) + " / " + std::to_string(count)).c_str(), stderr);
@@ -246,14 +253,6 @@ void clearProgress() {
     if (isTerminal())
         std::fputs("\r\x1b[K", stderr);
 }
-
-void printWhat(const Finished &finished, bool parted) {
-    std::fwrite(finished.errors.constData(), 1, static_cast<std::size_t>(finished.errors.size()), stderr);
-    if (!finished.printed.isEmpty())
-        printOut((parted ? QByteArray("\n") : QByteArray()) + finished.printed);
-}
-
-} // namespace
 
 int defaultJobs() {
     return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));

@@ -28,6 +28,10 @@ struct Jobs {
 /// is processed in this process.
 void eachJob(int count, int jobs, const Jobs &tell);
 
+/// Shows "12 / 500" on stderr if it is a terminal, overwriting the previous text; clears it.
+void showProgress(int done, int count);
+void clearProgress();
+
 /// Number of processors.
 [[nodiscard]] int defaultJobs();
 

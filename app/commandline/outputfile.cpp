@@ -37,7 +37,26 @@ bool isStandardOutput(const QString &file) {
            isSameFile(file, QStringLiteral("/dev/stdout"));
 }
 
+[[noreturn]] void refuseToOverwrite(const QString &file) {
+    throw UsageError(
+        {REPORT_TEXT("report",
+                     "%1 is a file to read and would be lost; choose another name for what is written"),
+         {file.toStdString()}});
+}
+
 } // namespace
+
+void refuseWithoutOutput(const char *command, const std::string &form) {
+    throw UsageError(
+        {REPORT_TEXT("report", "the command %1 needs a file to write (%2)"), {std::string(command), form}});
+}
+
+QString neededOutput(const Invocation &invocation, const char *command, const std::string &form) {
+    const auto output = invocation.value("o");
+    if (!output)
+        refuseWithoutOutput(command, form);
+    return *output;
+}
 
 void requireOutput(const Invocation &invocation, const QString &file,
                    std::initializer_list<const char *> endings) {
@@ -46,9 +65,7 @@ void requireOutput(const Invocation &invocation, const QString &file,
         inputs.append(*compared);
     for (const QString &input : inputs) {
         if (isSameFile(systemName(file, "/dev/stdout"), systemName(input, "/dev/stdin")))
-            throw UsageError({REPORT_TEXT("report", "%1 is a file to read and would be lost; choose another "
-                                                    "name for what is written"),
-                              {file.toStdString()}});
+            refuseToOverwrite(file);
     }
     const QString ending = QFileInfo(file).suffix().toLower();
     const bool isOwn =
@@ -78,12 +95,9 @@ QStringList outputsInFolder(const QString &output, const Inputs &inputs, const Q
         result << file;
     }
     for (const QString &file : result) {
-        const auto read = std::ranges::find_if(
-            inputs.list, [&](const Input &input) { return isSameFile(file, input.file); });
-        if (read != inputs.list.end())
-            throw UsageError({REPORT_TEXT("report", "%1 is a file to read and would be lost; choose another "
-                                                    "name for what is written"),
-                              {file.toStdString()}});
+        if (std::ranges::any_of(inputs.list,
+                                [&](const Input &input) { return isSameFile(file, input.file); }))
+            refuseToOverwrite(file);
     }
     return result;
 }
@@ -117,6 +131,18 @@ void writeOutputs(const std::vector<FileToSave> &outputs) {
         if (isStandardOutput(output.path))
             printOut(output.bytes);
     }
+}
+
+int written(const Invocation &invocation, const std::vector<FileToSave> &outputs) {
+    try {
+        writeOutputs(outputs);
+        return done;
+    } catch (const UnsavedFile &error) {
+        printError(error.path, error, invocation.language);
+    } catch (const Error &error) { // standard output
+        printError(outputs.front().path, error, invocation.language);
+    }
+    return cannotRead;
 }
 
 } // namespace palmer

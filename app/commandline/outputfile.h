@@ -17,6 +17,11 @@ namespace palmer {
 constexpr Option forceOption{
     "force", "", REPORT_TEXT("report", "write even to a name with the ending of another kind of file")};
 
+/// Throws UsageError: the command needs a file to write ("-o OUT.palmer").
+[[noreturn]] void refuseWithoutOutput(const char *command, const std::string &form);
+/// Value of -o. Throws UsageError without it.
+[[nodiscard]] QString neededOutput(const Invocation &invocation, const char *command,
+                                   const std::string &form);
 /// Throws UsageError if the output is an input of the same call, under any name, or has the ending of another
 /// kind of file than `endings` (lower case; "" and unknown endings are allowed), unless --force is given.
 /// Must be called before anything is read.
@@ -38,5 +43,7 @@ void writeOutput(const QByteArray &bytes, const QString &file);
 
 /// The same for several files: writes all or none. Throws UnsavedFile.
 void writeOutputs(const std::vector<FileToSave> &outputs);
+/// The same; an error is printed with the name of its file. Returns the exit code.
+[[nodiscard]] int written(const Invocation &invocation, const std::vector<FileToSave> &outputs);
 
 } // namespace palmer

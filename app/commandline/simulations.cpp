@@ -69,9 +69,7 @@ void requireEffect(const SimulationChoices &choices, const Document &document) {
         return method && *method == UncertaintyMethod::monteCarlo;
     };
     if ((choices.seed || choices.trials) && std::ranges::none_of(document.tests, simulates))
-        throw UsageError(
-            {REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
-             {std::string(choices.seed ? "--seed" : "--trials"), std::string("--uncertainty monteCarlo")}});
+        refuseEffect(choices.seed ? "--seed" : "--trials", "--uncertainty monteCarlo");
     const auto hasMethod = [](const TestPointer &test) { return methodOf(*test) != nullptr; };
     if (choices.method && std::ranges::none_of(document.tests, hasMethod))
         throw UsageError({REPORT_TEXT("report", "--%1 has no effect here: no test of the file has a budget"),

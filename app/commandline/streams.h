@@ -40,6 +40,16 @@ void printError(const QString &text);
 /// Prints `palmer-cli: FILE: place: what is wrong`.
 void printError(const QString &file, const Error &error, const Language &language);
 
+/// Returns the exit code of `work()`; if it throws an Error, prints it with the name of the file: cannotRead.
+template <class Work>
+[[nodiscard]] int codeOf(const QString &file, const Language &language, const Work &work) {
+    try {
+        return work();
+    } catch (const Error &error) {
+        printError(file, error, language);
+        return cannotRead;
+    }
+}
 /// Prints `palmer-cli: FILE: line:column: remark`, one line each.
 void printRemarks(const QString &file, const std::vector<Remark> &remarks, const Language &language);
 

@@ -153,7 +153,7 @@ QString explanations(const EvaluatedDocument &evaluated, const Asked &asked, con
 
 int runExplain(const Invocation &invocation) {
     const QString &file = invocation.arguments.front();
-    try {
+    return codeOf(file, invocation.language, [&]() -> int {
         std::optional<Document> document = documentFrom(file, invocation);
         if (!document)
             return cannotRead; // it has open questions
@@ -168,10 +168,7 @@ int runExplain(const Invocation &invocation) {
                 invocation.language.text(REPORT_TEXT("report", "no typical value is known for its tests")));
         printOut(text);
         return done;
-    } catch (const Error &error) {
-        printError(file, error, invocation.language);
-        return cannotRead;
-    }
+    });
 }
 
 } // namespace

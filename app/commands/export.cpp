@@ -189,8 +189,7 @@ void requireFormAndFiles(const Invocation &invocation) {
         throw UsageError({REPORT_TEXT("report", "the command %1 needs the option --%2 %3"),
                           {std::string("export"), std::string("as"), std::string(exportOptions[0].value)}});
     if (!invocation.has("o"))
-        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
-                          {std::string("export"), std::string("-o OUT")}});
+        refuseWithoutOutput("export", "-o OUT");
     if (invocation.arguments.size() != 1)
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one file"), {std::string("export")}});
 }
@@ -223,7 +222,7 @@ int runExport(const Invocation &invocation) {
              {std::string("--reference P")}});
     const QString file = invocation.arguments.front();
     const Language names = invocation.languageChosen ? invocation.language : Language(Language::Id::english);
-    try {
+    return codeOf(file, invocation.language, [&]() -> int {
         std::optional<Document> document = documentFrom(file, invocation);
         if (!document)
             return cannotRead; // it has open questions
@@ -245,12 +244,8 @@ int runExport(const Invocation &invocation) {
             bytes = compensation ? writeCompensation(made, *compensation, table)
                                  : readingsCsv(evaluated, index, names, table.decimalMark);
         }
-        try {
-            writeOutput(bytes, *output);
-        } catch (const Error &error) {
-            printError(*output, error, invocation.language);
-            return cannotRead;
-        }
+        if (const int code = written(invocation, {{bytes, *output}}); code != done)
+            return code;
         if (compensation) {
             CompensationTable written = readCompensation(bytes, *compensation, table);
             written.motion = made.motion; // not stated in the files of some controls
@@ -259,10 +254,7 @@ int runExport(const Invocation &invocation) {
                 compensationRemarks(made, *compensation, table), compared, invocation.language);
         }
         return done;
-    } catch (const Error &error) {
-        printError(file, error, invocation.language);
-        return cannotRead;
-    }
+    });
 }
 
 } // namespace

@@ -131,8 +131,7 @@ QString endingOf(const Invocation &invocation, const QString &output, bool sever
     const auto asked = invocation.value(asOption);
     const QString ending = QFileInfo(output).suffix().toLower();
     if (output.isEmpty() || (!several && !asked && !isEnding(ending)))
-        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
-                          {std::string("figure"), "-o " + std::string(figureOptions[0].value)}});
+        refuseWithoutOutput("figure", "-o " + std::string(figureOptions[0].value));
     if (several && !asked)
         throw UsageError(
             {REPORT_TEXT("report", "the pictures of several files go into a folder; choose their kind with "
@@ -160,15 +159,13 @@ int runFigure(const Invocation &invocation) {
         const std::size_t index = testIndex(invocation, evaluated.tests.size());
         const NamedFigure named = figureOf(evaluated, index, wanted, invocation.language);
         const QString &target = outputs.at(static_cast<qsizetype>(&input - inputs.list.data()));
-        try {
+        const auto write = [&]() -> int {
             if (inputs.several)
                 makeFolderOf(target);
             writeOutput(picture(named.figure, named.title, ending, invocation.language), target);
-        } catch (const Error &error) {
-            printError(target, error, invocation.language);
-            return {cannotRead, {}};
-        }
-        return {done, {}};
+            return done;
+        };
+        return {codeOf(target, invocation.language, write), {}};
     });
 }
 

@@ -61,11 +61,8 @@ bool needsTest(const Imported &imported) {
 }
 
 int runImport(const Invocation &invocation) {
-    const auto output = invocation.value("o");
-    if (!output)
-        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
-                          {std::string("import"), std::string("-o OUT.palmer")}});
-    requireOutput(invocation, *output, {"palmer", "json"}); // test files are JSON
+    const QString output = neededOutput(invocation, "import", "-o OUT.palmer");
+    requireOutput(invocation, output, {"palmer", "json"}); // test files are JSON
     const ImportOptions chosen = chosenOptions(invocation);
     const bool keep = invocation.has("keep-original");
     if (!canReadTemplates(invocation))
@@ -79,18 +76,17 @@ int runImport(const Invocation &invocation) {
     std::vector<Read> files;
     int code = done;
     for (const QString &file : invocation.arguments) {
-        try {
+        const auto read = [&]() -> int {
             keepMemory(QFileInfo(file).size());
             const QByteArray bytes = bytesFrom(file);
             std::future<std::string> hash = hashOf(bytes);
-            if (auto imported = importedFrom(bytes, file, chosen, invocation))
-                files.push_back({file, bytes, std::move(hash), std::move(*imported)});
-            else
-                code = worse(code, cannotRead);
-        } catch (const Error &error) {
-            printError(file, error, invocation.language);
-            code = worse(code, cannotRead);
-        }
+            auto imported = importedFrom(bytes, file, chosen, invocation);
+            if (!imported)
+                return cannotRead;
+            files.push_back({file, bytes, std::move(hash), std::move(*imported)});
+            return done;
+        };
+        code = worse(code, codeOf(file, invocation.language, read));
     }
     if (code != done)
         return code; // nothing incomplete is written
@@ -107,20 +103,17 @@ int runImport(const Invocation &invocation) {
     std::ranges::stable_sort(files, {}, [](const Read &read) { return needsTest(read.imported); });
     Document document;
     for (Read &read : files) {
-        try {
+        const auto add = [&]() -> int {
             addImported(document, std::move(read.imported), read.bytes, read.file, keep, read.hash.get());
-        } catch (const Error &error) {
-            printError(read.file, error, invocation.language);
+            return done;
+        };
+        if (codeOf(read.file, invocation.language, add) != done)
             return cannotRead;
-        }
     }
-    try {
-        writeOutput(bytesToSave(prepared(std::move(document), invocation)), *output);
-    } catch (const Error &error) {
-        printError(*output, error, invocation.language);
-        return cannotRead;
-    }
-    return done;
+    return codeOf(output, invocation.language, [&]() -> int {
+        writeOutput(bytesToSave(prepared(std::move(document), invocation)), output);
+        return done;
+    });
 }
 
 } // namespace

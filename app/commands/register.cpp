@@ -21,9 +21,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <thread>
-#include <unistd.h>
 
 namespace palmer {
 
@@ -64,10 +62,6 @@ struct Part {
     int (*run)(const Invocation &) = nullptr;
 };
 
-bool isTerminal() {
-    return ::isatty(STDERR_FILENO) != 0;
-}
-
 QString dateOption(const Invocation &invocation, const char *option) {
     QString given = invocation.value(option).value_or(QString());
     constexpr qsizetype length = 10;
@@ -85,12 +79,7 @@ ScanOptions scanOptions(const Invocation &invocation) {
     ScanOptions result;
     result.jobs = jobsOf(invocation);
     result.prune = invocation.has("prune");
-    result.progress = [](const ScanProgress &progress) {
-        if (isTerminal())
-            std::fputs(
-                ("\r" + std::to_string(progress.done) + " / " + std::to_string(progress.total)).c_str(),
-                stderr);
-    };
+    result.progress = [](const ScanProgress &progress) { showProgress(progress.done, progress.total); };
     return result;
 }
 
@@ -111,8 +100,7 @@ QByteArray json(const ScanResult &result) {
 }
 
 int report(const ScanResult &result, const Invocation &invocation) {
-    if (isTerminal())
-        std::fputs("\r\x1b[K", stderr);
+    clearProgress();
     for (const Unreadable &one : result.unreadable)
         printError(one.path + QStringLiteral(": ") + sentenceFrom(one.error, invocation.language));
     const auto count = [](int value) { return Number{static_cast<double>(value), Quantity::count}; };
@@ -340,12 +328,8 @@ int runRegister(const Invocation &invocation) {
     }
     if (word != QLatin1StringView("scan") && invocation.arguments.size() > 1)
         throw UsageError({REPORT_TEXT("report", "register %1 takes no file"), {word.toStdString()}});
-    try {
-        return part->run(invocation);
-    } catch (const Error &error) {
-        printError(withoutPassword(registerAddress(invocation)), error, invocation.language);
-        return cannotRead;
-    }
+    return codeOf(withoutPassword(registerAddress(invocation)), invocation.language,
+                  [&] { return part->run(invocation); });
 }
 
 } // namespace

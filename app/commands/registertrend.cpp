@@ -87,8 +87,7 @@ Form formOf(const Invocation &invocation, const QString &output) {
     if (ending == QLatin1StringView("json") || invocation.has("json"))
         return Form::json;
     if (!output.isEmpty() && output != QLatin1StringView("-"))
-        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
-                          {std::string("register trend"), std::string("-o OUT.csv|json|svg|png|pdf")}});
+        refuseWithoutOutput("register trend", "-o OUT.csv|json|svg|png|pdf");
     return Form::text;
 }
 
@@ -115,10 +114,7 @@ constexpr qsizetype longestNumber = 40; ///< fits in the head of the page
 
 int runRegisterReport(const Invocation &invocation) {
     const QString words = needed(invocation, "machine");
-    const QString output = invocation.value("o").value_or(QString());
-    if (output.isEmpty())
-        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
-                          {std::string("register report"), std::string("-o OUT.pdf")}});
+    const QString output = neededOutput(invocation, "register report", "-o OUT.pdf");
     requireOutput(invocation, output, {"pdf"});
     const QStringList languages = reportLanguages(invocation);
     if (output == QLatin1StringView("-") && languages.size() > 1)

@@ -94,22 +94,19 @@ public:
     explicit Reports(const Invocation &invocation)
         : m_invocation(invocation)
         , m_inputs(inputsOf(invocation)) {
-        const auto output = invocation.value("o");
-        if (!output)
-            throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
-                              {std::string("report"), std::string("-o OUT.pdf")}});
+        const QString output = neededOutput(invocation, "report", "-o OUT.pdf");
         if (const Edition *asked = editionAsked(invocation))
             m_edition = asked->word;
         if (m_inputs.several) {
-            m_outputs = outputsInFolder(*output, m_inputs, QStringLiteral(".pdf"));
-            const QFileInfo folder(*output);
+            m_outputs = outputsInFolder(output, m_inputs, QStringLiteral(".pdf"));
+            const QFileInfo folder(output);
             if (!folder.isDir() && (folder.exists() || folder.suffix().toLower() == QLatin1StringView("pdf")))
                 throw UsageError(
                     {REPORT_TEXT("report", "the reports of several files go into a folder; %1 is none"),
-                     {output->toStdString()}});
+                     {output.toStdString()}});
         } else {
-            requireOutput(invocation, *output, {"pdf"});
-            m_outputs = {*output};
+            requireOutput(invocation, output, {"pdf"});
+            m_outputs = {output};
         }
         m_selfTest = runInBackground(true, selfTest); // once for all, while the file is read
         if (m_inputs.several)

@@ -208,8 +208,7 @@ CircularSynthesis circular(const Invocation &invocation) {
     else if (senses == QLatin1StringView("clockwise"))
         asked.senses = {Sense::clockwise};
     if (asked.senses.size() == 1 && invocation.has("pause"))
-        throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
-                          {std::string("--pause"), std::string("--senses both")}});
+        refuseEffect("--pause", "--senses both");
     if (const auto arc = invocation.value("arc")) {
         asked.arc = intervalGiven("arc", *arc);
         if (asked.arc.to - asked.arc.from > 360 || std::abs(asked.arc.from) > largest)
@@ -231,8 +230,7 @@ CircularSynthesis circular(const Invocation &invocation) {
 PositioningSynthesis positioning(const Invocation &invocation) {
     PositioningSynthesis asked;
     if (invocation.has("pause"))
-        throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
-                          {std::string("--pause"), std::string(circularWord)}});
+        refuseEffect("--pause", circularWord);
     asked.axis = invocation.value("axis").value_or(QStringLiteral("X")).toStdString();
     const double travel = number(invocation, "travel", 1000, smallest, largest);
     constexpr long long mostTargets = 10'000;
@@ -276,16 +274,7 @@ int write(const Document &document, const QByteArray &truth, const Invocation &i
     std::vector<FileToSave> files{{writeDocument(document), output}};
     if (const auto other = invocation.value(truthOption))
         files.push_back({truth, *other});
-    try {
-        writeOutputs(files); // both or none
-    } catch (const UnsavedFile &error) {
-        printError(error.path, error, invocation.language);
-        return cannotRead;
-    } catch (const Error &error) {
-        printError(output, error, invocation.language);
-        return cannotRead;
-    }
-    return done;
+    return written(invocation, files); // both or none
 }
 
 /// Throws UsageError if outputs have endings of other kinds of files or are the same file.
@@ -307,17 +296,14 @@ int runSynthesize(const Invocation &invocation) {
     if (invocation.arguments.size() != 1 || (!isCircular && kind != QLatin1StringView("positioning")))
         throw UsageError({REPORT_TEXT("report", "the command %1 takes one word: %2"),
                           {std::string("synthesize"), std::string("circular|positioning")}});
-    const auto output = invocation.value("o");
-    if (!output)
-        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
-                          {std::string("synthesize"), std::string("-o OUT.palmer")}});
-    requireOutputs(invocation, *output);
+    const QString output = neededOutput(invocation, "synthesize", "-o OUT.palmer");
+    requireOutputs(invocation, output);
     Document document;
     document.writtenBy = "Palmer " PALMER_VERSION;
     if (!isCircular) {
         const PositioningSynthesis asked = positioning(invocation);
         document.tests.push_back(madeTest(invocation.language, "made", synthesizePositioning(asked)));
-        return write(document, truthJson(asked), invocation, *output);
+        return write(document, truthJson(asked), invocation, output);
     }
     CircularSynthesis asked = circular(invocation);
     const std::vector<double> all = feeds(invocation);
@@ -328,7 +314,7 @@ int runSynthesize(const Invocation &invocation) {
         const std::string id = "made-" + std::to_string(i + 1);
         document.tests.push_back(madeTest(invocation.language, id.c_str(), synthesizeCircular(one)));
     }
-    return write(document, truthJson(asked, all), invocation, *output);
+    return write(document, truthJson(asked, all), invocation, output);
 }
 
 } // namespace

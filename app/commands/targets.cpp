@@ -87,8 +87,7 @@ std::optional<Begun> begun(const Invocation &invocation) {
     Begun result;
     if (invocation.arguments.isEmpty()) {
         if (invocation.has("test"))
-            throw UsageError({REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
-                              {std::string("--test"), std::string("FILE")}});
+            refuseEffect("--test", "FILE");
         return result;
     }
     if (invocation.arguments.size() > 1)
@@ -215,10 +214,7 @@ std::vector<std::pair<QString, QByteArray>> filesOf(const Invocation &invocation
 }
 
 int runTargets(const Invocation &invocation) {
-    const auto output = invocation.value("o");
-    if (!output)
-        throw UsageError({REPORT_TEXT("report", "the command %1 needs a file to write (%2)"),
-                          {std::string("targets"), std::string("-o OUT")}});
+    const QString output = neededOutput(invocation, "targets", "-o OUT");
     auto base = begun(invocation);
     if (!base)
         return cannotRead;
@@ -234,18 +230,12 @@ int runTargets(const Invocation &invocation) {
              {}});
     const Motion motion = plans.empty() ? Motion::linear : plans.front().request.motion;
     if (plans.size() == 1 && invocation.has("zone"))
-        throw UsageError(
-            {REPORT_TEXT("report", "%1 has no effect here; it goes with: %2"),
-             {std::string("--zone"), "--travel > " + std::to_string(std::lround(longestShort(motion)))}});
+        refuseEffect("--zone", "--travel > " + std::to_string(std::lround(longestShort(motion))));
     const CycleProgram cycle =
         programOf(plans.front(), program(invocation, base->program, approach, plans.front().plan.runs));
-    for (const auto &[path, bytes] : filesOf(invocation, *output, plans, cycle, *base->edition)) {
-        try {
-            writeOutput(bytes, path);
-        } catch (const Error &error) {
-            printError(path, error, invocation.language);
-            return cannotRead;
-        }
+    for (const auto &[path, bytes] : filesOf(invocation, output, plans, cycle, *base->edition)) {
+        if (const int code = written(invocation, {{bytes, path}}); code != done)
+            return code;
     }
     return done;
 }

@@ -60,20 +60,9 @@ int extract(const Invocation &invocation, const QString &output) {
             {REPORT_TEXT("report", "the option --%1 takes one report"), {std::string(extractOption)}});
     requireOutput(invocation, output, {"palmer", "json"});
     const QString file = invocation.arguments.front();
-    QByteArray testFile;
-    try {
-        testFile = readReportPdf(reportFrom(file)).testFile;
-    } catch (const Error &error) {
-        printError(file, error, invocation.language);
-        return cannotRead;
-    }
-    try {
-        writeOutput(testFile, output);
-    } catch (const Error &error) {
-        printError(output, error, invocation.language);
-        return cannotRead;
-    }
-    return done;
+    return codeOf(file, invocation.language, [&] {
+        return written(invocation, {{readReportPdf(reportFrom(file)).testFile, output}});
+    });
 }
 
 QString inLines(const QString &text) {
