@@ -39,7 +39,7 @@ void StatisticsAndParameters(benchmark::State &state) {
     for (auto _ : state) {
         statistics(table.view(), DeviationMethod::calculation, targets);
         for (const Row &row : iso230_2::rows2006())
-            benchmark::DoNotOptimize(row.value(targets, 2));
+            benchmark::DoNotOptimize((*row.value)(targets, 2));
     }
     state.SetComplexityN(state.range(0));
 }

@@ -25,12 +25,20 @@ struct Outcome {
 /// the range method.
 enum Need : unsigned { upward = 1, downward = 2, bothWays = 3, scatter = 4, byRange = 8 };
 
-/// One parameter of an edition of ISO 230-2: its names, the conditions it needs, and its computation from the
-/// statistics per target and the factor c.
+/// Computation of a parameter from the statistics per target and the factor c: for one test, and for four at
+/// once, identical per lane to the last bit; the values must exist in all of them.
+struct ParameterFormula {
+    Outcome (*one)(std::span<const TargetStatistics>, double c) = nullptr;
+    Lanes (*four)(std::span<const TargetStatisticsOf<Lanes>>, double c) = nullptr;
+
+    Outcome operator()(std::span<const TargetStatistics> targets, double c) const { return one(targets, c); }
+};
+
+/// One parameter of an edition of ISO 230-2: its names, the conditions it needs, and its computation.
 struct Row {
     Term term;
     unsigned needs = 0;
-    Outcome (*value)(std::span<const TargetStatistics>, double c) = nullptr;
+    const ParameterFormula *value = nullptr;
     bool dependsOnTemperature = false; ///< wrong away from 20 °C unless corrected
 };
 

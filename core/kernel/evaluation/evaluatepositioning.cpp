@@ -64,7 +64,7 @@ Parameter parameter(const Row &row, const PositioningMeasurement &measurement,
     result.dependsOnTemperature = row.dependsOnTemperature;
     if (measurement.axis.motion == Motion::rotary)
         result.term.quantity = Quantity::angularDeviation;
-    const Outcome outcome = row.value(targets, c);
+    const Outcome outcome = (*row.value)(targets, c);
     if (std::isfinite(outcome.value)) {
         result.value = outcome.value;
         result.ruling = outcome.ruling;

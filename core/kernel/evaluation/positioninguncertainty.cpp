@@ -71,9 +71,9 @@ Rulers rulersOf(const Parameter &p, const Row &row, const Coefficients &coeffici
     };
     const Ruling &other = second.value_or(*first);
     Rulers result{end(*first), end(other), first->target == other.target};
-    if (row.value == iso230_2::repeatabilityOfAxis && !result.upper.approach)
+    if (row.value == &iso230_2::repeatabilityOfAxis && !result.upper.approach)
         result.upper.approach = rulingDirection(targetOf(*first, targets), c);
-    if (row.value == iso230_2::vdiUncertainty) {
+    if (row.value == &iso230_2::vdiUncertainty) {
         result.upper.approach = directionOfMean(targetOf(*first, targets), true);
         result.lower.approach = directionOfMean(targetOf(other, targets), false);
     }
@@ -95,7 +95,7 @@ public:
             m_tilted[i].positive.mean = m_targets[i].positive.mean + part;
             m_tilted[i].negative.mean = m_targets[i].negative.mean + part;
         }
-        return row.value(m_tilted, c).value;
+        return (*row.value)(m_tilted, c).value;
     }
 
 private:
@@ -179,7 +179,7 @@ bool othersComeClose(const Parameter &p, const Row &row, Targets targets, double
         if (!rules)
             others.push_back(targets[i]);
     }
-    const double without = row.value(others, c).value;
+    const double without = (*row.value)(others, c).value;
     return std::isfinite(without) && *p.value - without <= uncertainty;
 }
 

@@ -62,7 +62,7 @@ PositioningTrials::PositioningTrials(const PositioningMeasurement &measurement,
         if (!parameter.value || row == evaluation.edition->rows.end())
             continue;
         m_parameters.push_back({parameterId(parameter), *parameter.value, 0, 0, 0, 0, {}});
-        m_formulas.push_back(iso230_2::inLanes(row->value));
+        m_formulas.push_back(row->value->four);
     }
 }
 

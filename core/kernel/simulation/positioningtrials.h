@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kernel/evaluation/iso230_2/parameters.h"
+#include "kernel/evaluation/edition.h"
 #include "kernel/simulation/randomdraws.h"
 #include "kernel/uncertainty/positioningbudget.h"
 #include "kernel/uncertainty/simulation.h"
@@ -68,7 +68,7 @@ private:
     const PositioningMeasurement &m_measurement;
     RandomDraws m_draws;
     std::vector<SimulatedParameter> m_parameters;
-    std::vector<iso230_2::LanesFormula> m_formulas;
+    std::vector<decltype(ParameterFormula::four)> m_formulas;
     std::vector<Reading> m_readings;
     std::vector<double> m_corrections; ///< by index in the table; empty: none
     std::size_t m_positive = 0;        ///< readings ↑ in the table

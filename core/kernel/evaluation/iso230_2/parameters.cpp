@@ -209,105 +209,40 @@ constexpr auto vdiSpan = []<class Value>(All<Value> targets, double c) {
 constexpr Direction up = Direction::positive;
 constexpr Direction down = Direction::negative;
 
-/// The formula of a parameter for four tests at once.
+template <const auto &formula>
+Outcome valueOf(std::span<const TargetStatistics> targets, double c) {
+    return formula(targets, c);
+}
+
 template <const auto &formula>
 Lanes inLanesOf(All<Lanes> targets, double c) {
     return formula(targets, c);
 }
 
-struct Pair {
-    Outcome (*value)(Targets, double) = nullptr;
-    Lanes (*lanes)(All<Lanes>, double) = nullptr;
-};
+template <const auto &formula>
+constexpr ParameterFormula formulaOf{valueOf<formula>, inLanesOf<formula>};
 
 } // namespace
 
-Outcome accuracyUp(Targets targets, double c) {
-    return limitsSpan<up>(targets, c);
-}
-Outcome accuracyDown(Targets targets, double c) {
-    return limitsSpan<down>(targets, c);
-}
-Outcome accuracy(Targets targets, double c) {
-    return limitsSpan<up, down>(targets, c);
-}
-Outcome systematicUp(Targets targets, double c) {
-    return meansSpan<up>(targets, c);
-}
-Outcome systematicDown(Targets targets, double c) {
-    return meansSpan<down>(targets, c);
-}
-Outcome systematic(Targets targets, double c) {
-    return meansSpan<up, down>(targets, c);
-}
-Outcome meanRange(Targets targets, double c) {
-    return spanOfMeans(targets, c);
-}
-Outcome repeatabilityUp(Targets targets, double c) {
-    return largestRepeatability<up>(targets, c);
-}
-Outcome repeatabilityDown(Targets targets, double c) {
-    return largestRepeatability<down>(targets, c);
-}
-Outcome repeatabilityOfAxis(Targets targets, double c) {
-    return largestOfBoth(targets, c);
-}
-Outcome smallerRepeatability(Targets targets, double c) {
-    return smallerOfBoth(targets, c);
-}
-Outcome meanRepeatabilityUp(Targets targets, double c) {
-    return meanOf<repeatabilityIn<up>>(targets, c);
-}
-Outcome meanRepeatabilityDown(Targets targets, double c) {
-    return meanOf<repeatabilityIn<down>>(targets, c);
-}
-Outcome meanRepeatability(Targets targets, double c) {
-    return meanOf<repeatabilityHere>(targets, c);
-}
-Outcome reversal(Targets targets, double c) {
-    return largestOf<sizeOfReversal>(targets, c);
-}
-Outcome meanReversal(Targets targets, double c) {
-    return meanOf<reversalHere>(targets, c);
-}
-Outcome vdiMeanReversal(Targets targets, double c) {
-    return meanOf<sizeOfReversal>(targets, c);
-}
-Outcome vdiScatter(Targets targets, double c) {
-    return largestOf<scatterHere>(targets, c);
-}
-Outcome vdiMeanScatter(Targets targets, double c) {
-    return meanOf<scatterHere>(targets, c);
-}
-Outcome vdiUncertainty(Targets targets, double c) {
-    return vdiSpan(targets, c);
-}
-
-LanesFormula inLanes(Outcome (*value)(Targets, double)) {
-    static constexpr std::array formulas{
-        Pair{accuracyUp, inLanesOf<limitsSpan<up>>},
-        Pair{accuracyDown, inLanesOf<limitsSpan<down>>},
-        Pair{accuracy, inLanesOf<limitsSpan<up, down>>},
-        Pair{systematicUp, inLanesOf<meansSpan<up>>},
-        Pair{systematicDown, inLanesOf<meansSpan<down>>},
-        Pair{systematic, inLanesOf<meansSpan<up, down>>},
-        Pair{meanRange, inLanesOf<spanOfMeans>},
-        Pair{repeatabilityUp, inLanesOf<largestRepeatability<up>>},
-        Pair{repeatabilityDown, inLanesOf<largestRepeatability<down>>},
-        Pair{repeatabilityOfAxis, inLanesOf<largestOfBoth>},
-        Pair{smallerRepeatability, inLanesOf<smallerOfBoth>},
-        Pair{meanRepeatabilityUp, inLanesOf<meanOf<repeatabilityIn<up>>>},
-        Pair{meanRepeatabilityDown, inLanesOf<meanOf<repeatabilityIn<down>>>},
-        Pair{meanRepeatability, inLanesOf<meanOf<repeatabilityHere>>},
-        Pair{reversal, inLanesOf<largestOf<sizeOfReversal>>},
-        Pair{meanReversal, inLanesOf<meanOf<reversalHere>>},
-        Pair{vdiMeanReversal, inLanesOf<meanOf<sizeOfReversal>>},
-        Pair{vdiScatter, inLanesOf<largestOf<scatterHere>>},
-        Pair{vdiMeanScatter, inLanesOf<meanOf<scatterHere>>},
-        Pair{vdiUncertainty, inLanesOf<vdiSpan>},
-    };
-    const auto found = std::ranges::find(formulas, value, &Pair::value);
-    return found == formulas.end() ? nullptr : found->lanes;
-}
+const ParameterFormula accuracyUp = formulaOf<limitsSpan<up>>;
+const ParameterFormula accuracyDown = formulaOf<limitsSpan<down>>;
+const ParameterFormula accuracy = formulaOf<limitsSpan<up, down>>;
+const ParameterFormula systematicUp = formulaOf<meansSpan<up>>;
+const ParameterFormula systematicDown = formulaOf<meansSpan<down>>;
+const ParameterFormula systematic = formulaOf<meansSpan<up, down>>;
+const ParameterFormula meanRange = formulaOf<spanOfMeans>;
+const ParameterFormula repeatabilityUp = formulaOf<largestRepeatability<up>>;
+const ParameterFormula repeatabilityDown = formulaOf<largestRepeatability<down>>;
+const ParameterFormula repeatabilityOfAxis = formulaOf<largestOfBoth>;
+const ParameterFormula smallerRepeatability = formulaOf<smallerOfBoth>;
+const ParameterFormula meanRepeatabilityUp = formulaOf<meanOf<repeatabilityIn<up>>>;
+const ParameterFormula meanRepeatabilityDown = formulaOf<meanOf<repeatabilityIn<down>>>;
+const ParameterFormula meanRepeatability = formulaOf<meanOf<repeatabilityHere>>;
+const ParameterFormula reversal = formulaOf<largestOf<sizeOfReversal>>;
+const ParameterFormula meanReversal = formulaOf<meanOf<reversalHere>>;
+const ParameterFormula vdiMeanReversal = formulaOf<meanOf<sizeOfReversal>>;
+const ParameterFormula vdiScatter = formulaOf<largestOf<scatterHere>>;
+const ParameterFormula vdiMeanScatter = formulaOf<meanOf<scatterHere>>;
+const ParameterFormula vdiUncertainty = formulaOf<vdiSpan>;
 
 } // namespace palmer::iso230_2

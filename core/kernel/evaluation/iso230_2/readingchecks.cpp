@@ -193,8 +193,8 @@ Sentence drift(const PositioningCase &test) {
     if (!test.drift || !test.drift->significant())
         return std::nullopt;
     // VDI/DGQ 3441 has no R.
-    constexpr std::array scatters{repeatabilityOfAxis, repeatabilityUp, repeatabilityDown, vdiScatter};
-    const auto valueOf = [&](const Row &row) { return row.value(test.statistics, test.edition.c).value; };
+    constexpr std::array scatters{&repeatabilityOfAxis, &repeatabilityUp, &repeatabilityDown, &vdiScatter};
+    const auto valueOf = [&](const Row &row) { return (*row.value)(test.statistics, test.edition.c).value; };
     const auto beside = std::ranges::find_if(test.edition.rows, [&](const Row &row) {
         return std::ranges::find(scatters, row.value) != scatters.end() && !std::isnan(valueOf(row));
     });
