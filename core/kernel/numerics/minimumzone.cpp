@@ -188,6 +188,16 @@ struct Contacts {
     void add(const Sample &s) { samples[size++] = s; }
 };
 
+/// Returns the two points of a circle, and a point beyond it.
+Contacts contactsOf(const std::array<Sample, 2> &circle, const std::optional<Sample> &beyond = {}) {
+    Contacts contacts;
+    for (const Sample &s : circle)
+        contacts.add(s);
+    if (beyond)
+        contacts.add(*beyond);
+    return contacts;
+}
+
 /// The thinnest of several rings, each about all points of a set. The width is stored with the ring, which
 /// saves two of four square roots per candidate.
 class Thinnest {
@@ -536,17 +546,8 @@ std::optional<Ring> exchange(Search &search, const MinimumZoneOptions &options) 
         const Violators violators = search.violators(*ring);
         if (!violators.any())
             return ring;
-        Contacts outer;
-        Contacts inner;
-        for (const Sample &s : ring->outer)
-            outer.add(s);
-        for (const Sample &s : ring->inner)
-            inner.add(s);
-        if (violators.farthest)
-            outer.add(*violators.farthest);
-        if (violators.nearest)
-            inner.add(*violators.nearest);
-        ring = leastRing(outer, inner, options.tolerance);
+        ring = leastRing(contactsOf(ring->outer, violators.farthest),
+                         contactsOf(ring->inner, violators.nearest), options.tolerance);
     }
     return std::nullopt;
 }
@@ -675,12 +676,8 @@ public:
     [[nodiscard]] Point origin() const { return m_origin; }
 
     [[nodiscard]] std::optional<Ring> run(const std::array<std::size_t, 4> &first) const {
-        Contacts outer;
-        Contacts inner;
-        for (const std::size_t k : {0, 1})
-            outer.add(sample(first[k]));
-        for (const std::size_t k : {2, 3})
-            inner.add(sample(first[k]));
+        Contacts outer = contactsOf({sample(first[0]), sample(first[1])});
+        Contacts inner = contactsOf({sample(first[2]), sample(first[3])});
         constexpr int mostExchanges = 50;
         for (int step = 0; step < mostExchanges; ++step) {
             const std::optional<Ring> ring = leastRing(outer, inner, m_tolerance);
@@ -691,16 +688,8 @@ public:
                 beyond = this->beyond(*ring);
             if (!beyond.violators.any())
                 return beyond.close || !certify(*ring, m_tolerance, margin(*ring)) ? std::nullopt : ring;
-            outer = {};
-            inner = {};
-            for (const Sample &s : ring->outer)
-                outer.add(s);
-            for (const Sample &s : ring->inner)
-                inner.add(s);
-            if (beyond.violators.farthest)
-                outer.add(*beyond.violators.farthest);
-            if (beyond.violators.nearest)
-                inner.add(*beyond.violators.nearest);
+            outer = contactsOf(ring->outer, beyond.violators.farthest);
+            inner = contactsOf(ring->inner, beyond.violators.nearest);
         }
         return std::nullopt;
     }
@@ -860,12 +849,10 @@ MinimumZone minimumZone(PointsView points, const MinimumZoneOptions &options) {
         zone.certified = false;
         return zone;
     }
-    const bool certified = zone.certified;
-    const int scans = zone.scans;
-    zone = zoneOf(ring, search.origin());
-    zone.certified = certified;
-    zone.scans = scans;
-    return zone;
+    MinimumZone found = zoneOf(ring, search.origin());
+    found.certified = zone.certified;
+    found.scans = zone.scans;
+    return found;
 }
 
 std::optional<MinimumZone> minimumZone(std::span<const RaysLook> points,
