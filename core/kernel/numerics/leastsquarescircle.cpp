@@ -99,21 +99,28 @@ struct MomentTerms {
 
 // NOLINTEND(modernize-avoid-c-arrays)
 
-/// Returns the mean of an evenly spaced subset of the points.
-Point middleOfSome(PointsView points) {
+/// Returns an evenly spaced subset of the points, enough to choose a start.
+Points thinned(PointsView points) {
     constexpr std::size_t most = 1000;
     const std::size_t every = (points.size() + most - 1) / most;
-    Point sum;
-    double count = 0;
-    for (std::size_t i = 0; i < points.size(); i += every, ++count)
-        sum = {sum.x + points.x[i], sum.y + points.y[i]};
-    return {sum.x / count, sum.y / count};
+    Points some;
+    for (std::size_t i = 0; i < points.size(); i += every) {
+        some.x.push_back(points.x[i]);
+        some.y.push_back(points.y[i]);
+    }
+    return some;
+}
+
+Point middleOf(const Points &points) {
+    const auto count = static_cast<double>(points.size());
+    return {std::accumulate(points.x.begin(), points.x.end(), 0.0) / count,
+            std::accumulate(points.y.begin(), points.y.end(), 0.0) / count};
 }
 
 /// Mean and moments, usually in one pass instead of two: about a point near the mean, then shifted to the
 /// mean, which is accurate if the two are close; otherwise repeated about the mean.
 Scatter scatterOf(PointsView points, std::span<const std::size_t> groups) {
-    Point origin = middleOfSome(points);
+    Point origin = middleOf(thinned(points));
     Scatter s{};
     for (int look = 0; look < 2; ++look) {
         const auto m = weightedMean<MomentTerms::number>(groups, [&](std::size_t begin, std::size_t size) {
@@ -379,18 +386,6 @@ Point startAcross(Point normal, double extent, PointsView points, std::span<cons
         }
     }
     return best;
-}
-
-/// Returns an evenly spaced subset of the points, enough to choose a start.
-Points thinned(PointsView points) {
-    constexpr std::size_t most = 1000;
-    const std::size_t every = (points.size() + most - 1) / most;
-    Points some;
-    for (std::size_t i = 0; i < points.size(); i += every) {
-        some.x.push_back(points.x[i]);
-        some.y.push_back(points.y[i]);
-    }
-    return some;
 }
 
 /// Returns local minima of the sum on a grid of directions and distances: centres relative to the mean of the
