@@ -68,11 +68,8 @@ const std::array words{
 };
 
 const Words *wordsOf(InfluenceId id) {
-    for (const Words &row : words) {
-        if (row.id == id)
-            return &row;
-    }
-    return nullptr;
+    const auto *const found = std::ranges::find(words, id, &Words::id);
+    return found == words.end() ? nullptr : &*found;
 }
 
 /// Returns the axis and the other one; for the plane both in order.

@@ -33,14 +33,15 @@ std::vector<Part> partsOf(const Diagnosis &diagnosis, std::span<const std::size_
     return parts;
 }
 
-/// Calls f(arc, point, distance from the centre, position) for each point.
+/// Calls f(arc, point, distance from the centre, position) for every `stride`-th point of each arc.
 template <class F>
-void forEachPoint(const DiagnosedCircle &circle, const Diagnosis &diagnosis, const F &f) {
+void forEachPoint(const DiagnosedCircle &circle, const Diagnosis &diagnosis, const F &f,
+                  std::size_t stride = 1) {
     const Point centre = centreOf(circle).value_or(Point{});
     for (std::size_t a = 0; a < circle.arcs.size(); ++a) {
         const ArcWalk walk(circle, a, centre, diagnosis.lagAngle, diagnosis.pause);
         PathPosition position;
-        for (std::size_t i = 0; i < walk.size(); ++i) {
+        for (std::size_t i = 0; i < walk.size(); i += stride) {
             const double r = walk.at(i, position);
             f(a, i, r, position);
         }
@@ -102,17 +103,13 @@ double zoneWidth(const DiagnosedCircle &circle, const Diagnosis &diagnosis,
     const std::vector<Part> parts = partsOf(diagnosis, chosen);
     const Point centre = centreOf(circle).value_or(Point{});
     Points points;
-    for (std::size_t a = 0; a < circle.arcs.size(); ++a) {
-        const ArcWalk walk(circle, a, centre, diagnosis.lagAngle, diagnosis.pause);
+    const auto add = [&](std::size_t a, std::size_t i, double r, const PathPosition &position) {
         const PointsView measured = circle.arcs[a].points;
-        PathPosition position;
-        for (std::size_t i = 0; i < walk.size(); i += stride) {
-            const double r = walk.at(i, position);
-            const double scale = r > 0 ? distanceOf(r, traceAt(parts, position)) / r : 0;
-            points.x.push_back((measured.x[i] - centre.x) * scale);
-            points.y.push_back((measured.y[i] - centre.y) * scale);
-        }
-    }
+        const double scale = r > 0 ? distanceOf(r, traceAt(parts, position)) / r : 0;
+        points.x.push_back((measured.x[i] - centre.x) * scale);
+        points.y.push_back((measured.y[i] - centre.y) * scale);
+    };
+    forEachPoint(circle, diagnosis, add, stride);
     const MinimumZone zone = minimumZone(points.view());
     return zone.valid() ? zone.width : 0;
 }
