@@ -61,17 +61,12 @@ QString shortMonthText(const QDate &date, const Language &language) {
 }
 
 QString interventionName(InterventionKind kind, const Language &language) {
-    switch (kind) {
-    case InterventionKind::adjustment:
-        return language.text(REPORT_TEXT_FOR("report", "adjustment", "intervention"));
-    case InterventionKind::compensation:
-        return language.text(REPORT_TEXT_FOR("report", "compensation", "intervention"));
-    case InterventionKind::repair:
-        return language.text(REPORT_TEXT_FOR("report", "repair", "intervention"));
-    case InterventionKind::collision:
-        return language.text(REPORT_TEXT_FOR("report", "collision", "intervention"));
-    }
-    return {};
+    static constexpr std::array names{// in the order of InterventionKind
+                                      REPORT_TEXT_FOR("report", "adjustment", "intervention"),
+                                      REPORT_TEXT_FOR("report", "compensation", "intervention"),
+                                      REPORT_TEXT_FOR("report", "repair", "intervention"),
+                                      REPORT_TEXT_FOR("report", "collision", "intervention")};
+    return language.text(names.at(static_cast<std::size_t>(kind)));
 }
 
 QString seriesName(const TrendSeries &series, bool angular, const Language &language) {

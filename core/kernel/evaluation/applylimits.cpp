@@ -5,6 +5,7 @@
 #include "kernel/evaluation/conformity.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace palmer {
@@ -46,23 +47,16 @@ void note(TestEvaluation &evaluation, const char *id, Source source, Message mes
 enum class Rules { worseVerdict, tighter, alike };
 
 void findSecondLimit(TestEvaluation &evaluation, const Parameter &p, const std::string &other, Rules why) {
-    Text text;
-    switch (why) {
-    case Rules::worseVerdict:
-        text = REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
-                                     "%2, which has the worse verdict.");
-        break;
-    case Rules::tighter:
-        text = REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
-                                     "%2, which is the tighter one.");
-        break;
-    case Rules::alike:
-        text =
-            REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3, which are equal: its row "
-                                  "shows that of %2.");
-        break;
-    }
-    note(evaluation, "limits", Source::program, {text, {plainSymbol(p), p.limitOf, other}});
+    static constexpr std::array texts{
+        // in the order of Rules
+        REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
+                              "%2, which has the worse verdict."),
+        REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3: its row shows that of "
+                              "%2, which is the tighter one."),
+        REPORT_TEXT("report", "%1 is held against the limits of %2 and of %3, which are equal: its row "
+                              "shows that of %2.")};
+    note(evaluation, "limits", Source::program,
+         {texts.at(static_cast<std::size_t>(why)), {plainSymbol(p), p.limitOf, other}});
 }
 
 /// Stores the limit of `key` and its verdict in the parameter, unless the limit already stored rules. A limit
@@ -183,27 +177,18 @@ void findLargeUncertainty(TestEvaluation &evaluation, const DecisionRule &rule) 
 } // namespace
 
 Text notEvaluableText(NotEvaluable reason) {
-    switch (reason) {
-    case NotEvaluable::oneRun:
-        return REPORT_TEXT("report", "one run in each direction");
-    case NotEvaluable::oneDirection:
-        return REPORT_TEXT("report", "a direction was not measured");
-    case NotEvaluable::oneSense:
-        return REPORT_TEXT("report", "a sense was not measured");
-    case NotEvaluable::feedbackSignal:
-        return REPORT_TEXT_FOR("report", "feedback signal", "why a limit cannot be evaluated");
-    case NotEvaluable::notCalibrated:
-        return REPORT_TEXT("report", "reference length not calibrated");
-    case NotEvaluable::calibrationOpen:
-        return REPORT_TEXT("report", "calibration of the reference length not stated");
-    case NotEvaluable::noSuchParameter:
-        return REPORT_TEXT("report", "not a parameter of this test");
-    case NotEvaluable::otherEdition:
-        return REPORT_TEXT("report", "agreed for another edition");
-    case NotEvaluable::noValue:
-        return REPORT_TEXT_FOR("report", "no value", "why a limit cannot be evaluated");
-    }
-    return {};
+    static constexpr std::array texts{
+        // in the order of NotEvaluable
+        REPORT_TEXT("report", "one run in each direction"),
+        REPORT_TEXT("report", "a direction was not measured"),
+        REPORT_TEXT("report", "a sense was not measured"),
+        REPORT_TEXT_FOR("report", "feedback signal", "why a limit cannot be evaluated"),
+        REPORT_TEXT("report", "reference length not calibrated"),
+        REPORT_TEXT("report", "calibration of the reference length not stated"),
+        REPORT_TEXT("report", "not a parameter of this test"),
+        REPORT_TEXT("report", "agreed for another edition"),
+        REPORT_TEXT_FOR("report", "no value", "why a limit cannot be evaluated")};
+    return texts.at(static_cast<std::size_t>(reason));
 }
 
 namespace {
