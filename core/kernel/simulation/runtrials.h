@@ -180,7 +180,7 @@ private:
     bool onAllThreads(long long first, long long trials, Work work) {
         const long long chunks = (trials + m_chunk - 1) / m_chunk;
         const long long together = chunksInGroup(chunks);
-        const long long groups = (chunks + together - 1) / together;
+        const auto groups = static_cast<long long>(groupsOf(trials));
         std::atomic<long long> next = 0;
         std::atomic<long long> done = 0;
         const auto loop = [&](Worker &worker, bool reports) {
