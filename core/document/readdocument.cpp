@@ -71,6 +71,11 @@ bool isBase64(std::string_view text) {
     });
 }
 
+void require(bool holds, const Place &place, const Text &otherwise) {
+    if (!holds)
+        refuseAt(place, otherwise);
+}
+
 /// Refuses keys that are neither fields of the struct nor in `others`.
 void requireKnown(FieldKeys &fieldKeys, const json &object, const Place &place,
                   std::initializer_list<std::string_view> others) {
@@ -95,8 +100,8 @@ template <class T>
 void check(const T &, const Place &) {} // most structs are valid if their fields are
 
 void check(const Interval &interval, const Place &place) {
-    if (!(interval.from < interval.to))
-        refuseAt(place, REPORT_TEXT("report", "expected “from” to be less than “to”"));
+    require(interval.from < interval.to, place,
+            REPORT_TEXT("report", "expected “from” to be less than “to”"));
 }
 
 void check(const TemperatureSeries &series, const Place &place) {
@@ -144,8 +149,8 @@ void check(const PositioningMeasurement &measurement, const Place &place) {
             refuseAt(Place(atDeviations, target),
                      REPORT_TEXT("report", "expected null, for this reading stands in “excluded”"));
         }
-        if (!seen.emplace(excluded.run, excluded.target).second)
-            refuseAt(at, REPORT_TEXT("report", "this reading is excluded twice; expected it once"));
+        require(seen.emplace(excluded.run, excluded.target).second, at,
+                REPORT_TEXT("report", "this reading is excluded twice; expected it once"));
     }
 }
 
@@ -169,8 +174,8 @@ void check(const Limit &limit, const Place &place) {
 }
 
 void check(const ReportHead &report, const Place &place) {
-    if (report.languages.empty())
-        refuseAt(Place(place, "languages"), REPORT_TEXT("report", "expected at least one language"));
+    require(!report.languages.empty(), Place(place, "languages"),
+            REPORT_TEXT("report", "expected at least one language"));
     const Place at(place, "editions");
     for (std::size_t i = 0; i < report.editions.size(); ++i)
         requireEdition(report.editions[i], Place(at, i));
@@ -366,29 +371,26 @@ private:
     }
 
     static void requireObject(const json &value, const Place &place) {
-        if (!value.is_object())
-            refuseAt(place, REPORT_TEXT("report", "expected an object, in braces"));
+        require(value.is_object(), place, REPORT_TEXT("report", "expected an object, in braces"));
     }
 
     static void requireArray(const json &value, const Place &place) {
-        if (!value.is_array())
-            refuseAt(place, REPORT_TEXT("report", "expected a list, in square brackets"));
+        require(value.is_array(), place, REPORT_TEXT("report", "expected a list, in square brackets"));
     }
 
     static void read(const json &value, double &member, const Place &place, unsigned demands = nothing) {
-        if (!value.is_number())
-            refuseAt(place, REPORT_TEXT("report", "expected a number"));
+        require(value.is_number(), place, REPORT_TEXT("report", "expected a number"));
         member = value.get<double>();
         requireSign(member, place, demands);
     }
 
     static void requireSign(double value, const Place &place, unsigned demands) {
-        if ((demands & positive) != 0 && !(value > 0))
-            refuseAt(place, REPORT_TEXT("report", "expected a number greater than 0"));
-        if ((demands & notNegative) != 0 && !(value >= 0))
-            refuseAt(place, REPORT_TEXT("report", "expected a number that is not negative"));
-        if ((demands & trialCount) != 0 && !(value >= 1 && value <= double(mostTrialsStated)))
-            refuseAt(place, REPORT_TEXT("report", "expected a whole number from 1 to 1 000 000 000"));
+        require((demands & positive) == 0 || value > 0, place,
+                REPORT_TEXT("report", "expected a number greater than 0"));
+        require((demands & notNegative) == 0 || value >= 0, place,
+                REPORT_TEXT("report", "expected a number that is not negative"));
+        require((demands & trialCount) == 0 || (value >= 1 && value <= double(mostTrialsStated)), place,
+                REPORT_TEXT("report", "expected a whole number from 1 to 1 000 000 000"));
     }
 
     // 5.0 is also an integer, as in JSON Schema.
@@ -408,8 +410,7 @@ private:
             fits = std::trunc(number) == number && number >= static_cast<double>(least) &&
                    number < -static_cast<double>(least);
         }
-        if (!fits)
-            refuseAt(place, REPORT_TEXT("report", "expected a whole number"));
+        require(fits, place, REPORT_TEXT("report", "expected a whole number"));
         member = value.get<Integer>();
         requireSign(static_cast<double>(member), place, demands);
     }
@@ -423,8 +424,7 @@ private:
     }
 
     static void read(const json &value, bool &member, const Place &place, unsigned = nothing) {
-        if (!value.is_boolean())
-            refuseAt(place, REPORT_TEXT("report", "expected true or false"));
+        require(value.is_boolean(), place, REPORT_TEXT("report", "expected true or false"));
         member = value.get<bool>();
     }
 
@@ -432,12 +432,12 @@ private:
         const auto *const text = value.get_ptr<const std::string *>();
         if (!text)
             refuseAt(place, REPORT_TEXT("report", "expected a text, in quotation marks"));
-        if ((demands & date) != 0 && !isDate(*text))
-            refuseAt(place, REPORT_TEXT("report", "expected a date that exists, written YYYY-MM-DD"));
-        if ((demands & timeOfDay) != 0 && !isTimeOfDay(*text))
-            refuseAt(place, REPORT_TEXT("report", "expected a time of day, written HH:MM"));
-        if ((demands & base64) != 0 && !isBase64(*text))
-            refuseAt(place, REPORT_TEXT("report", "expected bytes in base64"));
+        require((demands & date) == 0 || isDate(*text), place,
+                REPORT_TEXT("report", "expected a date that exists, written YYYY-MM-DD"));
+        require((demands & timeOfDay) == 0 || isTimeOfDay(*text), place,
+                REPORT_TEXT("report", "expected a time of day, written HH:MM"));
+        require((demands & base64) == 0 || isBase64(*text), place,
+                REPORT_TEXT("report", "expected bytes in base64"));
         member = *text;
     }
 
@@ -447,41 +447,27 @@ private:
         member.reset();
         if (value.is_null())
             return;
-        requireTypeOrNull(value, member, place);
+        requireTypeOrNull<T>(value, place);
         read(value, member.emplace(), place, demands);
     }
 
-    // The message says that null is allowed, too.
-    static void requireTypeOrNull(const json &value, const std::optional<double> &, const Place &place) {
-        if (!value.is_number())
-            refuseAt(place, REPORT_TEXT("report", "expected a number or null"));
-    }
-    template <class Integer>
-    requires std::is_integral_v<Integer>
-    static void requireTypeOrNull(const json &value, const std::optional<Integer> &, const Place &place) {
-        if (!value.is_number())
-            refuseAt(place, REPORT_TEXT("report", "expected a whole number or null"));
-    }
-    static void requireTypeOrNull(const json &value, const std::optional<bool> &, const Place &place) {
-        if (!value.is_boolean())
-            refuseAt(place, REPORT_TEXT("report", "expected true, false or null"));
-    }
-    static void requireTypeOrNull(const json &value, const std::optional<std::string> &, const Place &place) {
-        if (!value.is_string())
-            refuseAt(place, REPORT_TEXT("report", "expected a text, in quotation marks, or null"));
-    }
-    template <class Enumeration>
-    requires std::is_enum_v<Enumeration>
-    static void requireTypeOrNull(const json &value, const std::optional<Enumeration> &, const Place &place) {
-        if (!value.is_string())
-            refuseAt(place, REPORT_TEXT("report", "expected null or one of the words: %1"),
-                     {words<Enumeration>()});
-    }
-    template <class Struct>
-    requires(std::is_class_v<Struct> && !std::is_same_v<Struct, std::string>) static void requireTypeOrNull(
-        const json &value, const std::optional<Struct> &, const Place &place) {
-        if (!value.is_object())
-            refuseAt(place, REPORT_TEXT("report", "expected an object, in braces, or null"));
+    /// The message says that null is allowed, too.
+    template <class T>
+    static void requireTypeOrNull(const json &value, const Place &place) {
+        if constexpr (std::is_same_v<T, bool>)
+            require(value.is_boolean(), place, REPORT_TEXT("report", "expected true, false or null"));
+        else if constexpr (std::is_same_v<T, double>)
+            require(value.is_number(), place, REPORT_TEXT("report", "expected a number or null"));
+        else if constexpr (std::is_integral_v<T>)
+            require(value.is_number(), place, REPORT_TEXT("report", "expected a whole number or null"));
+        else if constexpr (std::is_same_v<T, std::string>)
+            require(value.is_string(), place,
+                    REPORT_TEXT("report", "expected a text, in quotation marks, or null"));
+        else if constexpr (std::is_class_v<T>)
+            require(value.is_object(), place,
+                    REPORT_TEXT("report", "expected an object, in braces, or null"));
+        else if (!value.is_string())
+            refuseAt(place, REPORT_TEXT("report", "expected null or one of the words: %1"), {words<T>()});
     }
 
     template <class T>
@@ -550,8 +536,8 @@ void migrate(json &file) {
     if (version == file.end())
         refuseAt(root, REPORT_TEXT("report", "the key “%1” is missing"), {std::string("version")});
     const double number = version->is_number() ? version->get<double>() : 0;
-    if (!(number >= 1) || std::trunc(number) != number)
-        refuseAt(place, REPORT_TEXT("report", "expected a whole number from 1 on"));
+    require(number >= 1 && std::trunc(number) == number, place,
+            REPORT_TEXT("report", "expected a whole number from 1 on"));
     if (number > static_cast<double>(fileVersion))
         throw Error(
             Error::Kind::newerVersion,
