@@ -56,6 +56,11 @@ bool isHeld(const QString &copy) {
     return !lock.tryLock(0);
 }
 
+[[noreturn]] void refuseForeignCopy() {
+    throw Error(Error::Kind::format,
+                {REPORT_TEXT("report", "this is no copy of a test file that was being edited")});
+}
+
 /// Parses the line of JSON at the start of a copy.
 RecoveryOrigin originIn(const QByteArray &bytes) {
     const auto end = bytes.indexOf('\n');
@@ -63,13 +68,11 @@ RecoveryOrigin originIn(const QByteArray &bytes) {
     const auto text = [&](const char *key) {
         const auto found = head.find(key);
         if (!head.is_object() || found == head.end() || !found->is_string())
-            throw Error(Error::Kind::format,
-                        {REPORT_TEXT("report", "this is no copy of a test file that was being edited")});
+            refuseForeignCopy();
         return QString::fromStdString(found->get<std::string>());
     };
     if (text("format") != QLatin1StringView(recoveryFormat))
-        throw Error(Error::Kind::format,
-                    {REPORT_TEXT("report", "this is no copy of a test file that was being edited")});
+        refuseForeignCopy();
     return {text("path"), QDateTime::fromString(text("saved"), Qt::ISODateWithMs), stateIn(head)};
 }
 

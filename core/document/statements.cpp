@@ -50,16 +50,11 @@ void takeDriftRange(const Document &document, Test &test) {
     constexpr double micrometres = 1000;
     constexpr double arcSeconds = 3600;
     const double unit = motionOf(test) == Motion::linear ? micrometres : arcSeconds;
-    std::visit(
-        [&](auto &measurement) {
-            if constexpr (requires { measurement.uncertainty; }) {
-                auto &inputs = measurement.uncertainty;
-                inputs.driftTest.reset();
-                if (range && !inputs.environmentalVariation)
-                    inputs.environmentalVariation = *range * unit;
-            }
-        },
-        test.measurement);
+    withUncertainty(test, [&](auto &inputs) {
+        inputs.driftTest.reset();
+        if (range && !inputs.environmentalVariation)
+            inputs.environmentalVariation = *range * unit;
+    });
 }
 
 Document withoutReadings(const Document &document, std::size_t index) {

@@ -4,12 +4,12 @@
 
 #include "document/copyfields.h"
 #include "document/edits.h"
+#include "document/fieldpath.h"
 #include "document/fileversion.h"
 #include "document/filewords.h"
 #include "document/json.h"
 #include "document/place.h"
 #include "document/readdocument.h"
-#include "document/writedocument.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/measurement/testfacts.h"
 
@@ -88,15 +88,10 @@ Test bearer(Kind kind) {
     return test;
 }
 
-json written(const Document &document) {
-    const QByteArray bytes = writeDocument(document);
-    return parseJson({bytes.constData(), static_cast<std::size_t>(bytes.size())});
-}
-
 json writtenBearer(Kind kind) {
     Document document;
     document.tests = {std::make_shared<const Test>(bearer(kind))};
-    return written(document)["tests"][0];
+    return fileOf(document)["tests"][0];
 }
 
 /// Returns the test file with the part given by the template.
@@ -105,23 +100,17 @@ json testFile(const json &file, const TemplatePart &part) {
     if (file.contains("version"))
         around["version"] = file["version"];
     const std::string_view key = part.key;
-    if (key == "machine") {
-        around["machine"] = file["machine"];
-    } else if (key == "instrument") {
-        around["instruments"] = json::array({file["instrument"]});
-    } else if (key == "laboratory") {
-        around["report"] = {{"laboratory", file["laboratory"]}};
-    } else if (key == "conditions") {
-        json test = writtenBearer(Kind::positioning);
-        test["conditions"] = file["conditions"];
-        around["tests"] = json::array({test});
-    } else {
+    if (key == "limits") {
         json test = writtenBearer(kindIn(file));
         test["limits"] = file["limits"];
         if (file.contains("decisionRule"))
             test["decisionRule"] = file["decisionRule"];
         around["tests"] = json::array({test});
+        return around;
     }
+    if (key == "conditions")
+        around["tests"] = json::array({writtenBearer(Kind::positioning)});
+    setAt(around, stepsOf(part.place), file[part.key], part.place);
     return around;
 }
 
@@ -228,7 +217,7 @@ QByteArray writeTemplate(const Template &content) {
         test.decisionRule = set.decisionRule;
         document.tests = {std::make_shared<const Test>(std::move(test))};
     }
-    const json file = written(document);
+    const json file = fileOf(document);
     json result{{"format", templateFormat}, {"version", file["version"]}, {"name", content.name}};
     if (const auto *set = std::get_if<LimitSet>(&content.content)) {
         const json &test = file["tests"][0];
