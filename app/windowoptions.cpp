@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <string_view>
+#include <span>
 
 namespace palmer {
 
@@ -19,41 +19,24 @@ namespace {
 constexpr int wrongUsage = 2;
 constexpr int noDisplay = 3; // like a file that could not be opened
 
-/// Options of Qt applications, and whether they take a value. Qt accepts them with one or two dashes.
-struct QtOption {
-    std::string_view name;
-    bool hasValue = false;
-};
-constexpr auto qtOptions = std::to_array<QtOption>({
-    {"platform", true},
-    {"platformpluginpath", true},
-    {"platformtheme", true},
-    {"plugin", true},
-    {"qwindowgeometry", true},
-    {"qwindowicon", true},
-    {"qwindowtitle", true},
-    {"geometry", true},
-    {"icon", true},
-    {"title", true},
-    {"display", true},
-    {"session", true},
-    {"style", true},
-    {"stylesheet", true},
-    {"reverse", false},
-    {"widgetcount", false},
-    {"nograb", false},
-    {"dograb", false},
-    {"sync", false},
-});
+/// Options of Qt applications with a value, and those without. Qt accepts them with one or two dashes.
+constexpr std::array<const char *, 14> qtOptions{
+    "platform",     "platformpluginpath", "platformtheme", "plugin", "qwindowgeometry", "qwindowicon",
+    "qwindowtitle", "geometry",           "icon",          "title",  "display",         "session",
+    "style",        "stylesheet"};
+constexpr std::array<const char *, 5> qtSwitches{"reverse", "widgetcount", "nograb", "dograb", "sync"};
 
 bool isOption(const QString &word) {
     return word.size() > 1 && word.startsWith(u'-');
 }
 
-const QtOption *qtOption(const QString &word) {
-    const QString bare = word.mid(word.startsWith(QLatin1StringView("--")) ? 2 : 1).section(u'=', 0, 0);
-    const auto found = std::ranges::find(qtOptions, bare.toStdString(), &QtOption::name);
-    return found == qtOptions.end() ? nullptr : &*found;
+QString withoutDashes(const QString &option) {
+    return option.mid(option.startsWith(QLatin1StringView("--")) ? 2 : 1).section(u'=', 0, 0);
+}
+
+bool isOneOf(std::span<const char *const> names, const QString &option) {
+    return std::ranges::find(names, withoutDashes(option),
+                             [](const char *name) { return QString::fromLatin1(name); }) != names.end();
 }
 
 void print(std::FILE *stream, const QString &text) {
@@ -111,8 +94,8 @@ bool hasDisplay(const QStringList &words) {
 #if defined(Q_OS_UNIX) && !defined(Q_OS_DARWIN)
     const auto isSet = [](const char *name) { return !qEnvironmentVariableIsEmpty(name); };
     const auto choosesPlatform = [](const QString &word) {
-        const QtOption *option = isOption(word) ? qtOption(word) : nullptr;
-        return option && (option->name == "platform" || option->name == "display");
+        constexpr std::array<const char *, 2> choosing{"platform", "display"};
+        return isOption(word) && isOneOf(choosing, word);
     };
     return isSet("DISPLAY") || isSet("WAYLAND_DISPLAY") || isSet("QT_QPA_PLATFORM") ||
            std::ranges::any_of(words, choosesPlatform);
@@ -144,8 +127,8 @@ std::optional<int> answeredWithoutWindow(const QStringList &words) {
             print(stdout, QStringLiteral("Palmer " PALMER_VERSION "\n"));
             return 0;
         }
-        const QtOption *known = qtOption(word);
-        if (!known) {
+        const bool hasValue = isOneOf(qtOptions, word);
+        if (!hasValue && !isOneOf(qtSwitches, word)) {
             print(stderr,
                   QStringLiteral("palmer: ") +
                       language.sentence({REPORT_TEXT("report", "unknown option %1; palmer --help lists "
@@ -154,7 +137,7 @@ std::optional<int> answeredWithoutWindow(const QStringList &words) {
                       u'\n');
             return wrongUsage;
         }
-        if (known->hasValue && !word.contains(u'='))
+        if (hasValue && !word.contains(u'='))
             ++i;
     }
     if (!hasDisplay(words)) {

@@ -16,20 +16,6 @@ constexpr std::array optionsOfAll{
     Option{"help", "", REPORT_TEXT("report", "this help")},
 };
 
-const Option *findOwnOption(const Command &command, const QString &name) {
-    const auto found = std::ranges::find_if(
-        command.options, [&name](const Option &option) { return name == QString::fromUtf8(option.name); });
-    return found == command.options.end() ? nullptr : &*found;
-}
-
-const Option *findOption(const Command &command, const QString &name) {
-    if (const Option *own = findOwnOption(command, name))
-        return own;
-    const auto found = std::ranges::find_if(
-        optionsOfAll, [&name](const Option &option) { return name == QString::fromUtf8(option.name); });
-    return found == optionsOfAll.end() ? nullptr : &*found;
-}
-
 /// Throws UsageError unless the value is one of the option's words, or a list of them ("fr,en") if one of the
 /// words is a list.
 void requireWord(const Option &option, const QString &given) {
@@ -82,7 +68,7 @@ bool hasEffect(const Option &option, const Invocation &invocation) {
 std::string partnersOf(const Command &command, const Option &option) {
     QStringList typed;
     for (const QString &partner : QString::fromUtf8(option.goesWith).split(u'|')) {
-        const Option *other = findOwnOption(command, partner.section(u'=', 0, 0));
+        const Option *other = findOption(command.options, partner.section(u'=', 0, 0));
         typed << (other ? dashed(*other) + partner.mid(QByteArrayView(other->name).size()).replace(u'=', u' ')
                         : partner);
     }
@@ -153,6 +139,12 @@ QStringList Invocation::values(const char *option) const {
     return found == options.end() ? QStringList() : found->second;
 }
 
+const Option *findOption(std::span<const Option> options, const QString &name) {
+    const auto found = std::ranges::find_if(
+        options, [&name](const Option &option) { return name == QString::fromUtf8(option.name); });
+    return found == options.end() ? nullptr : &*found;
+}
+
 QString dashed(const Option &option) {
     const QString bare = QString::fromUtf8(option.name);
     return (bare.size() == 1 ? QStringLiteral("-") : QStringLiteral("--")) + bare;
@@ -193,7 +185,9 @@ Invocation parseArguments(const Command &command, const QStringList &words, Lang
         } else if (word == QLatin1StringView("--")) {
             onlyFiles = true;
         } else {
-            const Option *option = findOption(command, optionName(word));
+            const Option *option = findOption(command.options, optionName(word));
+            if (!option)
+                option = findOption(optionsOfAll, optionName(word));
             if (!option)
                 throw UsageError({REPORT_TEXT("report", "unknown option %1 of the command %2"),
                                   {word.toStdString(), std::string(command.name)}});
@@ -202,7 +196,7 @@ Invocation parseArguments(const Command &command, const QStringList &words, Lang
         }
     }
     // A command may redefine the option as the languages of its reports.
-    if (!findOwnOption(command, QStringLiteral("language")))
+    if (!findOption(command.options, QStringLiteral("language")))
         resolveLanguage(result);
     if (!result.has("help")) {
         requireFiles(command, result);

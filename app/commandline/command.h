@@ -42,6 +42,8 @@ struct Option {
 /// The allowed words for the value of an option; empty if any value is allowed.
 [[nodiscard]] QStringList wordsOf(const Option &option);
 
+/// Returns the option with that name, without dashes; null if there is none.
+[[nodiscard]] const Option *findOption(std::span<const Option> options, const QString &name);
 /// The option as typed: -o, --help.
 [[nodiscard]] QString dashed(const Option &option);
 

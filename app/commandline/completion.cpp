@@ -80,9 +80,7 @@ private:
         if (m_command)
             addAll(m_command->options);
         for (const Option &option : commonOptions()) {
-            if (!m_command ||
-                !std::ranges::count(m_command->options, std::string_view(option.name),
-                                    [](const Option &own) { return std::string_view(own.name); }))
+            if (!m_command || !findOption(m_command->options, QString::fromUtf8(option.name)))
                 addAll({&option, 1});
         }
     }

@@ -16,8 +16,6 @@ namespace palmer {
 
 namespace {
 
-constexpr const char *setName = "set";
-
 QString optionName(const Option &option) {
     QString name = dashed(option);
     if (*option.value != 0)
@@ -31,11 +29,6 @@ QString commandLine(const Command &command) {
 
 QString paragraph(const QString &text) {
     return wrapped(text, textColumns()).join(u'\n') + u'\n';
-}
-
-bool isCommandWith(const Command &command, const char *option) {
-    return std::ranges::any_of(command.options,
-                               [&](const Option &own) { return std::string_view(own.name) == option; });
 }
 
 /// Possible values of a choice of the import.
@@ -102,7 +95,7 @@ std::vector<HelpRow> optionRows(std::span<const Option> options, const Language 
 std::vector<HelpRow> commonRows(const Command &command, const Language &language) {
     std::vector<HelpRow> rows;
     for (const Option &option : commonOptions()) {
-        if (isCommandWith(command, option.name))
+        if (findOption(command.options, QString::fromUtf8(option.name)))
             continue;
         std::ranges::move(optionRows({&option, 1}, language), std::back_inserter(rows));
     }
@@ -166,7 +159,7 @@ QString keysHelp(const Language &language) {
 }
 
 bool takesKeys(const Command &command) {
-    return isCommandWith(command, setName);
+    return findOption(command.options, QStringLiteral("set"));
 }
 
 } // namespace palmer
