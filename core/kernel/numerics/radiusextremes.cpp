@@ -40,14 +40,7 @@ SquaredRange squaredRange(const double *x, const double *y, std::size_t size, Po
 
 std::size_t findSquaredDistance(const double *x, const double *y, std::size_t size, Point origin,
                                 Point centre, double value) {
-    // The extreme is also an extreme of the few points around it, which are found four at a time.
-    constexpr std::size_t few = 16;
     std::size_t i = 0;
-    for (; i + few <= size; i += few) {
-        const SquaredRange range = squaredRange(x + i, y + i, few, origin, centre);
-        if (range.least <= value && value <= range.greatest)
-            break;
-    }
     while (i < size && squaredDistance(x[i], y[i], origin, centre) != value)
         ++i;
     return i;
