@@ -5,6 +5,7 @@
 #include "kernel/evaluation/surroundings.h"
 #include "kernel/evaluation/testevaluation.h"
 
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <span>
@@ -39,6 +40,19 @@ void findUncertainty(TestEvaluation &evaluation, const std::vector<MissingInput>
 
 /// |U_MC/U − 1| up to which the methods agree.
 inline constexpr double agreementOfMethods = 0.2;
+
+[[nodiscard]] inline bool methodsAgree(double found, double expected) {
+    return std::abs(found - expected) <= agreementOfMethods * expected;
+}
+
+/// Reasons of a difference that all kinds of tests can have.
+inline constexpr Text notNormallyDistributed =
+    REPORT_TEXT("report", "%1: budget and Monte Carlo differ by more than 20 %: the results of the "
+                          "trials are not normally distributed, half of their 95.45 % interval "
+                          "is not 2u.");
+inline constexpr Text noKnownReason =
+    REPORT_TEXT("report", "%1: budget and Monte Carlo differ by more than 20 %; no single reason that "
+                          "is known explains it.");
 
 /// True if budget and simulation differ by more than that; false if one of them is missing.
 [[nodiscard]] bool methodsDiffer(const Parameter &parameter);

@@ -106,9 +106,6 @@ Message reasonOfDifference(const Parameter &p, const TestEvaluation &evaluation,
                            const CircularMeasurement &measurement) {
     const SimulatedParameter &simulated = *p.simulated;
     const double byBudget = *p.budgetUncertainty;
-    const auto agrees = [](double found, double expected) {
-        return std::abs(found - expected) <= agreementOfMethods * expected;
-    };
     const auto without = [&](std::initializer_list<std::string_view> ids) {
         double squares = byBudget * byBudget;
         for (const Contribution &one : evaluation.uncertainty.contributions) {
@@ -122,23 +119,18 @@ Message reasonOfDifference(const Parameter &p, const TestEvaluation &evaluation,
     const bool noise = measurement.uncertainty.pointNoise.value_or(0) > 0 ||
                        measurement.uncertainty.resolution.value_or(0) > 0;
     if (width && smaller &&
-        (agrees(simulated.expanded(), without({driftId})) ||
-         agrees(simulated.expanded(), without({driftId, displacementId}))))
+        (methodsAgree(simulated.expanded(), without({driftId})) ||
+         methodsAgree(simulated.expanded(), without({driftId, displacementId}))))
         return {REPORT_TEXT(
             "report", "%1: budget and Monte Carlo differ by more than 20 %: an error that all points of "
                       "a path have in common moves the circle and leaves its width; the budget counts "
                       "it in full.")};
-    if (agrees(2 * simulated.u, byBudget))
-        return {REPORT_TEXT("report",
-                            "%1: budget and Monte Carlo differ by more than 20 %: the results of the "
-                            "trials are not normally distributed, half of their 95.45 % interval "
-                            "is not 2u.")};
+    if (methodsAgree(2 * simulated.u, byBudget))
+        return {notNormallyDistributed};
     if (noise && !smaller)
         return {REPORT_TEXT("report", "%1: budget and Monte Carlo differ by more than 20 %: the simulation "
                                       "follows the extreme points of the path and their noise.")};
-    return {REPORT_TEXT("report",
-                        "%1: budget and Monte Carlo differ by more than 20 %; no single reason that "
-                        "is known explains it.")};
+    return {noKnownReason};
 }
 
 /// Returns the parameters a key of `limits` applies to. F means the larger of |Fmax| and |Fmin| of each path.

@@ -183,10 +183,6 @@ bool othersComeClose(const Parameter &p, const Row &row, Targets targets, double
     return std::isfinite(without) && *p.value - without <= uncertainty;
 }
 
-bool agrees(double found, double expected) {
-    return std::abs(found - expected) <= agreementOfMethods * expected;
-}
-
 /// Returns the reason if errors that tilt the readings explain the difference, otherwise null. `environment`:
 /// U without S.
 std::optional<Text> reasonOfTilt(const Parameter &p, const Row &row, Tilted &tilted, double systematic,
@@ -195,14 +191,15 @@ std::optional<Text> reasonOfTilt(const Parameter &p, const Row &row, Tilted &til
     const double all =
         std::max(tilted.value(row, systematic, c), tilted.value(row, -systematic, c)) - *p.value;
     const double followed = std::hypot(all, environment);
-    if (fixedPart && (agrees(simulated.expanded(), followed) || agrees(2 * simulated.u, followed)))
+    if (fixedPart &&
+        (methodsAgree(simulated.expanded(), followed) || methodsAgree(2 * simulated.u, followed)))
         return REPORT_TEXT(
             "report", "%1: budget and Monte Carlo differ by more than 20 %: the simulation lets the fixed "
                       "part of the instrument's uncertainty grow with the length, the budget counts it in "
                       "full.");
     for (const bool normal : {true, false}) {
         const double half = halfIntervalOfTilts(tilted, row, systematic, c, normal);
-        if (agrees(simulated.expanded(), std::hypot(half, environment)))
+        if (methodsAgree(simulated.expanded(), std::hypot(half, environment)))
             return REPORT_TEXT("report", "%1: budget and Monte Carlo differ by more than 20 %: readings that "
                                          "the errors tilt one way or the other let other targets rule, which "
                                          "the budget does not follow.");
@@ -261,23 +258,20 @@ Message reasonOfDifference(const Parameter &p, const TestEvaluation &evaluation,
     const bool close = p.actualUncertainty && p.ruling[0] && p.ruling[1] && budget.length &&
                        *p.actualUncertainty < byBudget &&
                        std::abs(position(*p.ruling[0]) - position(*p.ruling[1])) < *budget.length;
-    if (close && agrees(simulated.expanded(), *p.actualUncertainty))
+    if (close && methodsAgree(simulated.expanded(), *p.actualUncertainty))
         return {REPORT_TEXT("report",
                             "%1: budget and Monte Carlo differ by more than 20 %: the ruling targets "
                             "lie closer together than the length L = %2 of the budget."),
                 {length}};
     const double ofMean = byBudget / std::sqrt(static_cast<double>(std::max<std::size_t>(targets.size(), 1)));
-    if (!p.ruling[0] && simulated.expanded() < byBudget && agrees(simulated.expanded(), ofMean))
+    if (!p.ruling[0] && simulated.expanded() < byBudget && methodsAgree(simulated.expanded(), ofMean))
         return {REPORT_TEXT("report",
                             "%1: budget and Monte Carlo differ by more than 20 %: the mean over all targets "
                             "is less uncertain than the single target used in the budget.")};
     const double asNormal = 2 * simulated.u;
-    if (agrees(asNormal, byBudget))
-        return {REPORT_TEXT("report",
-                            "%1: budget and Monte Carlo differ by more than 20 %: the results of the "
-                            "trials are not normally distributed, half of their 95.45 % interval "
-                            "is not 2u.")};
-    if (close && agrees(asNormal, *p.actualUncertainty))
+    if (methodsAgree(asNormal, byBudget))
+        return {notNormallyDistributed};
+    if (close && methodsAgree(asNormal, *p.actualUncertainty))
         return {REPORT_TEXT("report",
                             "%1: budget and Monte Carlo differ by more than 20 %: the ruling targets lie "
                             "closer together than the length L = %2 of the budget, and the results of the "
@@ -301,9 +295,7 @@ Message reasonOfDifference(const Parameter &p, const TestEvaluation &evaluation,
         return {REPORT_TEXT(
             "report", "%1: budget and Monte Carlo differ by more than 20 %: other targets come within U "
                       "of those that rule; from trial to trial another one rules.")};
-    return {REPORT_TEXT("report",
-                        "%1: budget and Monte Carlo differ by more than 20 %; no single reason that "
-                        "is known explains it.")};
+    return {noKnownReason};
 }
 
 } // namespace palmer
