@@ -3,53 +3,38 @@
 #include "validation/referenceset.h"
 
 #include "document/bounds.h"
+#include "document/documenterror.h"
+#include "document/filewords.h"
 
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <array>
 #include <optional>
 
 namespace palmer {
 
+template <>
+inline constexpr auto fileWords<ExpectationSource> = wordsInOrder<ExpectationSource>("published",
+                                                                                     "recomputed", "exact",
+                                                                                     "certified");
+template <>
+inline constexpr auto fileWords<Quantity> = std::to_array<FileWord<Quantity>>(
+    {{Quantity::deviation, "deviation"}, {Quantity::number, "number"}, {Quantity::feed, "feed"}});
+
 namespace {
-
-struct SourceWord {
-    QLatin1StringView word;
-    ExpectationSource source;
-};
-
-const std::array sourceWords{
-    SourceWord{QLatin1StringView("published"), ExpectationSource::published},
-    SourceWord{QLatin1StringView("recomputed"), ExpectationSource::recomputed},
-    SourceWord{QLatin1StringView("exact"), ExpectationSource::exact},
-    SourceWord{QLatin1StringView("certified"), ExpectationSource::certified},
-};
-
-struct QuantityWord {
-    QLatin1StringView word;
-    Quantity quantity = Quantity::number;
-};
-
-const std::array quantityWords{
-    QuantityWord{QLatin1StringView("deviation"), Quantity::deviation},
-    QuantityWord{QLatin1StringView("number"), Quantity::number},
-    QuantityWord{QLatin1StringView("feed"), Quantity::feed},
-};
 
 [[noreturn]] void refuse(const std::string &place) {
     throw Error(Error::Kind::format, {REPORT_TEXT("report", "expected reference data of this program")},
                 place);
 }
 
-template <typename Words>
-auto found(const Words &words, const QString &word, const std::string &place) {
-    for (const auto &row : words) {
-        if (row.word == word)
-            return row;
-    }
-    refuse(place);
+template <class Enumeration>
+Enumeration found(const QJsonValue &word, const std::string &place) {
+    const auto value = ofFileWord<Enumeration>(word.toString().toStdString());
+    if (!value)
+        refuse(place);
+    return *value;
 }
 
 iso230_4::ContouringFeed contouringFeed(const QJsonObject &object) {
@@ -94,7 +79,7 @@ Expectation expectation(const QJsonObject &object, const std::string &place) {
         refuse(place);
     result.value = value.toDouble();
     result.tolerance = tolerance.toDouble();
-    result.source = found(sourceWords, object.value(QLatin1StringView("source")).toString(), place).source;
+    result.source = found<ExpectationSource>(object.value(QLatin1StringView("source")), place);
     return result;
 }
 
@@ -108,8 +93,7 @@ ReferenceSet readReferenceSet(const QByteArray &bytes) {
     set.name = file.value(QLatin1StringView("name")).toString();
     set.origin = file.value(QLatin1StringView("origin")).toString();
     if (file.contains(QLatin1StringView("quantity")))
-        set.quantity =
-            found(quantityWords, file.value(QLatin1StringView("quantity")).toString(), "quantity").quantity;
+        set.quantity = found<Quantity>(file.value(QLatin1StringView("quantity")), "quantity");
     QJsonArray tests = file.value(QLatin1StringView("tests")).toArray();
     if (file.contains(QLatin1StringView("test")))
         tests.append(file.value(QLatin1StringView("test")));
