@@ -7,10 +7,13 @@
 
 #include <QString>
 #include <QStringList>
+#include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <span>
 #include <stdexcept>
+#include <type_traits>
 
 namespace palmer {
 
@@ -38,6 +41,21 @@ struct Option {
     const char *goesWith = "";
     bool mayBeEmpty = false; ///< "" is allowed and means none
 };
+
+/// Returns options and lists of options as one list.
+template <class... Parts>
+[[nodiscard]] constexpr auto optionList(const Parts &...parts) {
+    std::array<Option, (sizeof(Parts) + ...) / sizeof(Option)> result{};
+    auto next = result.begin();
+    const auto add = [&next](const auto &part) {
+        if constexpr (std::is_same_v<decltype(part), const Option &>)
+            *next++ = part;
+        else
+            next = std::copy(part.begin(), part.end(), next);
+    };
+    (add(parts), ...);
+    return result;
+}
 
 /// The allowed words for the value of an option; empty if any value is allowed.
 [[nodiscard]] QStringList wordsOf(const Option &option);

@@ -26,17 +26,18 @@ constexpr qint64 blockSize = qint64(1) << 20;
 
 QByteArray standardInput() {
     QFile input;
-    if (!input.open(stdin, QIODevice::ReadOnly))
-        throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
-                                              {input.errorString().toStdString()}});
+    const auto require = [&input](bool readable) {
+        if (!readable)
+            throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
+                                                  {input.errorString().toStdString()}});
+    };
+    require(input.open(stdin, QIODevice::ReadOnly));
     QByteArray bytes;
     for (QByteArray block = input.read(blockSize); !block.isEmpty(); block = input.read(blockSize)) {
         bytes += block;
         requireReadable(bytes.size());
     }
-    if (input.error() != QFileDevice::NoError)
-        throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
-                                              {input.errorString().toStdString()}});
+    require(input.error() == QFileDevice::NoError);
     return bytes;
 }
 

@@ -18,15 +18,9 @@ namespace palmer {
 
 namespace {
 
-constexpr std::array checkOptions{
+constexpr auto checkOptions = optionList(
     Option{"json", "", REPORT_TEXT("report", "findings as JSON; of several files one object a line")},
-    jsonLinesOption,
-    jobsOption,
-    preparationOptions[0],
-    foreignOptions[0],
-    foreignOptions[1],
-    foreignOptions[2],
-};
+    jsonLinesOption, jobsOption, preparationOptions[0], foreignOptions);
 
 int runCheck(const Invocation &invocation) {
     const Inputs inputs = inputsOf(invocation);

@@ -24,7 +24,7 @@ namespace {
 
 constexpr const char *tableOption = "table";
 
-constexpr std::array evaluateOptions{
+constexpr auto evaluateOptions = optionList(
     Option{
         "edition", "E",
         REPORT_TEXT("report", "evaluate the tests of its kind under another edition (a view: no verdicts)")},
@@ -34,16 +34,7 @@ constexpr std::array evaluateOptions{
         tableOption, "csv|text",
         REPORT_TEXT("report",
                     "one table of all files: a row per parameter with value, U, limit and both statements")},
-    jobsOption,
-    simulationCommandOptions[0],
-    simulationCommandOptions[1],
-    simulationCommandOptions[2],
-    simulationCommandOptions[3],
-    preparationOptions[0],
-    foreignOptions[0],
-    foreignOptions[1],
-    foreignOptions[2],
-};
+    jobsOption, simulationCommandOptions, preparationOptions[0], foreignOptions);
 
 /// Rows as sent by worker processes.
 QByteArray packed(const std::vector<QStringList> &rows) {

@@ -18,16 +18,13 @@ namespace palmer {
 
 namespace {
 
-constexpr std::array explainOptions{
+constexpr auto explainOptions = optionList(
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it all")},
     Option{"typical", "",
            REPORT_TEXT("report",
                        "what the budget of the uncertainty may take where nothing is stated, and where "
                        "it comes from, as --set takes it")},
-    foreignOptions[0],
-    foreignOptions[1],
-    foreignOptions[2],
-};
+    foreignOptions);
 
 QString inLines(const QString &text, int indent) {
     QString result;

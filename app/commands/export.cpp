@@ -20,7 +20,7 @@ namespace {
 constexpr const char *tables = "as=linuxcnc|as=siemens|as=weihong|as=compensation-csv";
 constexpr const char *notJson = "as=csv|as=linuxcnc|as=siemens|as=weihong|as=compensation-csv";
 
-constexpr std::array exportOptions{
+constexpr auto exportOptions = optionList(
     Option{"as", "csv|json|linuxcnc|siemens|weihong|compensation-csv",
            REPORT_TEXT("report", "what to write: readings and results, or a compensation table")},
     Option{"o", "OUT", REPORT_TEXT("report", "the file to write")},
@@ -58,11 +58,7 @@ constexpr std::array exportOptions{
     Option{"compare", "FILE",
            REPORT_TEXT("report", "a compensation table of a control, to compare with the one written"), false,
            tables},
-    foreignOptions[0],
-    foreignOptions[1],
-    foreignOptions[2],
-    forceOption,
-};
+    foreignOptions, forceOption);
 
 std::optional<CompensationFormat> compensationFormat(const QString &word) {
     if (word == QLatin1StringView("linuxcnc"))

@@ -28,7 +28,7 @@ namespace {
 
 constexpr const char *asOption = "as";
 
-constexpr std::array figureOptions{
+constexpr auto figureOptions = optionList(
     Option{"o", "OUT.svg|png|pdf|csv",
            REPORT_TEXT("report",
                        "the picture to write, or its points; the ending says which; of several files "
@@ -38,12 +38,7 @@ constexpr std::array figureOptions{
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first")},
     Option{"figure", "deviation|circle|counterclockwise|clockwise|budget|diagnosis",
            REPORT_TEXT("report", "which figure; without it that of the test")},
-    jobsOption,
-    preparationOptions[0],
-    foreignOptions[0],
-    foreignOptions[1],
-    foreignOptions[2],
-};
+    jobsOption, preparationOptions[0], foreignOptions);
 
 constexpr const char *deviationWord = "deviation";
 constexpr const char *budgetWord = "budget";

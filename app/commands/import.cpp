@@ -24,15 +24,11 @@ namespace palmer {
 
 namespace {
 
-constexpr std::array importOptions{
-    Option{"o", "OUT.palmer", REPORT_TEXT("report", "the test file to write")},
-    foreignOptions[0],
-    foreignOptions[1],
-    foreignOptions[2],
+constexpr auto importOptions = optionList(
+    Option{"o", "OUT.palmer", REPORT_TEXT("report", "the test file to write")}, foreignOptions,
     preparationOptions[0],
     Option{"keep-original", "", REPORT_TEXT("report", "keep the bytes of the files in the test file")},
-    forceOption,
-};
+    forceOption);
 
 /// Hash of the bytes: of a long file computed in the background, otherwise on request.
 std::future<std::string> hashOf(const QByteArray &bytes) {

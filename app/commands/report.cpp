@@ -31,7 +31,7 @@ namespace {
 
 constexpr const char *originalsOption = "with-originals";
 
-constexpr std::array reportOptions{
+constexpr auto reportOptions = optionList(
     Option{"o", "OUT.pdf|FOLDER",
            REPORT_TEXT("report",
                        "the PDF to write; of two languages OUT.fr.pdf and OUT.en.pdf; of several files the "
@@ -44,14 +44,7 @@ constexpr std::array reportOptions{
     Option{
         "edition", "E",
         REPORT_TEXT("report", "evaluate the tests of its kind under another edition (a view: no verdicts)")},
-    preparationOptions[0],
-    preparationOptions[1],
-    jobsOption,
-    foreignOptions[0],
-    foreignOptions[1],
-    foreignOptions[2],
-    forceOption,
-};
+    preparationOptions, jobsOption, foreignOptions, forceOption);
 
 QStringList languagesOf(const Invocation &invocation, const Document &document) {
     QStringList result;
