@@ -12,7 +12,7 @@
 
 namespace palmer {
 
-// The JSON of the test file and of the results. Only document and export use the library.
+// The JSON of the test file and of the results. Only document, export and register use the library.
 
 /// Parses a text. Throws Error: syntax with `line:column`; duplicate keys, non-finite numbers and excessive
 /// nesting with their path; more than 10⁷ readings or points before they fill the memory.

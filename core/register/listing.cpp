@@ -3,12 +3,11 @@
 #include "register/listing.h"
 
 #include "document/filewords.h"
-#include "document/jsonprinter.h"
 #include "document/resultwords.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/csvwriter.h"
 #include "language/rounding.h"
-#include "register/jsonmembers.h"
+#include "register/jsonline.h"
 #include "register/machinetrend.h"
 #include "report/words/accordancetext.h"
 #include "report/words/wording.h"
@@ -20,42 +19,35 @@ namespace palmer {
 
 namespace {
 
-Members verdictMember(Members members, std::optional<Verdict> verdict) {
-    if (verdict)
-        members.quoted("verdict", fileWord(*verdict));
-    else
-        members.word("verdict", "null");
-    return members;
+Json verdictOrNull(std::optional<Verdict> verdict) {
+    return verdict ? Json(fileWord(*verdict)) : Json();
 }
 
 const char *unitOf(const RegisteredTest &test) {
     return test.angular ? "deg" : "mm";
 }
 
-Members resultMembers(const RegisteredResult &result, const RegisteredTest &test) {
-    Members members;
-    members.text("id", result.id)
-        .number("value", result.value)
-        .quoted("unit", unitOf(test))
-        .number("expandedUncertainty", result.expandedUncertainty)
-        .number("k", result.k)
-        .number("limit", result.limit)
-        .number("guardBand", result.guardBand);
-    return verdictMember(std::move(members), result.verdict);
+Json resultJson(const RegisteredResult &result, const RegisteredTest &test) {
+    return {{"id", result.id},
+            {"value", orNull(result.value)},
+            {"unit", unitOf(test)},
+            {"expandedUncertainty", orNull(result.expandedUncertainty)},
+            {"k", orNull(result.k)},
+            {"limit", orNull(result.limit)},
+            {"guardBand", orNull(result.guardBand)},
+            {"verdict", verdictOrNull(result.verdict)}};
 }
 
-Members machineMembers(const RegisteredTest &test) {
-    Members members;
-    members.textOrNull("name", test.machineName)
-        .textOrNull("manufacturer", test.manufacturer)
-        .textOrNull("model", test.model)
-        .textOrNull("serialNumber", test.serialNumber)
-        .textOrNull("location", test.location);
-    return members;
+Json machineJson(const RegisteredTest &test) {
+    return {{"name", orNull(test.machineName)},
+            {"manufacturer", orNull(test.manufacturer)},
+            {"model", orNull(test.model)},
+            {"serialNumber", orNull(test.serialNumber)},
+            {"location", orNull(test.location)}};
 }
 
-const char *inAccordance(Accordance accordance) {
-    return accordance == Accordance::yes ? "true" : accordance == Accordance::no ? "false" : "null";
+Json inAccordance(Accordance accordance) {
+    return accordance == Accordance::yes ? Json(true) : accordance == Accordance::no ? Json(false) : Json();
 }
 
 QString fileOf(const ListedTest &listed) {
@@ -66,63 +58,50 @@ QString fileOf(const ListedTest &listed) {
 
 QByteArray listedTestJson(const ListedTest &listed) {
     const RegisteredTest &test = listed.test;
-    std::vector<std::string> paths; // borrowed by the members
+    Json places = Json::array();
     for (const TestPlace &place : listed.places)
-        paths.push_back(place.path.toStdString());
-    std::vector<std::string> states;
-    for (const TestPlace &place : listed.places)
-        states.push_back(place.state.toStdString());
-    std::vector<Members> places;
-    for (std::size_t i = 0; i < listed.places.size(); ++i) {
-        Members place;
-        place.text("file", paths[i]).whole("test", listed.places[i].test).text("state", states[i]);
-        places.push_back(std::move(place));
-    }
-    std::vector<Members> instruments;
-    for (const RegisteredInstrument &instrument : test.instruments) {
-        Members one;
-        one.textOrNull("description", instrument.description)
-            .textOrNull("serialNumber", instrument.serialNumber)
-            .textOrNull("certificate", instrument.certificate)
-            .textOrNull("calibrationDue", instrument.due);
-        instruments.push_back(std::move(one));
-    }
-    std::vector<Members> results;
+        places.push_back(
+            {{"file", place.path.toStdString()}, {"test", place.test}, {"state", place.state.toStdString()}});
+    Json instruments = Json::array();
+    for (const RegisteredInstrument &one : test.instruments)
+        instruments.push_back({{"description", orNull(one.description)},
+                               {"serialNumber", orNull(one.serialNumber)},
+                               {"certificate", orNull(one.certificate)},
+                               {"calibrationDue", orNull(one.due)}});
+    Json results = Json::array();
     for (const RegisteredResult &result : test.results)
-        results.push_back(resultMembers(result, test));
+        results.push_back(resultJson(result, test));
     const bool ofAxis = traitsOf(test.kind).isOfAxis;
     const std::string none;
-    Members members;
-    members.text("file", paths.empty() ? none : paths.front())
-        .whole("test", listed.places.empty() ? 1 : listed.places.front().test)
-        .list("places", std::move(places))
-        .object("machine", machineMembers(test))
-        .text("title", test.title)
-        .quoted("kind", fileWord(test.kind))
-        .text("id", test.id)
-        .textOrNull("axis", ofAxis ? test.axis : none)
-        .textOrNull("plane", ofAxis ? none : test.axis)
-        .textOrNull("date", test.date)
-        .textOrNull("time", test.time)
-        .textOrNull("edition", test.edition)
-        .number("feed", test.feed)
-        .number("travel", test.travel)
-        .quoted("accordance", fileWord(test.accordance))
-        .word("inAccordance", inAccordance(test.accordance))
-        .whole("unmet", test.counts.unmet)
-        .whole("undeclared", test.counts.undeclared)
-        .whole("departures", test.counts.departures)
-        .quoted("role", fileWord(test.role))
-        .quoted("purpose", fileWord(test.purpose))
-        .quoted("limits", limitsWord(test.verdict))
-        .quoted("correctionTo20", fileWord(test.correction))
-        .quoted("decisionRule", fileWord(test.rule))
-        .list("parameters", std::move(results))
-        .list("instruments", std::move(instruments))
-        .textOrNull("due", listed.due)
-        .textOrNull("certificateDue", listed.certificateDue);
-    members = verdictMember(std::move(members), test.verdict);
-    return members.line();
+    return jsonLine({{"file", fileOf(listed).toStdString()},
+                     {"test", listed.places.empty() ? 1 : listed.places.front().test},
+                     {"places", places},
+                     {"machine", machineJson(test)},
+                     {"title", test.title},
+                     {"kind", fileWord(test.kind)},
+                     {"id", test.id},
+                     {"axis", orNull(ofAxis ? test.axis : none)},
+                     {"plane", orNull(ofAxis ? none : test.axis)},
+                     {"date", orNull(test.date)},
+                     {"time", orNull(test.time)},
+                     {"edition", orNull(test.edition)},
+                     {"feed", orNull(test.feed)},
+                     {"travel", orNull(test.travel)},
+                     {"accordance", fileWord(test.accordance)},
+                     {"inAccordance", inAccordance(test.accordance)},
+                     {"unmet", test.counts.unmet},
+                     {"undeclared", test.counts.undeclared},
+                     {"departures", test.counts.departures},
+                     {"role", fileWord(test.role)},
+                     {"purpose", fileWord(test.purpose)},
+                     {"limits", limitsWord(test.verdict)},
+                     {"correctionTo20", fileWord(test.correction)},
+                     {"decisionRule", fileWord(test.rule)},
+                     {"parameters", results},
+                     {"instruments", instruments},
+                     {"due", orNull(listed.due)},
+                     {"certificateDue", orNull(listed.certificateDue)},
+                     {"verdict", verdictOrNull(test.verdict)}});
 }
 
 QByteArray listedTestsCsvHead() {

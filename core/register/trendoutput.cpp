@@ -5,7 +5,7 @@
 #include "document/filewords.h"
 #include "language/csvwriter.h"
 #include "language/rounding.h"
-#include "register/jsonmembers.h"
+#include "register/jsonline.h"
 #include "register/listing.h"
 #include "report/words/wording.h"
 
@@ -200,99 +200,67 @@ std::vector<KeyValue> trendFacts(const MachineTrend &trend, const Language &lang
     return facts;
 }
 
-/// Precondition: the trend has a line. Borrows the texts.
-Members lineMembers(const MachineTrend &trend, const std::string &date, const std::string &horizon) {
-    const TrendLine &line = *trend.line;
-    Members one;
-    one.text("since", trend.since)
-        .whole("points", static_cast<int>(line.points))
-        .number("slopePerYear", line.slope)
-        .number("u", line.slopeUncertainty())
-        .number("level", line.at(line.last))
-        .number("uOfLevel", line.uncertaintyAt(line.last))
-        .number("scatter", line.scatter)
-        .number("chi2PerDof", line.chi2PerDof)
-        .word("shown", line.isShown() ? "true" : "false")
-        .number("limit", trend.limit)
-        .number("guardBand", trend.reserve > 0 ? std::optional(trend.reserve) : std::nullopt)
-        .textOrNull("notBefore", date)
-        .quoted("reach", reachWord(trend.notBefore.state))
-        .text("horizon", horizon)
-        .word("withoutParts", trend.withoutParts ? "true" : "false");
-    return one;
-}
-
 namespace {
 
-/// `files`: of the entries of all series.
-std::vector<Members> seriesMembers(const MachineTrend &trend, const std::vector<std::string> &files) {
-    std::size_t next = 0;
-    std::vector<Members> seriesList;
-    for (const TrendSeries &series : trend.series) {
-        std::vector<Members> points;
-        for (const TrendEntry &entry : series.entries) {
-            Members point;
-            point.text("date", entry.date)
-                .number("value", entry.result.value)
-                .number("U", entry.result.expandedUncertainty)
-                .number("limit", entry.result.limit)
-                .quoted("role", fileWord(entry.role))
-                .quoted("purpose", fileWord(entry.purpose))
-                .text("file", files[next++])
-                .whole("test", entry.test);
-            points.push_back(std::move(point));
-        }
-        Members one;
-        one.textOrNull("edition", series.edition)
-            .number("feed", series.feed)
-            .number("travel", series.travel)
-            .quoted("correctionTo20", fileWord(series.correction))
-            .text("setUp", series.setUp)
-            .list("points", std::move(points));
-        seriesList.push_back(std::move(one));
-    }
-    return seriesList;
+/// Precondition: the trend has a line.
+Json lineJson(const MachineTrend &trend) {
+    const TrendLine &line = *trend.line;
+    return {{"since", trend.since},
+            {"points", static_cast<int>(line.points)},
+            {"slopePerYear", orNull(line.slope)},
+            {"u", orNull(line.slopeUncertainty())},
+            {"level", orNull(line.at(line.last))},
+            {"uOfLevel", orNull(line.uncertaintyAt(line.last))},
+            {"scatter", orNull(line.scatter)},
+            {"chi2PerDof", orNull(line.chi2PerDof)},
+            {"shown", line.isShown()},
+            {"limit", orNull(trend.limit)},
+            {"guardBand", trend.reserve > 0 ? orNull(trend.reserve) : Json()},
+            {"notBefore", saysDate(trend) ? Json(isoOf(trend.notBefore.time)) : Json()},
+            {"reach", reachWord(trend.notBefore.state)},
+            {"horizon", isoOf(trendHorizon(line))},
+            {"withoutParts", trend.withoutParts}};
+}
+
+Json seriesJson(const TrendSeries &series) {
+    Json points = Json::array();
+    for (const TrendEntry &entry : series.entries)
+        points.push_back({{"date", entry.date},
+                          {"value", orNull(entry.result.value)},
+                          {"U", orNull(entry.result.expandedUncertainty)},
+                          {"limit", orNull(entry.result.limit)},
+                          {"role", fileWord(entry.role)},
+                          {"purpose", fileWord(entry.purpose)},
+                          {"file", entry.file.toStdString()},
+                          {"test", entry.test}});
+    return {{"edition", orNull(series.edition)},
+            {"feed", orNull(series.feed)},
+            {"travel", orNull(series.travel)},
+            {"correctionTo20", fileWord(series.correction)},
+            {"setUp", series.setUp},
+            {"points", points}};
 }
 
 } // namespace
 
 QByteArray trendJson(const ListedMachine &machine, const std::string &axis, const MachineTrend &trend) {
-    std::vector<std::string> files; // borrowed by the members
-    for (const TrendSeries &series : trend.series) {
-        for (const TrendEntry &entry : series.entries)
-            files.push_back(entry.file.toStdString());
-    }
-    std::vector<Members> interventions;
-    for (const Intervention &intervention : trend.interventions) {
-        Members one;
-        one.text("date", intervention.date).quoted("kind", interventionWord(intervention.kind));
-        interventions.push_back(std::move(one));
-    }
-    const std::array who{machine.name.toStdString(), machine.manufacturer.toStdString(),
-                         machine.model.toStdString(), machine.serialNumber.toStdString()};
-    Members members;
-    members
-        .object("machine", Members()
-                               .textOrNull("name", who[0])
-                               .textOrNull("manufacturer", who[1])
-                               .textOrNull("model", who[2])
-                               .textOrNull("serialNumber", who[3]))
-        .text("axis", axis)
-        .text("parameter", trend.parameter)
-        .quoted("unit", trend.angular ? "deg" : "mm")
-        .list("series", seriesMembers(trend, files))
-        .list("interventions", std::move(interventions));
-    std::string horizon;
-    std::string date;
-    if (trend.line) {
-        horizon = isoOf(trendHorizon(*trend.line));
-        if (saysDate(trend))
-            date = isoOf(trend.notBefore.time);
-        members.object("line", lineMembers(trend, date, horizon));
-    } else {
-        members.word("line", "null");
-    }
-    return members.line();
+    Json series = Json::array();
+    for (const TrendSeries &one : trend.series)
+        series.push_back(seriesJson(one));
+    Json interventions = Json::array();
+    for (const Intervention &one : trend.interventions)
+        interventions.push_back({{"date", one.date}, {"kind", interventionWord(one.kind)}});
+    const Json who{{"name", orNull(machine.name.toStdString())},
+                   {"manufacturer", orNull(machine.manufacturer.toStdString())},
+                   {"model", orNull(machine.model.toStdString())},
+                   {"serialNumber", orNull(machine.serialNumber.toStdString())}};
+    return jsonLine({{"machine", who},
+                     {"axis", axis},
+                     {"parameter", trend.parameter},
+                     {"unit", trend.angular ? "deg" : "mm"},
+                     {"series", series},
+                     {"interventions", interventions},
+                     {"line", trend.line ? lineJson(trend) : Json()}});
 }
 
 QByteArray trendCsv(const ListedMachine &machine, const std::string &axis,

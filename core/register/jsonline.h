@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "document/json.h"
+
+#include <QByteArray>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+
+namespace palmer {
+
+using Json = nlohmann::ordered_json;
+
+/// Returns null for an empty or missing text, and for a missing number or one that is not finite.
+[[nodiscard]] inline Json orNull(const std::string &text) {
+    return text.empty() ? Json() : Json(text);
+}
+[[nodiscard]] inline Json orNull(const std::optional<std::string> &text) {
+    return text ? Json(*text) : Json();
+}
+[[nodiscard]] inline Json orNull(std::optional<double> number) {
+    return number && std::isfinite(*number) ? Json(*number) : Json();
+}
+
+/// Returns an object on a line of its own.
+[[nodiscard]] inline QByteArray jsonLine(const Json &object) {
+    return QByteArray::fromStdString(compactJson(object)) + '\n';
+}
+
+} // namespace palmer
