@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/rowtable.h"
 
-#include "print/figures/drawbarfigure.h"
-#include "print/figures/drawhistogramfigure.h"
+#include "print/figures/drawkinds.h"
 #include "ui/measures.h"
 #include "ui/quiettable.h"
 #include "ui/theme.h"

@@ -3,7 +3,7 @@
 #include "ui/figures/circlecanvas.h"
 
 #include "kernel/measurement/testfacts.h"
-#include "print/figures/drawcirclefigure.h"
+#include "print/figures/drawkinds.h"
 #include "print/figures/metrics.h"
 #include "ui/figures/canvaslabel.h"
 #include "ui/theme.h"

@@ -4,7 +4,7 @@
 
 #include "figures/thinning.h"
 #include "figures/ticks.h"
-#include "print/figures/drawlinefigure.h"
+#include "print/figures/drawkinds.h"
 #include "ui/figures/canvaslabel.h"
 #include "ui/theme.h"
 

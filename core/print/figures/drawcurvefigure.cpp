@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "print/figures/drawcurvefigure.h"
+#include "print/figures/drawkinds.h"
 
 #include "figures/thinning.h"
 #include "print/figures/bandoverlap.h"

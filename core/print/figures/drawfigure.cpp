@@ -3,12 +3,7 @@
 #include "print/figures/drawfigure.h"
 
 #include "figures/circlefigure.h"
-#include "print/figures/drawbarfigure.h"
-#include "print/figures/drawcirclefigure.h"
-#include "print/figures/drawcurvefigure.h"
-#include "print/figures/drawhistogramfigure.h"
-#include "print/figures/drawlinefigure.h"
-#include "print/figures/drawtrendfigure.h"
+#include "print/figures/drawkinds.h"
 #include "print/fonts.h"
 
 #include <QPainter>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "print/figures/drawlinefigure.h"
+#include "print/figures/drawkinds.h"
 
 #include "print/figures/plotframe.h"
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/pdf/blockstrips.h"
 
-#include "print/figures/drawcirclefigure.h"
-#include "print/figures/drawfigure.h"
+#include "print/figures/drawkinds.h"
 #include "print/pdf/logo.h"
 #include "print/pdf/marks.h"
 #include "print/pdf/phrasetext.h"

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figures/circlecanvas.h"
 
-#include "print/figures/drawcirclefigure.h"
-#include "print/figures/drawfigure.h"
+#include "print/figures/drawkinds.h"
 #include "print/figures/metrics.h"
 #include "report/explanations/explanation.h"
 #include "ui/circles.h"

@@ -1,9 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "print/figures/drawcirclefigure.h"
 #include "core/print/figures/recordedtexts.h"
 #include "figures/circlefigure.h"
-#include "print/figures/drawfigure.h"
+#include "print/figures/drawkinds.h"
 #include "print/figures/exportfigure.h"
 #include "print/figures/style.h"
 #include "ui/circles.h"

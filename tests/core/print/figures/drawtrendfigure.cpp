@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
-#include "print/figures/drawtrendfigure.h"
 #include "core/print/figures/recordedtexts.h"
 #include "figures/ticks.h"
 #include "language/language.h"
+#include "print/figures/drawkinds.h"
 #include "print/fonts.h"
 
 #include <QPainter>

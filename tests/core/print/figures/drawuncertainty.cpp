@@ -7,9 +7,7 @@
 #include "core/kernel/uncertainty/uncertaintydata.h"
 #include "core/print/figures/recordedtexts.h"
 #include "kernel/simulation/simulate.h"
-#include "print/figures/drawbarfigure.h"
-#include "print/figures/drawfigure.h"
-#include "print/figures/drawhistogramfigure.h"
+#include "print/figures/drawkinds.h"
 
 #include <QImage>
 #include <QPainter>
