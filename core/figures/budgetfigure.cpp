@@ -69,10 +69,9 @@ BarFigure budgetFigure(const Test &test, const TestEvaluation &evaluation, const
     figure.shareTitle = language.text(REPORT_TEXT_FOR("report", "Share", "of a budget"));
     if (first)
         figure.note =
-            language.sentence({REPORT_TEXT("report", "Improve first: %1 (%2 % of the budget)."),
-                               {QString(language.text(first->name)).remove(u'_').toStdString(),
-                                Number{shareOf(*first, contributions) * percent, Quantity::number, 0}},
-                               {}});
+            language.sentence(REPORT_TEXT("report", "Improve first: %1 (%2 % of the budget)."),
+                              {QString(language.text(first->name)).remove(u'_').toStdString(),
+                               Number{shareOf(*first, contributions) * percent, Quantity::number, 0}});
     figure.x.symbol = QStringLiteral("U");
     figure.x.subscript = QStringLiteral("i");
     figure.x.unit = language.unit(quantity);

@@ -439,16 +439,15 @@ Interval reach(const CircleFigure &figure, std::span<const PathProfile> profiles
 /// Label of a limit (mm), with the digits it was entered with.
 QString limitLabel(const std::string &of, double limit, const Language &language) {
     const int decimals = limitDecimals(limit, Quantity::deviation, language.units());
-    return language.sentence(
-        {REPORT_TEXT("report", "limit of %1: %2"), {of, Number{limit, Quantity::deviation, decimals}}, {}});
+    return language.sentence(REPORT_TEXT("report", "limit of %1: %2"),
+                             {of, Number{limit, Quantity::deviation, decimals}});
 }
 
 /// Limits outside the figure are not drawn but listed in the caption.
 void nameBeyond(CircleFigure &figure, const QStringList &labels, const Language &language) {
     if (!labels.isEmpty())
-        figure.caption += u' ' + language.sentence({REPORT_TEXT("report", "(beyond the figure: %1)"),
-                                                    {labels.join(QStringLiteral(", ")).toStdString()},
-                                                    {}});
+        figure.caption += u' ' + language.sentence(REPORT_TEXT("report", "(beyond the figure: %1)"),
+                                                   {labels.join(QStringLiteral(", ")).toStdString()});
 }
 
 void addEnvelope(CircleFigure &figure, const CircleSource &source, const Language &language) {
@@ -551,16 +550,14 @@ double figureRadius(const QSizeF &size) {
 }
 
 QString captionOf(const CircleFigure &figure, const Language &language) {
-    return language.sentence({REPORT_TEXT("report", "magnification %1, %2 per division"),
-                              {figure.ratio.toStdString(), figure.divisionLabel.toStdString()},
-                              {}});
+    return language.sentence(REPORT_TEXT("report", "magnification %1, %2 per division"),
+                             {figure.ratio.toStdString(), figure.divisionLabel.toStdString()});
 }
 
 QString senseText(Sense sense, const std::string &index, const Language &language) {
-    return language.sentence({sense == Sense::counterclockwise ? REPORT_TEXT("report", "anticlockwise, %1")
-                                                               : REPORT_TEXT("report", "clockwise, %1"),
-                              {index},
-                              {}});
+    return language.sentence(sense == Sense::counterclockwise ? REPORT_TEXT("report", "anticlockwise, %1")
+                                                              : REPORT_TEXT("report", "clockwise, %1"),
+                             {index});
 }
 
 void addLegend(CircleFigure &figure, const CircleSource &source, std::span<const PathProfile> profiles,
@@ -588,8 +585,7 @@ void addLegend(CircleFigure &figure, const CircleSource &source, std::span<const
                               ? REPORT_TEXT("report", "minimum zone, %1")
                               : REPORT_TEXT("report", "least squares, %1");
         add(CircleLegendSample::envelope,
-            language.sentence(
-                {text, {(figure.envelope->label + figure.envelope->subscript).toStdString()}, {}}));
+            language.sentence(text, {(figure.envelope->label + figure.envelope->subscript).toStdString()}));
     } else if (figure.envelope) {
         add(CircleLegendSample::envelope, QStringLiteral("Fmin, Fmax"));
     }
@@ -750,7 +746,7 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
 
     const auto paths = static_cast<std::size_t>(std::ranges::count_if(profiles, &PathProfile::isEvaluated));
     const std::string name = paths == 0 ? std::string() : profiles.front().index;
-    figure.title = language.sentence({titleText(source, paths), {name}, {}});
+    figure.title = language.sentence(titleText(source, paths), {name});
     figure.centre = language.sentence(centreText(source));
     figure.ratio = ratio(figure.magnification, language);
     const Visible inView = visible(figure);

@@ -274,9 +274,9 @@ void addLimits(CurveFigure &figure, const Language &language) {
     }
     if (!beyond.isEmpty())
         figure.note =
-            language.sentence({beyond.size() == 1 ? REPORT_TEXT("report", "limit beyond the scale: %1")
-                                                  : REPORT_TEXT("report", "limits beyond the scale: %1"),
-                               {beyond.join(QStringLiteral(", ")).toStdString()}});
+            language.sentence(beyond.size() == 1 ? REPORT_TEXT("report", "limit beyond the scale: %1")
+                                                 : REPORT_TEXT("report", "limits beyond the scale: %1"),
+                              {beyond.join(QStringLiteral(", ")).toStdString()});
     if (any)
         figure.legend.push_back({LegendSample::limit,
                                  band ? language.text(REPORT_TEXT_FOR("report", "limit ± g", "of a figure"))
@@ -341,7 +341,7 @@ CurveFigure deviationFigure(const Test &test, const TestEvaluation &evaluation, 
                             c > 0 && !wholeTravelOfLongAxis(measurement, results)};
 
     CurveFigure figure;
-    figure.title = language.sentence({edition.deviationsOfAxis, {measurement.axis.name}, std::nullopt});
+    figure.title = language.sentence(edition.deviationsOfAxis, {measurement.axis.name});
     for (std::size_t i = 0; i < source.targets(); ++i)
         figure.positions.push_back(source.position(i));
     for (const Direction direction : source.directions()) {

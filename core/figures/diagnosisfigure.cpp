@@ -21,16 +21,16 @@ namespace {
 
 constexpr double micrometres = 1000; ///< per millimetre
 QString nameOf(Sense sense, const std::string &index, const Language &language) {
-    return language.sentence({sense == Sense::counterclockwise ? REPORT_TEXT("report", "anticlockwise, %1")
-                                                               : REPORT_TEXT("report", "clockwise, %1"),
-                              {index}});
+    return language.sentence(sense == Sense::counterclockwise ? REPORT_TEXT("report", "anticlockwise, %1")
+                                                              : REPORT_TEXT("report", "clockwise, %1"),
+                             {index});
 }
 
 QString measuredName(const EvaluatedPath &path, const Language &language) {
-    return language.sentence({path.sense == Sense::counterclockwise
-                                  ? REPORT_TEXT("report", "measured, anticlockwise %1")
-                                  : REPORT_TEXT("report", "measured, clockwise %1"),
-                              {path.index}});
+    return language.sentence(path.sense == Sense::counterclockwise
+                                 ? REPORT_TEXT("report", "measured, anticlockwise %1")
+                                 : REPORT_TEXT("report", "measured, clockwise %1"),
+                             {path.index});
 }
 
 LineRole roleOf(Sense sense) {
@@ -171,8 +171,8 @@ CircleFigure diagnosisFigure(const DiagnosedTest &test, const Language &language
         if (i + namesOfLine < names.size())
             line += u',';
         options.synthetic << (i > 0 ? line
-                                    : language.sentence(
-                                          {REPORT_TEXT("report", "synthetic: %1"), {line.toStdString()}}));
+                                    : language.sentence(REPORT_TEXT("report", "synthetic: %1"),
+                                                        {line.toStdString()}));
     }
     return diagnosisFigure(test, chosen, language, options);
 }

@@ -49,8 +49,7 @@ CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation, cons
                   : 0;
     const TimeUnit unit = timeUnit(last);
     CurveFigure figure;
-    figure.title = language.sentence(
-        {REPORT_TEXT("report", "Drift of the %1 axis"), {measurement.axis.name}, std::nullopt});
+    figure.title = language.sentence(REPORT_TEXT("report", "Drift of the %1 axis"), {measurement.axis.name});
     Curve curve{CurveRole::drift, {}};
     curve.points.reserve(count);
     for (std::size_t i = 0; i < count; ++i)
@@ -80,9 +79,8 @@ CurveFigure driftFigure(const Test &test, const TestEvaluation &evaluation, cons
     }
     constexpr int decimals = 1;
     figure.legend.push_back({LegendSample::drift,
-                             language.sentence({REPORT_TEXT("report", "deviation at rest, range %1"),
-                                                {Number{results.range.value_or(0), quantity, decimals}},
-                                                std::nullopt}),
+                             language.sentence(REPORT_TEXT("report", "deviation at rest, range %1"),
+                                               {Number{results.range.value_or(0), quantity, decimals}}),
                              false});
     figure.curves.push_back(std::move(curve));
     return withRanges(std::move(figure), x, y, language);

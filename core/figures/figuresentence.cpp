@@ -25,8 +25,8 @@ public:
             return language.number(value, Quantity::number, decimals).toStdString();
         };
         const QString span =
-            language.sentence({REPORT_TEXT_FOR("report", "%1 to %2", "from one value to another"),
-                               {number(m_from), number(m_to)}});
+            language.sentence(REPORT_TEXT_FOR("report", "%1 to %2", "from one value to another"),
+                              {number(m_from), number(m_to)});
         return unit.isEmpty() ? span : span + u'\u00a0' + unit;
     }
 

@@ -54,11 +54,11 @@ std::optional<HistogramFigure> histogramFigure(const Test &test, const TestEvalu
     const int decimals = decimalsWithUncertainty(simulated.expanded(), quantity, resolution);
     const auto number = [&](double value) { return Number{value, quantity, decimals}; };
     figure.evaluatedText =
-        language.sentence({REPORT_TEXT("report", "evaluated %1"), {number(simulated.value)}, {}});
+        language.sentence(REPORT_TEXT("report", "evaluated %1"), {number(simulated.value)});
     figure.meanText =
-        language.sentence({REPORT_TEXT("report", "mean of the trials %1"), {number(simulated.mean)}, {}});
-    figure.coverageText = language.sentence(
-        {REPORT_TEXT("report", "95.45 %: %1 to %2"), {number(simulated.low), number(simulated.high)}, {}});
+        language.sentence(REPORT_TEXT("report", "mean of the trials %1"), {number(simulated.mean)});
+    figure.coverageText = language.sentence(REPORT_TEXT("report", "95.45 %: %1 to %2"),
+                                            {number(simulated.low), number(simulated.high)});
     figure.x.symbol = QString::fromStdString(symbol);
     figure.x.unit = language.unit(quantity);
     const Interval values = counted(figure);

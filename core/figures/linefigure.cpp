@@ -115,8 +115,8 @@ LineFigure compensationFigure(const Test &test, const TestEvaluation &before, co
     const double along = unitScale(positionQuantity(measurement.axis), language.units());
     const double across = unitScale(deviationQuantity(measurement.axis), language.units());
     LineFigure figure;
-    figure.title = language.sentence(
-        {REPORT_TEXT("report", "Compensation of the %1 axis"), {measurement.axis.name}, std::nullopt});
+    figure.title =
+        language.sentence(REPORT_TEXT("report", "Compensation of the %1 axis"), {measurement.axis.name});
     Bounds positions;
     Bounds values;
     const auto add = [&](const TestEvaluation &evaluation, Direction direction, LineRole role,

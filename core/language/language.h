@@ -8,6 +8,8 @@
 #include <QString>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 class QTranslator;
 
@@ -48,6 +50,9 @@ public:
     /// Returns the sentence of a message with its arguments. All placeholders are replaced at once: a `%2`
     /// inside an argument is kept, and so is a placeholder without argument.
     [[nodiscard]] QString sentence(const Message &message) const;
+    [[nodiscard]] QString sentence(const Text &text, std::vector<Argument> arguments) const {
+        return sentence(Message{text, std::move(arguments)});
+    }
 
     /// Returns the number only, in the unit shown for the quantity, rounded half to even on its shortest
     /// decimal; `decimals` refers to the default unit of the quantity, < 0: all digits. A dash for NaN, which

@@ -55,8 +55,8 @@ Text stateText(SignatureStatement::State state) {
 }
 
 QString withDetail(const QString &what, const QString &detail, const Language &language) {
-    return language.sentence({REPORT_TEXT_FOR("report", "%1: %2", "what is said, and of what"),
-                              {what.toStdString(), detail.toStdString()}});
+    return language.sentence(REPORT_TEXT_FOR("report", "%1: %2", "what is said, and of what"),
+                             {what.toStdString(), detail.toStdString()});
 }
 
 } // namespace
@@ -64,10 +64,10 @@ QString withDetail(const QString &what, const QString &detail, const Language &l
 QString conclusion(const Verification &verification, const Language &language) {
     if (verification.follows() && verification.otherVersion)
         return language.sentence(
-            {REPORT_TEXT("report",
-                         "Results and verdicts follow from the attached data; other texts and pictures of "
-                         "%1 are not compared. Where the data come from is not verified."),
-             {verification.madeBy.toStdString()}});
+            REPORT_TEXT("report",
+                        "Results and verdicts follow from the attached data; other texts and pictures of "
+                        "%1 are not compared. Where the data come from is not verified."),
+            {verification.madeBy.toStdString()});
     if (verification.follows())
         return language.text(REPORT_TEXT("report",
                                          "The numbers follow from the attached data. Where the data "
@@ -87,16 +87,16 @@ QString differenceText(const Difference &difference, const Language &language) {
             text = withDetail(text, difference.context, language);
     } else {
         const std::string dash = "–";
-        text = language.sentence({REPORT_TEXT("report", "printed “%1”, follows “%2”"),
-                                  {difference.printed.isEmpty() ? dash : difference.printed.toStdString(),
-                                   difference.follows.isEmpty() ? dash : difference.follows.toStdString()}});
+        text = language.sentence(REPORT_TEXT("report", "printed “%1”, follows “%2”"),
+                                 {difference.printed.isEmpty() ? dash : difference.printed.toStdString(),
+                                  difference.follows.isEmpty() ? dash : difference.follows.toStdString()});
         if (!difference.context.isEmpty())
             text += QStringLiteral(" (") + difference.context + u')';
     }
     if (difference.page == 0)
         return text;
-    return language.sentence({REPORT_TEXT("report", "page %1: %2"),
-                              {counted(static_cast<std::size_t>(difference.page)), text.toStdString()}});
+    return language.sentence(REPORT_TEXT("report", "page %1: %2"),
+                             {counted(static_cast<std::size_t>(difference.page)), text.toStdString()});
 }
 
 QString signatureText(const SignatureStatement &signature, const Language &language) {
@@ -109,9 +109,9 @@ QString signatureText(const SignatureStatement &signature, const Language &langu
                                ? REPORT_TEXT("report", "certificate of an authority known here")
                                : REPORT_TEXT("report", "certificate of no authority known here"));
     const QString who =
-        language.sentence({REPORT_TEXT("report", "Signature of %1, %2"),
-                           {signature.signer.isEmpty() ? std::string("–") : signature.signer.toStdString(),
-                            signature.time.isEmpty() ? std::string("–") : signature.time.toStdString()}});
+        language.sentence(REPORT_TEXT("report", "Signature of %1, %2"),
+                          {signature.signer.isEmpty() ? std::string("–") : signature.signer.toStdString(),
+                           signature.time.isEmpty() ? std::string("–") : signature.time.toStdString()});
     return withDetail(who, parts.join(QStringLiteral("; ")), language);
 }
 
@@ -124,10 +124,10 @@ QString verificationText(const Verification &verification, const Language &langu
     for (std::size_t i = 0; i < std::min(verification.differences.size(), mostLines); ++i)
         add(differenceText(verification.differences[i], language));
     if (verification.differences.size() > mostLines)
-        add(language.sentence({REPORT_TEXT("report", "… and %1 more; --json has them all"),
-                               {counted(verification.differences.size() - mostLines)}}));
-    add(language.sentence({REPORT_TEXT("report", "made by %1; fingerprint of the attached file %2"),
-                           {verification.madeBy.toStdString(), verification.fingerprint.toStdString()}}));
+        add(language.sentence(REPORT_TEXT("report", "… and %1 more; --json has them all"),
+                              {counted(verification.differences.size() - mostLines)}));
+    add(language.sentence(REPORT_TEXT("report", "made by %1; fingerprint of the attached file %2"),
+                          {verification.madeBy.toStdString(), verification.fingerprint.toStdString()}));
     if (verification.identical)
         add(language.text(REPORT_TEXT("report", "The whole PDF is the same, byte for byte.")));
     else if (verification.appended)

@@ -151,22 +151,18 @@ QStringList reasons(const std::vector<const TestEvaluation *> &columns, const st
     const bool firstByRange = deviationMethod(first) == DeviationMethod::range;
     if (!byMethod.isEmpty())
         sentences << language.sentence(
-            {REPORT_TEXT("report", "s from the range in %1, from the squares in %2."),
-             {firstByRange ? firstWord : list(byMethod), firstByRange ? list(byMethod) : firstWord},
-             {}});
+            REPORT_TEXT("report", "s from the range in %1, from the squares in %2."),
+            {firstByRange ? firstWord : list(byMethod), firstByRange ? list(byMethod) : firstWord});
     for (const auto &[c, words] : byFactor)
-        sentences << language.sentence({REPORT_TEXT("report", "Factor of s: %1 in %2, %3 in %4."),
-                                        {Number{first.edition->c, Quantity::number, -1}, firstWord,
-                                         Number{c, Quantity::number, -1}, list(words)},
-                                        {}});
+        sentences << language.sentence(REPORT_TEXT("report", "Factor of s: %1 in %2, %3 in %4."),
+                                       {Number{first.edition->c, Quantity::number, -1}, firstWord,
+                                        Number{c, Quantity::number, -1}, list(words)});
     if (!otherwise.isEmpty())
-        sentences << language.sentence({REPORT_TEXT("report", "Computed otherwise in %1 than in %2."),
-                                        {list(otherwise), firstWord},
-                                        {}});
+        sentences << language.sentence(REPORT_TEXT("report", "Computed otherwise in %1 than in %2."),
+                                       {list(otherwise), firstWord});
     if (!absent.isEmpty())
-        sentences << language.sentence({REPORT_TEXT("report", "No parameter of %1."),
-                                        {absent.join(QStringLiteral(", ")).toStdString()},
-                                        {}});
+        sentences << language.sentence(REPORT_TEXT("report", "No parameter of %1."),
+                                       {absent.join(QStringLiteral(", ")).toStdString()});
     if (same && absent.size() + 1 < static_cast<qsizetype>(columns.size()))
         sentences.prepend(language.text(REPORT_TEXT("report", "The same arithmetic.")));
     return sentences;
@@ -256,13 +252,11 @@ ResultComparison compareTests(const std::vector<ComparedTest> &tests, const Lang
     result.unit = unitOf(*columns.front(), language);
     result.rows = rowsOf(columns, decimalsFor(first), language);
     if (otherEdition)
-        result.notes << language.sentence({REPORT_TEXT("report", "All tests as under %1."),
-                                           {standardName(language, findEdition(first.edition)).toStdString()},
-                                           {}});
+        result.notes << language.sentence(REPORT_TEXT("report", "All tests as under %1."),
+                                          {standardName(language, findEdition(first.edition)).toStdString()});
     if (!leftOut.isEmpty())
-        result.notes << language.sentence({REPORT_TEXT("report", "Of another kind, and left out: %1."),
-                                           {leftOut.join(QStringLiteral(", ")).toStdString()},
-                                           {}});
+        result.notes << language.sentence(REPORT_TEXT("report", "Of another kind, and left out: %1."),
+                                          {leftOut.join(QStringLiteral(", ")).toStdString()});
     return result;
 }
 

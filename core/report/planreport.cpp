@@ -28,33 +28,28 @@ KeyValues head(const TargetRequest &request, const TargetPlan &plan, const Cycle
     const Number to{request.from + request.travel, position, -1};
     add(REPORT_TEXT("report", "Axis"), QString::fromStdString(program.axis));
     add(REPORT_TEXT("report", "Measurement travel"),
-        language.sentence({REPORT_TEXT("report", "%1 to %2"), {from, to}, {}}));
+        language.sentence(REPORT_TEXT("report", "%1 to %2"), {from, to}));
     if (request.zone)
         add(REPORT_TEXT("report", "Zone, to be agreed"),
-            language.sentence(
-                {REPORT_TEXT("report", "%1 to %2"),
-                 {Number{request.zone->from, position, -1}, Number{request.zone->to, position, -1}},
-                 {}}));
+            language.sentence(REPORT_TEXT("report", "%1 to %2"), {Number{request.zone->from, position, -1},
+                                                                  Number{request.zone->to, position, -1}}));
     add(REPORT_TEXT("report", "Targets"),
         language.number(static_cast<double>(plan.targets.size()), Quantity::count));
     if (!plan.interval) {
         add(REPORT_TEXT("report", "Quarter turns"),
             language.text(REPORT_TEXT("report", "all multiples of 90° within the travel")));
         add(REPORT_TEXT("report", "Further targets"),
-            language.sentence({REPORT_TEXT("report", "one in each %1 of the travel, at random"),
-                               {Number{plan.randomPart, position, request.decimals}},
-                               {}}));
+            language.sentence(REPORT_TEXT("report", "one in each %1 of the travel, at random"),
+                              {Number{plan.randomPart, position, request.decimals}}));
     } else {
         add(REPORT_TEXT("report", "Nominal interval"),
             joined(language, *plan.interval, position, request.decimals));
         add(REPORT_TEXT("report", "Random part"),
             request.rule == TargetRule::pitches1988 && !plan.boundOf2006 && request.period
-                ? language.sentence({REPORT_TEXT("report", "P = (N + r)·p, p = %1"),
-                                     {Number{*request.period, position, -1}},
-                                     {}})
-                : language.sentence({REPORT_TEXT("report", "± %1, new for every target"),
-                                     {Number{plan.randomPart, position, request.decimals}},
-                                     {}}));
+                ? language.sentence(REPORT_TEXT("report", "P = (N + r)·p, p = %1"),
+                                    {Number{*request.period, position, -1}})
+                : language.sentence(REPORT_TEXT("report", "± %1, new for every target"),
+                                    {Number{plan.randomPart, position, request.decimals}}));
     }
     if (plan.boundOf2006)
         add(REPORT_TEXT("report", "Rule"),
@@ -107,10 +102,9 @@ void add(Report &report, const PlannedMeasurement &planned, const CycleProgram &
         return Number{turningPoint(program, target, approach), position, request.decimals};
     };
     report.blocks.emplace_back(
-        Paragraph{language.sentence({REPORT_TEXT("report", "The axis moves from %1 to %2."),
-                                     {turning(plan.targets.front(), Direction::positive),
-                                      turning(plan.targets.back(), Direction::negative)},
-                                     {}})});
+        Paragraph{language.sentence(REPORT_TEXT("report", "The axis moves from %1 to %2."),
+                                    {turning(plan.targets.front(), Direction::positive),
+                                     turning(plan.targets.back(), Direction::negative)})});
     report.blocks.emplace_back(
         Heading{2, language.text(REPORT_TEXT("report", "Readings, in the order they are taken"))});
     for (int first = 0; first < program.runs; first += runsBeside)
@@ -124,8 +118,7 @@ Report composePlan(std::span<const PlannedMeasurement> planned, const CycleProgr
                    const Language &language) {
     Report report;
     report.language = language.code();
-    report.title =
-        language.sentence({REPORT_TEXT("report", "Plan of measurement, axis %1"), {program.axis}, {}});
+    report.title = language.sentence(REPORT_TEXT("report", "Plan of measurement, axis %1"), {program.axis});
     report.blocks.emplace_back(Heading{1, report.title});
     for (const PlannedMeasurement &part : planned) {
         if (&part != &planned.front())

@@ -182,11 +182,11 @@ private:
         for (const EvaluatedPath &path : results.paths) {
             const QString sense = text(senseText(path.sense));
             add(REPORT_TEXT("report", "Path"),
-                m_language.sentence({REPORT_TEXT("report", "%1, %2: %3 points evaluated from %4 to %5"),
-                                     {path.index, sense.toStdString(),
-                                      Number{static_cast<double>(path.source.size()), Quantity::count, 0},
-                                      Number{path.evaluated.from, Quantity::angle, 1},
-                                      Number{path.evaluated.to, Quantity::angle, 1}}}));
+                m_language.sentence(REPORT_TEXT("report", "%1, %2: %3 points evaluated from %4 to %5"),
+                                    {path.index, sense.toStdString(),
+                                     Number{static_cast<double>(path.source.size()), Quantity::count, 0},
+                                     Number{path.evaluated.from, Quantity::angle, 1},
+                                     Number{path.evaluated.to, Quantity::angle, 1}}));
         }
         if (results.correction)
             add(REPORT_TEXT("report", "Correction of F and D to 20 °C"),

@@ -90,7 +90,7 @@ public:
 
 private:
     [[nodiscard]] QString say(const Text &text, std::vector<Argument> arguments = {}) const {
-        return m_language.sentence({text, std::move(arguments), {}});
+        return m_language.sentence(text, std::move(arguments));
     }
 
     [[nodiscard]] bool aboutSetUp() const {

@@ -158,7 +158,7 @@ private:
         return m_language.number(value, Quantity::number, -1);
     }
     [[nodiscard]] QString say(const Text &text, std::vector<Argument> arguments) const {
-        return m_language.sentence({text, std::move(arguments), {}});
+        return m_language.sentence(text, std::move(arguments));
     }
     [[nodiscard]] const TargetStatistics *target(std::size_t ruling) const {
         const auto &which = m_parameter.ruling[ruling];
@@ -493,9 +493,9 @@ QStringList systematicCarried(const TestEvaluation &evaluation, const Parameter 
         return Number{value, parameter.term.quantity, contributionDecimals};
     };
     return {language.sentence(
-        {REPORT_TEXT("report",
-                     "Of the systematic part S = %1 of its uncertainty the actual targets carry %2."),
-         {size(*uncertainty.systematic), size(*parameter.effectiveSystematic)}})};
+        REPORT_TEXT("report",
+                    "Of the systematic part S = %1 of its uncertainty the actual targets carry %2."),
+        {size(*uncertainty.systematic), size(*parameter.effectiveSystematic)})};
 }
 
 /// Statements of the instrument's program about the result.
@@ -507,10 +507,10 @@ QStringList statedBeside(const Test &source, const TestEvaluation &evaluation, c
     for (const InstrumentResult &stated : instrumentResults(source, evaluation)) {
         if (stated.ours == &parameter)
             sentences << language.sentence(
-                {REPORT_TEXT("report",
-                             "The instrument’s program states %1 (%2); the result here differs by %3."),
-                 {Number{stated.value, quantity, decimals}, stated.stated->name,
-                  Number{*parameter.value - stated.value, quantity, decimals}}});
+                REPORT_TEXT("report",
+                            "The instrument’s program states %1 (%2); the result here differs by %3."),
+                {Number{stated.value, quantity, decimals}, stated.stated->name,
+                 Number{*parameter.value - stated.value, quantity, decimals}});
     }
     return sentences;
 }

@@ -164,12 +164,11 @@ Report composeValidation(const std::vector<SetValidation> &sets, const Language 
         return Number{static_cast<double>(number), Quantity::count, 0};
     };
     report.blocks.emplace_back(Paragraph{language.sentence(
-        {REPORT_TEXT("report", "%1 of %2 values reproduced."), {count(reproduced), count(values)}, {}})});
+        REPORT_TEXT("report", "%1 of %2 values reproduced."), {count(reproduced), count(values)})});
     if (reproduced < values)
         report.blocks.emplace_back(Paragraph{language.sentence(
-            {REPORT_TEXT("report", "Values that do NOT agree with the reference data: %1 of %2."),
-             {count(values - reproduced), count(values)},
-             {}})});
+            REPORT_TEXT("report", "Values that do NOT agree with the reference data: %1 of %2."),
+            {count(values - reproduced), count(values)})});
     for (const SetValidation &set : sets) {
         const SetWords *words = wordsOf(set);
         const QString name = words ? language.text(words->shown) : QString();

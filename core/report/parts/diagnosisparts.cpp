@@ -30,8 +30,8 @@ QString counted(const Language &language, auto n) {
 
 QString ofAll(const Diagnosis &diagnosis, const Language &language) {
     return language.sentence(
-        {REPORT_TEXT("report", "%1 of %2"),
-         {counted(language, diagnosis.rank).toStdString(), counted(language, diagnosis.of).toStdString()}});
+        REPORT_TEXT("report", "%1 of %2"),
+        {counted(language, diagnosis.rank).toStdString(), counted(language, diagnosis.of).toStdString()});
 }
 
 Cell contributionCell(const DiagnosisRow &row, const Language &language, int decimals) {
@@ -88,9 +88,9 @@ private:
         for (const DiagnosisRow &row : diagnosisRows(m_diagnosis, m_language)) {
             if (row.kind == DiagnosisRowKind::sum)
                 sums.emplace_back(Paragraph{m_language.sentence(
-                    {REPORT_TEXT("report", "Known of these sources is their sum: %1 = %2 %4, u = %3 %4."),
-                     {row.name.toStdString(), row.value.toStdString(), row.u.toStdString(),
-                      row.unit.toStdString()}})});
+                    REPORT_TEXT("report", "Known of these sources is their sum: %1 = %2 %4, u = %3 %4."),
+                    {row.name.toStdString(), row.value.toStdString(), row.u.toStdString(),
+                     row.unit.toStdString()})});
             else
                 table.rows.push_back({row.name, row.value, row.u, row.unit,
                                       contributionCell(row, m_language, contributionDecimals), row.meaning});

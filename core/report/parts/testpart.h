@@ -28,7 +28,7 @@ public:
     [[nodiscard]] const Language &language() const { return m_language; }
     [[nodiscard]] QString text(const Text &words) const { return m_language.text(words); }
     [[nodiscard]] QString say(const Text &words, std::vector<Argument> arguments = {}) const {
-        return m_language.sentence({words, std::move(arguments), {}});
+        return m_language.sentence(words, std::move(arguments));
     }
     [[nodiscard]] QString say(const Text &words, const QString &name) const {
         return say(words, {Argument(name.toStdString())});

@@ -98,8 +98,8 @@ private:
             others << m_language.sentence(sourceName(m_diagnosis.sources[other]));
         if (others.isEmpty())
             return m_language.sentence(sourceMeaning(m_diagnosis, source));
-        return m_language.sentence({REPORT_TEXT("report", "These arcs do not tell it from: %1."),
-                                    {others.join(QStringLiteral(", ")).toStdString()}});
+        return m_language.sentence(REPORT_TEXT("report", "These arcs do not tell it from: %1."),
+                                   {others.join(QStringLiteral(", ")).toStdString()});
     }
 
     /// Advice for the machine; empty if the value could be zero.

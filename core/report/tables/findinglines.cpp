@@ -34,8 +34,8 @@ auto orderOf(const Finding &finding) {
 QString headingOf(Source source, const Edition *edition, const Language &language) {
     switch (source) {
     case Source::text:
-        return language.sentence({REPORT_TEXT("report", "Asked by the text of %1"),
-                                  {standardName(language, edition).toStdString()}});
+        return language.sentence(REPORT_TEXT("report", "Asked by the text of %1"),
+                                 {standardName(language, edition).toStdString()});
     case Source::practice:
         return language.text(REPORT_TEXT("report", "Practice (text not available)"));
     case Source::laboratory:

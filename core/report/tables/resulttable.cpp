@@ -177,9 +177,8 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
     table.provisional = isUnfinished(source) || evaluation.provisional;
     if (table.view)
         table.viewNote = language.sentence(
-            {REPORT_TEXT("report", "Seen under another edition than that of the test (%1): no verdict."),
-             {source.edition},
-             {}});
+            REPORT_TEXT("report", "Seen under another edition than that of the test (%1): no verdict."),
+            {source.edition});
     else
         table.verdict = evaluation.verdict;
     if (table.verdict)

@@ -59,7 +59,7 @@ public:
 
 private:
     [[nodiscard]] QString say(const Text &words, std::vector<Argument> arguments) const {
-        return m_language.sentence({words, std::move(arguments)});
+        return m_language.sentence(words, std::move(arguments));
     }
 
     /// The sentence with the name of the standard, and its checked part if only a part was checked.
@@ -213,7 +213,7 @@ QString accordanceOfAll(std::span<const Accordance> tests, const Language &langu
     for (const CountedPart &part : parts) {
         const Number number{static_cast<double>(count(part.accordance)), Quantity::count, 0};
         if (number.value > 0 || part.accordance == Accordance::yes)
-            result += language.sentence({part.words, {number}});
+            result += language.sentence(part.words, {number});
     }
     return result + u'.';
 }

@@ -46,9 +46,8 @@ QString correctionSizeText(const Test &test, const Language &language) {
         return language.quantity(value, quantity, decimals).toStdString();
     };
     return language.sentence(
-        {REPORT_TEXT_FOR("report", "%1 over %2", "the differential expansion over a length"),
-         {text(std::abs(*expansion) * length, Quantity::deviation, 1),
-          text(length, Quantity::position, -1)}});
+        REPORT_TEXT_FOR("report", "%1 over %2", "the differential expansion over a length"),
+        {text(std::abs(*expansion) * length, Quantity::deviation, 1), text(length, Quantity::position, -1)});
 }
 
 } // namespace palmer

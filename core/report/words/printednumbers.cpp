@@ -153,7 +153,7 @@ QString significant(double size, int digits, int finest, const Language &languag
 QString limitNote(const Parameter &parameter, const Language &language) {
     if (!parameter.limit || parameter.limitOf.empty() || parameter.limitOf == parameter.term.id)
         return {};
-    return language.sentence({REPORT_TEXT("report", "limit of %1"), {parameter.limitOf}, {}});
+    return language.sentence(REPORT_TEXT("report", "limit of %1"), {parameter.limitOf});
 }
 
 } // namespace palmer

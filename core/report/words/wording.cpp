@@ -92,7 +92,7 @@ QString clauseText(const std::string &clause, const Language &language) {
         if (at == std::string::npos || (one.before.empty() && at != 0))
             continue;
         return QString::fromStdString(clause.substr(0, at) + std::string(one.before)) +
-               language.sentence({one.text, {clause.substr(at + mark.size())}, {}});
+               language.sentence(one.text, {clause.substr(at + mark.size())});
     }
     return QString::fromStdString(clause);
 }
@@ -102,9 +102,8 @@ QString standardName(const Language &language, const Edition *edition) {
     const QLatin1String iso("ISO ");
     if (!word.startsWith(iso))
         return word;
-    return language.sentence({REPORT_TEXT_FOR("report", "ISO %1", "after a preposition"),
-                              {word.mid(iso.size()).toStdString()},
-                              {}});
+    return language.sentence(REPORT_TEXT_FOR("report", "ISO %1", "after a preposition"),
+                             {word.mid(iso.size()).toStdString()});
 }
 
 Text senseText(Sense sense) {
@@ -262,8 +261,8 @@ QString coverageNote(const CoverageOfResults &coverage, const Language &language
     if (!coverage.factor)
         return language.text(REPORT_TEXT("report", "95.45 %"));
     const QStringList symbols(coverage.simulated.begin(), coverage.simulated.end());
-    return language.sentence({REPORT_TEXT("report", "95.45 % for %1; k = 2 for the others"),
-                              {symbols.join(QStringLiteral(", ")).toStdString()}});
+    return language.sentence(REPORT_TEXT("report", "95.45 % for %1; k = 2 for the others"),
+                             {symbols.join(QStringLiteral(", ")).toStdString()});
 }
 
 bool guardsSimulated(const TestEvaluation &evaluation) {
@@ -285,7 +284,7 @@ QString notEvaluableSentence(const TestEvaluation &evaluation, const Language &l
     if (items.empty())
         return {};
     const std::string all = items.join(QStringLiteral(", ")).toStdString();
-    return language.sentence({REPORT_TEXT("report", "Not evaluable: %1."), {all}});
+    return language.sentence(REPORT_TEXT("report", "Not evaluable: %1."), {all});
 }
 
 bool isPrinted(const Parameter &parameter, const ReportHead &head) {
