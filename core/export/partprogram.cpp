@@ -212,8 +212,7 @@ void comments(ProgramWriter &writer, const CycleProgram &program, Dialect dialec
     const Quantity position = program.motion == Motion::linear ? Quantity::position : Quantity::angle;
     writer.comment(language.sentence(
         REPORT_TEXT("report", "positioning test of axis %1; targets: %2; runs each way: %3"),
-        {program.axis, Number{static_cast<double>(program.targets.size()), Quantity::count, 0},
-         Number{static_cast<double>(program.runs), Quantity::count, 0}}));
+        {program.axis, wholeNumber(program.targets.size()), wholeNumber(program.runs)}));
     writer.comment(
         language.sentence(REPORT_TEXT("report", "moves from %1 to %2: check the room before the start"),
                           {Number{turningPoint(program, program.targets.front(), Direction::positive),
@@ -257,13 +256,10 @@ QByteArray partProgram(const CycleProgram &program, Dialect dialect, const Langu
         // A move without a stop belongs to the next stop.
         const Stop &stop = move->stop ? *move->stop : *std::next(move)->stop;
         if (program.cycle == Cycle::standard && stop.run != run)
-            writer.comment(
-                language.sentence(REPORT_TEXT("report", "run %1"),
-                                  {Number{static_cast<double>(stop.run + 1), Quantity::count, 0}}));
+            writer.comment(language.sentence(REPORT_TEXT("report", "run %1"), {wholeNumber(stop.run + 1)}));
         if (program.cycle == Cycle::step && stop.target != target)
             writer.comment(
-                language.sentence(REPORT_TEXT("report", "target %1"),
-                                  {Number{static_cast<double>(stop.target + 1), Quantity::count, 0}}));
+                language.sentence(REPORT_TEXT("report", "target %1"), {wholeNumber(stop.target + 1)}));
         run = stop.run;
         target = stop.target;
         writer.move(move->position);

@@ -58,6 +58,9 @@ public:
     /// decimal; `decimals` refers to the default unit of the quantity, < 0: all digits. A dash for NaN, which
     /// means "none".
     [[nodiscard]] QString number(double value, Quantity quantity, int decimals = -1) const;
+    [[nodiscard]] QString count(std::integral auto value) const {
+        return number(static_cast<double>(value), Quantity::count, 0);
+    }
     /// For an expanded uncertainty: like number(), but rounded up if rounding down would lose more than 5 %.
     [[nodiscard]] QString uncertainty(double value, Quantity quantity, int decimals) const;
     /// Returns number and unit, joined as usual in the language.

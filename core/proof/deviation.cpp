@@ -6,10 +6,6 @@ namespace palmer {
 
 namespace {
 
-Argument count(int value) {
-    return Number{static_cast<double>(value), Quantity::count, 0};
-}
-
 Difference said(int page, Text what, const QString &context = {}, std::vector<Argument> arguments = {}) {
     Difference result;
     result.page = page;
@@ -46,7 +42,7 @@ Difference differenceOf(const PdfAddition &addition) {
 
 Difference otherPageCount(int printed, int follows) {
     return said(0, REPORT_TEXT("report", "pages of the PDF: %1; pages that follow from the data: %2"), {},
-                {count(printed), count(follows)});
+                {wholeNumber(printed), wholeNumber(follows)});
 }
 
 Difference otherPageSize(int page) {

@@ -37,7 +37,7 @@ namespace palmer {
         Error::Kind::syntax,
         {REPORT_TEXT("report",
                      "the pages of this PDF have more than %1 drawing operators: too long to verify here"),
-         {Number{static_cast<double>(operators), Quantity::count, 0}},
+         {wholeNumber(operators)},
          {}}};
 }
 

@@ -38,7 +38,7 @@ std::optional<PdfParts> partsOf(const QByteArray &pdf) {
         if (exceeded)
             refuse(Error::Kind::tooLarge,
                    REPORT_TEXT("report", "this PDF unpacks to more than %1 MiB and is not read"),
-                   {Number{static_cast<double>(mostUnpacked >> 20), Quantity::count, 0}});
+                   {wholeNumber(mostUnpacked >> 20)});
         return {};
     }
 }

@@ -15,10 +15,6 @@ using Json = nlohmann::ordered_json;
 constexpr int verificationVersion = 1;
 constexpr std::size_t mostLines = 200; ///< differences printed on a terminal
 
-Argument counted(std::size_t value) {
-    return Number{static_cast<double>(value), Quantity::count, 0};
-}
-
 Json differenceJson(const Difference &difference, const Language &language) {
     Json result{{"page", difference.page > 0 ? Json(difference.page) : Json(nullptr)},
                 {"printed", difference.printed.toStdString()},
@@ -96,7 +92,7 @@ QString differenceText(const Difference &difference, const Language &language) {
     if (difference.page == 0)
         return text;
     return language.sentence(REPORT_TEXT("report", "page %1: %2"),
-                             {counted(static_cast<std::size_t>(difference.page)), text.toStdString()});
+                             {wholeNumber(difference.page), text.toStdString()});
 }
 
 QString signatureText(const SignatureStatement &signature, const Language &language) {
@@ -125,7 +121,7 @@ QString verificationText(const Verification &verification, const Language &langu
         add(differenceText(verification.differences[i], language));
     if (verification.differences.size() > mostLines)
         add(language.sentence(REPORT_TEXT("report", "… and %1 more; --json has them all"),
-                              {counted(verification.differences.size() - mostLines)}));
+                              {wholeNumber(verification.differences.size() - mostLines)}));
     add(language.sentence(REPORT_TEXT("report", "made by %1; fingerprint of the attached file %2"),
                           {verification.madeBy.toStdString(), verification.fingerprint.toStdString()}));
     if (verification.identical)

@@ -101,12 +101,12 @@ private:
 
     [[nodiscard]] QString countsText(const PositioningMeasurement &m,
                                      const PositioningResults &results) const {
-        const auto count = [](auto n) { return Number{static_cast<double>(n), Quantity::count, 0}; };
         if (results.positiveRuns == results.negativeRuns)
             return say(REPORT_TEXT("report", "m = %1; n = %2 each way"),
-                       {count(m.targets.size()), count(results.positiveRuns)});
+                       {wholeNumber(m.targets.size()), wholeNumber(results.positiveRuns)});
         return say(REPORT_TEXT("report", "m = %1; n = %2 ↑, %3 ↓"),
-                   {count(m.targets.size()), count(results.positiveRuns), count(results.negativeRuns)});
+                   {wholeNumber(m.targets.size()), wholeNumber(results.positiveRuns),
+                    wholeNumber(results.negativeRuns)});
     }
 
     [[nodiscard]] QString ruleOf(const Test &test) const {
@@ -183,8 +183,7 @@ private:
             const QString sense = text(senseText(path.sense));
             add(REPORT_TEXT("report", "Path"),
                 m_language.sentence(REPORT_TEXT("report", "%1, %2: %3 points evaluated from %4 to %5"),
-                                    {path.index, sense.toStdString(),
-                                     Number{static_cast<double>(path.source.size()), Quantity::count, 0},
+                                    {path.index, sense.toStdString(), wholeNumber(path.source.size()),
                                      Number{path.evaluated.from, Quantity::angle, 1},
                                      Number{path.evaluated.to, Quantity::angle, 1}}));
         }

@@ -5,6 +5,7 @@
 #include "kernel/words/quantity.h"
 #include "kernel/words/text.h"
 
+#include <concepts>
 #include <optional>
 #include <string>
 #include <variant>
@@ -21,6 +22,11 @@ struct Number {
 
     bool operator==(const Number &) const = default;
 };
+
+/// A count inside a sentence.
+[[nodiscard]] constexpr Number wholeNumber(std::integral auto count) {
+    return {static_cast<double>(count), Quantity::count, 0};
+}
 
 /// A date inside a sentence: YYYY-MM-DD.
 struct Date {

@@ -277,7 +277,7 @@ private:
         case 'd':
             return factor(2 * m_c);
         case 'm':
-            return m_language.number(static_cast<double>(m_results.targets.size()), Quantity::count, 0);
+            return m_language.count(m_results.targets.size());
         case '1':
             return m_parameter.ruling[0] ? QString::number(m_parameter.ruling[0]->target) : QString();
         case '2':

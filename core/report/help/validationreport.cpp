@@ -160,15 +160,13 @@ Report composeValidation(const std::vector<SetValidation> &sets, const Language 
         reproduced +=
             static_cast<std::size_t>(std::ranges::count(set.comparisons, true, &Comparison::agrees));
     }
-    const auto count = [](std::size_t number) {
-        return Number{static_cast<double>(number), Quantity::count, 0};
-    };
-    report.blocks.emplace_back(Paragraph{language.sentence(
-        REPORT_TEXT("report", "%1 of %2 values reproduced."), {count(reproduced), count(values)})});
+    report.blocks.emplace_back(
+        Paragraph{language.sentence(REPORT_TEXT("report", "%1 of %2 values reproduced."),
+                                    {wholeNumber(reproduced), wholeNumber(values)})});
     if (reproduced < values)
         report.blocks.emplace_back(Paragraph{language.sentence(
             REPORT_TEXT("report", "Values that do NOT agree with the reference data: %1 of %2."),
-            {count(values - reproduced), count(values)})});
+            {wholeNumber(values - reproduced), wholeNumber(values)})});
     for (const SetValidation &set : sets) {
         const SetWords *words = wordsOf(set);
         const QString name = words ? language.text(words->shown) : QString();

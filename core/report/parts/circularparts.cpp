@@ -151,14 +151,12 @@ private:
 /// Number of evaluated points of a path, with the number of all if it differs.
 QString pointsText(const CircularPart &part, const EvaluatedPath &path) {
     const Writer &write = part.write;
-    const auto number = [&](std::size_t count) {
-        return write.language().number(static_cast<double>(count), Quantity::count, 0);
-    };
-    const QString evaluated = number(path.source.size());
+    const QString evaluated = write.language().count(path.source.size());
     return evaluatesPart(part)
-               ? write.say(REPORT_TEXT("report", "%1 of %2"),
-                           {evaluated.toStdString(),
-                            number(part.measurement.arcs[path.arc].angles.size()).toStdString()})
+               ? write.say(
+                     REPORT_TEXT("report", "%1 of %2"),
+                     {evaluated.toStdString(),
+                      write.language().count(part.measurement.arcs[path.arc].angles.size()).toStdString()})
                : evaluated;
 }
 
@@ -423,8 +421,7 @@ void addPaths(std::vector<Block> &blocks, const CircularPart &part) {
                 range(path.sense == Sense::clockwise ? Interval{high, low} : Interval{low, high}));
         }
         row.emplace_back(fullCircleText(part, path));
-        row.emplace_back(
-            write.language().number(static_cast<double>(path.source.size()), Quantity::count, 0));
+        row.emplace_back(write.language().count(path.source.size()));
         const auto step = arc.sampleInterval;
         row.emplace_back(step ? write.language().number(*step, Quantity::time, 4) : QString());
         const auto steps =
@@ -505,8 +502,7 @@ void addRepetitions(std::vector<Block> &blocks, const CircularPart &part) {
         const bool evaluated = ++number[path.sense] == 1;
         table.rows.push_back(
             {QString::number(k + 1), bold(QString::fromStdString(path.index)),
-             write.text(senseText(path.sense)),
-             write.language().number(static_cast<double>(path.source.size()), Quantity::count, 0),
+             write.text(senseText(path.sense)), write.language().count(path.source.size()),
              circle ? write.language().number(circle->width, Quantity::deviation, circleDecimals) : QString(),
              evaluated ? Cell(write.text(REPORT_TEXT("report", "evaluated"))) : blankCell()});
     }

@@ -55,8 +55,7 @@ QString targetChoiceText(const PositioningPart &part) {
     const auto distance = [&](double value) { return Number{value, part.along(), -1}; };
     QStringList texts;
     texts << (choice.kind == TargetChoiceKind::polygon && choice.faces
-                  ? write.say(REPORT_TEXT("report", "polygon of %1 faces"),
-                              {Number{static_cast<double>(*choice.faces), Quantity::count, 0}})
+                  ? write.say(REPORT_TEXT("report", "polygon of %1 faces"), {wholeNumber(*choice.faces)})
                   : write.text(statedWord("targetChoice", choice.kind)));
     if (choice.interval)
         texts << write.say(REPORT_TEXT("report", "nominal interval %1"), {distance(*choice.interval)});

@@ -93,7 +93,7 @@ void addLeftOut(std::vector<Block> &blocks, const Writer &write, std::size_t row
              "report", "Left out: %n row(s), for a report prints no more than %1 of them unasked. The test "
                        "file holds all readings. To print the rows as well, choose “All readings” for the "
                        "report, or write “allReadings” under “include” in the test file."),
-         {Number{static_cast<double>(mostRows), Quantity::count, 0}},
+         {wholeNumber(mostRows)},
          static_cast<int>(rows)})});
 }
 

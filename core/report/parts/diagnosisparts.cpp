@@ -24,14 +24,9 @@ namespace {
 constexpr double micrometres = 1000; ///< per millimetre
 constexpr int contributionDecimals = 2;
 
-QString counted(const Language &language, auto n) {
-    return language.number(static_cast<double>(n), Quantity::count, 0);
-}
-
 QString ofAll(const Diagnosis &diagnosis, const Language &language) {
-    return language.sentence(
-        REPORT_TEXT("report", "%1 of %2"),
-        {counted(language, diagnosis.rank).toStdString(), counted(language, diagnosis.of).toStdString()});
+    return language.sentence(REPORT_TEXT("report", "%1 of %2"), {language.count(diagnosis.rank).toStdString(),
+                                                                 language.count(diagnosis.of).toStdString()});
 }
 
 Cell contributionCell(const DiagnosisRow &row, const Language &language, int decimals) {
@@ -157,7 +152,7 @@ Table sourcesTable(const Writer &write, const std::vector<DiagnosisRow> &rows, c
         const bool traced = i < page.traced;
         Cell name(row.name);
         name.bold = traced;
-        Cell number(counted(language, i + 1));
+        Cell number(language.count(i + 1));
         Cell bar = blankCell();
         if (row.contribution && !isCircle) {
             bar = Cell();
@@ -227,7 +222,7 @@ private:
     [[nodiscard]] QString tracedName() const {
         return m_traced == 1
                    ? m_write.text(REPORT_TEXT("report", "source 1"))
-                   : m_write.say(REPORT_TEXT("report", "sources 1 to %1"), counted(language(), m_traced));
+                   : m_write.say(REPORT_TEXT("report", "sources 1 to %1"), language().count(m_traced));
     }
 
     void addFigure(std::vector<Block> &blocks) const {
@@ -258,16 +253,15 @@ private:
             m_write.quantity(m_part.measurement.feed, Quantity::feed));
         QStringList points;
         for (const DiagnosedArc &arc : m_test.circle.arcs)
-            points << counted(language(), arc.points.size());
+            points << language().count(arc.points.size());
         points.removeDuplicates();
         add(REPORT_TEXT("report", "Senses"), m_test.circle.arcs.size() > 1
                                                  ? m_write.text(REPORT_TEXT("report", "both together"))
                                                  : m_write.text(senseText(m_test.circle.arcs.front().sense)));
         const auto arcs = m_test.circle.arcs.size();
         add(REPORT_TEXT("report", "Points"),
-            arcs > 1 && points.size() == 1
-                ? counted(language(), arcs) + QStringLiteral(" × ") + points.front()
-                : points.join(QStringLiteral(" + ")));
+            arcs > 1 && points.size() == 1 ? language().count(arcs) + QStringLiteral(" × ") + points.front()
+                                           : points.join(QStringLiteral(" + ")));
         add(REPORT_TEXT("report", "Told apart"), ofAll(diagnosis, language()));
         add(REPORT_TEXT_FOR("report", "Condition", "of a fit"),
             language().number(diagnosis.condition, Quantity::number, 1));
@@ -293,14 +287,14 @@ private:
         blocks.emplace_back(Paragraph{
             m_traced == 1 ? m_write.text(REPORT_TEXT("report", "Source 1 makes most of the path by itself."))
                           : m_write.say(REPORT_TEXT("report", "Sources 1 to %1 make most of the path."),
-                                        counted(language(), m_traced))});
+                                        language().count(m_traced))});
         const bool one = m_traced == 1;
         KeyValues values;
         values.narrow = true;
         values.rows = {
             {m_write.say(REPORT_TEXT("report", "%1, measured"), zoneName()), width(widths.measured)},
             {one ? m_write.text(REPORT_TEXT("report", "source 1 alone"))
-                 : m_write.say(REPORT_TEXT("report", "sources 1 to %1 alone"), counted(language(), m_traced)),
+                 : m_write.say(REPORT_TEXT("report", "sources 1 to %1 alone"), language().count(m_traced)),
              width(widths.chosen)},
             {m_write.say(one ? REPORT_TEXT("report", "%1 without it")
                              : REPORT_TEXT("report", "%1 without them"),
@@ -429,7 +423,7 @@ private:
                                         m_write.text(REPORT_TEXT("report", "all feeds together"))});
         KeyValues values;
         values.narrow = true;
-        values.rows = {{m_write.text(REPORT_TEXT("report", "Circles")), counted(language(), m_tests.size())},
+        values.rows = {{m_write.text(REPORT_TEXT("report", "Circles")), language().count(m_tests.size())},
                        {m_write.text(REPORT_TEXT("report", "Told apart")), ofAll(m_together, language())},
                        {m_write.text(REPORT_TEXT_FOR("report", "Condition", "of a fit")),
                         language().number(m_together.condition, Quantity::number, 1)},

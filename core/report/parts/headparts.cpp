@@ -164,17 +164,16 @@ QString travelText(const PositioningPart &part) {
 
 QString countsText(const PositioningPart &part) {
     const PositioningResults &results = part.results;
-    const auto count = [](auto n) { return Number{static_cast<double>(n), Quantity::count, 0}; };
-    const Number m = count(part.measurement.targets.size());
+    const Number m = wholeNumber(part.measurement.targets.size());
     if (results.upward != results.downward)
         return part.write.say(REPORT_TEXT("report", "m = %1; n = %2 %3"),
-                              {m, count(results.upward ? results.positiveRuns : results.negativeRuns),
+                              {m, wholeNumber(results.upward ? results.positiveRuns : results.negativeRuns),
                                std::string(results.upward ? "↑" : "↓")});
     if (results.positiveRuns == results.negativeRuns)
         return part.write.say(REPORT_TEXT("report", "m = %1; n = %2 per direction"),
-                              {m, count(results.positiveRuns)});
+                              {m, wholeNumber(results.positiveRuns)});
     return part.write.say(REPORT_TEXT("report", "m = %1; n = %2 ↑, %3 ↓"),
-                          {m, count(results.positiveRuns), count(results.negativeRuns)});
+                          {m, wholeNumber(results.positiveRuns), wholeNumber(results.negativeRuns)});
 }
 
 QString referenceLengthText(const CircularPart &part) {
@@ -203,8 +202,7 @@ TestHead commonHead(const TestPart &part) {
     head.anchor = part.headAnchor();
     if (part.count > 1)
         head.numberNotes << part.write.say(REPORT_TEXT("report", "Test %1 of %2"),
-                                           {Number{static_cast<double>(part.number), Quantity::count, 0},
-                                            Number{static_cast<double>(part.count), Quantity::count, 0}});
+                                           {wholeNumber(part.number), wholeNumber(part.count)});
     head.subtitle =
         joined({titleAndEdition(part), QString::fromStdString(part.test.title)}, QStringLiteral(" · "));
     if (!part.edition().title.empty())

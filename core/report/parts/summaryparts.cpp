@@ -340,7 +340,7 @@ Phrase limitsText(const std::vector<TestPart> &parts, const Whole &whole, const 
                 ? REPORT_TEXT("report", "The limits agreed do not hold for these tests: no verdict.")
                 : REPORT_TEXT("report", "The results have no verdict."));
     const bool one = whole.limits == 1;
-    const Number limits{static_cast<double>(whole.limits), Quantity::count, 0};
+    const Number limits = wholeNumber(whole.limits);
     if (whole.verdict == Verdict::conforms) {
         const QString met =
             one ? write.text(REPORT_TEXT("report", "1 limit"))

@@ -144,8 +144,7 @@ QString ReadingTexts::summary(std::span<const std::pair<std::size_t, std::size_t
         return places.size() == 1 ? label(places[0].first, places[0].second)
                                   : m_language.quantity(sum, quantity, m_readingDecimals);
     return m_language.sentence(REPORT_TEXT("report", "%1 readings: mean %2, range %3"),
-                               {Number{static_cast<double>(count), Quantity::count, 0},
-                                Number{sum / count, quantity, m_statisticDecimals},
+                               {wholeNumber(count), Number{sum / count, quantity, m_statisticDecimals},
                                 Number{most - least, quantity, m_readingDecimals}});
 }
 

@@ -211,7 +211,7 @@ QString accordanceOfAll(std::span<const Accordance> tests, const Language &langu
         CountedPart{Accordance::notChecked, REPORT_TEXT("report", "; text not available: %1")}};
     QString result;
     for (const CountedPart &part : parts) {
-        const Number number{static_cast<double>(count(part.accordance)), Quantity::count, 0};
+        const Number number = wholeNumber(count(part.accordance));
         if (number.value > 0 || part.accordance == Accordance::yes)
             result += language.sentence(part.words, {number});
     }
