@@ -37,6 +37,14 @@ Cell blankCell() {
     return cell;
 }
 
+Column columnOf(Phrase title, double width, Alignment alignment, QString unit) {
+    return {std::move(title), std::move(unit), alignment, false, width};
+}
+
+Column flexibleColumn(Phrase title, double width) {
+    return {std::move(title), {}, Alignment::left, true, width};
+}
+
 QString anchorOf(const Block &block) {
     if (const auto *head = std::get_if<TestHead>(&block))
         return head->anchor;

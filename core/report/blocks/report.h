@@ -160,6 +160,12 @@ struct Column {
     bool operator==(const Column &) const = default;
 };
 
+/// A column of a fixed width, mm; 0: an equal share.
+[[nodiscard]] Column columnOf(Phrase title, double width, Alignment alignment = Alignment::left,
+                              QString unit = {});
+/// A left-aligned column that wraps and takes the remaining width.
+[[nodiscard]] Column flexibleColumn(Phrase title, double width);
+
 /// A title over several columns with a rule below it, on the first line of the head.
 struct Spanner {
     std::size_t first = 0;

@@ -295,7 +295,7 @@ Table resultsOf(const CircularPart &part, const CircleFigureOptions &options) {
     const bool lengths = options.subject == CircleSubject::radialDeviation;
     Table table;
     table.headless = true;
-    table.columns = {{QString(), {}, Alignment::left, false, 20}, {QString(), {}, Alignment::left, true, 38}};
+    table.columns = {columnOf(QString(), 20), flexibleColumn(QString(), 38)};
     for (const Parameter &parameter : part.evaluation.parameters) {
         const Term &term = parameter.term;
         const bool shown = lengths ? term.circle == OfCircle::radialDeviation
@@ -394,14 +394,14 @@ void addPaths(std::vector<Block> &blocks, const CircularPart &part) {
     const QString degrees = write.language().unit(Quantity::angle);
     const QString seconds = write.language().unit(Quantity::time);
     Table table;
-    table.columns = {{write.text(REPORT_TEXT("report", "Path")), {}, Alignment::left, false, 18},
-                     {write.text(REPORT_TEXT("report", "Sense")), {}, Alignment::left, true, 36},
-                     {write.text(REPORT_TEXT("report", "Measured")), degrees, Alignment::left, false, 26},
-                     {write.text(REPORT_TEXT("report", "Evaluated")), degrees, Alignment::left, false, 26},
-                     {QString(), {}, Alignment::left, false, 23.5},
-                     {write.text(REPORT_TEXT("report", "Points")), {}, Alignment::right, false, 14},
-                     {write.text(REPORT_TEXT("report", "Step")), seconds, Alignment::decimal, false, 15.5},
-                     {write.text(REPORT_TEXT("report", "Duration")), seconds, Alignment::decimal, false, 16}};
+    table.columns = {write.column(REPORT_TEXT("report", "Path"), 18),
+                     write.flexible(REPORT_TEXT("report", "Sense"), 36),
+                     write.column(REPORT_TEXT("report", "Measured"), 26, Alignment::left, degrees),
+                     write.column(REPORT_TEXT("report", "Evaluated"), 26, Alignment::left, degrees),
+                     columnOf(QString(), 23.5),
+                     write.column(REPORT_TEXT("report", "Points"), 14, Alignment::right),
+                     write.column(REPORT_TEXT("report", "Step"), 15.5, Alignment::decimal, seconds),
+                     write.column(REPORT_TEXT("report", "Duration"), 16, Alignment::decimal, seconds)};
     const auto angle = [&](double value) {
         return write.language().number(value, Quantity::angle, pointAngleDecimals);
     };
@@ -445,15 +445,15 @@ void addCircles(std::vector<Block> &blocks, const CircularPart &part) {
         return Cell(write.language().number(value, Quantity::deviation, circleDecimals));
     };
     Table table;
-    table.columns = {{write.text(REPORT_TEXT("report", "Path")), {}, Alignment::left, false, 20},
-                     {write.text(REPORT_TEXT("report", "Circle")), {}, Alignment::left, true, 26},
-                     {axisName(part.measurement.plane.first), unit, Alignment::decimal, false, 14},
-                     {axisName(part.measurement.plane.second), unit, Alignment::decimal, false, 14},
-                     {phraseFrom(QStringLiteral("R − R_nom")), unit, Alignment::decimal, false, 17},
-                     {phraseFrom(QStringLiteral("R_min − R_nom")), unit, Alignment::decimal, false, 20},
-                     {phraseFrom(QStringLiteral("R_max − R_nom")), unit, Alignment::decimal, false, 20},
-                     {write.text(REPORT_TEXT("report", "Width")), unit, Alignment::decimal, false, 14},
-                     {write.text(REPORT_TEXT("report", "Certificate")), {}, Alignment::left, false, 30}};
+    table.columns = {write.column(REPORT_TEXT("report", "Path"), 20),
+                     write.flexible(REPORT_TEXT("report", "Circle"), 26),
+                     columnOf(axisName(part.measurement.plane.first), 14, Alignment::decimal, unit),
+                     columnOf(axisName(part.measurement.plane.second), 14, Alignment::decimal, unit),
+                     columnOf(phraseFrom(QStringLiteral("R − R_nom")), 17, Alignment::decimal, unit),
+                     columnOf(phraseFrom(QStringLiteral("R_min − R_nom")), 20, Alignment::decimal, unit),
+                     columnOf(phraseFrom(QStringLiteral("R_max − R_nom")), 20, Alignment::decimal, unit),
+                     write.column(REPORT_TEXT("report", "Width"), 14, Alignment::decimal, unit),
+                     write.column(REPORT_TEXT("report", "Certificate"), 30)};
     table.columns.back().paddingLeft = 2;
     table.unbroken = true;
     for (const CircleResult &circle : circles) {
@@ -487,13 +487,13 @@ void addRepetitions(std::vector<Block> &blocks, const CircularPart &part) {
     const CircularMeasurement &measurement = part.measurement;
     Table table;
     table.columns = {
-        {QString(), {}, Alignment::right, false, 7},
-        {write.text(REPORT_TEXT("report", "Path")), {}, Alignment::left, false, 20},
-        {write.text(REPORT_TEXT("report", "Sense")), {}, Alignment::left, false, 36},
-        {write.text(REPORT_TEXT("report", "Points")), {}, Alignment::right, false, 18},
-        {Phrase({{QStringLiteral("G")}, {part.feedback() ? QStringLiteral("f") : QString(), true}}),
-         write.language().unit(Quantity::deviation), Alignment::decimal, false, 18},
-        {QString(), {}, Alignment::left, true, 76}};
+        columnOf(QString(), 7, Alignment::right),
+        write.column(REPORT_TEXT("report", "Path"), 20),
+        write.column(REPORT_TEXT("report", "Sense"), 36),
+        write.column(REPORT_TEXT("report", "Points"), 18, Alignment::right),
+        columnOf(Phrase({{QStringLiteral("G")}, {part.feedback() ? QStringLiteral("f") : QString(), true}}),
+                 18, Alignment::decimal, write.language().unit(Quantity::deviation)),
+        flexibleColumn(QString(), 76)};
     table.columns.back().paddingLeft = 3;
     std::map<Sense, int> number;
     for (std::size_t k = 0; k < measurement.arcs.size(); ++k) {

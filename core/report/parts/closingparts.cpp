@@ -90,13 +90,13 @@ void addTraceability(std::vector<Block> &blocks, const Writer &write, const Eval
         return;
     const std::set<std::string> used = usedInstruments(*evaluated.document);
     Table table;
-    table.columns = {{write.text(REPORT_TEXT("report", "Instrument")), {}, Alignment::left, true, 41},
-                     {write.text(REPORT_TEXT("report", "Serial number")), {}, Alignment::left, false, 20},
-                     {write.text(REPORT_TEXT("report", "Certificate")), {}, Alignment::left, false, 21},
-                     {write.text(REPORT_TEXT("report", "Calibrated by")), {}, Alignment::left, false, 31},
-                     {write.text(REPORT_TEXT("report", "Calibrated")), {}, Alignment::left, false, 22},
-                     {write.text(REPORT_TEXT("report", "Due")), {}, Alignment::left, false, 22},
-                     {write.text(REPORT_TEXT("report", "Resolution")), {}, Alignment::left, false, 18}};
+    table.columns = {write.flexible(REPORT_TEXT("report", "Instrument"), 41),
+                     write.column(REPORT_TEXT("report", "Serial number"), 20),
+                     write.column(REPORT_TEXT("report", "Certificate"), 21),
+                     write.column(REPORT_TEXT("report", "Calibrated by"), 31),
+                     write.column(REPORT_TEXT("report", "Calibrated"), 22),
+                     write.column(REPORT_TEXT("report", "Due"), 22),
+                     write.column(REPORT_TEXT("report", "Resolution"), 18)};
     const auto shortDate = [&](const std::optional<std::string> &date) {
         return date && !date->empty() ? write.language().shortDate(*date) : QString();
     };

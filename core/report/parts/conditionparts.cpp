@@ -343,9 +343,9 @@ class EnvironmentTable {
 public:
     EnvironmentTable(const TestPart &part, const Conditions &conditions)
         : m_write(part.write) {
-        m_table.columns = {{m_write.text(part.edition().environment), {}, Alignment::left, true, 42},
-                           {m_write.text(REPORT_TEXT("report", "Start")), {}, Alignment::decimal, false, 13},
-                           {m_write.text(REPORT_TEXT("report", "End")), {}, Alignment::decimal, false, 13}};
+        m_table.columns = {m_write.flexible(part.edition().environment, 42),
+                           m_write.column(REPORT_TEXT("report", "Start"), 13, Alignment::decimal),
+                           m_write.column(REPORT_TEXT("report", "End"), 13, Alignment::decimal)};
         for (const SensorMeasures what :
              {SensorMeasures::machine, SensorMeasures::instrument, SensorMeasures::air})
             addTemperatures(what, temperaturesOf(conditions, what));
@@ -468,10 +468,10 @@ std::optional<Table> sensorTable(const TestPart &part) {
         return std::nullopt;
     Table table;
     table.columns = {
-        {write.text(REPORT_TEXT("report", "Temperature of")), {}, Alignment::left, false, 30},
-        {write.text(REPORT_TEXT("report", "Position of the sensor")), {}, Alignment::left, true, 105},
-        {write.text(REPORT_TEXT("report", "Start")), QStringLiteral("°C"), Alignment::decimal, false, 20},
-        {write.text(REPORT_TEXT("report", "End")), QStringLiteral("°C"), Alignment::decimal, false, 20}};
+        write.column(REPORT_TEXT("report", "Temperature of"), 30),
+        write.flexible(REPORT_TEXT("report", "Position of the sensor"), 105),
+        write.column(REPORT_TEXT("report", "Start"), 20, Alignment::decimal, QStringLiteral("°C")),
+        write.column(REPORT_TEXT("report", "End"), 20, Alignment::decimal, QStringLiteral("°C"))};
     int decimals = 0;
     for (const Sensor &sensor : sensors) {
         for (const auto &value : {startTemperature(sensor), endTemperature(sensor)}) {
@@ -573,14 +573,10 @@ std::optional<AgreedPoints> agreedPointsOf(const TestPart &part) {
 
     Table table;
     if (letters)
-        table.columns.push_back({QString(), {}, Alignment::left, false, 8});
-    table.columns.push_back({write.text(REPORT_TEXT("report", "Point")), {}, Alignment::left, true, 82});
-    table.columns.push_back({write.text(REPORT_TEXT("report", "Agreement")), {}, Alignment::left, false, 30});
-    table.columns.push_back({write.text(REPORT_TEXT("report", "Agreed text")),
-                             {},
-                             Alignment::left,
-                             false,
-                             letters ? 55.0 : 63.0});
+        table.columns.push_back(columnOf(QString(), 8));
+    table.columns.push_back(write.flexible(REPORT_TEXT("report", "Point"), 82));
+    table.columns.push_back(write.column(REPORT_TEXT("report", "Agreement"), 30));
+    table.columns.push_back(write.column(REPORT_TEXT("report", "Agreed text"), letters ? 55.0 : 63.0));
     const auto add = [&](const AgreementPoint &point, bool asked) {
         const auto found = std::ranges::find(part.test.agreedPoints, point.point, &AgreedPoint::point);
         const bool listed = found != part.test.agreedPoints.end();
@@ -669,17 +665,17 @@ Table correctionTable(const PositioningPart &part) {
     const int places = positionDecimals(part.measurement);
     const QString lengthUnit = write.language().unit(part.along());
     Table table;
-    table.columns = {{Phrase({{QStringLiteral("i"), false, true}}), {}, Alignment::right, false, 7},
-                     {Phrase({{QStringLiteral("P")}, {QStringLiteral("i"), true}}), lengthUnit,
-                      Alignment::decimal, false, 19},
-                     {Phrase({{QStringLiteral("P")},
-                              {QStringLiteral("i"), true},
-                              {QStringLiteral(" − P")},
-                              {QStringLiteral("0"), true}}),
-                      lengthUnit, Alignment::decimal, false, 30},
-                     {write.text(REPORT_TEXT("report", "Added to the readings")),
-                      write.language().unit(part.deviation()), Alignment::decimal, false, 45},
-                     {QString(), {}, Alignment::left, true, 74}};
+    table.columns = {columnOf(Phrase({{QStringLiteral("i"), false, true}}), 7, Alignment::right),
+                     columnOf(Phrase({{QStringLiteral("P")}, {QStringLiteral("i"), true}}), 19,
+                              Alignment::decimal, lengthUnit),
+                     columnOf(Phrase({{QStringLiteral("P")},
+                                      {QStringLiteral("i"), true},
+                                      {QStringLiteral(" − P")},
+                                      {QStringLiteral("0"), true}}),
+                              30, Alignment::decimal, lengthUnit),
+                     write.column(REPORT_TEXT("report", "Added to the readings"), 45, Alignment::decimal,
+                                  write.language().unit(part.deviation())),
+                     flexibleColumn(QString(), 74)};
     for (std::size_t i = 0; i < std::min(targets.size(), part.results.corrections.size()); ++i) {
         if (i > 0 && i % 5 == 0)
             table.rulesAfter.push_back(i - 1);
@@ -764,13 +760,13 @@ void addCorrection(std::vector<Block> &blocks, const CircularPart &part) {
     Table table;
     table.rows.emplace_back();
     for (const Factor &factor : factors) {
-        table.columns.push_back({phraseFrom(QString::fromUtf8(factor.symbol)),
-                                 write.language().unit(factor.quantity), Alignment::decimal, false, 22});
+        table.columns.push_back(columnOf(phraseFrom(QString::fromUtf8(factor.symbol)), 22, Alignment::decimal,
+                                         write.language().unit(factor.quantity)));
         table.rows.front().emplace_back(
             factor.value ? write.language().number(certain(*factor.value), factor.quantity, factor.decimals)
                          : QString());
     }
-    table.columns.push_back({QString(), {}, Alignment::left, true, 43});
+    table.columns.push_back(flexibleColumn(QString(), 43));
     table.rows.front().push_back(blankCell());
     blocks.emplace_back(std::move(table));
 }

@@ -44,16 +44,13 @@ double widthOfNumbers(const PositioningMeasurement &measurement) {
 }
 
 Column targetColumn(const PositioningPart &part) {
-    return {Phrase({{QStringLiteral("i"), false, true}}),
-            {},
-            Alignment::right,
-            false,
-            widthOfNumbers(part.measurement)};
+    return columnOf(Phrase({{QStringLiteral("i"), false, true}}), widthOfNumbers(part.measurement),
+                    Alignment::right);
 }
 
 Column positionColumn(const PositioningPart &part) {
-    return {indexed(QStringLiteral("P"), QStringLiteral("i")), part.write.language().unit(part.along()),
-            Alignment::decimal, false, positionWidth};
+    return columnOf(indexed(QStringLiteral("P"), QStringLiteral("i")), positionWidth, Alignment::decimal,
+                    part.write.language().unit(part.along()));
 }
 
 void addGroupRules(Table &table) {
@@ -463,11 +460,9 @@ void addExcludedReadings(std::vector<Block> &blocks, const PositioningPart &part
     const int places = positionDecimals(measurement);
     Table table;
     table.columns = {
-        targetColumn(part),
-        positionColumn(part),
-        {QStringLiteral("j"), {}, Alignment::right, false, 12},
-        {indexed(QStringLiteral("x"), QStringLiteral("ij")), unit, Alignment::decimal, false, 25},
-        {write.text(REPORT_TEXT("report", "Reason")), {}, Alignment::left, true, 112}};
+        targetColumn(part), positionColumn(part), columnOf(QStringLiteral("j"), 12, Alignment::right),
+        columnOf(indexed(QStringLiteral("x"), QStringLiteral("ij")), 25, Alignment::decimal, unit),
+        write.flexible(REPORT_TEXT("report", "Reason"), 112)};
     const std::vector<int> numbers = numbersInDirection(measurement);
     int decimals = readingDecimals(measurement);
     for (const ExcludedReading &reading : measurement.excluded) // these may have more
@@ -535,7 +530,7 @@ std::optional<Table> editionsTable(const TestPart &part, bool narrow) {
                                   write.language().number(column.edition->c, Quantity::number)
                             : write.say(REPORT_TEXT("report", "factor %1"),
                                         {Number{column.edition->c, Quantity::number, -1}});
-        table.columns.push_back({shortEdition(column.edition->word), factor, Alignment::decimal, false, 0});
+        table.columns.push_back(columnOf(shortEdition(column.edition->word), 0, Alignment::decimal, factor));
     }
     return table;
 }
@@ -570,16 +565,12 @@ Table instrumentResultsTable(const TestPart &part) {
     const Writer &write = part.write;
     const Language &language = write.language();
     Table table;
-    table.columns = {{write.text(REPORT_TEXT("report", "Result stated by the instrument’s program")),
-                      {},
-                      Alignment::left,
-                      true,
-                      60},
-                     {write.text(REPORT_TEXT("report", "Value")), {}, Alignment::decimal, false, 19},
-                     {write.text(REPORT_TEXT("report", "Unit")), {}, Alignment::left, false, 16},
-                     {write.text(REPORT_TEXT("report", "Here")), {}, Alignment::left, false, 18},
-                     {write.text(REPORT_TEXT("report", "Value here")), {}, Alignment::right, false, 27},
-                     {write.text(REPORT_TEXT("report", "Here − stated")), {}, Alignment::right, false, 27}};
+    table.columns = {write.flexible(REPORT_TEXT("report", "Result stated by the instrument’s program"), 60),
+                     write.column(REPORT_TEXT("report", "Value"), 19, Alignment::decimal),
+                     write.column(REPORT_TEXT("report", "Unit"), 16),
+                     write.column(REPORT_TEXT("report", "Here"), 18),
+                     write.column(REPORT_TEXT("report", "Value here"), 27, Alignment::right),
+                     write.column(REPORT_TEXT("report", "Here − stated"), 27, Alignment::right)};
     constexpr int decimals = 2; // of µm; programs state one
     for (const InstrumentResult &result : instrumentResults(part.test, part.evaluation)) {
         const ImportedResult &stated = *result.stated;
@@ -611,8 +602,8 @@ void addImports(std::vector<Block> &blocks, const TestPart &part) {
         return;
     const Writer &write = part.write;
     Table files;
-    files.columns = {{write.text(REPORT_TEXT("report", "File")), {}, Alignment::left, true, 63},
-                     {QStringLiteral("SHA-256"), {}, Alignment::left, false, 112}};
+    files.columns = {write.flexible(REPORT_TEXT("report", "File"), 63),
+                     columnOf(QStringLiteral("SHA-256"), 112)};
     for (const ImportedFile &file : imports)
         files.rows.push_back({QString::fromStdString(file.fileName), QString::fromStdString(file.sha256)});
     addHeading(blocks, write.text(REPORT_TEXT("report", "Origin of the data")));

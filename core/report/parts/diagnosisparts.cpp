@@ -132,18 +132,17 @@ Table sourcesTable(const Writer &write, const std::vector<DiagnosisRow> &rows, c
     const double end = endOfBars(rows);
     Table table;
     table.unbroken = rows.size() < mostRowsUnbroken;
-    table.columns = {
-        {QString(), {}, Alignment::right, false, 6.5},
-        {write.text(REPORT_TEXT_FOR("report", "Source", "diagnosis")), {}, Alignment::left, false, 38},
-        {write.text(REPORT_TEXT("report", "Value")), {}, Alignment::decimal, false, 14},
-        {Phrase({{QStringLiteral("u"), false, true}}), {}, Alignment::decimal, false, 13.5},
-        {QString(), {}, Alignment::left, false, 10.5},
-        {page.zone, language.unit(Quantity::deviation), Alignment::decimal, false, 8.5},
-        {QString(), {}, Alignment::left, false, barColumn},
-        {write.text(REPORT_TEXT("report", "Meaning, and what to look at on the machine")),
-         {},
-         Alignment::left,
-         true}};
+    table.columns = {columnOf(QString(), 6.5, Alignment::right),
+                     write.column(REPORT_TEXT_FOR("report", "Source", "diagnosis"), 38),
+                     write.column(REPORT_TEXT("report", "Value"), 14, Alignment::decimal),
+                     columnOf(Phrase({{QStringLiteral("u"), false, true}}), 13.5, Alignment::decimal),
+                     columnOf(QString(), 10.5),
+                     columnOf(page.zone, 8.5, Alignment::decimal, language.unit(Quantity::deviation)),
+                     columnOf(QString(), barColumn),
+                     {write.text(REPORT_TEXT("report", "Meaning, and what to look at on the machine")),
+                      {},
+                      Alignment::left,
+                      true}};
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const DiagnosisRow &row = rows[i];
         const bool isCircle = row.kind == DiagnosisRowKind::fitCircle;
@@ -324,16 +323,12 @@ private:
             return;
         Table table;
         table.columns = {
-            {m_write.text(REPORT_TEXT("report", "Stated by the instrument’s program")),
-             {},
-             Alignment::left,
-             false,
-             46},
-            {m_write.text(REPORT_TEXT("report", "Value")), {}, Alignment::decimal, false, 13},
-            {QString(), {}, Alignment::left, false, 11},
-            {m_write.text(REPORT_TEXT("report", "Value here")), {}, Alignment::decimal, false, 19},
-            {Phrase({{QStringLiteral("u"), false, true}}), {}, Alignment::decimal, false, 11},
-            {QString(), {}, Alignment::left, false, 10.5},
+            m_write.column(REPORT_TEXT("report", "Stated by the instrument’s program"), 46),
+            m_write.column(REPORT_TEXT("report", "Value"), 13, Alignment::decimal),
+            columnOf(QString(), 11),
+            m_write.column(REPORT_TEXT("report", "Value here"), 19, Alignment::decimal),
+            columnOf(Phrase({{QStringLiteral("u"), false, true}}), 11, Alignment::decimal),
+            columnOf(QString(), 10.5),
             {m_write.text(REPORT_TEXT("report", "Positive here means")), {}, Alignment::left, true}};
         for (const StatedSource &row : stated)
             table.rows.push_back({row.name, row.stated, row.statedUnit, row.here, row.u, row.unit,

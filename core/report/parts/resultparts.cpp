@@ -653,11 +653,10 @@ Table limitsTable(const TestPart &part) {
     const Writer &write = part.write;
     const Quantity quantity = deviationQuantity(part.test);
     Table table;
-    table.columns = {
-        {write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, 22},
-        {write.text(REPORT_TEXT("report", "Limit")), {}, Alignment::left, false, 22},
-        {write.text(REPORT_TEXT("report", "Agreed for")), {}, Alignment::left, false, 45},
-        {write.text(REPORT_TEXT_FOR("report", "Source", "of a limit")), {}, Alignment::left, true, 86}};
+    table.columns = {write.column(REPORT_TEXT("report", "Quantity"), 22),
+                     write.column(REPORT_TEXT("report", "Limit"), 22),
+                     write.column(REPORT_TEXT("report", "Agreed for"), 45),
+                     write.flexible(REPORT_TEXT_FOR("report", "Source", "of a limit"), 86)};
     const auto addRow = [&](Cell symbol, const Limit &limit) {
         symbol.bold = true;
         table.rows.push_back({std::move(symbol), write.quantity(limit.value, quantity),

@@ -62,9 +62,8 @@ public:
         table.columns = m_columns;
         const auto tests = static_cast<std::ptrdiff_t>(m_keys);
         std::ranges::find_if(table.columns, &Column::flexible)->width -= testsWidth; // exists
-        table.columns.insert(
-            table.columns.begin() + tests,
-            {m_write.text(REPORT_TEXT("report", "Tests")), {}, Alignment::left, false, testsWidth});
+        table.columns.insert(table.columns.begin() + tests,
+                             m_write.column(REPORT_TEXT("report", "Tests"), testsWidth));
         for (const Subject &subject : m_subjects) {
             if (!table.rows.empty())
                 table.rulesAfter.push_back(table.rows.size() - 1);
@@ -117,13 +116,8 @@ private:
 
 Table conditionTable(const TestPart &part) {
     Table table;
-    table.columns = {
-        {part.write.text(REPORT_TEXT_FOR("report", "Condition", "of a test")),
-         {},
-         Alignment::left,
-         false,
-         42},
-        {part.write.text(REPORT_TEXT_FOR("report", "Stated", "condition")), {}, Alignment::left, true, 133}};
+    table.columns = {part.write.column(REPORT_TEXT_FOR("report", "Condition", "of a test"), 42),
+                     part.write.flexible(REPORT_TEXT_FOR("report", "Stated", "condition"), 133)};
     QStringList missing;
     for (const KeyValue &row : conditionRows(part).rows) {
         if (row.value.isEmpty())
@@ -145,9 +139,9 @@ public:
     explicit EnvironmentOfTests(const Writer &write)
         : m_write(write) {
         const auto column = [&](const Text &title, Quantity unit, double width) {
-            return Column{write.text(title), write.language().unit(unit), Alignment::decimal, false, width};
+            return write.column(title, width, Alignment::decimal, write.language().unit(unit));
         };
-        m_table.columns = {{write.text(REPORT_TEXT("report", "Test")), {}, Alignment::left, false, 9}};
+        m_table.columns = {write.column(REPORT_TEXT("report", "Test"), 9)};
         for (const SensorMeasures what : measured) {
             m_table.spanners.push_back({m_table.columns.size(), 2, write.text(sensorText(what))});
             m_table.columns.push_back(column(REPORT_TEXT("report", "Start"), Quantity::temperature, 12));
@@ -188,7 +182,7 @@ public:
                 leaveOutEmptyColumns(m_table, i, i);
         }
         // Takes the remaining width.
-        m_table.columns.push_back({QString(), {}, Alignment::left, true, 1});
+        m_table.columns.push_back(flexibleColumn(QString(), 1));
         for (std::vector<Cell> &row : m_table.rows)
             row.push_back(blankCell());
         return std::move(m_table);
@@ -269,7 +263,7 @@ public:
         if (!m_table.spanners.empty() && m_table.columns.size() - 1 + count > mostColumns)
             return false;
         if (m_table.columns.empty())
-            m_table.columns.push_back({QString(), {}, Alignment::left, false, symbolWidth});
+            m_table.columns.push_back(columnOf(QString(), symbolWidth));
         const std::size_t first = m_table.columns.size();
         m_table.spanners.push_back({first, count, title(part, editions.columns.front().unit)});
         for (std::size_t i = 1; i <= count; ++i) {
@@ -298,7 +292,7 @@ public:
             if (column.width <= 0)
                 column.width = std::min(widest, (textWidth - symbolWidth - gaps - 1) / columns);
         }
-        m_table.columns.push_back({QString(), {}, Alignment::left, true, 1}); // takes the remaining width
+        m_table.columns.push_back(flexibleColumn(QString(), 1)); // takes the remaining width
         for (std::vector<Cell> &row : m_table.rows)
             row.push_back(blankCell());
         return std::exchange(m_table, {});
@@ -405,19 +399,10 @@ public:
 
     [[nodiscard]] Table take(int count) const {
         Table table;
-        table.columns = {
-            {m_write.text(REPORT_TEXT("report", "Tests")), {}, Alignment::left, false, testsWidth},
-            {m_write.text(REPORT_TEXT_FOR("report", "Limits", "part of a verdict")),
-             {},
-             Alignment::left,
-             true,
-             79},
-            {m_write.text(REPORT_TEXT("report", "Agreed for")), {}, Alignment::left, false, 30},
-            {m_write.text(REPORT_TEXT_FOR("report", "Source", "of a limit")),
-             {},
-             Alignment::left,
-             false,
-             50}};
+        table.columns = {m_write.column(REPORT_TEXT("report", "Tests"), testsWidth),
+                         m_write.flexible(REPORT_TEXT_FOR("report", "Limits", "part of a verdict"), 79),
+                         m_write.column(REPORT_TEXT("report", "Agreed for"), 30),
+                         m_write.column(REPORT_TEXT_FOR("report", "Source", "of a limit"), 50)};
         for (const LimitsOfOrigin &row : m_rows)
             table.rows.push_back(
                 {testNumbers(m_write, row.tests, count), row.limits, row.edition, row.source});
@@ -466,9 +451,8 @@ private:
         if (m_table.columns.empty()) {
             m_table.columns = table.columns;
             std::ranges::find_if(m_table.columns, &Column::flexible)->width -= width; // exists
-            m_table.columns.insert(
-                m_table.columns.begin(),
-                {m_write.text(REPORT_TEXT("report", "Test")), {}, Alignment::left, false, width});
+            m_table.columns.insert(m_table.columns.begin(),
+                                   m_write.column(REPORT_TEXT("report", "Test"), width));
         } else {
             m_table.rulesAfter.push_back(m_table.rows.size() - 1);
         }
@@ -509,20 +493,19 @@ private:
         const QString unit =
             parameters.empty() ? QString() : m_write.language().unit(parameters.front().term.quantity);
         const auto number = [&](const Text &title, double width) {
-            return Column{m_write.text(title), unit, Alignment::decimal, false, width};
+            return m_write.column(title, width, Alignment::decimal, unit);
         };
-        Column quantity{m_write.text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, 15};
+        Column quantity = m_write.column(REPORT_TEXT("report", "Quantity"), 15);
         quantity.titleSpan = 2;
-        m_table.columns = {quantity, {QString(), {}, Alignment::left, true, 44}};
+        m_table.columns = {quantity, flexibleColumn(QString(), 44)};
         for (const TestPart *part : {&m_before, &m_after}) {
             const Text role = roleText(part->test.role);
             m_table.spanners.push_back(
                 {m_table.columns.size(), 3,
                  m_write.text(role) + QStringLiteral(" (") + QString::number(part->number) + u')'});
             m_table.columns.push_back(number(REPORT_TEXT("report", "Value"), 14));
-            m_table.columns.push_back({QStringLiteral("U"), unit, Alignment::decimal, false, 12});
-            m_table.columns.push_back(
-                {m_write.text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, 22});
+            m_table.columns.push_back(columnOf(QStringLiteral("U"), 12, Alignment::decimal, unit));
+            m_table.columns.push_back(m_write.column(REPORT_TEXT("report", "Verdict"), 22));
         }
         m_table.columns.push_back(number(REPORT_TEXT("report", "Change"), 20));
         m_table.unbroken = true;

@@ -139,33 +139,30 @@ private:
     void addColumns() {
         const auto text = [&](const Text &words) { return m_write.text(words); };
         const QString &unit = m_shared.unit;
-        Column test{text(REPORT_TEXT("report", "Test")), {}, Alignment::left, false, numberWidth};
+        Column test = m_write.column(REPORT_TEXT("report", "Test"), numberWidth);
         test.titleSpan = 2;
         test.paddingLeft = 1.2;
-        Column quantity{text(REPORT_TEXT("report", "Quantity")), {}, Alignment::left, false, quantityWidth};
+        Column quantity = m_write.column(REPORT_TEXT("report", "Quantity"), quantityWidth);
         quantity.titleSpan = 2;
-        Column guard{m_shared.band ? text(REPORT_TEXT("report", "Limit ± U")) : QString(),
-                     {},
-                     Alignment::left,
-                     false,
-                     pictureWidth};
+        Column guard =
+            columnOf(m_shared.band ? text(REPORT_TEXT("report", "Limit ± U")) : QString(), pictureWidth);
         guard.paddingLeft = pictureGap;
-        Column units{QString(), {}, Alignment::left, false, unitWidth};
+        Column units = columnOf(QString(), unitWidth);
         units.paddingLeft = unitGap;
-        Column page{text(REPORT_TEXT("report", "Page")), {}, Alignment::right, false, pageWidth};
+        Column page = m_write.column(REPORT_TEXT("report", "Page"), pageWidth, Alignment::right);
         page.pages = true;
         m_table.columns = {
             test,
-            {QString(), {}, Alignment::left, false, testWidth},
+            columnOf(QString(), testWidth),
             quantity,
-            {QString(), {}, Alignment::left, true, nameWidth},
-            {text(REPORT_TEXT("report", "Value")), unit, Alignment::decimal, false, valueWidth},
-            {uncertaintyHead(m_shared.coverage, m_write.language()), unit, Alignment::decimal, false,
-             uncertaintyWidth},
-            {text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal, false, limitWidth},
+            flexibleColumn(QString(), nameWidth),
+            m_write.column(REPORT_TEXT("report", "Value"), valueWidth, Alignment::decimal, unit),
+            columnOf(uncertaintyHead(m_shared.coverage, m_write.language()), uncertaintyWidth,
+                     Alignment::decimal, unit),
+            m_write.column(REPORT_TEXT("report", "Limit"), limitWidth, Alignment::decimal, unit),
             units,
             guard,
-            {text(REPORT_TEXT("report", "Verdict")), {}, Alignment::left, false, verdictWidth},
+            m_write.column(REPORT_TEXT("report", "Verdict"), verdictWidth),
             page};
     }
 

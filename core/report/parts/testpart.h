@@ -37,6 +37,15 @@ public:
         return value ? m_language.quantity(*value, quantity, decimals) : QString();
     }
 
+    /// A column with a title in words; width in mm.
+    [[nodiscard]] Column column(const Text &title, double width, Alignment alignment = Alignment::left,
+                                const QString &unit = {}) const {
+        return columnOf(text(title), width, alignment, unit);
+    }
+    [[nodiscard]] Column flexible(const Text &title, double width) const {
+        return flexibleColumn(text(title), width);
+    }
+
     /// "; " with the spacing of the language.
     [[nodiscard]] QString semicolon() const { return m_language.semicolon(); }
 

@@ -55,18 +55,16 @@ Table contributionTable(const TestPart &part) {
     const double end = scaleEnd(largest / unit) * unit;
     Table table;
     table.unbroken = true;
-    table.columns = {
-        {write.text(REPORT_TEXT_FOR("report", "Component", "of a budget")), {}, Alignment::left, false, 57},
-        {write.text(REPORT_TEXT("report", "Inputs")), {}, Alignment::left, true, 56},
-        {Phrase({{QStringLiteral("U")}, {QStringLiteral("i"), true}}), write.language().unit(quantity),
-         Alignment::decimal, false, 12},
-        {write.text(REPORT_TEXT_FOR("report", "Share", "of a budget")), QStringLiteral("%"), Alignment::right,
-         false, 12},
-        {QString(),
-         largest > 0
-             ? write.say(REPORT_TEXT("report", "0 to %1"), {Number{end, quantity, decimalsOf(end, quantity)}})
-             : QString(),
-         Alignment::left, false, 38}};
+    table.columns = {write.column(REPORT_TEXT_FOR("report", "Component", "of a budget"), 57),
+                     write.flexible(REPORT_TEXT("report", "Inputs"), 56),
+                     columnOf(Phrase({{QStringLiteral("U")}, {QStringLiteral("i"), true}}), 12,
+                              Alignment::decimal, write.language().unit(quantity)),
+                     write.column(REPORT_TEXT_FOR("report", "Share", "of a budget"), 12, Alignment::right,
+                                  QStringLiteral("%")),
+                     columnOf(QString(), 38, Alignment::left,
+                              largest > 0 ? write.say(REPORT_TEXT("report", "0 to %1"),
+                                                      {Number{end, quantity, decimalsOf(end, quantity)}})
+                                          : QString())};
     table.columns.back().paddingLeft = 3.2;
     for (const Contribution *contribution : bySize(contributions)) {
         const bool shown = contribution->expanded && contribution->applies;
@@ -120,11 +118,8 @@ Table resultTable(const TestPart &part) {
     const auto resolution = finestResolution(part.document(), part.test);
     Table table;
     table.unbroken = true;
-    table.columns.push_back({write.say(REPORT_TEXT("report", "U in %1"), write.language().unit(quantity)),
-                             {},
-                             Alignment::left,
-                             false,
-                             56});
+    table.columns.push_back(
+        columnOf(write.say(REPORT_TEXT("report", "U in %1"), write.language().unit(quantity)), 56));
     const bool simulated = part.evaluation.uncertainty.simulation != nullptr;
     const QString factor = QStringLiteral("k\u00A0=\u00A02");
     std::vector<Cell> budget{withCoverage(write.text(kindWords(part.test).budget), factor)};
@@ -140,7 +135,7 @@ Table resultTable(const TestPart &part) {
         if (!isPrinted(parameter, part.head()))
             continue;
         table.columns.push_back(
-            {symbolPhrase(parameter.term.symbol, parameter.index), {}, Alignment::decimal, false, 0});
+            columnOf(symbolPhrase(parameter.term.symbol, parameter.index), 0, Alignment::decimal));
         const auto shown = [&](std::optional<double> value, UncertaintyMethod method) {
             return value ? uncertaintyCell(part, parameter, *value, method) : Cell();
         };
