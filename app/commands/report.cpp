@@ -14,7 +14,7 @@
 #include "print/pdf/logo.h"
 #include "print/pdf/writepdf.h"
 #include "report/composereport.h"
-#include "report/parts/dataparts.h"
+#include "report/parts/parts.h"
 #include "validation/validation.h"
 
 #include <QBuffer>

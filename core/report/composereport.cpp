@@ -7,16 +7,7 @@
 #include "figures/thinning.h"
 #include "language/papercharacters.h"
 #include "report/blocks/pagetext.h"
-#include "report/parts/circularparts.h"
-#include "report/parts/closingparts.h"
-#include "report/parts/conditionparts.h"
-#include "report/parts/dataparts.h"
-#include "report/parts/diagnosisparts.h"
-#include "report/parts/headparts.h"
-#include "report/parts/resultparts.h"
-#include "report/parts/sharedparts.h"
-#include "report/parts/testpart.h"
-#include "report/parts/uncertaintyparts.h"
+#include "report/parts/parts.h"
 
 #include <array>
 #include <map>

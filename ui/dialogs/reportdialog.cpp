@@ -7,7 +7,7 @@
 #include "export/resultsjson.h"
 #include "print/pdf/writepdf.h"
 #include "report/composereport.h"
-#include "report/parts/dataparts.h"
+#include "report/parts/parts.h"
 #include "ui/dialogs/pagecolumn.h"
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"

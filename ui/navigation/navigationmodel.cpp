@@ -4,7 +4,7 @@
 
 #include "kernel/measurement/readingsaside.h"
 #include "kernel/measurement/testfacts.h"
-#include "report/parts/resultparts.h"
+#include "report/parts/parts.h"
 #include "report/words/wording.h"
 #include "ui/testname.h"
 #include "ui/windowlanguage.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/results/resultspanel.h"
 
-#include "report/parts/resultparts.h"
+#include "report/parts/parts.h"
 #include "report/words/accordancetext.h"
 #include "ui/chip.h"
 #include "ui/elidedlabel.h"

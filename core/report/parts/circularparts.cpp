@@ -1,12 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/parts/circularparts.h"
+#include "report/parts/parts.h"
 
 #include "figures/circlefigure.h"
 #include "kernel/evaluation/iso230_4/circles.h"
 #include "kernel/evaluation/iso230_4/paths.h"
-#include "report/parts/conditionparts.h"
-#include "report/parts/testpart.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/parts/closingparts.h"
+#include "report/parts/parts.h"
 
 #include "document/instruments.h"
 #include "language/decimals.h"

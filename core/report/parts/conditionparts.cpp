@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/parts/conditionparts.h"
+#include "report/parts/parts.h"
 
 #include "document/fieldvalue.h"
 #include "document/statedthings.h"
@@ -9,9 +9,6 @@
 #include "kernel/measurement/testfacts.h"
 #include "kernel/uncertainty/statedinputs.h"
 #include "language/decimals.h"
-#include "report/parts/resultparts.h"
-#include "report/parts/testpart.h"
-#include "report/parts/uncertaintyparts.h"
 #include "report/words/wording.h"
 
 #include <algorithm>

@@ -1,12 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/parts/dataparts.h"
+#include "report/parts/parts.h"
 
 #include "kernel/evaluation/instrumentresult.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "language/decimals.h"
 #include "language/rounding.h"
-#include "report/parts/testpart.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 

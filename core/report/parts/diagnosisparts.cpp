@@ -1,13 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/parts/diagnosisparts.h"
+#include "report/parts/parts.h"
 
 #include "document/diagnosedtest.h"
 #include "figures/diagnosisfigure.h"
 #include "figures/ticks.h"
 #include "kernel/diagnosis/traces.h"
-#include "report/parts/circularparts.h"
-#include "report/parts/testpart.h"
 #include "report/tables/diagnosisrows.h"
 #include "report/tables/statedsources.h"
 #include "report/words/wording.h"

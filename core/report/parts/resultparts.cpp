@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/parts/resultparts.h"
+#include "report/parts/parts.h"
 #include "report/tables/findinglines.h"
 #include "report/words/accordancetext.h"
 #include "report/words/findingtext.h"

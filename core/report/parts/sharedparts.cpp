@@ -1,13 +1,9 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/parts/sharedparts.h"
+#include "report/parts/parts.h"
 
 #include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
-#include "report/parts/circularparts.h"
-#include "report/parts/conditionparts.h"
-#include "report/parts/dataparts.h"
-#include "report/parts/resultparts.h"
 #include "report/tables/resulttable.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"

@@ -1,14 +1,11 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "report/parts/sharedparts.h"
+#include "report/parts/parts.h"
 
 #include "kernel/evaluation/applylimits.h"
 
 #include "document/testsofverdict.h"
 #include "kernel/evaluation/conformity.h"
-#include "report/parts/closingparts.h"
-#include "report/parts/headparts.h"
-#include "report/parts/resultparts.h"
 #include "report/tables/resulttable.h"
 #include "report/words/accordancetext.h"
 #include "report/words/printednumbers.h"
