@@ -120,26 +120,23 @@ private:
                                             const TestEvaluation &evaluation,
                                             const PositioningResults &results) const {
         const Edition &edition = *evaluation.edition;
-        KeyValues head;
-        const auto add = [&](const Text &key, const QString &value) {
-            head.rows.push_back({text(key), value});
-        };
-        add(REPORT_TEXT("report", "Edition"), editionText(edition));
-        add(REPORT_TEXT("report", "Date of test"), m_language.date(test.date.value_or(std::string())));
-        add(REPORT_TEXT("report", "Axis"), axisText(m));
+        LabelledRows head(m_write);
+        head.add(REPORT_TEXT("report", "Edition"), editionText(edition));
+        head.add(REPORT_TEXT("report", "Date of test"), m_language.date(test.date.value_or(std::string())));
+        head.add(REPORT_TEXT("report", "Axis"), axisText(m));
         if (results.judgedAsZone)
-            add(REPORT_TEXT("report", "Working zone"), zoneText(m));
-        add(REPORT_TEXT("report", "Cycle"), text(cycleText(m.cycle, edition)));
-        add(REPORT_TEXT("report", "Targets"), countsText(m, results));
+            head.add(REPORT_TEXT("report", "Working zone"), zoneText(m));
+        head.add(REPORT_TEXT("report", "Cycle"), text(cycleText(m.cycle, edition)));
+        head.add(REPORT_TEXT("report", "Targets"), countsText(m, results));
         if (edition.rangeMethod)
-            add(REPORT_TEXT("report", "Standard deviation"),
-                text(results.standardDeviation == DeviationMethod::range
-                         ? REPORT_TEXT("report", "range method")
-                         : REPORT_TEXT("report", "calculation method")));
+            head.add(REPORT_TEXT("report", "Standard deviation"),
+                     text(results.standardDeviation == DeviationMethod::range
+                              ? REPORT_TEXT("report", "range method")
+                              : REPORT_TEXT("report", "calculation method")));
         if (m.axis.motion == Motion::linear)
-            add(REPORT_TEXT("report", "Correction to 20 °C"),
-                text(correctionText(m.conditions.common.correctionTo20)));
-        return head;
+            head.add(REPORT_TEXT("report", "Correction to 20 °C"),
+                     text(correctionText(m.conditions.common.correctionTo20)));
+        return head.take();
     }
 
     [[nodiscard]] QString zoneText(const PositioningMeasurement &m) const {
@@ -163,32 +160,29 @@ private:
     void addOwn(const Test &test, const TestEvaluation &evaluation, const CircularMeasurement &m,
                 const CircularResults &results) {
         const auto length = [&](double value) { return m_language.quantity(value, Quantity::position); };
-        KeyValues head;
-        const auto add = [&](const Text &key, const QString &value) {
-            head.rows.push_back({text(key), value});
-        };
+        LabelledRows head(m_write);
         if (evaluation.edition)
-            add(REPORT_TEXT("report", "Edition"), editionText(*evaluation.edition));
-        add(REPORT_TEXT("report", "Date of test"), m_language.date(test.date.value_or(std::string())));
-        add(REPORT_TEXT("report", "Nominal radius"), length(m.nominalRadius));
-        add(REPORT_TEXT("report", "Contouring feed"),
-            m.feed ? m_language.quantity(*m.feed, Quantity::feed) : QString());
-        add(REPORT_TEXT("report", "Reference circle"),
-            text(m.referenceCircle == ReferenceCircle::minimumZone
-                     ? REPORT_TEXT("report", "minimum zone circles (MZC)")
-                     : REPORT_TEXT("report", "least squares circle (LSC)")));
+            head.add(REPORT_TEXT("report", "Edition"), editionText(*evaluation.edition));
+        head.add(REPORT_TEXT("report", "Date of test"), m_language.date(test.date.value_or(std::string())));
+        head.add(REPORT_TEXT("report", "Nominal radius"), length(m.nominalRadius));
+        head.add(REPORT_TEXT("report", "Contouring feed"),
+                 m.feed ? m_language.quantity(*m.feed, Quantity::feed) : QString());
+        head.add(REPORT_TEXT("report", "Reference circle"),
+                 text(m.referenceCircle == ReferenceCircle::minimumZone
+                          ? REPORT_TEXT("report", "minimum zone circles (MZC)")
+                          : REPORT_TEXT("report", "least squares circle (LSC)")));
         for (const EvaluatedPath &path : results.paths) {
             const QString sense = text(senseText(path.sense));
-            add(REPORT_TEXT("report", "Path"),
-                m_language.sentence(REPORT_TEXT("report", "%1, %2: %3 points evaluated from %4 to %5"),
-                                    {path.index, sense.toStdString(), wholeNumber(path.source.size()),
-                                     Number{path.evaluated.from, Quantity::angle, 1},
-                                     Number{path.evaluated.to, Quantity::angle, 1}}));
+            head.add(REPORT_TEXT("report", "Path"),
+                     m_language.sentence(REPORT_TEXT("report", "%1, %2: %3 points evaluated from %4 to %5"),
+                                         {path.index, sense.toStdString(), wholeNumber(path.source.size()),
+                                          Number{path.evaluated.from, Quantity::angle, 1},
+                                          Number{path.evaluated.to, Quantity::angle, 1}}));
         }
         if (results.correction)
-            add(REPORT_TEXT("report", "Correction of F and D to 20 °C"),
-                m_language.quantity(*results.correction, Quantity::deviation, 2));
-        m_report.blocks.emplace_back(std::move(head));
+            head.add(REPORT_TEXT("report", "Correction of F and D to 20 °C"),
+                     m_language.quantity(*results.correction, Quantity::deviation, 2));
+        m_report.blocks.emplace_back(head.take());
         addParameters(test, evaluation);
         if (!results.paths.empty())
             std::ranges::move(diagnosisParts(diagnose(diagnosedCircle(m, results)), m_language),

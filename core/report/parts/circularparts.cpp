@@ -123,29 +123,6 @@ QString circleKind(const CircularPart &part, ReferenceCircle kind) {
                                                                 : REPORT_TEXT("report", "least squares"));
 }
 
-class ParameterRows {
-public:
-    explicit ParameterRows(const Writer &write)
-        : m_write(write) {
-        m_values.labelWidth = parameterLabels;
-        m_values.narrow = true;
-    }
-
-    /// Adds a row; an empty value is omitted unless the test needs it.
-    void add(const Text &label, const QString &value, bool needed = true) {
-        if (needed || !value.isEmpty())
-            m_values.rows.push_back({m_write.text(label), value});
-    }
-    void add(const Text &label, const std::string &value, bool needed = true) {
-        add(label, QString::fromStdString(value), needed);
-    }
-    [[nodiscard]] KeyValues take() { return std::move(m_values); }
-
-private:
-    const Writer &m_write;
-    KeyValues m_values;
-};
-
 /// Number of evaluated points of a path, with the number of all if it differs.
 QString pointsText(const CircularPart &part, const EvaluatedPath &path) {
     const Writer &write = part.write;
@@ -165,7 +142,7 @@ KeyValues parameterRows(const CircularPart &part) {
     const Conditions &common = conditions.common;
     const bool external = !part.feedback();
     const bool length = part.needsLength();
-    ParameterRows rows(write);
+    LabelledRows rows(write, {{}, parameterLabels, true});
     rows.add(REPORT_TEXT("report", "Nominal diameter"),
              write.quantity(2 * measurement.nominalRadius, Quantity::position));
     rows.add(REPORT_TEXT_FOR("report", "Feed", "contouring"),
@@ -315,7 +292,7 @@ Table resultsOf(const CircularPart &part, const CircleFigureOptions &options) {
 KeyValues centreRows(const CircularPart &part, const CircleFigureOptions &options) {
     const Writer &write = part.write;
     const bool lengths = options.subject == CircleSubject::radialDeviation;
-    ParameterRows rows(write);
+    LabelledRows rows(write, {{}, parameterLabels, true});
     if (lengths && part.measurement.centring == Centring::instrument) {
         rows.add(REPORT_TEXT("report", "Centre"),
                  write.text(REPORT_TEXT("report", "set-up of the instrument")));

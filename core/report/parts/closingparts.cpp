@@ -179,38 +179,30 @@ QString scopeText(const Writer &write) {
 void addStatements(std::vector<Block> &blocks, const Writer &write, const Document &document,
                    const Making &making, const QString &fingerprint, const QString &foreign, int level) {
     const ReportHead &head = document.report;
-    std::vector<KeyValue> rows;
-    const auto add = [&](const Text &label, const QString &value) {
-        rows.push_back({write.text(label), value});
-    };
-    const auto addKnown = [&](const Text &label, const QString &value) {
-        if (!value.isEmpty())
-            add(label, value);
-    };
-    addKnown(REPORT_TEXT("report", "Order"), QString::fromStdString(head.order));
-    addKnown(REPORT_TEXT("report", "Procedure"), QString::fromStdString(head.procedure));
-    addKnown(REPORT_TEXT("report", "Tests carried out"),
-             periodText(write, head.performedFrom, head.performedTo));
-    addKnown(REPORT_TEXT("report", "Details of the machine"), machineDetails(write, document.machine));
-    add(REPORT_TEXT("report", "Condition of the machine"),
-        QString::fromStdString(document.machine.condition));
-    add(REPORT_TEXT("report", "Adjustments made"), QString::fromStdString(head.adjustments));
+    LabelledRows rows(write);
+    rows.add(REPORT_TEXT("report", "Order"), head.order, false);
+    rows.add(REPORT_TEXT("report", "Procedure"), head.procedure, false);
+    rows.add(REPORT_TEXT("report", "Tests carried out"),
+             periodText(write, head.performedFrom, head.performedTo), false);
+    rows.add(REPORT_TEXT("report", "Details of the machine"), machineDetails(write, document.machine), false);
+    rows.add(REPORT_TEXT("report", "Condition of the machine"), document.machine.condition);
+    rows.add(REPORT_TEXT("report", "Adjustments made"), head.adjustments);
     QString revision = QString::fromStdString(head.revision);
     if (!head.replaces.empty())
         revision = joined({revision, write.say(REPORT_TEXT("report", "replaces %1"), {head.replaces})});
-    add(REPORT_TEXT("report", "Revision"), revision);
-    add(REPORT_TEXT("report", "Authorised by"), authorisedText(head));
-    add(REPORT_TEXT("report", "Program"),
-        joined({making.program, selfTestText(write, making.selfTestPassed)}));
-    add(REPORT_TEXT("report", "Fingerprint SHA-256"), fingerprint);
+    rows.add(REPORT_TEXT("report", "Revision"), revision);
+    rows.add(REPORT_TEXT("report", "Authorised by"), authorisedText(head));
+    rows.add(REPORT_TEXT("report", "Program"),
+             joined({making.program, selfTestText(write, making.selfTestPassed)}));
+    rows.add(REPORT_TEXT("report", "Fingerprint SHA-256"), fingerprint);
     if (!foreign.isEmpty())
-        add(REPORT_TEXT("report", "Characters"),
-            write.say(REPORT_TEXT("report",
-                                  "not in the font of the report: %1; drawn from another font where one "
-                                  "is installed, else as boxes"),
-                      foreign));
+        rows.add(REPORT_TEXT("report", "Characters"),
+                 write.say(REPORT_TEXT("report",
+                                       "not in the font of the report: %1; drawn from another font where one "
+                                       "is installed, else as boxes"),
+                           foreign));
     blocks.emplace_back(Heading{level, write.text(REPORT_TEXT("report", "Statements"))});
-    addStated(blocks, rows);
+    addStated(blocks, rows.take().rows);
     blocks.emplace_back(Paragraph{
         scopeText(write) + u' ' +
             write.text(REPORT_TEXT(

@@ -92,21 +92,15 @@ constexpr auto placedOfCircles = std::to_array<std::string_view>(
     {"compensation", "otherAxes", "startPoint", "stopPoint", "smoothing", "recentredBetweenRuns"});
 
 /// Collects the rows of a table of conditions.
-class ConditionRows {
+class ConditionRows : public LabelledRows {
 public:
     explicit ConditionRows(const TestPart &part)
-        : m_test(part.test)
-        , m_write(part.write) {
-        m_values.labelWidth = conditionLabels;
-    }
+        : LabelledRows(part.write, {{}, conditionLabels})
+        , m_test(part.test)
+        , m_write(part.write) {}
 
-    void add(const Text &label, const QString &value) {
-        m_values.rows.push_back({m_write.text(label), value});
-    }
-    void addStated(const Text &label, const QString &value) {
-        if (!value.isEmpty())
-            add(label, value);
-    }
+    using LabelledRows::add;
+    void addStated(const Text &label, const QString &value) { add(label, value, false); }
     /// Adds a row named after a StatedThing.
     void add(const char *key, const QString &value) {
         m_keys.emplace_back(key);
@@ -142,12 +136,10 @@ public:
         const auto *word = std::get_if<std::size_t>(&value);
         return word ? m_write.text(statedWord(key, *word)) : QString();
     }
-    [[nodiscard]] KeyValues take() { return std::move(m_values); }
 
 private:
     const Test &m_test;
     const Writer &m_write;
-    KeyValues m_values;
     std::vector<std::string_view> m_keys; ///< keys of the rows
 };
 

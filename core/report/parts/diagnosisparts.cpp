@@ -58,14 +58,12 @@ private:
     [[nodiscard]] QString text(const Text &words) const { return m_language.text(words); }
 
     void addFit() {
-        KeyValues fit;
-        fit.rows.push_back(
-            {text(REPORT_TEXT("report", "Parameters told apart")), ofAll(m_diagnosis, m_language)});
-        fit.rows.push_back({text(REPORT_TEXT("report", "Condition of the fit")),
-                            m_language.number(m_diagnosis.condition, Quantity::number, 1)});
-        fit.rows.push_back({text(REPORT_TEXT("report", "Rest, standard deviation")),
-                            m_language.quantity(m_diagnosis.residual, Quantity::deviation, 3)});
-        m_blocks.emplace_back(std::move(fit));
+        m_blocks.emplace_back(
+            KeyValues{{{text(REPORT_TEXT("report", "Parameters told apart")), ofAll(m_diagnosis, m_language)},
+                       {text(REPORT_TEXT("report", "Condition of the fit")),
+                        m_language.number(m_diagnosis.condition, Quantity::number, 1)},
+                       {text(REPORT_TEXT("report", "Rest, standard deviation")),
+                        m_language.quantity(m_diagnosis.residual, Quantity::deviation, 3)}}});
     }
 
     void addSources() {
@@ -180,6 +178,22 @@ SideBySide withTracedFigure(CircleFigure figure, const Writer &write) {
     return both;
 }
 
+KeyValues narrowRows() {
+    KeyValues values;
+    values.narrow = true;
+    return values;
+}
+
+/// Adds how well a fit tells its parameters apart, and what it leaves.
+void addQuality(LabelledRows &rows, const Diagnosis &diagnosis, const Language &language) {
+    rows.add(REPORT_TEXT("report", "Told apart"), ofAll(diagnosis, language));
+    rows.add(REPORT_TEXT_FOR("report", "Condition", "of a fit"),
+             language.number(diagnosis.condition, Quantity::number, 1));
+    rows.add(REPORT_TEXT("report", "Rest, std. deviation"),
+             language.quantity(diagnosis.residual, Quantity::deviation,
+                               decimalsOfEstimate(diagnosis.residual * micrometres)));
+}
+
 class DiagnosisPage {
 public:
     DiagnosisPage(const CircularPart &part, const DiagnosedTest &test)
@@ -241,36 +255,28 @@ private:
     [[nodiscard]] KeyValues fit() const {
         const Diagnosis &diagnosis = m_test.diagnosis;
         const FittedCircle circle = fittedCircle(m_test.circle, diagnosis);
-        KeyValues values;
-        values.narrow = true;
-        const auto add = [&](const Text &label, const QString &value) {
-            values.rows.push_back({m_write.text(label), value});
-        };
-        add(REPORT_TEXT_FOR("report", "Feed", "contouring"),
-            m_write.quantity(m_part.measurement.feed, Quantity::feed));
+        LabelledRows rows(m_write, narrowRows());
+        rows.add(REPORT_TEXT_FOR("report", "Feed", "contouring"),
+                 m_write.quantity(m_part.measurement.feed, Quantity::feed));
         QStringList points;
         for (const DiagnosedArc &arc : m_test.circle.arcs)
             points << language().count(arc.points.size());
         points.removeDuplicates();
-        add(REPORT_TEXT("report", "Senses"), m_test.circle.arcs.size() > 1
-                                                 ? m_write.text(REPORT_TEXT("report", "both together"))
-                                                 : m_write.text(senseText(m_test.circle.arcs.front().sense)));
+        rows.add(REPORT_TEXT("report", "Senses"),
+                 m_test.circle.arcs.size() > 1 ? m_write.text(REPORT_TEXT("report", "both together"))
+                                               : m_write.text(senseText(m_test.circle.arcs.front().sense)));
         const auto arcs = m_test.circle.arcs.size();
-        add(REPORT_TEXT("report", "Points"),
-            arcs > 1 && points.size() == 1 ? language().count(arcs) + QStringLiteral(" × ") + points.front()
-                                           : points.join(QStringLiteral(" + ")));
-        add(REPORT_TEXT("report", "Told apart"), ofAll(diagnosis, language()));
-        add(REPORT_TEXT_FOR("report", "Condition", "of a fit"),
-            language().number(diagnosis.condition, Quantity::number, 1));
-        add(REPORT_TEXT("report", "Rest, std. deviation"),
-            language().quantity(diagnosis.residual, Quantity::deviation,
-                                decimalsOfEstimate(diagnosis.residual * micrometres)));
-        add(REPORT_TEXT("report", "Fitted centre"), centreText(m_part, circle.centre, decimalsOfWidths));
-        add(REPORT_TEXT("report", "Fitted radius"),
-            signedNumber(m_write, circle.radius - m_test.circle.nominalRadius, Quantity::deviation,
-                         decimalsOfWidths) +
-                QStringLiteral("\u00A0") + language().unit(Quantity::deviation));
-        return values;
+        rows.add(REPORT_TEXT("report", "Points"),
+                 arcs > 1 && points.size() == 1
+                     ? language().count(arcs) + QStringLiteral(" × ") + points.front()
+                     : points.join(QStringLiteral(" + ")));
+        addQuality(rows, diagnosis, language());
+        rows.add(REPORT_TEXT("report", "Fitted centre"), centreText(m_part, circle.centre, decimalsOfWidths));
+        rows.add(REPORT_TEXT("report", "Fitted radius"),
+                 signedNumber(m_write, circle.radius - m_test.circle.nominalRadius, Quantity::deviation,
+                              decimalsOfWidths) +
+                     QStringLiteral("\u00A0") + language().unit(Quantity::deviation));
+        return rows.take();
     }
 
     void addWhatWeighs(std::vector<Part> &blocks) const {
@@ -286,8 +292,7 @@ private:
                           : m_write.say(REPORT_TEXT("report", "Sources 1 to %1 make most of the path."),
                                         language().count(m_traced))});
         const bool one = m_traced == 1;
-        KeyValues values;
-        values.narrow = true;
+        KeyValues values = narrowRows();
         values.rows = {
             {m_write.say(REPORT_TEXT("report", "%1, measured"), zoneName()), width(widths.measured)},
             {one ? m_write.text(REPORT_TEXT("report", "source 1 alone"))
@@ -414,16 +419,10 @@ private:
         SideBySide both = withTracedFigure(std::move(figure), m_write);
         both.right.emplace_back(Heading{2, m_write.text(REPORT_TEXT("report", "Fit")),
                                         m_write.text(REPORT_TEXT("report", "all feeds together"))});
-        KeyValues values;
-        values.narrow = true;
-        values.rows = {{m_write.text(REPORT_TEXT("report", "Circles")), language().count(m_tests.size())},
-                       {m_write.text(REPORT_TEXT("report", "Told apart")), ofAll(m_together, language())},
-                       {m_write.text(REPORT_TEXT_FOR("report", "Condition", "of a fit")),
-                        language().number(m_together.condition, Quantity::number, 1)},
-                       {m_write.text(REPORT_TEXT("report", "Rest, std. deviation")),
-                        language().quantity(m_together.residual, Quantity::deviation,
-                                            decimalsOfEstimate(m_together.residual * micrometres))}};
-        both.right.emplace_back(std::move(values));
+        LabelledRows rows(m_write, narrowRows());
+        rows.add(REPORT_TEXT("report", "Circles"), language().count(m_tests.size()));
+        addQuality(rows, m_together, language());
+        both.right.emplace_back(rows.take());
         both.right.emplace_back(Paragraph{
             m_write.text(REPORT_TEXT("report", "Each circle is drawn about its own fitted centre. What grows "
                                                "with the square of the feed is a lag; what stays is radius, "

@@ -14,24 +14,6 @@ namespace {
 constexpr double leftLabels = 25;  ///< mm
 constexpr double rightLabels = 31; ///< mm
 
-class Rows {
-public:
-    Rows(const Writer &write, double labelWidth)
-        : m_write(write) {
-        m_values.labelWidth = labelWidth;
-    }
-
-    void add(const Text &label, const QString &value) {
-        m_values.rows.push_back({m_write.text(label), value});
-    }
-    void add(const Text &label, const std::string &value) { add(label, QString::fromStdString(value)); }
-    [[nodiscard]] KeyValues take() { return std::move(m_values); }
-
-private:
-    const Writer &m_write;
-    KeyValues m_values;
-};
-
 QString machineText(const Machine &machine) {
     return joined({QString::fromStdString(machine.name), QString::fromStdString(machine.manufacturer),
                    QString::fromStdString(machine.model)});
@@ -62,7 +44,7 @@ TestHead letterHead(const Writer &write, const ReportHead &head) {
 
 KeyValues partiesAndDates(const Writer &write, const ReportHead &head, const QString &date,
                           const Text &label = REPORT_TEXT("report", "Date of test")) {
-    Rows rows(write, leftLabels);
+    LabelledRows rows(write, {{}, leftLabels});
     rows.add(label, date);
     rows.add(REPORT_TEXT("report", "Place"), head.place);
     rows.add(REPORT_TEXT("report", "Operator"), head.operatorName);
@@ -120,7 +102,7 @@ QString certificateText(const Writer &write, const Instrument &instrument) {
                      {instrument.certificate, date.toStdString()});
 }
 
-void addInstruments(Rows &rows, const TestPart &part) {
+void addInstruments(LabelledRows &rows, const TestPart &part) {
     QStringList names;
     QStringList certificates;
     for (const Instrument *instrument : instrumentsOf(part)) {
@@ -227,14 +209,13 @@ TestHead positioningHead(const PositioningPart &part) {
     if (part.results.stepCycleNotAgreed)
         head.notice =
             part.write.text(REPORT_TEXT("report", "step cycle – not an ISO 230-2 acceptance result"));
-    const auto addLeft = [&](const Text &label, const QString &value) {
-        head.left.rows.push_back({part.write.text(label), value});
-    };
-    addLeft(REPORT_TEXT("report", "Cycle"),
-            part.write.text(cycleText(part.measurement.cycle, part.edition())));
-    addLeft(REPORT_TEXT("report", "Target positions"), countsText(part));
+    LabelledRows left(part.write, std::move(head.left));
+    left.add(REPORT_TEXT("report", "Cycle"),
+             part.write.text(cycleText(part.measurement.cycle, part.edition())));
+    left.add(REPORT_TEXT("report", "Target positions"), countsText(part));
+    head.left = left.take();
 
-    Rows rows(part.write, rightLabels);
+    LabelledRows rows(part.write, {{}, rightLabels});
     rows.add(REPORT_TEXT("report", "Machine"), machineText(part.document().machine));
     rows.add(REPORT_TEXT("report", "Serial number"), part.document().machine.serialNumber);
     rows.add(REPORT_TEXT("report", "Axis"), axisText(part));
@@ -253,7 +234,7 @@ TestHead driftHead(const Writer &write, const Document &document) {
     head.left =
         partiesAndDates(write, document.report,
                         periodText(write, document.report.performedFrom, document.report.performedTo));
-    Rows rows(write, rightLabels);
+    LabelledRows rows(write, {{}, rightLabels});
     rows.add(REPORT_TEXT("report", "Machine"), machineText(document.machine));
     rows.add(REPORT_TEXT("report", "Serial number"), document.machine.serialNumber);
     head.right = rows.take();
@@ -268,7 +249,7 @@ TestHead circularHead(const CircularPart &part) {
         head.left.rows.push_back(
             {write.text(REPORT_TEXT("report", "Reference length")), referenceLengthText(part)});
 
-    Rows rows(write, rightLabels);
+    LabelledRows rows(write, {{}, rightLabels});
     rows.add(REPORT_TEXT("report", "Machine"), machineText(part.document().machine));
     rows.add(REPORT_TEXT("report", "Serial number"), part.document().machine.serialNumber);
     rows.add(REPORT_TEXT("report", "Plane, axes"), part.plane());
@@ -299,7 +280,7 @@ TestHead summaryHead(const std::vector<TestPart> &parts) {
         QStringLiteral(" · "));
     head.left = partiesAndDates(write, document.report, periodOfTests(parts),
                                 REPORT_TEXT("report", "Dates of the tests"));
-    Rows rows(write, rightLabels);
+    LabelledRows rows(write, {{}, rightLabels});
     rows.add(REPORT_TEXT("report", "Machine"), machineText(document.machine));
     rows.add(REPORT_TEXT("report", "Serial number"), document.machine.serialNumber);
     rows.add(REPORT_TEXT("report", "Control"), document.machine.controller);

@@ -53,6 +53,28 @@ private:
     const Language &m_language;
 };
 
+/// Collects rows of a label and a value.
+class LabelledRows {
+public:
+    explicit LabelledRows(const Writer &write, KeyValues values = {})
+        : m_write(write)
+        , m_values(std::move(values)) {}
+
+    /// An empty value is omitted unless the row is needed.
+    void add(const Text &label, const QString &value, bool needed = true) {
+        if (needed || !value.isEmpty())
+            m_values.rows.push_back({m_write.text(label), value});
+    }
+    void add(const Text &label, const std::string &value, bool needed = true) {
+        add(label, QString::fromStdString(value), needed);
+    }
+    [[nodiscard]] KeyValues take() { return std::move(m_values); }
+
+private:
+    const Writer &m_write;
+    KeyValues m_values;
+};
+
 /// One test with the inputs for its part of a report. Owns nothing.
 struct TestPart {
     const Writer &write;
