@@ -56,12 +56,8 @@ std::vector<ComparisonRow> rowsOf(const std::vector<const TestEvaluation *> &col
         for (const Parameter &parameter : column->parameters) {
             const QString id = QString::fromStdString(parameterId(parameter));
             if (std::ranges::find(rows, id, &ComparisonRow::id) == rows.end())
-                rows.push_back({id,
-                                symbolFormula(parameter.term.symbol, parameter.index),
-                                language.text(parameter.term.name),
-                                {},
-                                {},
-                                {}});
+                rows.push_back(
+                    {id, symbolFormula(parameter), language.text(parameter.term.name), {}, {}, {}});
         }
     }
     for (ComparisonRow &row : rows) {

@@ -230,10 +230,10 @@ private:
             std::vector<Cell> row;
             row.reserve(columns.size());
             for (const ResultColumn *column : columns)
-                row.emplace_back(
-                    column->look == ResultLook::symbol ? symbolPhrase(parameter.term.symbol, parameter.index)
-                    : column->look == ResultLook::name ? nameOf(parameter, notCorrected(evaluation))
-                                                       : column->shown({result, m_language}));
+                row.emplace_back(column->look == ResultLook::symbol ? symbolPhrase(parameter)
+                                 : column->look == ResultLook::name
+                                     ? nameOf(parameter, notCorrected(evaluation))
+                                     : column->shown({result, m_language}));
             table.rows.push_back(std::move(row));
         }
         table.rulesAfter = rulesBetween(results);

@@ -144,7 +144,7 @@ std::vector<PrintedRow> rowsOf(const EvaluatedDocument &evaluated, const Report 
             const Parameter &parameter = *result.parameter;
             if (result.value.isEmpty())
                 continue;
-            PrintedRow row{symbolFormula(parameter.term.symbol, parameter.index).plain(),
+            PrintedRow row{symbolFormula(parameter).plain(),
                            {result.value, result.uncertainty, result.limit}};
             if (parameter.verdict)
                 row.values << language.text(limitText(*parameter.verdict));

@@ -11,6 +11,11 @@ QString Phrase::plain() const {
     return result;
 }
 
+Phrase &Phrase::operator+=(const Phrase &other) {
+    spans.insert(spans.end(), other.spans.begin(), other.spans.end());
+    return *this;
+}
+
 Mark markOf(Verdict verdict) {
     switch (verdict) {
     case Verdict::conforms:
@@ -34,6 +39,12 @@ bool Cell::isMissing() const {
 Cell blankCell() {
     Cell cell;
     cell.blank = true;
+    return cell;
+}
+
+Cell boldCell(Phrase text) {
+    Cell cell(std::move(text));
+    cell.bold = true;
     return cell;
 }
 

@@ -42,6 +42,7 @@ struct Phrase {
         : spans(std::move(parts)) {}
 
     [[nodiscard]] QString plain() const;
+    Phrase &operator+=(const Phrase &other);
 
     bool operator==(const Phrase &) const = default;
 };
@@ -103,6 +104,7 @@ struct Cell {
 };
 
 [[nodiscard]] Cell blankCell();
+[[nodiscard]] Cell boldCell(Phrase text);
 
 // ---- Blocks --------------------------------------------------------------------------------------------
 

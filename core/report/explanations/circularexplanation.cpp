@@ -68,7 +68,7 @@ public:
     [[nodiscard]] Explanation explain() const {
         Explanation result;
         result.id = QString::fromStdString(parameterId(m_parameter));
-        result.symbol = symbolFormula(m_parameter.term.symbol, m_parameter.index);
+        result.symbol = symbolFormula(m_parameter);
         result.name = m_language.text(m_parameter.term.name);
         result.formula = filled(QString::fromUtf8(m_recipe.formula));
         const std::string edition = m_evaluation.edition->word;
@@ -148,15 +148,13 @@ private:
         Formula result;
         QString plain;
         const auto flush = [&] {
-            const Formula piece = formulaFrom(plain);
-            result.spans.insert(result.spans.end(), piece.spans.begin(), piece.spans.end());
+            result += formulaFrom(plain);
             plain.clear();
         };
         for (qsizetype i = 0; i < source.size(); ++i) {
             if (source[i] == u'%') {
                 flush();
-                const Formula symbol = symbolFormula(m_parameter.term.symbol, m_parameter.index);
-                result.spans.insert(result.spans.end(), symbol.spans.begin(), symbol.spans.end());
+                result += symbolFormula(m_parameter);
                 ++i;
             } else if (source[i] == u'[') {
                 const bool afterSign =

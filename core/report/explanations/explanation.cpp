@@ -122,7 +122,7 @@ public:
     [[nodiscard]] Explanation explain() const {
         Explanation result;
         result.id = QString::fromStdString(parameterId(m_parameter));
-        result.symbol = symbolFormula(m_parameter.term.symbol, m_parameter.index);
+        result.symbol = symbolFormula(m_parameter);
         result.name = m_language.text(m_parameter.term.name);
         result.formula = filled(m_recipe.formula, {});
         if (m_parameter.value) {
@@ -238,15 +238,13 @@ private:
         bool hasNumbers = false;
         QString plain;
         const auto flush = [&] {
-            const Formula piece = formulaFrom(plain);
-            result.spans.insert(result.spans.end(), piece.spans.begin(), piece.spans.end());
+            result += formulaFrom(plain);
             plain.clear();
         };
         for (qsizetype i = 0; i < source.size(); ++i) {
             if (source[i] == u'%' && source.mid(i, 2) == QStringLiteral("%s")) {
                 flush();
-                const Formula symbol = symbolFormula(m_parameter.term.symbol, m_parameter.index);
-                result.spans.insert(result.spans.end(), symbol.spans.begin(), symbol.spans.end());
+                result += symbolFormula(m_parameter);
                 ++i;
             } else if (source[i] == u'%') {
                 plain += word(source[++i]);
@@ -549,12 +547,11 @@ Formula formulaOf(const Edition &edition, const Row &row, const Language &langua
     QString source = QString::fromUtf8(recipe->formula);
     source.replace(QStringLiteral("%c"), language.number(edition.c, Quantity::number));
     source.replace(QStringLiteral("%d"), language.number(2 * edition.c, Quantity::number));
-    Formula symbol = symbolFormula(row.term.symbol);
     const QString place = QStringLiteral("%s");
     const qsizetype at = source.indexOf(place);
     Formula formula = formulaFrom(source.left(at));
-    std::ranges::move(symbol.spans, std::back_inserter(formula.spans));
-    std::ranges::move(formulaFrom(source.mid(at + place.size())).spans, std::back_inserter(formula.spans));
+    formula += symbolFormula(row.term.symbol);
+    formula += formulaFrom(source.mid(at + place.size()));
     return formula;
 }
 

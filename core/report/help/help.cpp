@@ -64,13 +64,6 @@ constexpr std::array targetFormulas{
     TargetFormula{"R", "R_i = max(%c s_i↑ + %c s_i↓ + |B_i|; R_i↑; R_i↓)"},
 };
 
-Phrase phrase(const Formula &formula) {
-    Phrase result;
-    for (const FormulaSpan &span : formula.spans)
-        result.spans.push_back({span.text, span.subscript, false, false, span.strong});
-    return result;
-}
-
 Table symbolTable(const Language &language) {
     Table table;
     table.columns = {{language.text(REPORT_TEXT("report", "Symbol")), {}, Alignment::left, false},
@@ -95,7 +88,8 @@ HelpPage positioningPage(const Edition &edition, const Language &language) {
     Table table = symbolTable(language);
     for (const Row &row : edition.rows)
         table.rows.push_back({Cell(symbolPhrase(row.term.symbol)), Cell(language.text(row.term.name)),
-                              Cell(phrase(formulaOf(edition, row, language))), clauseCell(row.term.clause)});
+                              Cell(phraseOf(formulaOf(edition, row, language))),
+                              clauseCell(row.term.clause)});
     blocks.emplace_back(std::move(table));
     blocks.emplace_back(Heading{2, language.text(REPORT_TEXT("report", "Quantities at a target"))});
     Table targets = symbolTable(language);
@@ -105,7 +99,7 @@ HelpPage positioningPage(const Edition &edition, const Language &language) {
         source.replace(QStringLiteral("%c"), language.number(edition.c, Quantity::number));
         source.replace(QStringLiteral("%d"), language.number(2 * edition.c, Quantity::number));
         targets.rows.push_back({Cell(symbolPhrase(term.symbol)), Cell(language.text(term.name)),
-                                Cell(phrase(formulaFrom(source))), clauseCell(term.clause)});
+                                Cell(phraseFrom(source)), clauseCell(term.clause)});
     }
     blocks.emplace_back(std::move(targets));
     blocks.emplace_back(Paragraph{language.text(REPORT_TEXT(
@@ -129,7 +123,7 @@ HelpPage circularPage(const Edition &edition, const Language &language) {
         });
         Phrase formula;
         if (found != circularFormulas.end()) {
-            formula = phrase(formulaFrom(QString::fromUtf8(found->formula)));
+            formula = phraseFrom(QString::fromUtf8(found->formula));
             formula.spans.push_back({QStringLiteral("; ") + language.text(found->words)});
         }
         table.rows.push_back({Cell(symbolPhrase(row.term.symbol)), Cell(language.text(row.term.name)),

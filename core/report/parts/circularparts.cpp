@@ -224,11 +224,6 @@ QString fullCircleText(const CircularPart &part, const EvaluatedPath &path) {
                                             {Number{path.extent, Quantity::angle, 1}});
 }
 
-Cell bold(Cell cell) {
-    cell.bold = true;
-    return cell;
-}
-
 /// Subject of a circle: the pair or a path, by the symbol of its result.
 Phrase circleOf(const CircularPart &part, const CircleResult &circle) {
     const bool both = circle.of == CircleOf::both;
@@ -281,7 +276,7 @@ Table resultsOf(const CircularPart &part, const CircleFigureOptions &options) {
         });
         if (parameter.value && shown && ofPath)
             table.rows.push_back(
-                {bold(symbolPhrase(term.symbol, parameter.index)),
+                {boldCell(symbolPhrase(term.symbol, parameter.index)),
                  withUnit(printedNumbers(parameter, part.test, part.document(), write.language()).value,
                           term.quantity, write.language())});
     }
@@ -385,7 +380,8 @@ void addPaths(std::vector<Block> &blocks, const CircularPart &part) {
     };
     for (const EvaluatedPath &path : paths) {
         const Arc &arc = part.measurement.arcs[path.arc];
-        std::vector<Cell> row{bold(QString::fromStdString(path.index)), write.text(senseText(path.sense))};
+        std::vector<Cell> row{boldCell(QString::fromStdString(path.index)),
+                              write.text(senseText(path.sense))};
         if (arc.angles.empty()) {
             row.resize(4);
         } else {
@@ -435,7 +431,7 @@ void addCircles(std::vector<Block> &blocks, const CircularPart &part) {
         if (!table.rows.empty() && circle.of != (&circle - 1)->of)
             table.rulesAfter.push_back(table.rows.size() - 1);
         table.rows.push_back(
-            {bold(circleOf(part, circle)), circleKind(part, circle.kind), number(circle.centre.x),
+            {boldCell(circleOf(part, circle)), circleKind(part, circle.kind), number(circle.centre.x),
              number(circle.centre.y), fromNominal(part, circle.radius), fromNominal(part, circle.innerRadius),
              fromNominal(part, circle.outerRadius), number(circle.width), certificate(part, circle)});
     }
@@ -476,7 +472,7 @@ void addRepetitions(std::vector<Block> &blocks, const CircularPart &part) {
         const auto circle = iso230_4::circleOfPath(path, measurement.referenceCircle);
         const bool evaluated = ++number[path.sense] == 1;
         table.rows.push_back(
-            {QString::number(k + 1), bold(QString::fromStdString(path.index)),
+            {QString::number(k + 1), boldCell(QString::fromStdString(path.index)),
              write.text(senseText(path.sense)), write.language().count(path.source.size()),
              circle ? write.language().number(circle->width, Quantity::deviation, circleDecimals) : QString(),
              evaluated ? Cell(write.text(REPORT_TEXT("report", "evaluated"))) : blankCell()});

@@ -411,7 +411,7 @@ bool addTargetsWithReadings(std::vector<Block> &blocks, const PositioningPart &p
     if (!ReadingTables(part).appendedTo(table))
         return false;
     Phrase note(targetNote(part) + part.write.semicolon());
-    std::ranges::move(readingsNote(part).spans, std::back_inserter(note.spans));
+    note += readingsNote(part);
     addHeading(blocks, part.write.text(REPORT_TEXT("report", "Results and readings per target position")),
                std::move(note));
     blocks.emplace_back(std::move(table));
@@ -505,8 +505,7 @@ std::optional<Table> editionsTable(const TestPart &part, bool narrow) {
     }
     Table table;
     for (const Parameter *row : rows) {
-        Cell symbol(symbolPhrase(row->term.symbol, row->index));
-        symbol.bold = true;
+        const Cell symbol = boldCell(symbolPhrase(*row));
         std::vector<Cell> cells{symbol};
         for (const EditionColumn &column : columns) {
             const auto &parameters = column.evaluation->parameters;

@@ -52,7 +52,7 @@ QString bandName(const TestPart &part, bool simulated) {
 
 /// Symbol for sentences, without typography: "Fmax,XY".
 QString shownSymbol(const Parameter &parameter) {
-    return symbolPhrase(parameter.term.symbol, parameter.index).plain();
+    return symbolPhrase(parameter).plain();
 }
 
 QString joinedSymbols(const std::vector<const Parameter *> &parameters) {
@@ -185,9 +185,7 @@ Cell cellOnPaper(const ResultColumn &column, const TestPart &part, const ResultF
     const Parameter &parameter = *result.parameter;
     switch (column.look) {
     case ResultLook::symbol: {
-        Cell symbol(symbolPhrase(parameter.term.symbol, parameter.index));
-        symbol.bold = true;
-        return symbol;
+        return boldCell(symbolPhrase(parameter));
     }
     case ResultLook::name:
         return nameOnPaper(part, form, parameter);

@@ -516,8 +516,7 @@ private:
     }
 
     void addRow(const QuantityOfRoles &quantity) {
-        Cell symbol(symbolPhrase(quantity.left->term.symbol, quantity.left->index));
-        symbol.bold = true;
+        const Cell symbol = boldCell(symbolPhrase(*quantity.left));
         std::vector<Cell> row{symbol, m_write.text(briefName(*quantity.left, m_after.evaluation))};
         addSide(row, m_before, *quantity.found);
         addSide(row, m_after, *quantity.left);

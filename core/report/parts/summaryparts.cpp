@@ -67,8 +67,7 @@ CellNote accordanceNote(const TestPart &part) {
 
 Cell testCell(const TestPart &part, bool pale) {
     const Text role = roleText(part.test.role);
-    Cell cell(joined({briefTestName(part), role.empty() ? QString() : part.write.text(role)}));
-    cell.bold = true;
+    Cell cell = boldCell(joined({briefTestName(part), role.empty() ? QString() : part.write.text(role)}));
     cell.pale = pale;
     if (!part.test.title.empty())
         cell.notes.push_back({QString::fromStdString(part.test.title)});
@@ -199,16 +198,13 @@ private:
     void addResult(const TestPart &part, const Parameter &parameter, bool pale) {
         const PrintedNumbers numbers =
             printedNumbers(parameter, part.test, part.document(), m_write.language());
-        Cell symbol(symbolPhrase(parameter.term.symbol, parameter.index));
-        symbol.bold = true;
+        const Cell symbol = boldCell(symbolPhrase(parameter));
         const QString name = m_write.text(briefName(parameter, part.evaluation));
         const Cell unit =
             m_shared.unit.isEmpty() ? Cell(m_write.language().unit(parameter.term.quantity)) : blankCell();
-        Cell value(numbers.value);
-        value.bold = true;
         addRow(part,
-               {blankCell(), blankCell(), symbol, name, value, numbers.uncertainty, numbers.limit, unit,
-                guardCell(parameter), verdictCell(m_write, parameter), Cell()},
+               {blankCell(), blankCell(), symbol, name, boldCell(numbers.value), numbers.uncertainty,
+                numbers.limit, unit, guardCell(parameter), verdictCell(m_write, parameter), Cell()},
                pale);
     }
 
@@ -300,8 +296,7 @@ Phrase namedQuantities(const std::vector<TestPart> &parts, Verdict verdict) {
                 continue;
             if (named > 1)
                 result.spans.push_back({QStringLiteral(", ")});
-            const Phrase symbol = symbolPhrase(parameter.term.symbol, parameter.index);
-            result.spans.insert(result.spans.end(), symbol.spans.begin(), symbol.spans.end());
+            result += symbolPhrase(parameter);
             result.spans.push_back({QStringLiteral(" (") + briefTestName(part) + u')'});
         }
     }
@@ -348,7 +343,7 @@ Phrase limitsText(const std::vector<TestPart> &parts, const Whole &whole, const 
         if (!open.spans.empty()) {
             result.spans.push_back(
                 {QStringLiteral(". ") + write.text(REPORT_TEXT("report", "Not proven:")) + u' '});
-            result.spans.insert(result.spans.end(), open.spans.begin(), open.spans.end());
+            result += open;
         }
     }
     QString rest = result.spans.empty() ? QString() : QStringLiteral(".");

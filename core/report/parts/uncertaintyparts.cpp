@@ -134,8 +134,7 @@ Table resultTable(const TestPart &part) {
     for (const Parameter &parameter : part.evaluation.parameters) {
         if (!isPrinted(parameter, part.head()))
             continue;
-        table.columns.push_back(
-            columnOf(symbolPhrase(parameter.term.symbol, parameter.index), 0, Alignment::decimal));
+        table.columns.push_back(columnOf(symbolPhrase(parameter), 0, Alignment::decimal));
         const auto shown = [&](std::optional<double> value, UncertaintyMethod method) {
             return value ? uncertaintyCell(part, parameter, *value, method) : Cell();
         };

@@ -55,7 +55,7 @@ std::vector<StatisticColumn> statisticColumns(const TestEvaluation &evaluation, 
         return columns;
     for (const TargetTerm &term : evaluation.edition->targetTerms) { // for axes; circles have no targets
         if (has(term, std::get<PositioningResults>(evaluation.results)))
-            columns.push_back({term.id, symbolFormula({term.symbol.base, "", term.symbol.arrow}),
+            columns.push_back({term.id, symbolFormula(Symbol{term.symbol.base, "", term.symbol.arrow}),
                                language.text(term.name)});
     }
     return columns;

@@ -68,7 +68,7 @@ constexpr unsigned forPrograms = inCsv | inJson;
 // clang-format off
 constexpr std::array columnRows{
     ResultColumn{"id", "parameter", REPORT_TEXT("report", "Quantity"), ResultLook::text, forPrograms,
-        [](const ShownResult &s) { return symbolFormula(s.result.parameter->term.symbol, s.result.parameter->index).plain(); },
+        [](const ShownResult &s) { return symbolFormula(*s.result.parameter).plain(); },
         [](const ToldResult &t) { return Json(parameterId(t.parameter)); }},
     ResultColumn{"quantity", "", {}, ResultLook::text, inJson, nullptr,
         [](const ToldResult &t) { return Json(t.parameter.term.id); }},

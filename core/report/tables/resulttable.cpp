@@ -56,7 +56,7 @@ ResultLine lineOf(const PrintedResult &result, const Language &language) {
     const Parameter &parameter = *result.parameter;
     ResultLine line;
     line.id = QString::fromStdString(parameterId(parameter));
-    line.symbol = symbolFormula(parameter.term.symbol, parameter.index);
+    line.symbol = symbolFormula(parameter);
     line.fullName = language.text(parameter.term.name);
     if (const QString of = limitNote(parameter, language); !of.isEmpty())
         line.fullName += QStringLiteral(" (") + of + u')';

@@ -11,6 +11,11 @@ QString Formula::plain() const {
     return result;
 }
 
+Formula &Formula::operator+=(const Formula &other) {
+    spans.insert(spans.end(), other.spans.begin(), other.spans.end());
+    return *this;
+}
+
 Formula formulaFrom(const QString &source) {
     Formula result;
     QString plain;
@@ -58,6 +63,10 @@ Formula symbolFormula(const Symbol &symbol, const std::string &index) {
     if (*symbol.arrow != 0)
         result.spans.push_back({QString::fromUtf8(symbol.arrow)});
     return result;
+}
+
+Formula symbolFormula(const Parameter &parameter) {
+    return symbolFormula(parameter.term.symbol, parameter.index);
 }
 
 } // namespace palmer

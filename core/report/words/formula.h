@@ -26,6 +26,7 @@ struct Formula {
 
     /// Plain text, without typography: "R11 = max(2·1,85 + …)".
     [[nodiscard]] QString plain() const;
+    Formula &operator+=(const Formula &other);
 
     bool operator==(const Formula &) const = default;
 };
@@ -38,5 +39,6 @@ struct Formula {
 
 /// A symbol as a formula: "R↑", "x̄" with subscript "i" and "↑".
 [[nodiscard]] Formula symbolFormula(const Symbol &symbol, const std::string &index = {});
+[[nodiscard]] Formula symbolFormula(const Parameter &parameter);
 
 } // namespace palmer

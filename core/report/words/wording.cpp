@@ -5,7 +5,6 @@
 #include "kernel/evaluation/applylimits.h"
 #include "kernel/measurement/testfacts.h"
 #include "language/rounding.h"
-#include "report/words/formula.h"
 
 #include <QStringList>
 #include <algorithm>
@@ -149,14 +148,19 @@ QString arrow(Direction direction) {
     return direction == Direction::positive ? QStringLiteral("↑") : QStringLiteral("↓");
 }
 
+Phrase phraseOf(const Formula &formula) {
+    Phrase result;
+    for (const FormulaSpan &span : formula.spans)
+        result.spans.push_back({span.text, span.subscript, false, false, span.strong});
+    return result;
+}
+
 Phrase symbolPhrase(const Symbol &symbol, const std::string &index) {
-    std::vector<Span> spans{{QString::fromUtf8(symbol.base)}};
-    const QString lower = lowerPart(symbol, index);
-    if (!lower.isEmpty())
-        spans.push_back({lower, true});
-    if (*symbol.arrow != 0)
-        spans.push_back({QString::fromUtf8(symbol.arrow)});
-    return Phrase(std::move(spans));
+    return phraseOf(symbolFormula(symbol, index));
+}
+
+Phrase symbolPhrase(const Parameter &parameter) {
+    return phraseOf(symbolFormula(parameter));
 }
 
 Phrase withSymbols(const QString &sentence, std::span<const Parameter> parameters) {
@@ -166,7 +170,7 @@ Phrase withSymbols(const QString &sentence, std::span<const Parameter> parameter
     };
     std::vector<Name> names;
     for (const Parameter &parameter : parameters) {
-        const Phrase phrase = symbolPhrase(parameter.term.symbol, parameter.index);
+        const Phrase phrase = symbolPhrase(parameter);
         if (phrase.spans.size() < 2 || !phrase.spans[1].subscript)
             continue;
         for (const QString &text : {phrase.plain(), QString::fromStdString(plainSymbol(parameter)),
@@ -191,7 +195,7 @@ Phrase withSymbols(const QString &sentence, std::span<const Parameter> parameter
         }
         if (at > from)
             result.spans.push_back({sentence.mid(from, at - from)});
-        result.spans.insert(result.spans.end(), found->phrase.spans.begin(), found->phrase.spans.end());
+        result += found->phrase;
         at += found->text.size();
         from = at;
     }
@@ -201,10 +205,7 @@ Phrase withSymbols(const QString &sentence, std::span<const Parameter> parameter
 }
 
 Phrase phraseFrom(const QString &formula) {
-    std::vector<Span> spans;
-    for (const FormulaSpan &span : formulaFrom(formula).spans)
-        spans.push_back({span.text, span.subscript});
-    return Phrase(std::move(spans));
+    return phraseOf(formulaFrom(formula));
 }
 
 QString rulingText(const Parameter &parameter) {
@@ -241,7 +242,7 @@ CoverageOfResults coverageOf(const TestEvaluation &evaluation, const ReportHead 
         if (!parameter.expandedUncertainty || !isPrinted(parameter, head))
             continue;
         if (parameter.decidedBy == UncertaintyMethod::monteCarlo)
-            result.simulated.push_back(symbolPhrase(parameter.term.symbol, parameter.index).plain());
+            result.simulated.push_back(symbolPhrase(parameter).plain());
         else
             result.factor = true;
     }

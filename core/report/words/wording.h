@@ -10,6 +10,7 @@
 #include "language/decimals.h"
 #include "language/language.h"
 #include "report/blocks/report.h"
+#include "report/words/formula.h"
 
 #include <span>
 
@@ -68,8 +69,12 @@ struct RuleWords {
 /// True if a direction has several runs, so that s and the quantities based on it have values.
 [[nodiscard]] bool hasScatter(const TestEvaluation &evaluation);
 
+/// A formula as part of a table or sentence.
+[[nodiscard]] Phrase phraseOf(const Formula &formula);
+
 /// The symbol with its index as a subscript.
 [[nodiscard]] Phrase symbolPhrase(const Symbol &symbol, const std::string &index = {});
+[[nodiscard]] Phrase symbolPhrase(const Parameter &parameter);
 
 /// A sentence in which the indices of the symbols of these parameters ("FmaxXY", "Fmax,XY", "Fmax_XY") become
 /// subscripts.
