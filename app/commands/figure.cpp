@@ -8,11 +8,10 @@
 #include "commandline/preparation.h"
 #include "commandline/streams.h"
 #include "document/evaluateddocument.h"
-#include "figures/budgetfigure.h"
 #include "figures/circlefigure.h"
 #include "figures/diagnosisfigure.h"
 #include "figures/figuredata.h"
-#include "figures/figureoftest.h"
+#include "figures/testfigures.h"
 #include "kernel/measurement/testfacts.h"
 #include "print/figures/exportfigure.h"
 

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "figures/deviationfigure.h"
+#include "figures/testfigures.h"
 
 #include "figures/curvefield.h"
 #include "figures/ticks.h"

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "figures/driftfigure.h"
+#include "figures/testfigures.h"
 
-#include "figures/deviationfigure.h"
 #include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
 

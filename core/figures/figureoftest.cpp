@@ -1,10 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "figures/figureoftest.h"
+#include "figures/testfigures.h"
 
 #include "figures/circlefigure.h"
-#include "figures/deviationfigure.h"
-#include "figures/driftfigure.h"
 
 namespace palmer {
 

@@ -10,7 +10,7 @@
 #include "export/readingscsv.h"
 #include "export/resultsjson.h"
 #include "figures/figuredata.h"
-#include "figures/figureoftest.h"
+#include "figures/testfigures.h"
 #include "import/importmeasurement.h"
 #include "kernel/evaluation/accordance.h"
 #include "kernel/measurement/testfacts.h"

@@ -4,7 +4,7 @@
 
 #include "document/savedocument.h"
 #include "document/testfile.h"
-#include "figures/linefigure.h"
+#include "figures/testfigures.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/evaluation/evaluatetest.h"
 #include "language/decimals.h"

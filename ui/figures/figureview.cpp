@@ -4,9 +4,8 @@
 
 #include "document/savedocument.h"
 #include "document/testfile.h"
-#include "figures/deviationfigure.h"
-#include "figures/figureoftest.h"
 #include "figures/figuresentence.h"
+#include "figures/testfigures.h"
 #include "figures/thinning.h"
 #include "kernel/evaluation/correctionto20.h"
 #include "kernel/evaluation/resultsof.h"

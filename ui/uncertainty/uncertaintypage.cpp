@@ -3,8 +3,7 @@
 #include "ui/uncertainty/uncertaintypage.h"
 
 #include "editing/typicalvalues.h"
-#include "figures/budgetfigure.h"
-#include "figures/histogramfigure.h"
+#include "figures/testfigures.h"
 #include "kernel/evaluation/decideuncertainty.h"
 #include "kernel/uncertainty/circularbudget.h"
 #include "kernel/uncertainty/positioningbudget.h"

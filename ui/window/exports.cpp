@@ -6,7 +6,7 @@
 #include "document/testfile.h"
 #include "export/readingscsv.h"
 #include "figures/figuredata.h"
-#include "figures/figureoftest.h"
+#include "figures/testfigures.h"
 #include "ui/errorbox.h"
 #include "ui/windowlanguage.h"
 

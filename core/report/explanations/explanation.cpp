@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "report/explanations/explanation.h"
 
-#include "figures/budgetfigure.h"
+#include "figures/testfigures.h"
 #include "kernel/evaluation/instrumentresult.h"
 #include "kernel/evaluation/iso230_2/parameters.h"
 #include "kernel/evaluation/resultsof.h"

@@ -4,7 +4,7 @@
 
 #include "document/fieldvalue.h"
 #include "document/statedthings.h"
-#include "figures/linefigure.h"
+#include "figures/testfigures.h"
 #include "kernel/evaluation/agreedpoints.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/uncertainty/statedinputs.h"

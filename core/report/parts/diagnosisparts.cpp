@@ -20,7 +20,7 @@ namespace palmer {
 namespace {
 
 constexpr double micrometres = 1000; ///< per millimetre
-constexpr int contributionDecimals = 2;
+constexpr int decimalsOfParts = 2;
 
 QString ofAll(const Diagnosis &diagnosis, const Language &language) {
     return language.sentence(REPORT_TEXT("report", "%1 of %2"), {language.count(diagnosis.rank).toStdString(),
@@ -84,7 +84,7 @@ private:
                      row.unit.toStdString()})});
             else
                 table.rows.push_back({row.name, row.value, row.u, row.unit,
-                                      contributionCell(row, m_language, contributionDecimals), row.meaning});
+                                      contributionCell(row, m_language, decimalsOfParts), row.meaning});
         }
         m_blocks.emplace_back(std::move(table));
         std::ranges::move(sums, std::back_inserter(m_blocks));

@@ -5,7 +5,7 @@
 #include "report/words/accordancetext.h"
 #include "report/words/findingtext.h"
 
-#include "figures/deviationfigure.h"
+#include "figures/testfigures.h"
 #include "kernel/evaluation/applylimits.h"
 #include "kernel/evaluation/conformity.h"
 #include "kernel/evaluation/iso230_2/sentences.h"

@@ -3,8 +3,7 @@
 #include "report/parts/parts.h"
 
 #include "document/evaluateddocument.h"
-#include "figures/budgetfigure.h"
-#include "figures/driftfigure.h"
+#include "figures/testfigures.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/decideuncertainty.h"
 #include "kernel/measurement/testfacts.h"

@@ -7,7 +7,7 @@
 #include "document/evaluateddocument.h"
 #include "document/readdocument.h"
 #include "figures/circlefigure.h"
-#include "figures/deviationfigure.h"
+#include "figures/testfigures.h"
 
 #include <QFile>
 #include <QTest>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "figures/histogramfigure.h"
+#include "figures/testfigures.h"
 
 #include "core/kernel/uncertainty/uncertaintydata.h"
 #include "kernel/simulation/simulate.h"

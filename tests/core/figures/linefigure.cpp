@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
-#include "figures/linefigure.h"
+#include "figures/testfigures.h"
 
-#include "figures/deviationfigure.h"
 #include "figures/figuredata.h"
 #include "kernel/evaluation/evaluatetest.h"
 #include "kernel/evaluation/surroundings.h"

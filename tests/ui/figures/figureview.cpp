@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figures/figureview.h"
 
-#include "figures/deviationfigure.h"
+#include "figures/testfigures.h"
 #include "figures/thinning.h"
 #include "ui/examples.h"
 #include "ui/figures/figurecanvas.h"

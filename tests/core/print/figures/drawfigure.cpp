@@ -4,7 +4,7 @@
 
 #include "core/kernel/evaluation/positioningdata.h"
 #include "core/print/figures/recordedtexts.h"
-#include "figures/deviationfigure.h"
+#include "figures/testfigures.h"
 #include "figures/ticks.h"
 #include "print/fonts.h"
 

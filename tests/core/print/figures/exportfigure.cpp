@@ -3,8 +3,8 @@
 #include "print/figures/exportfigure.h"
 
 #include "core/kernel/evaluation/positioningdata.h"
-#include "figures/deviationfigure.h"
 #include "figures/figuresentence.h"
+#include "figures/testfigures.h"
 
 #include <QHashSeed>
 #include <QImage>
