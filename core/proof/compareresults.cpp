@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/documenterror.h"
 #include "document/json.h"
-#include "proof/comparewords.h"
+#include "proof/compare.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,14 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "print/pdf/blockstrips.h"
+#include "print/pdf/strips.h"
 
 #include "print/figures/drawkinds.h"
 #include "print/pdf/logo.h"
 #include "print/pdf/marks.h"
-#include "print/pdf/phrasetext.h"
-#include "print/pdf/rules.h"
-#include "print/pdf/tablestrips.h"
-#include "print/pdf/textblock.h"
 
 #include <QPainter>
 #include <algorithm>

@@ -2,9 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/pdf/pages.h"
 
-#include "print/pdf/blockstrips.h"
-#include "print/pdf/rules.h"
-#include "print/pdf/textblock.h"
+#include "print/pdf/strips.h"
 
 #include <QFontMetricsF>
 #include <QPainter>

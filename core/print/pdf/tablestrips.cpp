@@ -1,11 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "print/pdf/tablestrips.h"
+#include "print/pdf/strips.h"
 
 #include "print/pdf/marks.h"
-#include "print/pdf/phrasetext.h"
-#include "print/pdf/rules.h"
-#include "print/pdf/textblock.h"
 
 #include <QPainter>
 #include <algorithm>
@@ -483,6 +480,20 @@ PrintedRow rowOf(const Table &table, const std::vector<Cell> &cells, const std::
 }
 
 } // namespace
+
+RichText richText(const Phrase &phrase, bool bold) {
+    RichText result;
+    for (const Span &span : phrase.spans) {
+        TextRun run;
+        run.text = span.text;
+        run.bold = (bold || span.bold) && !span.muted;
+        run.italic = span.italic;
+        run.script = span.subscript ? TextRun::Script::subscript : TextRun::Script::normal;
+        run.grey = span.muted;
+        result.push_back(run);
+    }
+    return result;
+}
 
 Strips tableStrips(const Table &table, double width) {
     const std::vector<Place> columns = places(table, width);

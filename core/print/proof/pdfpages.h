@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "proof/comparewords.h"
+#include "proof/compare.h"
 #include "proof/verification.h"
 
 #include <QByteArray>

@@ -5,7 +5,7 @@
 #include "print/pdf/textblock.h"
 
 #include "print/pdf/pages.h"
-#include "print/pdf/tablestrips.h"
+#include "print/pdf/strips.h"
 #include "report/blocks/report.h"
 
 #include <QGuiApplication>

@@ -3,17 +3,20 @@
 #pragma once
 
 #include "print/pdf/rules.h"
+#include "print/pdf/textblock.h"
 #include "report/blocks/report.h"
 
-#include <QPointF>
 #include <functional>
 #include <memory>
 #include <optional>
-#include <vector>
-
-class QPainter;
 
 namespace palmer {
+
+/// Converts a phrase to formatted text. `bold`: everything except muted spans.
+[[nodiscard]] RichText richText(const Phrase &phrase, bool bold = false);
+
+/// Placeholder for missing values.
+inline const QString thinDash = QStringLiteral("–");
 
 /// A piece of a column that stays on one page: a heading, a table row, a figure. Lengths in points. It owns
 /// what it draws, so strips may be stored and copied.
@@ -41,5 +44,23 @@ struct Strip {
 constexpr double sectionGap = 6 * mm; ///< usual gap above a section
 
 using Strips = std::vector<Strip>;
+
+/// Converts all blocks to strips, in order, with the gaps between them. `width`: of the text, points;
+/// `tallest`: height of an empty page. Running heads are strips without height.
+[[nodiscard]] Strips blockStrips(const std::vector<Block> &blocks, double width, double tallest);
+
+/// True if the block begins a section.
+[[nodiscard]] bool beginsSection(const Block &block);
+
+/// True for running heads and page breaks.
+[[nodiscard]] bool isMark(const Block &block);
+
+/// A table as strips, `width` points wide: its head, then its rows. Numbers are aligned at the decimal mark,
+/// the widest fraction of a column at the right edge. Text that is too wide for its column wraps; a row
+/// higher than half a page is split between its lines.
+[[nodiscard]] Strips tableStrips(const Table &table, double width);
+
+/// Findings with mark, grade, sentence and clause.
+[[nodiscard]] Strips findingStrips(const FindingsBlock &findings, double width);
 
 } // namespace palmer
