@@ -7,7 +7,7 @@
 #include "commandline/streams.h"
 #include "document/savedocument.h"
 #include "export/compensation.h"
-#include "export/readingscsv.h"
+#include "export/resultsjson.h"
 #include "kernel/evaluation/evaluatetest.h"
 #include "kernel/evaluation/surroundings.h"
 

@@ -10,7 +10,7 @@
 #include "document/evaluateddocument.h"
 #include "figures/circlefigure.h"
 #include "figures/diagnosisfigure.h"
-#include "figures/figuredata.h"
+#include "figures/figuretexts.h"
 #include "figures/testfigures.h"
 #include "kernel/measurement/testfacts.h"
 #include "print/figures/exportfigure.h"

@@ -1,11 +1,10 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "export/readingscsv.h"
+#include "export/resultsjson.h"
 
 #include "document/filewords.h"
 #include "document/json.h"
 #include "document/statements.h"
-#include "export/resultsjson.h"
 #include "import/palmercsv.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"

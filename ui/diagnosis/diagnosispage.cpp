@@ -4,7 +4,7 @@
 
 #include "kernel/diagnosis/sourcewords.h"
 #include "kernel/measurement/testfacts.h"
-#include "report/tables/statedsources.h"
+#include "report/tables/diagnosisrows.h"
 #include "ui/diagnosis/feedsview.h"
 #include "ui/elidedlabel.h"
 #include "ui/figures/linechart.h"

@@ -4,7 +4,7 @@
 
 #include "document/savedocument.h"
 #include "document/testfile.h"
-#include "figures/figuresentence.h"
+#include "figures/figuretexts.h"
 #include "figures/testfigures.h"
 #include "figures/thinning.h"
 #include "kernel/evaluation/correctionto20.h"

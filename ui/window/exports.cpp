@@ -4,8 +4,8 @@
 
 #include "document/savedocument.h"
 #include "document/testfile.h"
-#include "export/readingscsv.h"
-#include "figures/figuredata.h"
+#include "export/resultsjson.h"
+#include "figures/figuretexts.h"
 #include "figures/testfigures.h"
 #include "ui/errorbox.h"
 #include "ui/windowlanguage.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/figures/exportfigure.h"
 
-#include "figures/figuresentence.h"
+#include "figures/figuretexts.h"
 #include "language/visibletext.h"
 #include "print/figures/drawfigure.h"
 

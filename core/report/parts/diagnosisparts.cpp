@@ -7,7 +7,6 @@
 #include "figures/ticks.h"
 #include "kernel/diagnosis/traces.h"
 #include "report/tables/diagnosisrows.h"
-#include "report/tables/statedsources.h"
 #include "report/words/wording.h"
 
 #include <QStringList>

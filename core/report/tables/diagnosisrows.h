@@ -3,6 +3,7 @@
 #pragma once
 
 #include "kernel/diagnosis/diagnosis.h"
+#include "kernel/measurement/test.h"
 #include "language/language.h"
 
 #include <QString>
@@ -37,5 +38,22 @@ struct DiagnosisRow {
 
 /// Decimals of a value with that standard uncertainty: two significant digits of u; 0 … 4.
 [[nodiscard]] int decimalsOfEstimate(double standardUncertainty);
+
+/// A machine fault stated by the program of the instrument, compared with our own diagnosis.
+struct StatedSource {
+    QString name; ///< as in its file: "AF_SQUARENESS"
+    QString stated;
+    QString statedUnit;
+    QString source; ///< "Squareness X–Y"
+    QString here;   ///< empty if the circle does not determine it
+    QString u;
+    QString unit;
+    QString positive; ///< a sentence: meaning of a positive value of ours
+};
+
+/// Results of the imported files of a test that are recognised by name. Their signs are those of the file,
+/// which states no convention.
+[[nodiscard]] std::vector<StatedSource> statedSources(const Test &test, const Diagnosis &diagnosis,
+                                                      const Language &language);
 
 } // namespace palmer

@@ -5,7 +5,7 @@
 #include "export/compensation.h"
 #include "document/documenterror.h"
 #include "document/savedocument.h"
-#include "export/readingscsv.h"
+#include "export/resultsjson.h"
 #include "import/importmeasurement.h"
 #include "kernel/evaluation/evaluatetest.h"
 #include "kernel/evaluation/surroundings.h"

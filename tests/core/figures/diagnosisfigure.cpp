@@ -5,7 +5,7 @@
 #include "figures/diagnosisfigure.h"
 
 #include "core/madecircles.h"
-#include "figures/figuredata.h"
+#include "figures/figuretexts.h"
 
 #include <QTest>
 

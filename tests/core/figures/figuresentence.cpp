@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef QT_NO_CAST_FROM_ASCII // literals of a test are UTF-8
 
-#include "figures/figuresentence.h"
+#include "figures/figuretexts.h"
 
 #include "document/evaluateddocument.h"
 #include "document/readdocument.h"

@@ -4,7 +4,7 @@
 
 #include "figures/testfigures.h"
 
-#include "figures/figuredata.h"
+#include "figures/figuretexts.h"
 #include "kernel/evaluation/evaluatetest.h"
 #include "kernel/evaluation/surroundings.h"
 

@@ -6,7 +6,6 @@
 #include "report/blocks/pagetext.h"
 #include "report/composereport.h"
 #include "report/tables/diagnosisrows.h"
-#include "report/tables/statedsources.h"
 
 #include <QTest>
 

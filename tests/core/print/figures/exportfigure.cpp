@@ -3,7 +3,7 @@
 #include "print/figures/exportfigure.h"
 
 #include "core/kernel/evaluation/positioningdata.h"
-#include "figures/figuresentence.h"
+#include "figures/figuretexts.h"
 #include "figures/testfigures.h"
 
 #include <QHashSeed>

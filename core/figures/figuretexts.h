@@ -9,6 +9,10 @@
 
 namespace palmer {
 
+/// Text alternative of a figure for screen readers: what is drawn, over what, from which value to which, with
+/// the texts and in the units of the figure.
+[[nodiscard]] QString figureSentence(const Figure &figure, const Language &language);
+
 /// Points of a figure as CSV, UTF-8, one per row: its line, and its coordinates on the axes of the figure (in
 /// their units, with no more digits than the values have; circles: angle in degrees and radial deviation in
 /// µm about the centre named in the figure; synthetic paths carry a *). The title is a # comment. Cells are
