@@ -34,30 +34,14 @@ std::vector<QPointF> thinned(std::vector<QPointF> points) {
 }
 
 LineRole roleOf(SensorMeasures measures) {
-    switch (measures) {
-    case SensorMeasures::instrument:
-        return LineRole::instrument;
-    case SensorMeasures::air:
-        return LineRole::air;
-    case SensorMeasures::machine:
-    case SensorMeasures::notStated:
-        break;
-    }
-    return LineRole::machine;
+    return measures == SensorMeasures::instrument ? LineRole::instrument
+           : measures == SensorMeasures::air      ? LineRole::air
+                                                  : LineRole::machine;
 }
 
 Text nameOf(SensorMeasures measures) {
-    switch (measures) {
-    case SensorMeasures::instrument:
-        return REPORT_TEXT("report", "instrument");
-    case SensorMeasures::air:
-        return REPORT_TEXT("report", "air");
-    case SensorMeasures::machine:
-        return REPORT_TEXT("report", "machine");
-    case SensorMeasures::notStated:
-        break;
-    }
-    return REPORT_TEXT("report", "not stated");
+    return inOrder(measures, {REPORT_TEXT("report", "machine"), REPORT_TEXT("report", "instrument"),
+                              REPORT_TEXT("report", "air"), REPORT_TEXT("report", "not stated")});
 }
 
 } // namespace

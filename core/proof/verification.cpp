@@ -39,15 +39,9 @@ Json signatureJson(const SignatureStatement &signature) {
 }
 
 Text stateText(SignatureStatement::State state) {
-    switch (state) {
-    case SignatureStatement::State::valid:
-        return REPORT_TEXT("report", "valid");
-    case SignatureStatement::State::broken:
-        return REPORT_TEXT("report", "NOT valid: changed after it was signed");
-    case SignatureStatement::State::unknown:
-        break;
-    }
-    return REPORT_TEXT("report", "could not be checked");
+    return inOrder(state, {REPORT_TEXT("report", "valid"),
+                           REPORT_TEXT("report", "NOT valid: changed after it was signed"),
+                           REPORT_TEXT("report", "could not be checked")});
 }
 
 QString withDetail(const QString &what, const QString &detail, const Language &language) {

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
+#include <initializer_list>
 #include <string_view>
 
 namespace palmer {
@@ -18,6 +20,12 @@ struct Text {
         return std::string_view(a.source) == b.source && std::string_view(a.comment) == b.comment;
     }
 };
+
+/// Returns the text of an enumerator; `texts` are in the order of its enumeration.
+template <class Enumeration>
+[[nodiscard]] constexpr Text inOrder(Enumeration value, std::initializer_list<Text> texts) {
+    return texts.begin()[static_cast<std::size_t>(value)];
+}
 
 } // namespace palmer
 

@@ -17,17 +17,8 @@ constexpr int digitsOfDifference = 2;
 constexpr int digitsShown = 12; ///< the difference shows the rest
 
 Text sourceText(ExpectationSource source) {
-    switch (source) {
-    case ExpectationSource::published:
-        return REPORT_TEXT("report", "published");
-    case ExpectationSource::recomputed:
-        return REPORT_TEXT("report", "recomputed");
-    case ExpectationSource::exact:
-        return REPORT_TEXT("report", "exact");
-    case ExpectationSource::certified:
-        return REPORT_TEXT("report", "certified");
-    }
-    return {};
+    return inOrder(source, {REPORT_TEXT("report", "published"), REPORT_TEXT("report", "recomputed"),
+                            REPORT_TEXT("report", "exact"), REPORT_TEXT("report", "certified")});
 }
 
 /// Name and origin of a set, translated; the files give both in English with all details.

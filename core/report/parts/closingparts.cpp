@@ -42,17 +42,9 @@ QString selfTestText(const Writer &write, const std::optional<bool> &passed) {
 }
 
 Text signerText(Signer signer) {
-    switch (signer) {
-    case Signer::operatorSigns:
-        return REPORT_TEXT("report", "Operator");
-    case Signer::laboratory:
-        return REPORT_TEXT("report", "Laboratory");
-    case Signer::supplier:
-        return REPORT_TEXT("report", "Supplier/manufacturer");
-    case Signer::customer:
-        return REPORT_TEXT("report", "Customer/user");
-    }
-    return {};
+    return inOrder(signer,
+                   {REPORT_TEXT("report", "Operator"), REPORT_TEXT("report", "Laboratory"),
+                    REPORT_TEXT("report", "Supplier/manufacturer"), REPORT_TEXT("report", "Customer/user")});
 }
 
 /// Shortens a name to fit in a column that is never split; head and statements give it in full.
@@ -69,17 +61,11 @@ QString authorisedText(const ReportHead &head) {
         {QString::fromStdString(head.authorisedBy.name), QString::fromStdString(head.authorisedBy.function)});
 }
 
+/// Of suppliers and customers the head names the company, not the signer.
 QString knownName(Signer signer, const ReportHead &head) {
-    switch (signer) {
-    case Signer::operatorSigns:
-        return bounded(QString::fromStdString(head.operatorName));
-    case Signer::laboratory:
-        return bounded(authorisedText(head));
-    case Signer::supplier:
-    case Signer::customer:
-        return {}; // the head names the company, not the signer
-    }
-    return {};
+    return signer == Signer::operatorSigns ? bounded(QString::fromStdString(head.operatorName))
+           : signer == Signer::laboratory  ? bounded(authorisedText(head))
+                                           : QString();
 }
 
 } // namespace

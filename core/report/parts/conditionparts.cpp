@@ -27,15 +27,10 @@ QString stated(const Writer &write, std::optional<bool> value, const Text &yes, 
 }
 
 QString specifiedText(const Writer &write, SpecifiedBy by) {
-    switch (by) {
-    case SpecifiedBy::notStated:
-        break;
-    case SpecifiedBy::maker:
-        return write.text(REPORT_TEXT("report", "as the maker specifies"));
-    case SpecifiedBy::agreement:
-        return write.text(REPORT_TEXT("report", "as agreed"));
-    }
-    return {};
+    return by == SpecifiedBy::notStated
+               ? QString()
+               : write.text(by == SpecifiedBy::maker ? REPORT_TEXT("report", "as the maker specifies")
+                                                     : REPORT_TEXT("report", "as agreed"));
 }
 
 QString warmUpText(const Writer &write, const WarmUp &warmUp) {
@@ -416,17 +411,8 @@ void addConditionsHeading(std::vector<Block> &blocks, const TestPart &part) {
 } // namespace
 
 Text sensorText(SensorMeasures what) {
-    switch (what) {
-    case SensorMeasures::machine:
-        return REPORT_TEXT("report", "Machine");
-    case SensorMeasures::instrument:
-        return REPORT_TEXT("report", "Instrument");
-    case SensorMeasures::air:
-        return REPORT_TEXT("report", "Air");
-    case SensorMeasures::notStated:
-        break;
-    }
-    return REPORT_TEXT("report", "not stated");
+    return inOrder(what, {REPORT_TEXT("report", "Machine"), REPORT_TEXT("report", "Instrument"),
+                          REPORT_TEXT("report", "Air"), REPORT_TEXT("report", "not stated")});
 }
 
 KeyValues conditionRows(const TestPart &part) {

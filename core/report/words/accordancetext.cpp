@@ -151,19 +151,11 @@ QString accordanceText(const Test &test, const TestEvaluation &evaluation, const
 }
 
 Text accordanceWords(Accordance accordance) {
-    switch (accordance) {
-    case Accordance::notChecked:
-        return REPORT_TEXT("report", "text of the edition not available");
-    case Accordance::no:
-        return REPORT_TEXT("report", "NOT in accordance with the edition");
-    case Accordance::notShown:
-        return REPORT_TEXT("report", "accordance not shown");
-    case Accordance::partly:
-        return REPORT_TEXT("report", "in accordance in part");
-    case Accordance::yes:
-        return REPORT_TEXT("report", "in accordance with the edition");
-    }
-    return {};
+    return inOrder(accordance, {REPORT_TEXT("report", "text of the edition not available"),
+                                REPORT_TEXT("report", "NOT in accordance with the edition"),
+                                REPORT_TEXT("report", "accordance not shown"),
+                                REPORT_TEXT("report", "in accordance in part"),
+                                REPORT_TEXT("report", "in accordance with the edition")});
 }
 
 Mark markOf(Accordance accordance) {

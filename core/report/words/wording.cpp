@@ -15,54 +15,27 @@
 namespace palmer {
 
 Text verdictText(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::conforms:
-        return REPORT_TEXT("report", "conforms");
-    case Verdict::notProven:
-        return REPORT_TEXT("report", "not proven");
-    case Verdict::doesNotConform:
-        return REPORT_TEXT("report", "does not conform");
-    }
-    return {};
+    return inOrder(verdict, {REPORT_TEXT("report", "conforms"), REPORT_TEXT("report", "not proven"),
+                             REPORT_TEXT("report", "does not conform")});
 }
 
 Text limitText(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::conforms:
-        return REPORT_TEXT_FOR("report", "met", "a limit");
-    case Verdict::notProven:
-        return REPORT_TEXT("report", "not proven");
-    case Verdict::doesNotConform:
-        return REPORT_TEXT_FOR("report", "exceeded", "a limit");
-    }
-    return {};
+    return inOrder(verdict, {REPORT_TEXT_FOR("report", "met", "a limit"), REPORT_TEXT("report", "not proven"),
+                             REPORT_TEXT_FOR("report", "exceeded", "a limit")});
 }
 
 Text limitsText(std::optional<Verdict> verdict, bool anyLimit) {
     if (!verdict)
         return anyLimit ? REPORT_TEXT("report", "no verdict")
                         : REPORT_TEXT_FOR("report", "none agreed", "limits");
-    switch (*verdict) {
-    case Verdict::conforms:
-        return REPORT_TEXT_FOR("report", "met", "limits");
-    case Verdict::notProven:
-        return REPORT_TEXT_FOR("report", "not proven", "limits");
-    case Verdict::doesNotConform:
-        return REPORT_TEXT_FOR("report", "exceeded", "limits");
-    }
-    return {};
+    return inOrder(*verdict, {REPORT_TEXT_FOR("report", "met", "limits"),
+                              REPORT_TEXT_FOR("report", "not proven", "limits"),
+                              REPORT_TEXT_FOR("report", "exceeded", "limits")});
 }
 
 Text gradeText(Grade grade) {
-    switch (grade) {
-    case Grade::requirement:
-        return REPORT_TEXT("report", "requirement");
-    case Grade::recommendation:
-        return REPORT_TEXT("report", "recommendation");
-    case Grade::note:
-        return REPORT_TEXT("report", "note");
-    }
-    return {};
+    return inOrder(grade, {REPORT_TEXT("report", "requirement"), REPORT_TEXT("report", "recommendation"),
+                           REPORT_TEXT("report", "note")});
 }
 
 Text cycleText(std::optional<Cycle> cycle, const Edition &edition) {
