@@ -52,14 +52,9 @@ QString headingOf(const FigureAxis &axis) {
 }
 
 QString arrowOf(CurveRole role) {
-    switch (role) {
-    case CurveRole::up:
-        return QStringLiteral("↑");
-    case CurveRole::down:
-        return QStringLiteral("↓");
-    default:
-        return {};
-    }
+    return role == CurveRole::up     ? QStringLiteral("↑")
+           : role == CurveRole::down ? QStringLiteral("↓")
+                                     : QString();
 }
 
 QString nameOf(CurveRole role) {

@@ -22,22 +22,14 @@ Difference at(const QRectF &area, Difference difference) {
 } // namespace
 
 Difference differenceOf(const PdfAddition &addition) {
-    switch (addition.kind) {
-    case PdfAddition::Kind::attachment:
-        return said(0, REPORT_TEXT("report", "a file was attached that the report did not carry"),
-                    QString::fromStdString(addition.name));
-    case PdfAddition::Kind::annotation:
-        return said(addition.page, REPORT_TEXT("report", "an annotation was put on the page"),
-                    QString::fromStdString(addition.name));
-    case PdfAddition::Kind::form:
-        return said(addition.page, REPORT_TEXT("report", "a form field was put on the page"));
-    case PdfAddition::Kind::action:
-        break;
-    }
-    return said(
-        addition.page,
-        REPORT_TEXT("report", "the PDF does something that a report does not (action, layer, script)"),
-        QString::fromStdString(addition.name));
+    return said(addition.page,
+                inOrder(addition.kind,
+                        {REPORT_TEXT("report",
+                                     "the PDF does something that a report does not (action, layer, script)"),
+                         REPORT_TEXT("report", "a form field was put on the page"),
+                         REPORT_TEXT("report", "a file was attached that the report did not carry"),
+                         REPORT_TEXT("report", "an annotation was put on the page")}),
+                QString::fromStdString(addition.name));
 }
 
 Difference otherPageCount(int printed, int follows) {

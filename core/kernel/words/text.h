@@ -21,10 +21,10 @@ struct Text {
     }
 };
 
-/// Returns the text of an enumerator; `texts` are in the order of its enumeration.
-template <class Enumeration>
-[[nodiscard]] constexpr Text inOrder(Enumeration value, std::initializer_list<Text> texts) {
-    return texts.begin()[static_cast<std::size_t>(value)];
+/// Returns what belongs to an enumerator, mostly its text; `all` is in the order of its enumeration.
+template <class Enumeration, class Value>
+[[nodiscard]] constexpr Value inOrder(Enumeration value, std::initializer_list<Value> all) {
+    return all.begin()[static_cast<std::size_t>(value)];
 }
 
 } // namespace palmer

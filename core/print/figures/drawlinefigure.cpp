@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "print/figures/drawkinds.h"
 
+#include "kernel/words/text.h"
 #include "print/figures/plotframe.h"
 
 #include <algorithm>
@@ -15,25 +16,9 @@ constexpr double topMargin = 1.6 * mm;
 constexpr double rightMargin = 6 * mm;
 
 FigureRole penRole(LineRole role) {
-    switch (role) {
-    case LineRole::measuredUp:
-        return FigureRole::upEdge;
-    case LineRole::measuredDown:
-        return FigureRole::downEdge;
-    case LineRole::predictedUp:
-    case LineRole::machine:
-        return FigureRole::up;
-    case LineRole::predictedDown:
-    case LineRole::instrument:
-        return FigureRole::down;
-    case LineRole::counterclockwise:
-        return FigureRole::counterclockwise;
-    case LineRole::clockwise:
-        return FigureRole::clockwise;
-    case LineRole::air:
-        break;
-    }
-    return FigureRole::mean;
+    return inOrder(role, {FigureRole::upEdge, FigureRole::downEdge, FigureRole::up, FigureRole::down,
+                          FigureRole::up, FigureRole::down, FigureRole::mean, FigureRole::counterclockwise,
+                          FigureRole::clockwise});
 }
 
 class LineFigurePainter {

@@ -103,15 +103,9 @@ static_assert([] {
 
 QColor figureColor(FigureRole role, Medium medium) {
     const RoleRow &found = row(role);
-    switch (medium) {
-    case Medium::screenLight:
-        return found.light;
-    case Medium::screenDark:
-        return found.dark;
-    case Medium::paper:
-        break;
-    }
-    return found.paper;
+    return medium == Medium::screenLight  ? found.light
+           : medium == Medium::screenDark ? found.dark
+                                          : found.paper;
 }
 
 QPen figurePen(FigureRole role, Medium medium) {

@@ -132,22 +132,7 @@ void drawBar(QPainter &painter, QPointF left, double length, bool hollow) {
 }
 
 double legendSignWidth(LegendSign sign) {
-    switch (sign) {
-    case LegendSign::value:
-        return 1.76;
-    case LegendSign::limit:
-        return 0.32;
-    case LegendSign::band:
-        return 4.6;
-    case LegendSign::check:
-    case LegendSign::cross:
-    case LegendSign::openCircle:
-    case LegendSign::warning:
-        return markBox;
-    case LegendSign::none:
-        break;
-    }
-    return 0;
+    return inOrder(sign, {0.0, 1.76, 0.32, 4.6, markBox, markBox, markBox, markBox});
 }
 
 void drawLegendSign(QPainter &painter, LegendSign sign, QPointF centre) {
@@ -167,16 +152,11 @@ void drawLegendSign(QPainter &painter, LegendSign sign, QPointF centre) {
                  QRectF(centre.x() - width / 2, centre.y() - bandHeight * 0.4, width, bandHeight * 0.8));
         return;
     }
-    case LegendSign::check:
-        return drawMark(painter, Mark::check, centre, markBox * mm);
-    case LegendSign::cross:
-        return drawMark(painter, Mark::cross, centre, markBox * mm);
-    case LegendSign::openCircle:
-        return drawMark(painter, Mark::openCircle, centre, markBox * mm);
-    case LegendSign::warning:
-        return drawMark(painter, Mark::warning, centre, markBox * mm);
-    case LegendSign::none:
-        return;
+    default:
+        constexpr Mark none = Mark::none;
+        const Mark mark = inOrder(
+            sign, {none, none, none, none, Mark::check, Mark::cross, Mark::openCircle, Mark::warning});
+        drawMark(painter, mark, centre, markBox * mm);
     }
 }
 

@@ -17,15 +17,7 @@ Phrase &Phrase::operator+=(const Phrase &other) {
 }
 
 Mark markOf(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::conforms:
-        return Mark::check;
-    case Verdict::notProven:
-        return Mark::openCircle;
-    case Verdict::doesNotConform:
-        return Mark::cross;
-    }
-    return Mark::none;
+    return inOrder(verdict, {Mark::check, Mark::openCircle, Mark::cross});
 }
 
 Mark markOf(Grade grade) {

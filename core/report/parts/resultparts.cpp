@@ -600,29 +600,18 @@ void addFindings(std::vector<Block> &blocks, const TestPart &part) {
 
 QString decisionText(const TestPart &part) {
     const Writer &write = part.write;
-    QStringList words;
-    switch (part.test.decisionRule.rule) {
-    case Rule::simpleAcceptance:
-        words << write.text(
-            REPORT_TEXT("report", "Simple acceptance: a value conforms when it is not above its limit; the "
-                                  "uncertainty has no part in it."));
-        break;
-    case Rule::iso14253_1:
-        words << write.say(
-            REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven: a value conforms when it is at "
-                                  "least g below its limit, does not conform when it is more than g above "
-                                  "it, and is not proven between; g = %1·U."),
-            {factor(part.test)});
-        break;
-    case Rule::rejectionProven:
-        words << write.say(
-            REPORT_TEXT("report",
-                        "Non-conformity has to be proven: a value conforms when it is at least g "
-                        "below its limit and does not conform when it is more than g above it; "
-                        "between, non-conformity is not proven: no ground for rejection; g = %1·U."),
-            {factor(part.test)});
-        break;
-    }
+    QStringList words{write.say(
+        inOrder(part.test.decisionRule.rule,
+                {REPORT_TEXT("report", "Simple acceptance: a value conforms when it is not above its limit; "
+                                       "the uncertainty has no part in it."),
+                 REPORT_TEXT("report", "ISO 14253-1, conformity has to be proven: a value conforms when it "
+                                       "is at least g below its limit, does not conform when it is more "
+                                       "than g above it, and is not proven between; g = %1·U."),
+                 REPORT_TEXT("report",
+                             "Non-conformity has to be proven: a value conforms when it is at least g "
+                             "below its limit and does not conform when it is more than g above it; "
+                             "between, non-conformity is not proven: no ground for rejection; g = %1·U.")}),
+        {factor(part.test)})};
     if (hasGuardBand(part.test) && guardsSimulated(part.evaluation))
         words << write.say(
             REPORT_TEXT("report", "Where U comes from a simulation, g = %1·(U + 2s): our safety rule, s the "

@@ -159,17 +159,9 @@ Text accordanceWords(Accordance accordance) {
 }
 
 Mark markOf(Accordance accordance) {
-    switch (accordance) {
-    case Accordance::no:
-        return Mark::warning;
-    case Accordance::notShown:
-    case Accordance::notChecked:
-    case Accordance::partly: // no tick, because only a part of the text was read
-        return Mark::openCircle;
-    case Accordance::yes:
-        return Mark::check;
-    }
-    return Mark::none;
+    // No tick for partly, because only a part of the text was read.
+    return inOrder(accordance,
+                   {Mark::openCircle, Mark::warning, Mark::openCircle, Mark::openCircle, Mark::check});
 }
 
 VerdictStatement accordanceStatement(const Test &test, const TestEvaluation &evaluation,
