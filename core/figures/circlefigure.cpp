@@ -214,6 +214,10 @@ Points allPoints(const Arc &arc, std::size_t index, const CircleSource &from) {
     return result;
 }
 
+bool isOrdered(const std::vector<double> &angles) {
+    return std::ranges::is_sorted(angles) || std::ranges::is_sorted(angles, std::greater<>());
+}
+
 void finish(PathProfile &profile, const CircleSource &source, std::size_t arc) {
     profile.arc = arc;
     profile.index = iso230_4::axisIndex(source.measurement.plane, profile.sense);
@@ -223,8 +227,7 @@ void finish(PathProfile &profile, const CircleSource &source, std::size_t arc) {
         for (double &deviation : profile.deviations)
             deviation += correction;
     }
-    const auto &angles = profile.angles;
-    profile.ordered = std::ranges::is_sorted(angles) || std::ranges::is_sorted(angles, std::greater<>());
+    profile.ordered = isOrdered(profile.angles);
 }
 
 std::vector<PathProfile> profilesOf(const CircleSource &source) {
@@ -545,8 +548,26 @@ void addContacts(CircleFigure &figure, std::span<const PathProfile> profiles, do
     figure.contacts.insert(figure.contacts.end(), found.begin(), found.end());
 }
 
-double figureRadius(const QSizeF &size) {
-    return std::max(smallestRadius, std::min(size.width() / 2 - sideMargin, size.height() / 2 - topMargin));
+/// An empty figure with its axes, in a frame that its paths fill.
+CircleFigure framed(const Plane &plane, std::span<const PathProfile> profiles,
+                    const CircleFigureOptions &options) {
+    CircleFigure figure;
+    figure.firstAxis = QString::fromStdString(plane.first);
+    figure.secondAxis = QString::fromStdString(plane.second);
+    figure.size = options.size;
+    figure.pointStep = options.pointStep;
+    figure.figureRadius = std::max(smallestRadius, std::min(options.size.width() / 2 - sideMargin,
+                                                            options.size.height() / 2 - topMargin));
+    if (options.fillFrame)
+        fillFrame(figure, sectorOf(profiles));
+    return figure;
+}
+
+void setScale(CircleFigure &figure, const Interval &deviations, const Language &language) {
+    const CircleScale scale = circleScale(deviations, figure.figureRadius);
+    figure.plotRadius = scale.plotRadius;
+    figure.magnification = scale.magnification;
+    figure.ratio = ratio(figure.magnification, language);
 }
 
 QString captionOf(const CircleFigure &figure, const Language &language) {
@@ -679,9 +700,7 @@ std::vector<PathProfile> profilesAbout(const CircularMeasurement &measurement, c
         result.push_back(profile(measurement.arcs[path.arc], path.source, paths[i].view(), centre, radius));
         result.back().arc = path.arc;
         result.back().index = path.index;
-        const auto &angles = result.back().angles;
-        result.back().ordered =
-            std::ranges::is_sorted(angles) || std::ranges::is_sorted(angles, std::greater<>());
+        result.back().ordered = isOrdered(result.back().angles);
     }
     return result;
 }
@@ -713,14 +732,7 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
                           std::span<const PathProfile> profiles, const Language &language,
                           const CircleFigureOptions &options) {
     const CircleSource source(test, evaluation, options);
-    CircleFigure figure;
-    figure.firstAxis = QString::fromStdString(source.measurement.plane.first);
-    figure.secondAxis = QString::fromStdString(source.measurement.plane.second);
-    figure.size = options.size;
-    figure.pointStep = options.pointStep;
-    figure.figureRadius = figureRadius(options.size);
-    if (options.fillFrame)
-        fillFrame(figure, sectorOf(profiles));
+    CircleFigure figure = framed(source.measurement.plane, profiles, options);
     addEnvelope(figure, source, language);
     QStringList beyond;
     addRadialDeviations(figure, source, test, profiles, language, beyond);
@@ -735,11 +747,9 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
         addContacts(figure, profiles, figure.envelope->inner, false);
     }
     const Interval deviations = reach(figure, profiles);
-    const CircleScale scale = circleScale(deviations, figure.figureRadius);
-    figure.plotRadius = scale.plotRadius;
-    figure.magnification = scale.magnification;
+    setScale(figure, deviations, language);
     if (figure.envelope && figure.envelope->limit &&
-        *figure.envelope->limit * scale.magnification / micrometresPerMillimetre > figure.figureRadius) {
+        *figure.envelope->limit * figure.magnification / micrometresPerMillimetre > figure.figureRadius) {
         figure.envelope->limit.reset();
         beyond << figure.envelope->limitLabel;
     }
@@ -748,7 +758,6 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
     const std::string name = paths == 0 ? std::string() : profiles.front().index;
     figure.title = language.sentence(titleText(source, paths), {name});
     figure.centre = language.sentence(centreText(source));
-    figure.ratio = ratio(figure.magnification, language);
     const Visible inView = visible(figure);
     addRings(figure, deviations, inView, language);
     addTraces(figure, profiles, inView);
@@ -760,19 +769,9 @@ CircleFigure circleFigure(const Test &test, const TestEvaluation &evaluation,
 
 CircleFigure pathsFigure(std::span<const PathProfile> profiles, const Plane &plane, const Language &language,
                          const CircleFigureOptions &options) {
-    CircleFigure figure;
-    figure.firstAxis = QString::fromStdString(plane.first);
-    figure.secondAxis = QString::fromStdString(plane.second);
-    figure.size = options.size;
-    figure.pointStep = options.pointStep;
-    figure.figureRadius = figureRadius(options.size);
-    if (options.fillFrame)
-        fillFrame(figure, sectorOf(profiles));
+    CircleFigure figure = framed(plane, profiles, options);
     const Interval deviations = reach(figure, profiles);
-    const CircleScale scale = circleScale(deviations, figure.figureRadius);
-    figure.plotRadius = scale.plotRadius;
-    figure.magnification = scale.magnification;
-    figure.ratio = ratio(figure.magnification, language);
+    setScale(figure, deviations, language);
     const Visible inView = visible(figure);
     addRings(figure, deviations, inView, language);
     addTraces(figure, profiles, inView);

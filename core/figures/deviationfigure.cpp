@@ -294,24 +294,20 @@ Interval rangeOfPositions(const CurveFigure &figure, bool rotary) {
 }
 
 Interval rangeOfValues(const CurveFigure &figure) {
-    double lowest = std::numeric_limits<double>::infinity();
-    double highest = -lowest;
-    const auto include = [&](double value) {
-        lowest = std::min(lowest, value);
-        highest = std::max(highest, value);
-    };
+    Bounds range;
     for (const Band &band : figure.bands) {
         for (const BandPoint &point : band.points) {
-            include(point.lower);
-            include(point.upper);
+            range.include(point.lower);
+            range.include(point.upper);
         }
     }
     for (const Curve &curve : figure.curves) {
         for (const FigurePoint &point : curve.points)
-            include(point.y);
+            range.include(point.y);
     }
     for (const ReadingMark &reading : figure.readings)
-        include(reading.y);
+        range.include(reading.y);
+    const auto [lowest, highest] = range;
     if (!(lowest <= highest))
         return {-1, 1}; // no values yet
     const double span = highest - lowest;

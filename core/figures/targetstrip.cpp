@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "figures/targetstrip.h"
 
+#include "figures/curvefield.h"
 #include "figures/ticks.h"
 #include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace palmer {
 
@@ -44,20 +44,16 @@ void addStatistics(StripLane &lane, const DirectionStatistics &s, double c, doub
 
 /// Range of the values and limits of the lanes, in their unit.
 Interval rangeOf(const std::vector<StripLane> &lanes) {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    const auto include = [&](double value) {
-        least = std::min(least, value);
-        most = std::max(most, value);
-    };
+    Bounds bounds;
     for (const StripLane &lane : lanes) {
         for (const auto &reading : lane.readings)
-            include(reading.value);
+            bounds.include(reading.value);
         if (lane.lower && lane.upper) {
-            include(*lane.lower);
-            include(*lane.upper);
+            bounds.include(*lane.lower);
+            bounds.include(*lane.upper);
         }
     }
+    const auto [least, most] = bounds;
     if (!(least <= most))
         return {-1, 1};
     // Include the origin for comparison unless it would squeeze the readings.

@@ -12,36 +12,23 @@ namespace palmer {
 
 namespace {
 
-QSizeF sizeOf(const CurveFigure &) {
-    return {175, 86};
-}
-
-QSizeF sizeOf(const CircleFigure &figure) {
-    return printedSize(figure);
-}
-
-QSizeF sizeOf(const LineFigure &) {
-    return {175, 62};
-}
-
-QSizeF sizeOf(const BarFigure &figure) {
-    return {175, printedHeight(figure)};
-}
-
-QSizeF sizeOf(const HistogramFigure &) {
-    return {130, 62};
-}
-
-QSizeF sizeOf(const TrendFigure &figure) {
-    constexpr double row = 26;
-    constexpr double alone = 90;
-    return {175, figure.panels.size() == 1 && figure.label.isEmpty() ? alone : row};
-}
+struct PaperSize {
+    QSizeF operator()(const CurveFigure &) const { return {175, 86}; }
+    QSizeF operator()(const CircleFigure &figure) const { return printedSize(figure); }
+    QSizeF operator()(const LineFigure &) const { return {175, 62}; }
+    QSizeF operator()(const BarFigure &figure) const { return {175, printedHeight(figure)}; }
+    QSizeF operator()(const HistogramFigure &) const { return {130, 62}; }
+    QSizeF operator()(const TrendFigure &figure) const {
+        constexpr double row = 26;
+        constexpr double alone = 90;
+        return {175, figure.panels.size() == 1 && figure.label.isEmpty() ? alone : row};
+    }
+};
 
 } // namespace
 
 QSizeF paperSize(const Figure &figure) {
-    return std::visit([](const auto &kind) { return sizeOf(kind); }, figure);
+    return std::visit(PaperSize(), figure);
 }
 
 FigureTransform drawFigure(QPainter &painter, const QRectF &rect, const Figure &figure, Medium medium) {
