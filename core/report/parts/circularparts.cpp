@@ -112,9 +112,8 @@ const CircleResult *drawnCircle(const CircularPart &part) {
     const CircularResults &results = part.results;
     if (results.paths.empty())
         return nullptr;
-    const CircleOf of = results.paths.size() == 2                                ? CircleOf::both
-                        : results.paths.front().sense == Sense::counterclockwise ? CircleOf::counterclockwise
-                                                                                 : CircleOf::clockwise;
+    const CircleOf of =
+        results.paths.size() == 2 ? CircleOf::both : iso230_4::circleOf(results.paths.front().sense);
     return results.circle(of, part.measurement.referenceCircle);
 }
 
@@ -229,9 +228,7 @@ Phrase circleOf(const CircularPart &part, const CircleResult &circle) {
     const bool both = circle.of == CircleOf::both;
     std::string index;
     for (const EvaluatedPath &path : part.results.paths) {
-        const bool own = circle.of == (path.sense == Sense::counterclockwise ? CircleOf::counterclockwise
-                                                                             : CircleOf::clockwise);
-        if (index.empty() && (both || own))
+        if (index.empty() && (both || circle.of == iso230_4::circleOf(path.sense)))
             index = path.index;
     }
     return symbolPhrase({both ? "G(b)" : "G", part.feedback() ? "f" : "", ""}, index);
@@ -254,9 +251,7 @@ QString fromNominal(const CircularPart &part, double radius) {
 }
 
 bool isOf(const CircleFigureOptions &options, const EvaluatedPath &path) {
-    return options.of == CircleOf::both ||
-           options.of ==
-               (path.sense == Sense::counterclockwise ? CircleOf::counterclockwise : CircleOf::clockwise);
+    return options.of == CircleOf::both || options.of == iso230_4::circleOf(path.sense);
 }
 
 /// Results of a separate figure.

@@ -338,7 +338,7 @@ public:
     void add(const char *key, std::optional<double> value) {
         const Quantity quantity = statedThing(key)->form.quantity.value();
         m_table.rows.push_back(
-            {label(statedThing(key)->name, quantity), shown(value, quantity, -1), blankCell()});
+            {label(statedThing(key)->name, quantity), m_write.number(value, quantity), blankCell()});
     }
     void addExpansion(const Expansion &expansion) {
         m_table.rulesAfter.push_back(m_table.rows.size() - 1);
@@ -350,19 +350,14 @@ public:
 private:
     void addCoefficient(const Text &name, std::optional<double> alpha) {
         m_table.rows.push_back({label(name, Quantity::expansion),
-                                statedCell(alpha, Quantity::expansion, expansionDecimals), blankCell()});
+                                m_write.numberAtLeast(alpha, Quantity::expansion, expansionDecimals),
+                                blankCell()});
     }
     void addTemperatures(SensorMeasures what, const Temperatures &temperatures) {
-        m_table.rows.push_back({label(sensorText(what), Quantity::temperature),
-                                statedCell(temperatures.start, Quantity::temperature, temperatureDecimals),
-                                statedCell(temperatures.end, Quantity::temperature, temperatureDecimals)});
-    }
-    [[nodiscard]] Cell shown(std::optional<double> value, Quantity quantity, int decimals) const {
-        return {value ? m_write.language().number(certain(*value), quantity, decimals) : QString()};
-    }
-    /// With at least the stated decimals.
-    [[nodiscard]] Cell statedCell(std::optional<double> value, Quantity quantity, int least) const {
-        return shown(value, quantity, value ? statedDecimals(*value, quantity, least) : least);
+        m_table.rows.push_back(
+            {label(sensorText(what), Quantity::temperature),
+             m_write.numberAtLeast(temperatures.start, Quantity::temperature, temperatureDecimals),
+             m_write.numberAtLeast(temperatures.end, Quantity::temperature, temperatureDecimals)});
     }
     [[nodiscard]] Phrase label(const Text &name, Quantity quantity) const {
         return Phrase({{m_write.text(name) + QStringLiteral("\u00A0\u00A0")},

@@ -244,51 +244,44 @@ QString resultsNote(const TestPart &part) {
 void addLegend(std::vector<Block> &blocks, const TestPart &part, const ResultForm &form) {
     const Writer &write = part.write;
     const auto &parameters = part.evaluation.parameters;
+    const auto addLine = [&](const QString &text) {
+        blocks.emplace_back(ResultsLegend{{{LegendSign::none, text}}});
+    };
     if (const auto *measurement = std::get_if<PositioningMeasurement>(&part.test.measurement)) {
         iso230_2::NameList targets;
         for (const std::size_t target : targetsWithoutReading(*measurement))
             targets.add(std::to_string(target + 1));
         if (!targets.empty())
-            blocks.emplace_back(
-                ResultsLegend{{{LegendSign::none,
-                                write.language().sentence(
-                                    {REPORT_TEXT_COUNTED("report", "%n target(s) without any reading: %1."),
-                                     {targets.text()},
-                                     targets.count()})}}});
+            addLine(write.language().sentence(
+                {REPORT_TEXT_COUNTED("report", "%n target(s) without any reading: %1."),
+                 {targets.text()},
+                 targets.count()}));
     }
     const auto isMarked = [&](const Parameter &p) {
         return p.dependsOnTemperature && isPrinted(p, part.head());
     };
     if (notCorrected(part.evaluation) && std::ranges::any_of(parameters, isMarked))
-        blocks.emplace_back(ResultsLegend{
-            {{LegendSign::none,
-              QStringLiteral("*\u00A0") + write.text(REPORT_TEXT("report", "not corrected to 20 °C"))}}});
+        addLine(QStringLiteral("*\u00A0") + write.text(REPORT_TEXT("report", "not corrected to 20 °C")));
     const auto holdsSetUp = [&](const Parameter &p) {
         return isRadialDeviation(p) && isPrinted(p, part.head());
     };
     if (form.setUpInF && std::ranges::any_of(parameters, holdsSetUp))
-        blocks.emplace_back(
-            ResultsLegend{{{LegendSign::none,
-                            QStringLiteral("†\u00A0") +
-                                write.text(REPORT_TEXT(
-                                    "report", "about the centre of the set-up: with the set-up error"))}}});
+        addLine(QStringLiteral("†\u00A0") +
+                write.text(REPORT_TEXT("report", "about the centre of the set-up: with the set-up error")));
     if (const CoverageOfResults coverage = coverageOf(part.evaluation, part.head()); coverage.mixed())
-        blocks.emplace_back(ResultsLegend{
-            {{LegendSign::none, QStringLiteral("U: ") + coverageNote(coverage, write.language())}}});
+        addLine(QStringLiteral("U: ") + coverageNote(coverage, write.language()));
     const bool pictures =
         std::ranges::any_of(parameters, [](const Parameter &p) { return guardCell(p).guard.has_value(); });
     if (!pictures)
         return;
     ResultsLegend legend;
     legend.items.push_back({LegendSign::value, write.text(REPORT_TEXT_FOR("report", "value", "legend"))});
-    if (!hasGuardBand(part.test)) {
-        legend.items.push_back(
-            {LegendSign::limit,
-             write.text(
-                 REPORT_TEXT("report", "limit. Value left of the limit: met; right of it: exceeded."))});
-    } else {
-        legend.items.push_back({LegendSign::limit, write.text(REPORT_TEXT_FOR("report", "limit", "legend"))});
-    }
+    legend.items.push_back(
+        {LegendSign::limit,
+         write.text(
+             hasGuardBand(part.test)
+                 ? REPORT_TEXT_FOR("report", "limit", "legend")
+                 : REPORT_TEXT("report", "limit. Value left of the limit: met; right of it: exceeded."))});
     const bool bands =
         std::ranges::any_of(parameters, [](const Parameter &p) { return p.guardBand.has_value(); });
     if (bands) {
@@ -392,22 +385,18 @@ QString notProven(const TestPart &part, const std::vector<const PrintedResult *>
         at20(part.evaluation) != At20::hold && std::ranges::all_of(results, [](const PrintedResult *result) {
             return result->parameter->dependsOnTemperature;
         });
-    if (uncorrected)
-        return part.write.say(
-            notCorrected(part.evaluation)
-                ? REPORT_TEXT("report", "Not corrected to 20 °C, nothing is proven for %1.")
-                : REPORT_TEXT("report", "Not shown to hold at 20 °C, nothing is proven for %1."),
-            symbols);
     const bool withoutUncertainty = std::ranges::all_of(
         results, [](const PrintedResult *result) { return !result->parameter->expandedUncertainty; });
-    if (withoutUncertainty)
-        return part.write.say(
-            REPORT_TEXT("report", "Without the measurement uncertainty nothing is proven for %1."), symbols);
-    if (part.test.decisionRule.rule == Rule::rejectionProven)
-        return part.write.say(
-            REPORT_TEXT("report", "For %1 non-conformity is not proven: no ground for rejection."), symbols);
-    return part.write.say(REPORT_TEXT("report", "For %1 neither conformity nor non-conformity is proven."),
-                          symbols);
+    const Text words =
+        uncorrected && notCorrected(part.evaluation)
+            ? REPORT_TEXT("report", "Not corrected to 20 °C, nothing is proven for %1.")
+        : uncorrected ? REPORT_TEXT("report", "Not shown to hold at 20 °C, nothing is proven for %1.")
+        : withoutUncertainty
+            ? REPORT_TEXT("report", "Without the measurement uncertainty nothing is proven for %1.")
+        : part.test.decisionRule.rule == Rule::rejectionProven
+            ? REPORT_TEXT("report", "For %1 non-conformity is not proven: no ground for rejection.")
+            : REPORT_TEXT("report", "For %1 neither conformity nor non-conformity is proven.");
+    return part.write.say(words, symbols);
 }
 
 /// True if a result, evaluable or not, has no limit.

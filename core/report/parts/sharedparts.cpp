@@ -159,14 +159,17 @@ public:
         std::vector<Cell> row{QString::number(part.number)};
         for (const SensorMeasures what : measured) {
             const Temperatures temperatures = temperaturesOf(conditions, what);
-            row.push_back(shownAtLeast(temperatures.start, Quantity::temperature, temperatureDecimals));
-            row.push_back(shownAtLeast(temperatures.end, Quantity::temperature, temperatureDecimals));
+            row.emplace_back(
+                m_write.numberAtLeast(temperatures.start, Quantity::temperature, temperatureDecimals));
+            row.emplace_back(
+                m_write.numberAtLeast(temperatures.end, Quantity::temperature, temperatureDecimals));
         }
         withKind(part, [&](const auto &own) { addAir(row, own.measurement.conditions); });
         const bool expands = motionOf(part.test) == Motion::linear;
         for (const auto &alpha : {conditions.expansion.machine, conditions.expansion.instrument})
-            row.push_back(expands || alpha ? shownAtLeast(alpha, Quantity::expansion, expansionDecimals)
-                                           : blankCell());
+            row.push_back(expands || alpha
+                              ? Cell(m_write.numberAtLeast(alpha, Quantity::expansion, expansionDecimals))
+                              : blankCell());
         m_table.rows.push_back(std::move(row));
     }
 
@@ -190,20 +193,12 @@ private:
 
     void addAir(std::vector<Cell> &row, const auto &conditions) const {
         if constexpr (requires { conditions.airPressure; }) {
-            row.push_back(shown(conditions.airPressure, Quantity::pressure));
-            row.push_back(shown(conditions.airHumidity, Quantity::percent));
-            row.push_back(shown(conditions.gradientPerHour, Quantity::gradient));
+            row.emplace_back(m_write.number(conditions.airPressure, Quantity::pressure));
+            row.emplace_back(m_write.number(conditions.airHumidity, Quantity::percent));
+            row.emplace_back(m_write.number(conditions.gradientPerHour, Quantity::gradient));
         } else {
             row.insert(row.end(), 3, blankCell()); // not required
         }
-    }
-
-    [[nodiscard]] Cell shown(std::optional<double> value, Quantity quantity, int decimals = -1) const {
-        return {value ? m_write.language().number(certain(*value), quantity, decimals) : QString()};
-    }
-
-    [[nodiscard]] Cell shownAtLeast(std::optional<double> value, Quantity quantity, int least) const {
-        return shown(value, quantity, value ? statedDecimals(*value, quantity, least) : least);
     }
 
     const Writer &m_write;

@@ -12,22 +12,6 @@ bool TestPart::leavesOut(ReportPart part) const {
     return std::ranges::find(head().leaveOut, part) != head().leaveOut.end();
 }
 
-QString TestPart::headAnchor() const {
-    return QStringLiteral("test-") + QString::number(number);
-}
-
-QString TestPart::findingsAnchor() const {
-    return QStringLiteral("findings-") + QString::number(number);
-}
-
-Quantity PositioningPart::along() const {
-    return positionQuantity(measurement);
-}
-
-Quantity PositioningPart::deviation() const {
-    return deviationQuantity(measurement);
-}
-
 bool CircularPart::asksFor(OfCircle quantity) const {
     return std::ranges::any_of(evaluation.parameters, [&](const Parameter &parameter) {
         return parameter.required && parameter.term.circle == quantity;
@@ -36,10 +20,6 @@ bool CircularPart::asksFor(OfCircle quantity) const {
 
 bool CircularPart::needsLength() const {
     return !feedback() && (asksFor(OfCircle::radialDeviation) || asksFor(OfCircle::meanRadialDeviation));
-}
-
-bool CircularPart::holdsAt20() const {
-    return results.at20 == At20::hold;
 }
 
 QString CircularPart::plane() const {

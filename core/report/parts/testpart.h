@@ -6,6 +6,7 @@
 #include "kernel/evaluation/edition.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/measurement/testfacts.h"
+#include "language/decimals.h"
 #include "language/language.h"
 #include "report/blocks/report.h"
 
@@ -35,6 +36,15 @@ public:
     }
     [[nodiscard]] QString quantity(std::optional<double> value, Quantity quantity, int decimals = -1) const {
         return value ? m_language.quantity(*value, quantity, decimals) : QString();
+    }
+
+    /// As stated, with all its digits; empty if it is not.
+    [[nodiscard]] QString number(std::optional<double> value, Quantity quantity, int decimals = -1) const {
+        return value ? m_language.number(certain(*value), quantity, decimals) : QString();
+    }
+    /// The same with at least this many decimals.
+    [[nodiscard]] QString numberAtLeast(std::optional<double> value, Quantity quantity, int least) const {
+        return number(value, quantity, value ? statedDecimals(*value, quantity, least) : least);
     }
 
     /// A column with a title in words; width in mm.
@@ -91,16 +101,16 @@ struct TestPart {
     [[nodiscard]] const ReportHead &head() const { return document().report; }
     [[nodiscard]] const Edition &edition() const { return *evaluation.edition; }
     [[nodiscard]] bool leavesOut(ReportPart part) const;
-    [[nodiscard]] QString findingsAnchor() const;
-    [[nodiscard]] QString headAnchor() const;
+    [[nodiscard]] QString findingsAnchor() const { return QStringLiteral("findings-%1").arg(number); }
+    [[nodiscard]] QString headAnchor() const { return QStringLiteral("test-%1").arg(number); }
 };
 
 struct PositioningPart : TestPart {
     const PositioningMeasurement &measurement;
     const PositioningResults &results;
 
-    [[nodiscard]] Quantity along() const;
-    [[nodiscard]] Quantity deviation() const;
+    [[nodiscard]] Quantity along() const { return positionQuantity(measurement.axis); }
+    [[nodiscard]] Quantity deviation() const { return deviationQuantity(measurement.axis); }
     /// True for linear axes, whose results depend on temperature.
     [[nodiscard]] bool needsLength() const { return measurement.axis.motion == Motion::linear; }
 };
@@ -115,7 +125,7 @@ struct CircularPart : TestPart {
     /// True if F or D is required and possible, so that reference length and temperatures matter.
     [[nodiscard]] bool needsLength() const;
     /// True if F and D are corrected to 20 °C, or known temperatures need no correction.
-    [[nodiscard]] bool holdsAt20() const;
+    [[nodiscard]] bool holdsAt20() const { return results.at20 == At20::hold; }
     /// Axes in the order of the plane: "XY".
     [[nodiscard]] QString plane() const;
 };
