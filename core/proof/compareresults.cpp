@@ -61,11 +61,7 @@ public:
 
 private:
     void add(const QString &printed, const QString &follows, const QString &path) {
-        Difference difference;
-        difference.printed = printed;
-        difference.follows = follows;
-        difference.context = QStringLiteral("results.json: ") + path;
-        m_found.push_back(std::move(difference));
+        m_found.push_back({0, {}, printed, follows, QStringLiteral("results.json: ") + path, {}});
     }
 
     void compareObjects(const json &printed, const json &follows, const QString &path) {
@@ -95,9 +91,7 @@ private:
 };
 
 Difference said(Text what) {
-    Difference difference;
-    difference.what = Message{what, {}, {}};
-    return difference;
+    return {0, {}, {}, {}, {}, Message{what}};
 }
 
 } // namespace

@@ -82,13 +82,10 @@ QString textOf(const PrintedRow &row) {
 }
 
 Difference differenceAt(const Line &line, const PrintedRow &row) {
-    Difference difference;
-    difference.page = line.page;
+    QRectF area;
     for (const PrintedWord &word : line.words)
-        difference.area |= word.area;
-    difference.printed = textOf(line);
-    difference.follows = textOf(row);
-    return difference;
+        area |= word.area;
+    return {line.page, area, textOf(line), textOf(row), {}, {}};
 }
 
 PrintedRow squeezed(const PrintedRow &row) {
@@ -123,11 +120,8 @@ std::vector<Difference> compareRows(const std::vector<PrintedWords> &pages,
                 almost[i] = &*given;
             }
         }
-        for (; wanted > 0; --wanted) {
-            Difference difference;
-            difference.follows = textOf(*given);
-            missing.push_back(std::move(difference));
-        }
+        for (; wanted > 0; --wanted)
+            missing.push_back({0, {}, {}, textOf(*given), {}, {}});
     }
     std::vector<Difference> result;
     for (std::size_t i = 0; i < lines.size(); ++i) {

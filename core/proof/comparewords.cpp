@@ -116,14 +116,13 @@ std::vector<Difference> compareWords(const PrintedWords &printed, const PrintedW
         const bool stands = gap.printedFrom < gap.printedTo;
         const std::size_t before = gap.followsFrom - std::min(gap.followsFrom, around);
         const std::size_t after = std::min(gap.followsTo + around, follows.size());
-        Difference difference;
-        difference.page = page;
-        difference.area = stands ? areaOf(printed, gap.printedFrom, gap.printedTo)
-                                 : areaOf(follows, gap.followsFrom, gap.followsTo);
-        difference.printed = textOf(printed, gap.printedFrom, gap.printedTo);
-        difference.follows = textOf(follows, gap.followsFrom, gap.followsTo);
-        difference.context = textOf(follows, before, after);
-        result.push_back(std::move(difference));
+        result.push_back({page,
+                          stands ? areaOf(printed, gap.printedFrom, gap.printedTo)
+                                 : areaOf(follows, gap.followsFrom, gap.followsTo),
+                          textOf(printed, gap.printedFrom, gap.printedTo),
+                          textOf(follows, gap.followsFrom, gap.followsTo),
+                          textOf(follows, before, after),
+                          {}});
     }
     return result;
 }

@@ -6,17 +6,9 @@ namespace palmer {
 
 namespace {
 
-Difference said(int page, Text what, const QString &context = {}, std::vector<Argument> arguments = {}) {
-    Difference result;
-    result.page = page;
-    result.what = Message{what, std::move(arguments), {}};
-    result.context = context;
-    return result;
-}
-
-Difference at(const QRectF &area, Difference difference) {
-    difference.area = area;
-    return difference;
+Difference said(int page, Text what, const QString &context = {}, std::vector<Argument> arguments = {},
+                const QRectF &area = {}) {
+    return {page, area, {}, {}, context, Message{what, std::move(arguments)}};
 }
 
 } // namespace
@@ -42,13 +34,12 @@ Difference otherPageSize(int page) {
 }
 
 Difference drawnOtherwise(int page, const QRectF &area, const QString &words) {
-    return at(area,
-              said(page, REPORT_TEXT("report", "the page is drawn otherwise than it follows from the data"),
-                   words));
+    return said(page, REPORT_TEXT("report", "the page is drawn otherwise than it follows from the data"),
+                words, {}, area);
 }
 
 Difference coveredBySignature(int page, const QRectF &area, const QString &words) {
-    return at(area, said(page, REPORT_TEXT("report", "a signature covers what is printed"), words));
+    return said(page, REPORT_TEXT("report", "a signature covers what is printed"), words, {}, area);
 }
 
 Difference brokenSignature(const QString &signer) {

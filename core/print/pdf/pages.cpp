@@ -378,36 +378,37 @@ Flow flowOf(const std::vector<Block> &blocks, QSizeF size) {
     return flow;
 }
 
+/// Calls `visit` with each strip, the block it belongs to, and its page, counted from 1.
+void eachStrip(const Flow &flow, const auto &visit) {
+    std::size_t block = 0;
+    int page = 0;
+    for (const PageStrips &content : flow.pages()) {
+        ++page;
+        for (const Strip &strip : content.strips) {
+            if (strip.block >= 0)
+                block = static_cast<std::size_t>(strip.block);
+            visit(strip, block, page);
+        }
+    }
+}
+
 /// Page on which each block ends; 0: it has no strip.
 std::vector<int> pagesOfBlocks(const Flow &flow, std::size_t count) {
     std::vector<int> result(count);
-    std::size_t block = 0;
-    int number = 0;
-    for (const PageStrips &page : flow.pages()) {
-        ++number;
-        for (const Strip &strip : page.strips) {
-            if (strip.block >= 0)
-                block = static_cast<std::size_t>(strip.block);
-            if (block < count)
-                result[block] = number;
-        }
-    }
+    eachStrip(flow, [&](const Strip &, std::size_t block, int page) {
+        if (block < count)
+            result[block] = page;
+    });
     return result;
 }
 
 std::map<QString, int> anchorPages(const Flow &flow, const std::vector<Block> &blocks) {
     std::map<QString, int> result;
-    int number = 0;
-    for (const PageStrips &page : flow.pages()) {
-        ++number;
-        for (const Strip &strip : page.strips) {
-            if (strip.block < 0)
-                continue;
-            const QString anchor = anchorOf(blocks[static_cast<std::size_t>(strip.block)]);
-            if (!anchor.isEmpty())
-                result.emplace(anchor, number);
-        }
-    }
+    eachStrip(flow, [&](const Strip &strip, std::size_t block, int page) {
+        const QString anchor = strip.block < 0 ? QString() : anchorOf(blocks[block]);
+        if (!anchor.isEmpty())
+            result.emplace(anchor, page);
+    });
     return result;
 }
 
@@ -464,12 +465,10 @@ bool followPages(std::vector<Block> &blocks, const Flow &flow) {
     constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
     std::vector<std::size_t> places(blocks.size(), none);
     std::size_t place = 0;
-    for (const PageStrips &page : flow.pages()) {
-        for (const Strip &strip : page.strips) {
-            if (strip.block >= 0)
-                places[static_cast<std::size_t>(strip.block)] = ++place;
-        }
-    }
+    eachStrip(flow, [&](const Strip &strip, std::size_t block, int) {
+        if (strip.block >= 0)
+            places[block] = ++place;
+    });
     std::size_t last = 0; // blocks without strips stay after those above them
     for (std::size_t &each : places) {
         each = each == none ? last : each;
@@ -491,15 +490,10 @@ bool followPages(std::vector<Block> &blocks, const Flow &flow) {
 /// Height of each block with the gap above it; 0: it has no strip.
 std::vector<double> heightsOfBlocks(const Flow &flow, std::size_t count) {
     std::vector<double> result(count);
-    std::size_t block = 0;
-    for (const PageStrips &page : flow.pages()) {
-        for (const Strip &strip : page.strips) {
-            if (strip.block >= 0)
-                block = static_cast<std::size_t>(strip.block);
-            if (block < count)
-                result[block] += strip.gap + strip.height;
-        }
-    }
+    eachStrip(flow, [&](const Strip &strip, std::size_t block, int) {
+        if (block < count)
+            result[block] += strip.gap + strip.height;
+    });
     return result;
 }
 

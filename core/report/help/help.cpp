@@ -77,13 +77,19 @@ Cell clauseCell(const char *clause) {
     return *clause == 0 ? Cell() : Cell(QString::fromUtf8(clause));
 }
 
-HelpPage positioningPage(const Edition &edition, const Language &language) {
-    HelpPage page{
-        QStringLiteral("editions.") + QString::fromUtf8(edition.word), QString::fromUtf8(edition.word), {}};
-    auto &blocks = page.content.blocks;
-    blocks.emplace_back(Heading{1, page.title});
+/// The page of an edition, with its title.
+HelpPage pageOf(const Edition &edition, const Language &language) {
+    const QString word = QString::fromUtf8(edition.word);
+    HelpPage page{QStringLiteral("editions.") + word, word, {}};
+    page.content.blocks.emplace_back(Heading{1, word});
     if (!edition.title.empty())
-        blocks.emplace_back(Paragraph{language.text(edition.title)});
+        page.content.blocks.emplace_back(Paragraph{language.text(edition.title)});
+    return page;
+}
+
+HelpPage positioningPage(const Edition &edition, const Language &language) {
+    HelpPage page = pageOf(edition, language);
+    auto &blocks = page.content.blocks;
     blocks.emplace_back(Heading{2, language.text(REPORT_TEXT("report", "Parameters of the axis"))});
     Table table = symbolTable(language);
     for (const Row &row : edition.rows)
@@ -110,12 +116,8 @@ HelpPage positioningPage(const Edition &edition, const Language &language) {
 }
 
 HelpPage circularPage(const Edition &edition, const Language &language) {
-    HelpPage page{
-        QStringLiteral("editions.") + QString::fromUtf8(edition.word), QString::fromUtf8(edition.word), {}};
+    HelpPage page = pageOf(edition, language);
     auto &blocks = page.content.blocks;
-    blocks.emplace_back(Heading{1, page.title});
-    if (!edition.title.empty())
-        blocks.emplace_back(Paragraph{language.text(edition.title)});
     Table table = symbolTable(language);
     for (const CircularRow &row : edition.circles->rows) {
         const auto found = std::ranges::find_if(circularFormulas, [&](const CircularFormula &formula) {
