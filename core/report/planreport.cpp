@@ -11,10 +11,6 @@ namespace {
 
 constexpr int runsBeside = 5; ///< further runs are printed below
 
-QString joined(const Language &language, double value, Quantity quantity, int decimals = -1) {
-    return language.quantity(value, quantity, decimals);
-}
-
 KeyValues head(const TargetRequest &request, const TargetPlan &plan, const CycleProgram &program,
                const Language &language) {
     const bool linear = request.motion == Motion::linear;
@@ -43,7 +39,7 @@ KeyValues head(const TargetRequest &request, const TargetPlan &plan, const Cycle
                               {Number{plan.randomPart, position, request.decimals}}));
     } else {
         add(REPORT_TEXT("report", "Nominal interval"),
-            joined(language, *plan.interval, position, request.decimals));
+            language.quantity(*plan.interval, position, request.decimals));
         add(REPORT_TEXT("report", "Random part"),
             request.rule == TargetRule::pitches1988 && !plan.boundOf2006 && request.period
                 ? language.sentence(REPORT_TEXT("report", "P = (N + r)·p, p = %1"),
@@ -61,10 +57,10 @@ KeyValues head(const TargetRequest &request, const TargetPlan &plan, const Cycle
                                                        : REPORT_TEXT("report", "step cycle")));
     add(REPORT_TEXT("report", "Runs each way"), language.number(program.runs, Quantity::count));
     add(REPORT_TEXT("report", "Feed rate"),
-        program.feed ? joined(language, *program.feed, linear ? Quantity::feed : Quantity::angularFeed)
+        program.feed ? language.quantity(*program.feed, linear ? Quantity::feed : Quantity::angularFeed)
                      : language.text(REPORT_TEXT("report", "rapid feed")));
-    add(REPORT_TEXT("report", "Dwell at each target"), joined(language, program.dwell, Quantity::time));
-    add(REPORT_TEXT("report", "Approach distance"), joined(language, program.approach, position));
+    add(REPORT_TEXT("report", "Dwell at each target"), language.quantity(program.dwell, Quantity::time));
+    add(REPORT_TEXT("report", "Approach distance"), language.quantity(program.approach, position));
     return result;
 }
 

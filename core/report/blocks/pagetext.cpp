@@ -90,14 +90,10 @@ private:
     void line(const QString &text) { m_text += text + u'\n'; }
 
     /// Adds one line of the non-empty texts.
-    void cells(const QStringList &texts) {
-        QStringList filled;
-        for (const QString &text : texts) {
-            if (!text.isEmpty())
-                filled << text;
-        }
-        if (!filled.isEmpty())
-            line(filled.join(between.toString()));
+    void cells(QStringList texts) {
+        texts.removeAll(QString());
+        if (!texts.isEmpty())
+            line(texts.join(between.toString()));
     }
 
     void head(const Table &table) {

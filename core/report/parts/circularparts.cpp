@@ -93,8 +93,7 @@ QString temperatureText(const CircularPart &part, SensorMeasures what, std::opti
                      part.write.language().number(
                          *alpha, Quantity::expansion,
                          statedDecimals(*alpha, Quantity::expansion, expansionDecimals));
-    texts.removeAll(QString());
-    return texts.join(part.write.semicolon());
+    return joined(texts, part.write.semicolon());
 }
 
 QString startAndStop(const CircularPart &part) {

@@ -200,10 +200,8 @@ void addLoadAndState(ConditionRows &rows, const TestPart &part, const Conditions
 void addPurpose(ConditionRows &rows, const TestPart &part) {
     const Text role = roleText(part.test.role);
     const Text purpose = purposeText(part.test.purpose);
-    QStringList texts{purpose.empty() ? QString() : part.write.text(purpose),
-                      role.empty() ? QString() : part.write.text(role)};
-    texts.removeAll(QString());
-    rows.addStated("purpose", texts.join(QStringLiteral(", ")));
+    rows.addStated("purpose", joined({purpose.empty() ? QString() : part.write.text(purpose),
+                                      role.empty() ? QString() : part.write.text(role)}));
     const DeclaredAccordance &declared = part.test.declaredAccordance;
     rows.addStated(REPORT_TEXT("report", "Declared by the laboratory"),
                    joined({joined({QString::fromStdString(declared.by), dateText(part.write, declared.date)}),

@@ -52,17 +52,21 @@ QString briefTestName(const TestPart &part) {
     return write.say(kindWords(part.test).brief, {axes, Number{radius, Quantity::position, -1}});
 }
 
+/// The accordance in words, with the number of requirements that are not met or not declared.
+QString countedWords(const Writer &write, Accordance accordance, const RequirementCounts &found) {
+    if (accordance == Accordance::no)
+        return write.language().sentence(
+            {REPORT_TEXT_COUNTED("report", "%n requirement(s) not met"), {}, found.unmet});
+    if (accordance == Accordance::notShown)
+        return write.language().sentence(
+            {REPORT_TEXT_COUNTED("report", "%n requirement(s) not declared"), {}, found.undeclared});
+    return write.text(accordanceWords(accordance));
+}
+
 CellNote accordanceNote(const TestPart &part) {
     const Accordance accordance = part.evaluation.accordance();
-    const RequirementCounts found = countRequirements(part.evaluation.findings);
-    QString words = part.write.text(accordanceWords(accordance));
-    if (accordance == Accordance::no)
-        words = part.write.language().sentence(
-            {REPORT_TEXT_COUNTED("report", "%n requirement(s) not met"), {}, found.unmet});
-    else if (accordance == Accordance::notShown)
-        words = part.write.language().sentence(
-            {REPORT_TEXT_COUNTED("report", "%n requirement(s) not declared"), {}, found.undeclared});
-    return {words, markOf(accordance)};
+    return {countedWords(part.write, accordance, countRequirements(part.evaluation.findings)),
+            markOf(accordance)};
 }
 
 Cell testCell(const TestPart &part, bool pale) {
@@ -245,8 +249,7 @@ struct Whole {
     bool asLeft = false;
     int limits = 0;
     int met = 0;
-    int unmet = 0; ///< requirements
-    int undeclared = 0;
+    RequirementCounts requirements;
     QStringList editions;
     QStringList asFound; ///< numbers of tests that do not count
 
@@ -271,8 +274,8 @@ Whole wholeOf(const std::vector<TestPart> &parts) {
         whole.verdict = worst(whole.verdict, part.evaluation.verdict);
         whole.accordances.push_back(part.evaluation.accordance());
         const RequirementCounts requirements = countRequirements(part.evaluation.findings);
-        whole.unmet += requirements.unmet;
-        whole.undeclared += requirements.undeclared;
+        whole.requirements.unmet += requirements.unmet;
+        whole.requirements.undeclared += requirements.undeclared;
         whole.asLeft |= part.test.role == TestRole::asLeft;
         whole.editions << standardName(part.write.language(), &part.edition());
         whole.limits += static_cast<int>(part.evaluation.limits.size());
@@ -373,15 +376,10 @@ VerdictLine verdictLine(const std::vector<TestPart> &parts, const Whole &whole, 
                    whole.verdict ? markOf(*whole.verdict) : Mark::none,
                    write.text(palmer::limitsText(whole.verdict, whole.anyLimit)),
                    limitsText(parts, whole, rule)};
-    QString state = write.text(accordanceWords(weakest));
-    if (weakest == Accordance::yes)
-        state = write.say(REPORT_TEXT("report", "in accordance with %1"), enumerated(write, whole.editions));
-    else if (weakest == Accordance::no)
-        state = write.language().sentence(
-            {REPORT_TEXT_COUNTED("report", "%n requirement(s) not met"), {}, whole.unmet});
-    else if (weakest == Accordance::notShown)
-        state = write.language().sentence(
-            {REPORT_TEXT_COUNTED("report", "%n requirement(s) not declared"), {}, whole.undeclared});
+    const QString state =
+        weakest == Accordance::yes
+            ? write.say(REPORT_TEXT("report", "in accordance with %1"), enumerated(write, whole.editions))
+            : countedWords(write, weakest, whole.requirements);
     line.accordance = {write.text(REPORT_TEXT_FOR("report", "Tests", "part of a verdict")), markOf(weakest),
                        state, accordanceOfAll(whole.accordances, write.language())};
     return line;

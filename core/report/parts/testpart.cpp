@@ -32,11 +32,9 @@ QString testName(const Writer &write, const Test &test) {
     return write.say(kindWords(test).name, {axes.empty() ? std::string("–") : axes});
 }
 
-QString joined(const QStringList &texts, const QString &separator) {
-    QStringList filled;
-    std::ranges::copy_if(texts, std::back_inserter(filled),
-                         [](const QString &text) { return !text.isEmpty(); });
-    return filled.join(separator);
+QString joined(QStringList texts, const QString &separator) {
+    texts.removeAll(QString());
+    return texts.join(separator);
 }
 
 QString enumerated(const Writer &write, QStringList texts) {

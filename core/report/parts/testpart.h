@@ -143,7 +143,7 @@ auto withKind(const TestPart &part, Use use) {
 [[nodiscard]] QString testName(const Writer &write, const Test &test);
 
 /// Joins the non-empty texts.
-[[nodiscard]] QString joined(const QStringList &texts, const QString &separator = QStringLiteral(", "));
+[[nodiscard]] QString joined(QStringList texts, const QString &separator = QStringLiteral(", "));
 
 /// "A, B and C".
 [[nodiscard]] QString enumerated(const Writer &write, QStringList texts);

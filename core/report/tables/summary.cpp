@@ -49,13 +49,9 @@ std::vector<SummaryColumn> allColumns() {
     return all;
 }
 
-QString fromUtf8(const std::string &text) {
-    return QString::fromStdString(text);
-}
-
 QString cellText(const nlohmann::ordered_json &told) {
     return told.is_number()   ? QString::fromStdString(shortest(told.get<double>()))
-           : told.is_string() ? fromUtf8(told.get<std::string>())
+           : told.is_string() ? QString::fromStdString(told.get<std::string>())
                               : QString();
 }
 
@@ -67,14 +63,14 @@ QStringList headOf(const EvaluatedDocument &evaluated, std::size_t index, const 
     const bool csv = form == SummaryForm::csv;
     QString date;
     if (test.date)
-        date = csv ? fromUtf8(*test.date) : language.shortDate(*test.date);
+        date = csv ? QString::fromStdString(*test.date) : language.shortDate(*test.date);
     QString role;
     if (test.role != TestRole::notStated)
         role = csv ? QString::fromUtf8(fileWord(test.role)) : language.text(roleText(test.role));
     return {file,
             QString::number(index + 1),
-            fromUtf8(evaluated.document->machine.name),
-            fromUtf8(axesOf(test)),
+            QString::fromStdString(evaluated.document->machine.name),
+            QString::fromStdString(axesOf(test)),
             date,
             evaluation.edition ? QString::fromUtf8(evaluation.edition->word) : QString(),
             role};

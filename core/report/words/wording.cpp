@@ -191,14 +191,6 @@ QString rulingText(const Parameter &parameter) {
     return ends.join(QStringLiteral(" – "));
 }
 
-Quantity positionQuantity(const PositioningMeasurement &measurement) {
-    return positionQuantity(measurement.axis);
-}
-
-Quantity deviationQuantity(const PositioningMeasurement &measurement) {
-    return deviationQuantity(measurement.axis);
-}
-
 std::optional<double> finestResolution(const Document &document, const Test &test) {
     std::optional<double> result;
     for (const std::string &id : test.instruments) {

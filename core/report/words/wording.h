@@ -87,8 +87,6 @@ struct RuleWords {
 [[nodiscard]] QString rulingText(const Parameter &parameter);
 
 /// Quantities used by a positioning test.
-[[nodiscard]] Quantity positionQuantity(const PositioningMeasurement &measurement);
-[[nodiscard]] Quantity deviationQuantity(const PositioningMeasurement &measurement);
 
 /// Finest resolution of the instruments of the test, in mm or degrees; null if none is stated.
 [[nodiscard]] std::optional<double> finestResolution(const Document &document, const Test &test);
