@@ -86,8 +86,6 @@ struct RuleWords {
 /// Targets that rule a parameter: "2↓ – 5↓"; may be empty.
 [[nodiscard]] QString rulingText(const Parameter &parameter);
 
-/// Quantities used by a positioning test.
-
 /// Finest resolution of the instruments of the test, in mm or degrees; null if none is stated.
 [[nodiscard]] std::optional<double> finestResolution(const Document &document, const Test &test);
 
