@@ -3,8 +3,8 @@
 #pragma once
 
 #include "ui/elidedlabel.h"
+#include "ui/madewidgets.h"
 #include "ui/register/filterchip.h"
-#include "ui/register/madewidgets.h"
 #include "ui/register/testfilters.h"
 
 #include <QPushButton>

@@ -4,8 +4,8 @@
 
 #include "ui/chip.h"
 #include "ui/elidedlabel.h"
+#include "ui/madewidgets.h"
 #include "ui/register/machinelist.h"
-#include "ui/register/madewidgets.h"
 
 #include <QComboBox>
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/madewidgets.h"
 #include "ui/register/firstuse.h"
 #include "ui/register/machinelist.h"
-#include "ui/register/madewidgets.h"
 #include "ui/register/unidentifiedrow.h"
 
 #include <QLabel>

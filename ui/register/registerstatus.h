@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/elidedlabel.h"
-#include "ui/register/madewidgets.h"
+#include "ui/madewidgets.h"
 
 #include <QProgressBar>
 #include <QPushButton>

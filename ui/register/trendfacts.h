@@ -3,7 +3,7 @@
 #pragma once
 
 #include "register/machinetrend.h"
-#include "ui/register/madewidgets.h"
+#include "ui/madewidgets.h"
 
 #include <QLabel>
 
