@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/languageswitch.h"
 
+#include "ui/madewidgets.h"
 #include "ui/windowlanguage.h"
 
 #include <QButtonGroup>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QToolButton>
 
 namespace palmer::ui {
@@ -15,9 +15,7 @@ LanguageSwitch::LanguageSwitch(Names names, QWidget *parent)
     : QWidget(parent)
     , m_french(new QToolButton(this))
     , m_english(new QToolButton(this)) {
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(0);
+    auto *row = inRow(this, noMargins, 0, {});
     auto *group = new QButtonGroup(this);
     for (QToolButton *button : {m_french, m_english}) {
         button->setCheckable(true);

@@ -28,15 +28,6 @@ template <class Widget, class... Arguments>
     return widget;
 }
 
-/// Returns a new layout without margins and spacing; `parent` may be null.
-template <class Layout>
-[[nodiscard]] Layout *tight(QWidget *parent = nullptr) {
-    auto *layout = new Layout(parent);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    return layout;
-}
-
 /// What is added to a row or column: a widget or a layout with its stretch factor, a gap in pixels, or a
 /// stretch.
 class Placed {

@@ -3,6 +3,7 @@
 #include "ui/pastebar.h"
 
 #include "tables/units.h"
+#include "ui/madewidgets.h"
 #include "ui/remarklist.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
@@ -10,11 +11,9 @@
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QInputDialog>
 #include <QLabel>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 namespace palmer::ui {
 
@@ -64,25 +63,9 @@ PasteBar::PasteBar(QWidget *parent)
     for (int i = 0; i < 3; ++i)
         m_content->addItem(QString(), i); // BlockContent
 
-    auto *marks = new QHBoxLayout;
-    marks->setSpacing(0);
-    marks->addWidget(m_comma);
-    marks->addWidget(m_point);
-    auto *row = new QHBoxLayout;
-    row->setSpacing(8);
-    row->addWidget(m_summary, 1);
-    row->addWidget(m_guess);
-    row->addLayout(marks);
-    row->addWidget(m_content);
-    row->addLayout(m_boxes);
-    row->addWidget(m_undo);
-    row->addWidget(m_close);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(8, 4, 4, 4);
-    column->setSpacing(2);
-    column->addLayout(row);
-    column->addWidget(m_remarks);
-    column->addWidget(m_questions);
+    auto *marks = inRow(0, {m_comma, m_point});
+    auto *row = inRow(8, {{m_summary, 1}, m_guess, marks, m_content, m_boxes, m_undo, m_close});
+    inColumn(this, {8, 4, 4, 4}, 2, {row, m_remarks, m_questions});
     m_questions->setObjectName(QStringLiteral("pasteQuestions"));
 
     connect(m_questions, &RemarkList::answered, this, &PasteBar::answered);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/sizeonscreen.h"
 
+#include "ui/madewidgets.h"
 #include "ui/taborder.h"
 
 #include <QApplication>
@@ -15,7 +16,6 @@
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QStyle>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace palmer::ui {
@@ -61,10 +61,7 @@ void scroll(QDialog &dialog, QLayout &whole, int room) {
     auto *inner = new QWidget(area->viewport());
     inner->setLayout(&whole); // takes the layout and its widgets from the dialog
     area->setWidget(inner);
-    auto *column = new QVBoxLayout(&dialog);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(area, 1);
+    auto *column = inColumn(&dialog, noMargins, 0, {{area, 1}});
     if (buttons) {
         auto *foot = new QWidget(&dialog);
         auto *row = new QHBoxLayout(foot);

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/workbar.h"
 
+#include "ui/madewidgets.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -52,12 +52,7 @@ WorkBar::WorkBar(QWidget *parent)
     m_cancel->setObjectName(QStringLiteral("cancelWork"));
     m_cancel->setAutoDefault(false);
     m_cancel->setProperty("link", true); // flat, to fit into a status bar
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(8);
-    row->addWidget(m_count);
-    row->addWidget(m_bar);
-    row->addWidget(m_cancel);
+    inRow(this, noMargins, 8, {m_count, m_bar, m_cancel});
     m_later->setSingleShot(true);
     m_later->setInterval(showAfter);
     connect(m_later, &QTimer::timeout, this, &QWidget::show);

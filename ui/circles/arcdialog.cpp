@@ -10,6 +10,7 @@
 #include "tables/units.h"
 #include "ui/circles/arctexts.h"
 #include "ui/formrows.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/remarklist.h"
 #include "ui/tabletext.h"
@@ -20,7 +21,6 @@
 #include <QDialogButtonBox>
 #include <QFontDatabase>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -101,21 +101,9 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
 
     auto *side = new QWidget(this);
     side->setFixedWidth(sideWidth);
-    auto *sideColumn = new QVBoxLayout(side);
-    sideColumn->setContentsMargins(0, 0, 0, 0);
-    sideColumn->setSpacing(12);
-    sideColumn->addLayout(makeForm());
-    sideColumn->addWidget(m_problem);
-    sideColumn->addWidget(m_paths);
-    sideColumn->addStretch();
-    auto *left = new QVBoxLayout;
-    left->setSpacing(4);
-    left->addWidget(label);
-    left->addWidget(m_text, 1);
-    auto *body = new QHBoxLayout;
-    body->setSpacing(16);
-    body->addLayout(left, 1);
-    body->addWidget(side);
+    inColumn(side, noMargins, 12, {makeForm(), m_problem, m_paths, Placed::stretch()});
+    auto *left = inColumn(4, {label, {m_text, 1}});
+    auto *body = inRow(16, {{left, 1}, side});
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_add = buttons->addButton(QString(), QDialogButtonBox::AcceptRole);
     m_add->setObjectName(QStringLiteral("addArcs"));
@@ -123,12 +111,8 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     m_confirmAll = buttons->addButton(tr("Con&firm all"), QDialogButtonBox::ActionRole);
     m_confirmAll->setObjectName(QStringLiteral("confirmAll"));
     m_confirmAll->setAutoDefault(false);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(pageMargin, pageMargin, pageMargin, pageMargin);
-    column->setSpacing(16);
-    column->addLayout(body, 1);
-    column->addWidget(m_remarksPlace);
-    column->addWidget(buttons);
+    inColumn(this, {pageMargin, pageMargin, pageMargin, pageMargin}, 16,
+             {{body, 1}, m_remarksPlace, buttons});
     resize(720, 600);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -195,10 +179,7 @@ QLineEdit *ArcDialog::addAngle(QFormLayout &form, const char *name, const QStrin
     field->setAlignment(Qt::AlignRight);
     auto *text = new QLabel(label, this);
     text->setBuddy(field);
-    auto *row = new QHBoxLayout;
-    row->addWidget(field);
-    row->addWidget(new QLabel(QStringLiteral("°"), this));
-    form.addRow(text, row);
+    form.addRow(text, inRow(styleSpacing, {field, new QLabel(QStringLiteral("°"), this)}));
     connect(field, &QLineEdit::textChanged, this, [this] {
         m_answers.erase("arc"); // what was confirmed was another extent
         read();

@@ -11,6 +11,7 @@
 #include "ui/elidedbox.h"
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/clipboardtext.h"
 #include "ui/model/editname.h"
@@ -24,7 +25,6 @@
 #include <QEvent>
 #include <QGridLayout>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -32,7 +32,6 @@
 #include <QTableView>
 #include <QToolButton>
 #include <QUndoStack>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 
@@ -81,13 +80,8 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
         fitColumns();
         showCurrent();
     });
-    auto *bar = new QHBoxLayout;
-    bar->setContentsMargins(0, 8, 0, 8);
-    bar->setSpacing(0);
-    for (QToolButton *button : {m_deviations, m_coordinates, m_lengths})
-        bar->addWidget(button);
-    bar->addStretch();
-    bar->addWidget(m_newArc);
+    auto *bar = inRow(nullptr, {0, 8, 0, 8}, 0,
+                      {m_deviations, m_coordinates, m_lengths, Placed::stretch(), m_newArc});
     m_newArc->setObjectName(QStringLiteral("newArcButton"));
     m_newArc->setIcon(lineIcon(QStringLiteral("plus")));
     m_newArc->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -96,11 +90,9 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     barArea->setFixedHeight(pageBarHeight);
     barArea->setLayout(bar);
 
-    auto *parameters = new QVBoxLayout;
-    parameters->setSpacing(8);
+    auto *parameters = inColumn(8, {});
     makeParameters(*parameters);
-    auto *rangeRow = new QHBoxLayout;
-    rangeRow->setSpacing(6);
+    auto *rangeRow = inRow(6, {});
     makeRangeRow(*rangeRow);
     makeTables();
     makeActions();
@@ -116,22 +108,11 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     m_import->setObjectName(QStringLiteral("importArcs"));
     connect(m_import, &QPushButton::clicked, this, &CirclesPage::importAsked);
     m_emptyPlace = new QWidget(this);
-    auto *empty = new QVBoxLayout(m_emptyPlace);
-    empty->setContentsMargins(0, 0, 0, 0);
-    empty->setSpacing(12);
-    empty->addStretch();
-    empty->addWidget(m_empty);
-    empty->addWidget(m_import, 0, Qt::AlignHCenter);
-    empty->addStretch();
+    inColumn(m_emptyPlace, noMargins, 12,
+             {Placed::stretch(), m_empty, {m_import, 0, Qt::AlignHCenter}, Placed::stretch()});
     m_emptyPlace->hide();
 
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, 0, pageMargin, 8);
-    layout->setSpacing(8);
-    layout->addWidget(barArea);
-    layout->addLayout(parameters);
-    layout->addWidget(m_arcs);
-    layout->addLayout(rangeRow);
+    auto *layout = inColumn(this, {pageMargin, 0, pageMargin, 8}, 8, {barArea, parameters, m_arcs, rangeRow});
     auto *curves = new QGridLayout; // the reason overlays the curves, so that nothing below moves
     curves->addWidget(m_curves, 0, 0);
     curves->addWidget(m_reason, 0, 0, Qt::AlignTop);
@@ -168,11 +149,7 @@ QWidget *CirclesPage::labelled(QHBoxLayout &row, int share, const char *label, Q
     text->setFixedHeight(labelHeight);
     text->setProperty("secondary", true);
     text->setBuddy(field);
-    auto *box = new QVBoxLayout;
-    box->setSpacing(4);
-    box->addWidget(text);
-    box->addWidget(field);
-    row.addLayout(box, share);
+    row.addLayout(inColumn(4, {text, field}), share);
     m_labels.push_back({text, label, field});
     return field;
 }
@@ -216,12 +193,10 @@ void CirclesPage::readPositive(Field *field, Quantity quantity, bool needed) {
 }
 
 void CirclesPage::makeParameters(QVBoxLayout &rows) {
-    auto *test = new QHBoxLayout;
-    auto *centres = new QHBoxLayout;
-    for (QHBoxLayout *row : {test, centres}) {
-        row->setSpacing(fieldGap);
-        rows.addLayout(row);
-    }
+    auto *test = inRow(fieldGap, {});
+    auto *centres = inRow(fieldGap, {});
+    rows.addLayout(test);
+    rows.addLayout(centres);
     // The width shares follow the lengths of the labels.
     m_plane = addChoice(*test, 4, "plane", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Plane"));
     m_radius = makeNumber("nominalRadius");

@@ -9,6 +9,7 @@
 #include "ui/elidedlabel.h"
 #include "ui/figures/linechart.h"
 #include "ui/figures/zoombuttons.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/rowtable.h"
 #include "ui/theme.h"
@@ -16,14 +17,12 @@
 #include <QButtonGroup>
 #include <QCheckBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QScrollArea>
 #include <QSignalBlocker>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <numbers>
 
@@ -43,9 +42,7 @@ QCheckBox *tickBox(QTableWidget &table, int row) {
     auto *cell = new QWidget(&table);
     auto *box = new QCheckBox(cell);
     box->setFocusPolicy(Qt::NoFocus); // the space bar ticks the current row
-    auto *layout = new QHBoxLayout(cell);
-    layout->setContentsMargins(0, 0, 0, 1);
-    layout->addWidget(box, 0, Qt::AlignCenter);
+    inRow(cell, {0, 0, 0, 1}, styleSpacing, {{box, 0, Qt::AlignCenter}});
     table.setCellWidget(row, TableColumn::ticks, cell);
     return box;
 }
@@ -59,18 +56,10 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
     , m_trace(new QToolButton(this))
     , m_empty(new QLabel(this)) {
     setObjectName(QStringLiteral("diagnosisPage"));
-    auto *page = new QVBoxLayout(this);
-    page->setContentsMargins(0, 0, 0, 0);
-    page->setSpacing(0);
     m_nature->setObjectName(QStringLiteral("diagnosisNature"));
     m_nature->setFont(themeFont(TextSize::head));
-    auto *head = new QHBoxLayout;
-    head->setContentsMargins(pageMargin, 6, pageMargin, 0);
-    head->setSpacing(12);
-    head->addWidget(m_nature);
-    head->addWidget(m_summary, 1);
-    page->addLayout(head);
-    page->addWidget(makeBar());
+    auto *head = inRow(nullptr, {pageMargin, 6, pageMargin, 0}, 12, {m_nature, {m_summary, 1}});
+    auto *bar = makeBar();
     m_area = new QScrollArea(this);
     m_area->setWidgetResizable(true);
     m_area->setFrameShape(QFrame::NoFrame);
@@ -93,22 +82,14 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
         label->setWordWrap(true);
         label->setProperty("secondary", label != m_title);
     }
-    auto *column = new QVBoxLayout(m_content);
-    column->setContentsMargins(pageMargin, 0, pageMargin, 8);
-    column->setSpacing(4);
-    column->addWidget(m_table);
-    column->addSpacing(6);
-    column->addWidget(m_title);
-    column->addWidget(m_text);
-    column->addWidget(m_remarks);
-    column->addWidget(makeBelow(), 1);
+    inColumn(m_content, {pageMargin, 0, pageMargin, 8}, 4,
+             {m_table, Placed::gap(6), m_title, m_text, m_remarks, {makeBelow(), 1}});
     m_area->setWidget(m_content);
     m_empty->setObjectName(QStringLiteral("diagnosisEmpty"));
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
     m_empty->setProperty("secondary", true);
-    page->addWidget(m_area, 1);
-    page->addWidget(m_empty, 1);
+    inColumn(this, noMargins, 0, {head, bar, {m_area, 1}, {m_empty, 1}});
     connect(&m_diagnoser, &Diagnoser::changed, this, [this] {
         refresh();
         trace();
@@ -133,9 +114,7 @@ QToolButton *DiagnosisPage::addSegment(const char *segment, const char *name) {
 QWidget *DiagnosisPage::makeBar() {
     auto *area = new QWidget(this);
     area->setFixedHeight(diagnosisBarHeight);
-    auto *row = new QHBoxLayout(area);
-    row->setContentsMargins(pageMargin, 4, pageMargin, 4);
-    row->setSpacing(0);
+    auto *row = inRow(area, {pageMargin, 4, pageMargin, 4}, 0, {});
     m_summary->setObjectName(QStringLiteral("diagnosisSummary"));
     m_summary->setProperty("secondary", true);
     m_summary->setFont(themeFont(TextSize::small));
@@ -178,27 +157,14 @@ QWidget *DiagnosisPage::makeBelow() {
     m_chartNote->setObjectName(QStringLiteral("chartNote"));
     m_chartNote->setProperty("secondary", true);
     m_chartNote->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // takes the remaining width
-    auto *bar = new QHBoxLayout(m_chartBar);
-    bar->setContentsMargins(0, 4, 0, 0);
-    bar->setSpacing(0);
-    bar->addWidget(m_rest);
-    bar->addWidget(m_spectrum);
-    bar->addSpacing(8);
-    bar->addWidget(m_chartNote, 1);
+    auto *bar = inRow(m_chartBar, {0, 4, 0, 0}, 0, {m_rest, m_spectrum, Placed::gap(8), {m_chartNote, 1}});
     auto *zoom = new ZoomButtons(m_chartBar);
     bar->addWidget(zoom);
     m_overlay = new FeedsView(area);
     m_chart = new LineChart(area);
     m_chart->setObjectName(QStringLiteral("diagnosisChart"));
-    auto *charts = new QHBoxLayout;
-    charts->setSpacing(8);
-    charts->addWidget(m_overlay, 2);
-    charts->addWidget(m_chart, 3);
-    auto *column = new QVBoxLayout(area);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
-    column->addWidget(m_chartBar);
-    column->addLayout(charts, 1);
+    auto *charts = inRow(8, {{m_overlay, 2}, {m_chart, 3}});
+    inColumn(area, noMargins, 4, {m_chartBar, {charts, 1}});
     connect(zoom, &ZoomButtons::zoomWanted, m_chart, &LineChart::zoomBy);
     connect(zoom, &ZoomButtons::fitWanted, m_chart, &LineChart::fit);
     connect(kinds, &QButtonGroup::buttonClicked, this, [this] { fillChart(); });

@@ -11,6 +11,7 @@
 #include "ui/dialogs/comparisonview.h"
 #include "ui/errorbox.h"
 #include "ui/formulatext.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/quiettable.h"
 #include "ui/sizeonscreen.h"
@@ -23,7 +24,6 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
@@ -32,7 +32,6 @@
 #include <QTabBar>
 #include <QTabWidget>
 #include <QTableWidget>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace palmer::ui {
@@ -258,35 +257,19 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
         notes->setTextFormat(Qt::PlainText);
     }
     auto *editions = new QWidget(m_tabs);
-    auto *editionColumn = new QVBoxLayout;
-    editionColumn->addWidget(m_editionTable, 1);
-    editionColumn->addWidget(m_editionNotes);
-    auto *editionRow = new QHBoxLayout(editions);
-    editionRow->addWidget(m_editionList);
-    editionRow->addLayout(editionColumn, 1);
+    auto *editionColumn = inColumn(styleSpacing, {{m_editionTable, 1}, m_editionNotes});
+    inRow(editions, styleMargins, styleSpacing, {m_editionList, {editionColumn, 1}});
     auto *tests = new QWidget(m_tabs);
-    auto *listColumn = new QVBoxLayout;
-    listColumn->addWidget(m_testList, 1);
-    listColumn->addWidget(m_addFile);
-    auto *testColumn = new QVBoxLayout;
-    testColumn->addWidget(m_view, 1);
-    testColumn->addWidget(m_testTable, 1);
-    testColumn->addWidget(m_testNotes);
-    auto *testRow = new QHBoxLayout(tests);
-    testRow->addLayout(listColumn);
-    testRow->addLayout(testColumn, 1);
+    auto *listColumn = inColumn(styleSpacing, {{m_testList, 1}, m_addFile});
+    auto *testColumn = inColumn(styleSpacing, {{m_view, 1}, {m_testTable, 1}, m_testNotes});
+    inRow(tests, styleMargins, styleSpacing, {listColumn, {testColumn, 1}});
     m_tabs->addTab(editions, QString());
     m_tabs->addTab(tests, QString());
-    auto *buttons = new QHBoxLayout;
-    buttons->addStretch();
-    buttons->addWidget(m_copy);
-    buttons->addWidget(m_close);
+    auto *buttons = inRow(styleSpacing, {Placed::stretch(), m_copy, m_close});
     m_copy->setIcon(lineIcon(QStringLiteral("copy")));
     for (QPushButton *button : {m_addFile, m_copy, m_close})
         button->setAutoDefault(false);
-    auto *layout = new QVBoxLayout(this);
-    layout->addWidget(m_tabs, 1);
-    layout->addLayout(buttons);
+    inColumn(this, styleMargins, styleSpacing, {{m_tabs, 1}, buttons});
 
     if (test < evaluated.tests.size()) {
         const Test &shown = *evaluated.document->tests[test];

@@ -12,6 +12,7 @@
 #include "ui/errorbox.h"
 #include "ui/figures/lineview.h"
 #include "ui/forms/field.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/sizeonscreen.h"
 #include "ui/theme.h"
@@ -22,7 +23,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPlainTextEdit>
@@ -79,14 +79,11 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     , m_close(new QPushButton(this)) {
     setObjectName(QStringLiteral("compensationDialog"));
     resize(1040, 680);
-    auto *fields = new QVBoxLayout;
-    fields->setSpacing(8);
-    fields->addWidget(m_format);
-    fields->addWidget(
-        addNumber("from", QT_TR_NOOP("From (empty: first target)"), &CompensationOptions::from));
-    fields->addWidget(addNumber("to", QT_TR_NOOP("To (empty: last target)"), &CompensationOptions::to));
-    fields->addWidget(
-        addNumber("interval", QT_TR_NOOP("Interval (empty: the targets)"), &CompensationOptions::interval));
+    auto *fields = inColumn(
+        8,
+        {m_format, addNumber("from", QT_TR_NOOP("From (empty: first target)"), &CompensationOptions::from),
+         addNumber("to", QT_TR_NOOP("To (empty: last target)"), &CompensationOptions::to),
+         addNumber("interval", QT_TR_NOOP("Interval (empty: the targets)"), &CompensationOptions::interval)});
     Field *reference =
         addNumber("reference", QT_TR_NOOP("Reference point of the axis"), &CompensationOptions::reference);
     fields->addWidget(reference);
@@ -136,42 +133,19 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     for (QLabel *title : {m_tableTitle, m_curveTitle, m_predictionTitle})
         title->setFont(themeFont(TextSize::head));
 
-    auto *right = new QVBoxLayout;
-    right->addWidget(m_curveTitle);
-    right->addWidget(m_curve, 1);
-    auto *below = new QHBoxLayout;
-    below->setSpacing(pageMargin);
-    auto *prediction = new QVBoxLayout;
-    prediction->addWidget(m_predictionTitle);
-    prediction->addWidget(m_prediction);
-    prediction->addWidget(m_note);
-    prediction->addStretch();
-    auto *table = new QVBoxLayout;
-    table->addWidget(m_tableTitle);
-    table->addWidget(m_table);
-    below->addLayout(prediction, 1);
-    below->addLayout(table, 1);
-    right->addLayout(below);
-    auto *body = new QHBoxLayout;
-    body->setSpacing(pageMargin);
-    body->addWidget(left);
-    body->addLayout(right, 1);
+    auto *right = inColumn(styleSpacing, {m_curveTitle, {m_curve, 1}});
+    auto *prediction = inColumn(styleSpacing, {m_predictionTitle, m_prediction, m_note, Placed::stretch()});
+    auto *table = inColumn(styleSpacing, {m_tableTitle, m_table});
+    right->addLayout(inRow(pageMargin, {{prediction, 1}, {table, 1}}));
+    auto *body = inRow(pageMargin, {left, {right, 1}});
     m_save->setObjectName(QStringLiteral("saveCompensation"));
     m_save->setProperty("primary", true);
     m_close->setObjectName(QStringLiteral("closeCompensation"));
-    auto *foot = new QHBoxLayout;
     m_compare->setObjectName(QStringLiteral("compareCompensation"));
-    foot->addWidget(m_compare);
-    foot->addStretch();
-    foot->addWidget(m_close);
-    foot->addWidget(m_save);
+    auto *foot = inRow(styleSpacing, {m_compare, Placed::stretch(), m_close, m_save});
     for (QPushButton *button : {m_compare, m_save, m_close})
         button->setAutoDefault(false);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, pageMargin, pageMargin, pageMargin);
-    layout->setSpacing(pageMargin);
-    layout->addLayout(body, 1);
-    layout->addLayout(foot);
+    inColumn(this, {pageMargin, pageMargin, pageMargin, pageMargin}, pageMargin, {{body, 1}, foot});
 
     connect(m_compare, &QPushButton::clicked, this, &CompensationDialog::chooseTable);
     connect(m_save, &QPushButton::clicked, this, &CompensationDialog::chooseFile);

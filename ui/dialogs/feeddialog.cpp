@@ -5,16 +5,15 @@
 #include "language/decimals.h"
 #include "language/entry.h"
 #include "ui/forms/field.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
 #include <QDialogButtonBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 namespace palmer::ui {
 
@@ -43,18 +42,10 @@ FeedDialog::FeedDialog(QWidget *parent)
     m_formula->setProperty("secondary", true);
     m_buttons->button(QDialogButtonBox::Close)->setAutoDefault(false); // Enter belongs to the fields
 
-    auto *result = new QHBoxLayout;
-    result->addWidget(m_feedLabel);
-    result->addWidget(m_feed, 1);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, pageMargin, pageMargin, pageMargin);
-    layout->setSpacing(pageMargin);
-    for (Field *field : {m_specifiedDiameter, m_specifiedFeed, m_diameter})
-        layout->addWidget(field);
-    layout->addLayout(result);
-    layout->addWidget(m_formula);
-    layout->addWidget(m_buttons);
-    layout->addStretch();
+    auto *result = inRow(styleSpacing, {m_feedLabel, {m_feed, 1}});
+    inColumn(
+        this, {pageMargin, pageMargin, pageMargin, pageMargin}, pageMargin,
+        {m_specifiedDiameter, m_specifiedFeed, m_diameter, result, m_formula, m_buttons, Placed::stretch()});
     setMinimumWidth(feedDialogWidth);
     connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     retranslate();

@@ -6,12 +6,12 @@
 #include "language/entry.h"
 #include "ui/dialogs/statementsbox.h"
 #include "ui/formrows.h"
+#include "ui/madewidgets.h"
 #include "ui/testname.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -75,11 +75,7 @@ NewCircleDialog::NewCircleDialog(Language language, const Test *like, QWidget *p
         label->setBuddy(field);
         auto *unit = new QLabel(m_language.unit(quantity), this);
         unit->setProperty("secondary", true);
-        auto *row = new QHBoxLayout;
-        row->setSpacing(8);
-        row->addWidget(field);
-        row->addWidget(unit);
-        form->addRow(label, row);
+        form->addRow(label, inRow(8, {field, unit}));
         connect(field, &QLineEdit::textChanged, this, &NewCircleDialog::check);
     };
     form->addRow(tr("&Plane"), m_plane);
@@ -95,12 +91,7 @@ NewCircleDialog::NewCircleDialog(Language language, const Test *like, QWidget *p
     m_create = buttons->addButton(tr("&Create"), QDialogButtonBox::AcceptRole);
     m_create->setObjectName(QStringLiteral("createCircle"));
     makePrimary(*m_create);
-    auto *column = new QVBoxLayout(this);
-    column->addLayout(form);
-    column->addWidget(m_statements);
-    column->addWidget(m_problem);
-    column->addWidget(note);
-    column->addWidget(buttons);
+    inColumn(this, styleMargins, styleSpacing, {form, m_statements, m_problem, note, buttons});
     setMinimumWidth(newCircleDialogWidth);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

@@ -11,6 +11,7 @@
 #include "ui/dialogs/statementsbox.h"
 #include "ui/errorbox.h"
 #include "ui/formrows.h"
+#include "ui/madewidgets.h"
 #include "ui/pastebar.h"
 #include "ui/tabletext.h"
 #include "ui/testname.h"
@@ -20,7 +21,6 @@
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
@@ -88,11 +88,7 @@ NewTestDialog::NewTestDialog(Language language, const Test *like, QWidget *paren
     m_create = buttons->addButton(tr("&Create"), QDialogButtonBox::AcceptRole);
     m_create->setObjectName(QStringLiteral("createTest"));
     makePrimary(*m_create);
-    auto *column = new QVBoxLayout(this);
-    column->addLayout(m_form);
-    column->addWidget(m_read);
-    column->addWidget(m_statements);
-    column->addWidget(buttons);
+    inColumn(this, styleMargins, styleSpacing, {m_form, m_read, m_statements, buttons});
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connectFields();
@@ -139,10 +135,7 @@ void NewTestDialog::makeForm() {
     const auto addRow = [&](const QString &text, QWidget *field, QWidget *beside) {
         auto *label = new QLabel(text, this);
         label->setBuddy(field);
-        auto *row = new QHBoxLayout;
-        row->setSpacing(8);
-        row->addWidget(field, beside == m_both ? 0 : 1);
-        row->addWidget(beside, beside == m_both ? 1 : 0);
+        auto *row = inRow(8, {{field, beside == m_both ? 0 : 1}, {beside, beside == m_both ? 1 : 0}});
         m_form->addRow(label, row);
     };
     for (QLabel *&unit : m_units) {

@@ -15,6 +15,7 @@
 #include "ui/dialogs/cycleview.h"
 #include "ui/dialogs/limits.h"
 #include "ui/errorbox.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/documentmodel.h"
 #include "ui/sizeonscreen.h"
@@ -28,7 +29,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPrintDialog>
@@ -124,12 +124,7 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     m_targets->setObjectName(QStringLiteral("planTargets"));
     m_targets->setWordWrap(true);
     m_targets->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto *right = new QVBoxLayout;
-    right->addWidget(m_view, 1);
-    right->addWidget(m_summary);
-    right->addWidget(m_targets);
-    auto *body = new QHBoxLayout;
-    body->setSpacing(16);
+    auto *right = inColumn(styleSpacing, {{m_view, 1}, m_summary, m_targets});
     auto *place = new QScrollArea(this); // on low screens the fields are higher than the dialog
     place->setFrameShape(QFrame::NoFrame);
     place->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -137,21 +132,13 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     place->setWidgetResizable(true);
     place->setWidget(fields);
     place->setFixedWidth(planFieldsWidth + place->verticalScrollBar()->sizeHint().width());
-    body->addWidget(place);
-    body->addLayout(right, 1);
+    auto *body = inRow(16, {place, {right, 1}});
 
     auto *program = makeButtons();
-    auto *decision = new QHBoxLayout; // a separate row, as both do not fit in one on small screens
-    decision->addStretch();
-    for (QPushButton *button : {m_fill, m_make, m_close})
-        decision->addWidget(button);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, pageMargin, pageMargin, pageMargin);
-    layout->setSpacing(16);
-    layout->addLayout(body, 1);
-    layout->addWidget(m_programReason);
-    layout->addLayout(program);
-    layout->addLayout(decision);
+    // A separate row, as both do not fit in one on small screens.
+    auto *decision = inRow(styleSpacing, {Placed::stretch(), m_fill, m_make, m_close});
+    inColumn(this, {pageMargin, pageMargin, pageMargin, pageMargin}, 16,
+             {{body, 1}, m_programReason, program, decision});
     connect(m_dialect, &QComboBox::currentIndexChanged, this, &PlanDialog::showWhyNoProgram);
     connect(m_saveProgram, &QPushButton::clicked, this, &PlanDialog::chooseProgramFile);
     connect(m_print, &QPushButton::clicked, this, &PlanDialog::choosePrinter);
@@ -197,10 +184,7 @@ QWidget *PlanDialog::makeReseed(QWidget *parent) {
         replan();
     });
     auto *place = new QWidget(parent);
-    auto *layout = new QVBoxLayout(place);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addStretch();
-    layout->addWidget(m_reseed);
+    inColumn(place, noMargins, styleSpacing, {Placed::stretch(), m_reseed});
     return place;
 }
 
@@ -274,7 +258,6 @@ QWidget *PlanDialog::makeFields() {
 
 /// Buttons for program, print and test.
 QHBoxLayout *PlanDialog::makeButtons() {
-    auto *program = new QHBoxLayout;
     m_dialect->setObjectName(QStringLiteral("dialect"));
     for (const DialectName &each : dialects())
         m_dialect->addItem(QString::fromUtf8(each.name));
@@ -292,15 +275,10 @@ QHBoxLayout *PlanDialog::makeButtons() {
     m_make->setObjectName(QStringLiteral("makeTest"));
     m_make->setProperty("primary", true);
     m_close->setObjectName(QStringLiteral("closePlan"));
-    program->addWidget(m_dialect);
-    program->addWidget(m_saveProgram);
-    program->addSpacing(12);
-    program->addWidget(m_print);
-    program->addWidget(m_savePlan);
-    program->addStretch();
     for (QPushButton *button : {m_saveProgram, m_print, m_savePlan, m_fill, m_make, m_close})
         button->setAutoDefault(false);
-    return program;
+    return inRow(styleSpacing,
+                 {m_dialect, m_saveProgram, Placed::gap(12), m_print, m_savePlan, Placed::stretch()});
 }
 
 Field *PlanDialog::addNumber(const char *name, const char *label, bool whole,

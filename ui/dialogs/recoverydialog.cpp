@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/recoverydialog.h"
 
+#include "ui/madewidgets.h"
 #include "ui/windowlanguage.h"
 
 #include <QDialogButtonBox>
@@ -10,7 +11,6 @@
 #include <QListWidget>
 #include <QLocale>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace palmer::ui {
@@ -56,10 +56,7 @@ RecoveryDialog::RecoveryDialog(std::vector<Recovery> recoveries, QWidget *parent
     later->setObjectName(QStringLiteral("recoverLater"));
     m_recover->setProperty("primary", true);
     m_recover->setDefault(true);
-    auto *column = new QVBoxLayout(this);
-    column->addWidget(sentence);
-    column->addWidget(m_list);
-    column->addWidget(buttons);
+    inColumn(this, styleMargins, styleSpacing, {sentence, m_list, buttons});
     resize(560, 280);
     connect(m_recover, &QPushButton::clicked, this, &RecoveryDialog::recover);
     connect(m_discard, &QPushButton::clicked, this, &RecoveryDialog::discard);

@@ -12,6 +12,7 @@
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
 #include "ui/figures/plotgestures.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/page.h"
 #include "ui/sizeonscreen.h"
@@ -26,7 +27,6 @@
 #include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QMessageBox>
@@ -39,7 +39,6 @@
 #include <QScrollBar>
 #include <QToolButton>
 #include <QUrl>
-#include <QVBoxLayout>
 #include <QtMath>
 #include <algorithm>
 #include <array>
@@ -103,17 +102,9 @@ ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *
     m_smallArea->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_area->setBackgroundRole(QPalette::Mid);
 
-    auto *body = new QHBoxLayout;
-    body->setSpacing(0);
     auto *head = makeHead();
-    body->addWidget(m_smallArea);
-    body->addWidget(m_area, 1);
-    body->addWidget(makeSide());
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addWidget(head);
-    layout->addLayout(body, 1);
+    auto *body = inRow(0, {m_smallArea, {m_area, 1}, makeSide()});
+    inColumn(this, noMargins, 0, {head, {body, 1}});
 
     connect(m_small, &PageColumn::clicked, this, &ReportDialog::goTo);
     connect(m_area->verticalScrollBar(), &QScrollBar::valueChanged, this, &ReportDialog::followScroll);
@@ -161,12 +152,8 @@ QWidget *ReportDialog::makeHead() {
     m_width = new QPushButton(head);
     m_width->setObjectName(QStringLiteral("fitWidth"));
     m_width->setAutoDefault(false);
-    auto *row = new QHBoxLayout(head);
-    row->setContentsMargins(pageMargin, 0, pageMargin, 0);
-    row->addWidget(m_title);
-    row->addWidget(m_summary, 1);
-    row->addWidget(m_open);
-    row->addWidget(m_openFolder);
+    auto *row = inRow(head, {pageMargin, 0, pageMargin, 0}, styleSpacing,
+                      {m_title, {m_summary, 1}, m_open, m_openFolder});
     for (QWidget *widget :
          std::initializer_list<QWidget *>{m_previous, m_place, m_next, m_smaller, m_zoom, m_larger, m_width})
         row->addWidget(widget);
@@ -187,18 +174,14 @@ QWidget *ReportDialog::makeHead() {
 QWidget *ReportDialog::makeSide() {
     auto *side = new QWidget(this);
     side->setFixedWidth(sideWidth);
-    auto *whole = new QVBoxLayout(side);
-    whole->setContentsMargins(pageMargin, 12, pageMargin, 12);
-    whole->setSpacing(8);
+    auto *whole = inColumn(side, {pageMargin, 12, pageMargin, 12}, 8, {});
     auto *place = new QScrollArea(side); // on low screens the choices are higher than the dialog
     place->setFrameShape(QFrame::NoFrame);
     place->setWidgetResizable(true);
     place->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     place->setFocusPolicy(Qt::NoFocus);
     auto *choices = new QWidget(place);
-    auto *column = new QVBoxLayout(choices);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(8);
+    auto *column = inColumn(choices, noMargins, 8, {});
     const auto title = [&] {
         auto *label = new QLabel(side);
         label->setFont(themeFont(TextSize::small));
@@ -269,8 +252,6 @@ void ReportDialog::makeLanguages(QVBoxLayout &column) {
 /// Shown while a simulation runs.
 void ReportDialog::makeSimulation(QVBoxLayout &whole) {
     m_simulation = new QWidget(this);
-    auto *simulation = new QVBoxLayout(m_simulation);
-    simulation->setContentsMargins(0, 0, 0, 0);
     m_simulationText = new QLabel(m_simulation);
     m_simulationText->setObjectName(QStringLiteral("simulationText"));
     m_simulationText->setWordWrap(true);
@@ -279,9 +260,7 @@ void ReportDialog::makeSimulation(QVBoxLayout &whole) {
     m_simulationCancel = new QPushButton(m_simulation);
     m_simulationCancel->setObjectName(QStringLiteral("cancelSimulation"));
     m_simulationCancel->setAutoDefault(false);
-    for (QWidget *widget :
-         std::initializer_list<QWidget *>{m_simulationText, m_simulationBar, m_simulationCancel})
-        simulation->addWidget(widget);
+    inColumn(m_simulation, noMargins, styleSpacing, {m_simulationText, m_simulationBar, m_simulationCancel});
     m_simulation->hide();
     connect(m_simulationCancel, &QPushButton::clicked, this, [this] { m_simulator.cancel(); });
     whole.addWidget(m_simulation);
@@ -312,7 +291,6 @@ void ReportDialog::makeButtons(QVBoxLayout &whole) {
     m_save->setIcon(lineIcon(QStringLiteral("pdf"), QPalette::Base));
     m_save->setDefault(true);
     whole.addWidget(m_save);
-    auto *last = new QHBoxLayout;
     m_print = new QPushButton(this);
     m_print->setObjectName(QStringLiteral("print"));
     m_print->setIcon(lineIcon(QStringLiteral("print")));
@@ -320,9 +298,7 @@ void ReportDialog::makeButtons(QVBoxLayout &whole) {
     m_close = new QPushButton(this);
     m_close->setObjectName(QStringLiteral("closeReport"));
     m_close->setAutoDefault(false);
-    last->addWidget(m_print);
-    last->addWidget(m_close);
-    whole.addLayout(last);
+    whole.addLayout(inRow(styleSpacing, {m_print, m_close}));
     connect(m_save, &QPushButton::clicked, this, &ReportDialog::choosePdf);
     connect(m_print, &QPushButton::clicked, this, &ReportDialog::choosePrinter);
     connect(m_close, &QPushButton::clicked, this, &QDialog::reject);

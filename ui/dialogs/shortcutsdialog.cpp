@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/dialogs/shortcutsdialog.h"
 
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
 
@@ -12,7 +13,6 @@
 #include <QMenuBar>
 #include <QPushButton>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 #include <utility>
 
 namespace palmer::ui {
@@ -73,10 +73,7 @@ ShortcutsDialog::ShortcutsDialog(const QMenuBar &menus, QWidget *parent, bool ha
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, pageMargin, pageMargin, pageMargin);
-    layout->addWidget(m_list, 1);
-    layout->addWidget(buttons);
+    inColumn(this, {pageMargin, pageMargin, pageMargin, pageMargin}, styleSpacing, {{m_list, 1}, buttons});
     resize(560, 560);
 }
 

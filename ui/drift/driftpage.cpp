@@ -10,6 +10,7 @@
 #include "ui/currentcell.h"
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/clipboardtext.h"
 #include "ui/pastebar.h"
@@ -20,7 +21,6 @@
 
 #include <QEvent>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -28,7 +28,6 @@
 #include <QTableView>
 #include <QToolButton>
 #include <QUndoStack>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <functional>
 
@@ -126,20 +125,9 @@ void DriftPage::connectParts() {
 }
 
 void DriftPage::arrange() {
-    auto *bar = new QHBoxLayout;
-    bar->setContentsMargins(0, 0, 0, 0);
-    bar->addWidget(m_paste);
-    bar->addWidget(m_remove);
-    bar->addStretch();
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, pageMargin, pageMargin, 8);
-    layout->setSpacing(8);
-    layout->addWidget(m_range);
-    layout->addWidget(m_explained);
-    layout->addWidget(m_taken);
-    layout->addLayout(bar);
-    layout->addWidget(m_reason);
-    layout->addWidget(m_table, 1);
+    auto *bar = inRow(styleSpacing, {m_paste, m_remove, Placed::stretch()});
+    inColumn(this, {pageMargin, pageMargin, pageMargin, 8}, 8,
+             {m_range, m_explained, m_taken, bar, m_reason, {m_table, 1}});
 }
 
 DriftPage::~DriftPage() {

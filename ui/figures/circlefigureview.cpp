@@ -6,16 +6,15 @@
 #include "kernel/evaluation/resultsof.h"
 #include "print/figures/style.h"
 #include "ui/figures/circlecanvas.h"
+#include "ui/madewidgets.h"
 #include "ui/theme.h"
 
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QIconEngine>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace palmer::ui {
@@ -94,16 +93,9 @@ CircleFigureView::CircleFigureView(Selection &selection, QWidget *parent)
     m_counterclockwise = toggle("showCounterclockwise", Sense::counterclockwise, false);
     m_clockwise = toggle("showClockwise", Sense::clockwise, false);
     m_repetitions = toggle("showRepetitions", Sense::counterclockwise, true);
-    auto *row = new QHBoxLayout;
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(rowSpacing);
-    for (QToolButton *button : {m_counterclockwise, m_clockwise, m_repetitions})
-        row->addWidget(button);
-    row->addStretch();
-    row->addWidget(m_choice);
-    auto *surfaces = new QHBoxLayout;
-    surfaces->setContentsMargins(0, 0, 0, 0);
-    surfaces->setSpacing(4);
+    auto *row =
+        inRow(rowSpacing, {m_counterclockwise, m_clockwise, m_repetitions, Placed::stretch(), m_choice});
+    auto *surfaces = inRow(4, {});
     for (CircleCanvas *&canvas : m_canvases) {
         canvas = new CircleCanvas(selection, this);
         surfaces->addWidget(canvas, 1);
@@ -115,11 +107,7 @@ CircleFigureView::CircleFigureView(Selection &selection, QWidget *parent)
                 emit figureChanged();
         });
     }
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
-    column->addLayout(row);
-    column->addLayout(surfaces, 1);
+    inColumn(this, noMargins, 2, {row, {surfaces, 1}});
     connect(m_choice, &QComboBox::activated, this, [this] {
         fit();
         refresh();

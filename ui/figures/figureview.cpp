@@ -18,6 +18,7 @@
 #include "ui/errorbox.h"
 #include "ui/figures/circlefigureview.h"
 #include "ui/figures/zoombuttons.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/ruling.h"
 #include "ui/theme.h"
@@ -27,12 +28,10 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 
@@ -141,21 +140,11 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     connect(&selection, &Selection::hoveredChanged, this, &FigureView::showHoverLabel);
     connect(&selection, &Selection::parameterChanged, this, &FigureView::mark);
 
-    auto *head = new QHBoxLayout;
-    head->setContentsMargins(0, 0, 0, 0);
-    head->setSpacing(2);
-    head->addWidget(m_title);
-    head->addSpacing(8);
-    head->addWidget(m_note, 1);
+    auto *head = inRow(2, {m_title, Placed::gap(8), {m_note, 1}});
     for (QWidget *button :
          std::initializer_list<QWidget *>{m_marks, m_zoom, m_copy, m_save, m_detach, m_maximise})
         head->addWidget(button);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, 2, 6, 2);
-    layout->setSpacing(2);
-    layout->addLayout(head);
-    layout->addWidget(m_canvas, 1);
-    layout->addWidget(m_circles, 1);
+    inColumn(this, {pageMargin, 2, 6, 2}, 2, {head, {m_canvas, 1}, {m_circles, 1}});
     m_circles->hide();
     retranslate();
 }

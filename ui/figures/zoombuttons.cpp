@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/figures/zoombuttons.h"
 
+#include "ui/madewidgets.h"
 #include "ui/theme.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QToolButton>
 
 namespace palmer::ui {
@@ -15,11 +15,7 @@ ZoomButtons::ZoomButtons(QWidget *parent)
     , m_out(iconButton(this, QStringLiteral("zoomOut"), QStringLiteral("zoomout")))
     , m_in(iconButton(this, QStringLiteral("zoomIn"), QStringLiteral("zoomin")))
     , m_fit(iconButton(this, QStringLiteral("fitFigure"), QStringLiteral("fit"))) {
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(2);
-    for (QToolButton *button : {m_out, m_in, m_fit})
-        row->addWidget(button);
+    inRow(this, noMargins, 2, {m_out, m_in, m_fit});
     connect(m_out, &QToolButton::clicked, this, [this] { emit zoomWanted(-1); });
     connect(m_in, &QToolButton::clicked, this, [this] { emit zoomWanted(1); });
     connect(m_fit, &QToolButton::clicked, this, &ZoomButtons::fitWanted);

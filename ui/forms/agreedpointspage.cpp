@@ -13,20 +13,19 @@
 #include "ui/errorbox.h"
 #include "ui/forms/agreedvalue.h"
 #include "ui/forms/form.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
 #include "ui/theme.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -87,21 +86,10 @@ AgreedPointsPage::AgreedPointsPage(DocumentModel &model, Selection &selection, Q
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     auto *content = new QWidget(m_scroll);
     content->setProperty("ground", QStringLiteral("base"));
-    m_body = new QVBoxLayout(content);
-    m_body->setContentsMargins(pageMargin, 4, pageMargin, pageMargin);
-    m_body->setSpacing(4);
+    m_body = inColumn(content, {pageMargin, 4, pageMargin, pageMargin}, 4, {});
     m_scroll->setWidget(content);
-    auto *bar = new QHBoxLayout;
-    bar->setContentsMargins(pageMargin, 8, pageMargin, 4);
-    bar->setSpacing(10);
-    bar->addWidget(m_chip);
-    bar->addWidget(m_source);
-    bar->addStretch();
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
-    layout->addLayout(bar);
-    layout->addWidget(m_scroll, 1);
+    auto *bar = inRow(nullptr, {pageMargin, 8, pageMargin, 4}, 10, {m_chip, m_source, Placed::stretch()});
+    inColumn(this, noMargins, 0, {bar, {m_scroll, 1}});
     connect(&selection, &Selection::fieldChosen, this, [this, &selection](const QString &id) {
         if (selection.page() == Page::agreedPoints)
             focusField(id);
@@ -171,26 +159,13 @@ void AgreedPointsPage::addRow(const AgreementPoint &point, const Test &test) {
     connect(row.take, &QPushButton::clicked, this, [this, &point] { takeFromConditions(point); });
     row.text->setFixedHeight(fieldHeight);
     row.text->setObjectName(QStringLiteral("field.agreedPoints.") + QString::fromLatin1(point.point));
-    auto *head = new QHBoxLayout;
-    head->setSpacing(8);
-    head->addWidget(row.letter);
-    head->addWidget(row.name, 1);
-    head->addWidget(row.take);
-    auto *text = new QHBoxLayout;
-    text->setContentsMargins(letterWidth + 8, 0, 0, 0);
-    text->setSpacing(8);
-    text->addWidget(row.text, 1);
+    auto *head = inRow(8, {row.letter, {row.name, 1}, row.take});
+    auto *text = inRow(nullptr, {letterWidth + 8, 0, 0, 0}, 8, {{row.text, 1}});
     if (const auto quantity = agreedQuantity(point.point, test)) {
         row.value = makeValue(point, *quantity, area);
         text->addWidget(row.value);
     }
-    auto *layout = new QVBoxLayout(area);
-    layout->setContentsMargins(0, 4, 0, 4);
-    layout->setSpacing(4);
-    layout->addLayout(head);
-    layout->addLayout(makeStates(row));
-    layout->addLayout(text);
-    layout->addWidget(row.refusal);
+    inColumn(area, {0, 4, 0, 4}, 4, {head, makeStates(row), text, row.refusal});
     m_body->addWidget(area);
     m_rows.push_back(row);
 }
@@ -203,9 +178,7 @@ QHBoxLayout *AgreedPointsPage::makeStates(const Row &row) {
     const std::array buttons{row.agreed, row.notAgreed, row.notApplicable, row.notDeclared};
     constexpr auto states = std::to_array<std::optional<AgreementState>>(
         {AgreementState::agreed, AgreementState::notAgreed, AgreementState::notApplicable, std::nullopt});
-    auto *body = new QHBoxLayout;
-    body->setContentsMargins(letterWidth + 8, 0, 0, 0);
-    body->setSpacing(0);
+    auto *body = inRow(nullptr, {letterWidth + 8, 0, 0, 0}, 0, {});
     for (std::size_t k = 0; k < std::size(buttons); ++k) {
         buttons[k]->setProperty("segment", places[k]);
         buttons[k]->setCheckable(true);

@@ -6,19 +6,18 @@
 #include "ui/elidedbox.h"
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
 
 #include <QAbstractScrollArea>
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
 #include <QPlainTextEdit>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <limits>
 
@@ -107,16 +106,8 @@ Field::Field(Kind kind, QWidget *parent)
     m_unit->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_bar->setAttribute(Qt::WA_TransparentForMouseEvents);
     makeReason();
-    auto *head = new QHBoxLayout;
-    head->setContentsMargins(0, 0, 0, 0);
-    head->addWidget(m_label, 1);
-    head->addWidget(m_mark);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(labelGap);
-    layout->addLayout(head);
-    layout->addWidget(edit);
-    layout->addStretch();
+    auto *head = inRow(styleSpacing, {{m_label, 1}, m_mark});
+    inColumn(this, noMargins, labelGap, {head, edit, Placed::stretch()});
     setFocusProxy(edit);
     retranslate();
 }
@@ -126,11 +117,7 @@ void Field::makeReason() {
     m_reason = new ElidedLabel(m_reasonRow);
     m_reason->setObjectName(QStringLiteral("refusal"));
     m_reason->setProperty("tone", QStringLiteral("bad"));
-    auto *layout = new QHBoxLayout(m_reasonRow);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(4);
-    layout->addWidget(new RefusedMark(m_reasonRow));
-    layout->addWidget(m_reason, 1);
+    inRow(m_reasonRow, noMargins, 4, {new RefusedMark(m_reasonRow), {m_reason, 1}});
     m_reasonRow->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_reasonRow->setAutoFillBackground(true);
     m_reasonRow->hide();

@@ -9,6 +9,7 @@
 #include "ui/chip.h"
 #include "ui/forms/columnslayout.h"
 #include "ui/forms/sectionhead.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
@@ -17,12 +18,10 @@
 #include <QCoreApplication>
 #include <QEvent>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QShowEvent>
 #include <QTimer>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -62,25 +61,19 @@ Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent
     content->setProperty("ground", QStringLiteral("base"));
     content->setMaximumWidth(mostWidth + 2 * pageMargin);
     m_scroll->viewport()->setBackgroundRole(QPalette::Base); // the fields do not fill the view
-    m_body = new QVBoxLayout(content);
-    m_body->setContentsMargins(pageMargin, 8, pageMargin, pageMargin);
-    m_body->setSpacing(fieldGap);
+    m_body = inColumn(content, {pageMargin, 8, pageMargin, pageMargin}, fieldGap, {});
     m_scroll->setWidget(content);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);
     m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_scroll->setFocusPolicy(Qt::NoFocus);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setSpacing(0);
     m_bar->setContentsMargins(pageMargin, 8, pageMargin, 4);
     m_bar->setSpacing(8);
     m_bar->addStrut(barHeight); // keeps the fields in place when the chip disappears
     m_bar->addWidget(m_chip);
     m_bar->addStretch();
     m_bar->addWidget(m_next);
-    layout->addLayout(m_bar);
-    layout->addWidget(m_scroll, 1);
+    inColumn(this, noMargins, 0, {m_bar, {m_scroll, 1}});
 }
 
 void Form::addToBar(QWidget *widget) {
@@ -100,9 +93,7 @@ void Form::addSection(const char *title, const QString &argument) {
     if (!m_sections.empty())
         m_body->addSpacing(sectionGap - fieldGap);
     auto *label = new QLabel(page());
-    m_head = new QHBoxLayout;
-    m_head->addWidget(label);
-    m_head->addStretch();
+    m_head = inRow(styleSpacing, {label, Placed::stretch()});
     m_body->addLayout(m_head);
     m_titles.push_back({label, title, argument});
     m_sections.push_back({nullptr, nullptr, title, {}, {}, {}, m_entries.size()});
@@ -113,8 +104,7 @@ void Form::addFoldingSection(const char *title, std::function<QString()> summary
         m_body->addSpacing(sectionGap - fieldGap);
     auto *head = new SectionHead(page());
     head->setObjectName(QStringLiteral("section.") + QString::fromLatin1(title));
-    m_head = new QHBoxLayout;
-    m_head->addWidget(head, 1);
+    m_head = inRow(styleSpacing, {{head, 1}});
     m_body->addLayout(m_head);
     m_sections.push_back({head, nullptr, title, std::move(summary), {}, {}, m_entries.size()});
     connect(head, &QAbstractButton::clicked, this, [this, place = m_sections.size() - 1] {
@@ -185,9 +175,7 @@ void Form::addToPlace(QLayout *row) {
     }
     if (!section->content) { // after all widgets in its head, for the tab order
         section->content = new QWidget(page());
-        auto *rows = new QVBoxLayout(section->content);
-        rows->setContentsMargins(0, 0, 0, 0);
-        rows->setSpacing(fieldGap);
+        inColumn(section->content, noMargins, fieldGap, {});
         m_body->addWidget(section->content);
         if (page()->isVisible())
             section->content->show();

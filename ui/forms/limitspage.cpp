@@ -10,6 +10,7 @@
 #include "ui/forms/decisionrulemembers.h"
 #include "ui/forms/templatebutton.h"
 #include "ui/formulatext.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/clipboardtext.h"
 #include "ui/pastebar.h"
@@ -18,13 +19,11 @@
 
 #include <QCoreApplication>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>
 #include <QPainter>
 #include <QPushButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
@@ -212,14 +211,10 @@ void LimitsPage::addLimit(const Formula &symbol, const std::vector<const Term *>
     auto *place = new QWidget(body());
     auto *label = new NameLabel(place);
     label->setFont(themeFont(TextSize::small));
-    auto *row = new QHBoxLayout;
-    row->setSpacing(4);
-    row->addWidget(new SymbolLabel(symbol, place));
-    row->addWidget(label);
-    auto *column = new QVBoxLayout(place);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addStretch(); // level with the field, not its label
-    column->addLayout(row);
+    auto *row = inRow(4, {new SymbolLabel(symbol, place), label});
+    inColumn(place, noMargins, styleSpacing,
+             {Placed::stretch(), // level with the field, not its label
+              row});
     place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(place, 4);
     m_names.push_back({label, terms});

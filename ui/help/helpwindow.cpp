@@ -5,17 +5,16 @@
 #include "kernel/evaluation/edition.h"
 #include "ui/elidedlabel.h"
 #include "ui/help/reporthtml.h"
+#include "ui/madewidgets.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
 #include <QTextBrowser>
 #include <QTextDocument>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace palmer::ui {
@@ -46,25 +45,17 @@ HelpWindow::HelpWindow(QWidget *parent)
     m_browser->document()->setDocumentMargin(textMargin);
     m_close->setObjectName(QStringLiteral("closeHelp"));
     m_close->setAutoDefault(false);
-    auto *row = new QHBoxLayout;
     m_search->setObjectName(QStringLiteral("helpSearch"));
     m_search->setClearButtonEnabled(true);
     m_search->setFixedWidth(listWidth);
-    auto *side = new QVBoxLayout;
-    side->addWidget(m_search);
-    side->addWidget(m_list, 1);
-    row->addLayout(side);
-    row->addWidget(m_browser, 1);
-    auto *foot = new QHBoxLayout;
+    auto *side = inColumn(styleSpacing, {m_search, {m_list, 1}});
+    auto *row = inRow(styleSpacing, {side, {m_browser, 1}});
     m_notFound->setObjectName(QStringLiteral("helpNotFound"));
     m_notFound->setTextFormat(Qt::PlainText);
     m_notFound->setProperty("tone", QStringLiteral("bad"));
     m_notFound->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    foot->addWidget(m_notFound, 1);
-    foot->addWidget(m_close);
-    auto *layout = new QVBoxLayout(this);
-    layout->addLayout(row, 1);
-    layout->addLayout(foot);
+    auto *foot = inRow(styleSpacing, {{m_notFound, 1}, m_close});
+    inColumn(this, styleMargins, styleSpacing, {{row, 1}, foot});
     connect(m_list, &QListWidget::currentRowChanged, this, &HelpWindow::showRow);
     // While typing, the search starts at the current match.
     connect(m_search, &QLineEdit::textEdited, this, [this](const QString &words) {

@@ -16,6 +16,7 @@
 #include "ui/figures/lineview.h"
 #include "ui/figures/zoombuttons.h"
 #include "ui/import/columnroles.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/clipboardtext.h"
 #include "ui/remarklist.h"
@@ -45,7 +46,6 @@
 #include <QStackedWidget>
 #include <QStyle>
 #include <QTableView>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace palmer::ui {
@@ -66,17 +66,13 @@ constexpr int lowBelow = 700; ///< height of the dialog, px
 QWidget *part(QWidget *parent, QLabel *title, QWidget *beside, QWidget *content) {
     auto *whole = new QWidget(parent);
     whole->setProperty("ground", QStringLiteral("base"));
-    auto *column = new QVBoxLayout(whole);
-    column->setContentsMargins(12, 8, 4, 4);
     title->setFont(themeFont(TextSize::head));
-    auto *head = new QHBoxLayout;
-    head->addWidget(title, 1);
+    auto *head = inRow(styleSpacing, {{title, 1}});
     if (beside) {
         head->addWidget(beside);
         head->addSpacing(8);
     }
-    column->addLayout(head);
-    column->addWidget(content, 1);
+    inColumn(whole, {12, 8, 4, 4}, styleSpacing, {head, {content, 1}});
     return whole;
 }
 
@@ -187,11 +183,7 @@ void ImportAssistant::makeLayout() {
     m_title->setFont(themeFont(TextSize::title));
     m_title->setTextFormat(Qt::PlainText);
     m_origin->setProperty("secondary", true);
-    auto *head = new QHBoxLayout;
-    head->addWidget(m_title);
-    head->addWidget(m_origin);
-    head->addWidget(m_work);
-    head->addStretch();
+    auto *head = inRow(styleSpacing, {m_title, m_origin, m_work, Placed::stretch()});
     m_other->setObjectName(QStringLiteral("importOther"));
     m_paste->setObjectName(QStringLiteral("importPaste"));
     head->addWidget(m_other);
@@ -202,11 +194,7 @@ void ImportAssistant::makeLayout() {
          {std::pair(m_destinationName, m_destination), std::pair(m_profileName, m_profile)}) {
         auto *cell = new QWidget(this);
         cell->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-        auto *column = new QVBoxLayout(cell);
-        column->setContentsMargins(0, 0, 0, 0);
-        column->setSpacing(2);
-        column->addWidget(name);
-        column->addWidget(words);
+        inColumn(cell, noMargins, 2, {name, words});
         words->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
         words->setMinimumContentsLength(boxContents);
     }
@@ -219,23 +207,12 @@ void ImportAssistant::makeLayout() {
     m_cancel->setObjectName(QStringLiteral("cancelImport"));
     m_import->setObjectName(QStringLiteral("acceptImport"));
     m_import->setProperty("primary", true);
-    auto *foot = new QHBoxLayout;
-    foot->addWidget(m_keep);
-    foot->addSpacing(24);
-    foot->addWidget(m_saveProfile);
-    foot->addStretch();
-    foot->addWidget(m_open);
-    foot->addWidget(m_cancel);
-    foot->addWidget(m_import);
+    auto *foot = inRow(styleSpacing, {m_keep, Placed::gap(24), m_saveProfile, Placed::stretch(), m_open,
+                                      m_cancel, m_import});
     for (QPushButton *button : {m_other, m_paste, m_saveProfile, m_cancel, m_import})
         button->setAutoDefault(false);
 
-    auto *layout = new QVBoxLayout(this);
-    layout->addLayout(head);
-    layout->addLayout(m_choices);
-    layout->addWidget(makeMiddle(), 1);
-    layout->addWidget(makeRemarks());
-    layout->addLayout(foot);
+    inColumn(this, styleMargins, styleSpacing, {head, m_choices, {makeMiddle(), 1}, makeRemarks(), foot});
     connectAll();
 }
 
@@ -268,11 +245,7 @@ QWidget *ImportAssistant::makeMiddle() {
          std::initializer_list<QWidget *>{m_curveCanvas, m_circleCanvas, m_lineView, m_noCurve})
         m_curves->addWidget(curve);
     auto *table = new QWidget(this);
-    auto *column = new QVBoxLayout(table);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(4);
-    column->addWidget(m_columns);
-    column->addWidget(m_table, 1);
+    inColumn(table, noMargins, 4, {m_columns, {m_table, 1}});
     auto *middle = new QSplitter(this);
     middle->setChildrenCollapsible(false);
     middle->addWidget(part(middle, m_rawTitle, m_rawSize, m_rawView));
@@ -295,13 +268,8 @@ QWidget *ImportAssistant::makeRemarks() {
     m_confirmAll->setObjectName(QStringLiteral("confirmAll"));
     m_confirmAll->setAutoDefault(false);
     auto *whole = new QWidget(this);
-    auto *head = new QHBoxLayout;
-    head->addWidget(m_remarksTitle, 1);
-    head->addWidget(m_confirmAll);
-    auto *column = new QVBoxLayout(whole);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->addLayout(head);
-    column->addWidget(m_remarksPlace);
+    auto *head = inRow(styleSpacing, {{m_remarksTitle, 1}, m_confirmAll});
+    inColumn(whole, noMargins, styleSpacing, {head, m_remarksPlace});
     return whole;
 }
 
@@ -714,14 +682,8 @@ ImportAssistant::Box ImportAssistant::makeBox(const ImportChoice &choice) {
     }
     control->setObjectName(QStringLiteral("import.") + QString::fromStdString(choice.key));
     control->setAccessibleName(box.name->text());
-    auto *head = new QHBoxLayout;
-    head->addWidget(box.name, 1);
-    head->addWidget(box.badge);
-    auto *column = new QVBoxLayout(box.cell);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(2);
-    column->addLayout(head);
-    column->addWidget(control);
+    auto *head = inRow(styleSpacing, {{box.name, 1}, box.badge});
+    inColumn(box.cell, noMargins, 2, {head, control});
     return box;
 }
 

@@ -2,16 +2,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/proof/reportbar.h"
 
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/windowlanguage.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
 #include <QStyle>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
@@ -40,15 +39,8 @@ ReportBar::ReportBar(QWidget *parent)
     m_details->setObjectName(QStringLiteral("reportDetails"));
     m_details->setCheckable(true);
     m_close->setObjectName(QStringLiteral("closeReportBar"));
-    auto *row = new QHBoxLayout;
-    row->setSpacing(8);
-    row->addWidget(m_sentence, 1);
-    row->addWidget(m_details);
-    row->addWidget(m_close);
-    auto *column = new QVBoxLayout(this);
-    column->setContentsMargins(pageMargin, 6, pageMargin, 6);
-    column->addLayout(row);
-    column->addWidget(m_list);
+    auto *row = inRow(8, {{m_sentence, 1}, m_details, m_close});
+    inColumn(this, {pageMargin, 6, pageMargin, 6}, styleSpacing, {row, m_list});
     connect(m_details, &QPushButton::toggled, m_list, &QWidget::setVisible);
     connect(m_close, &QPushButton::clicked, this, &QWidget::hide);
     hide();

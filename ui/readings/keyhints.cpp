@@ -4,11 +4,11 @@
 
 #include "kernel/evaluation/resultsof.h"
 #include "language/decimals.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QKeySequence>
 #include <QLabel>
 
@@ -25,9 +25,7 @@ KeyHints::KeyHints(QWidget *parent)
     , m_drift(new QLabel(this)) {
     setObjectName(QStringLiteral("keyHints"));
     setFixedHeight(lineHeight);
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(pageMargin, 0, pageMargin, 0);
-    row->setSpacing(6);
+    auto *row = inRow(this, {pageMargin, 0, pageMargin, 0}, 6, {});
     for (Hint &hint : m_hints) {
         hint = {new QLabel(this), new QLabel(this)};
         hint.key->setProperty("keycap", true);

@@ -5,6 +5,7 @@
 #include "document/documenterror.h"
 #include "kernel/measurement/readingsaside.h"
 #include "ui/currentcell.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/clipboardtext.h"
 #include "ui/pastebar.h"
@@ -18,11 +19,9 @@
 #include <QClipboard>
 #include <QEvent>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QInputDialog>
 #include <QScopedValueRollback>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 namespace palmer::ui {
 
@@ -77,29 +76,18 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
 }
 
 void ReadingsPage::arrange() {
-    auto *bar = new QHBoxLayout;
-    bar->setContentsMargins(0, 0, 0, 0);
-    bar->setSpacing(0);
-    bar->addWidget(m_deviations);
-    bar->addWidget(m_positions);
-    bar->addSpacing(8);
-    bar->addWidget(m_byRun);
-    bar->addWidget(m_byDirection);
-    bar->addStretch();
-    bar->addWidget(m_pasteButton);
-    bar->addSpacing(8);
-    bar->addWidget(m_addRunButton);
+    auto *bar = inRow(nullptr, noMargins, 0,
+                      {m_deviations, m_positions, Placed::gap(8), m_byRun, m_byDirection, Placed::stretch(),
+                       m_pasteButton, Placed::gap(8), m_addRunButton});
     auto *barArea = new QWidget(this);
     barArea->setFixedHeight(pageBarHeight);
     barArea->setLayout(bar);
 
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, 0, pageMargin, 8);
-    layout->setSpacing(0);
-    layout->addWidget(barArea);
-    layout->addWidget(m_view, 1);
-    layout->addWidget(m_leaveOut, 0, Qt::AlignLeft);
-    layout->addWidget(m_pasteBar); // below the table, so that pasted readings do not move
+    inColumn(this, {pageMargin, 0, pageMargin, 8}, 0,
+             {barArea,
+              {m_view, 1},
+              {m_leaveOut, 0, Qt::AlignLeft},
+              m_pasteBar}); // below the table, so that pasted readings do not move
 }
 
 void ReadingsPage::connectParts() {

@@ -6,16 +6,15 @@
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/evaluation/targetvalue.h"
 #include "report/tables/readingtable.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/readings/targetstatisticsview.h"
 #include "ui/readings/targetstripview.h"
 #include "ui/theme.h"
 
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace palmer::ui {
@@ -61,23 +60,9 @@ TargetCard::TargetCard(Selection &selection, QWidget *parent)
     connect(m_previous, &QToolButton::clicked, this, [this] { step(-1); });
     connect(m_next, &QToolButton::clicked, this, [this] { step(1); });
 
-    auto *head = new QHBoxLayout;
-    head->setContentsMargins(0, 0, 0, 0);
-    head->setSpacing(8);
-    head->addWidget(m_title);
-    head->addWidget(m_position);
-    head->addStretch();
-    head->addWidget(m_previous);
-    head->addWidget(m_next);
-    auto *body = new QHBoxLayout;
-    body->setSpacing(20);
-    body->addWidget(m_strip, 1);
-    body->addWidget(m_statistics, 0, Qt::AlignTop);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, 4, pageMargin, 4);
-    layout->setSpacing(2);
-    layout->addLayout(head);
-    layout->addLayout(body, 1);
+    auto *head = inRow(8, {m_title, m_position, Placed::stretch(), m_previous, m_next});
+    auto *body = inRow(20, {{m_strip, 1}, {m_statistics, 0, Qt::AlignTop}});
+    inColumn(this, {pageMargin, 4, pageMargin, 4}, 2, {head, {body, 1}});
 
     connect(&selection, &Selection::targetChanged, this, &TargetCard::refresh);
     retranslate();

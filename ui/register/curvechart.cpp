@@ -8,6 +8,7 @@
 #include "report/words/wording.h"
 #include "ui/figures/canvaslabel.h"
 #include "ui/figures/plotchart.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/register/numberaxis.h"
 #include "ui/register/numbertag.h"
@@ -21,7 +22,6 @@
 #include <QChart>
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineSeries>
 #include <QPainter>
@@ -31,7 +31,6 @@
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 
@@ -234,9 +233,7 @@ CurveComparison::CurveComparison(QWidget *parent)
     m_list->setObjectName(QStringLiteral("curveList"));
     m_first->setObjectName(QStringLiteral("firstCurve"));
     m_second->setObjectName(QStringLiteral("secondCurve"));
-    auto *head = new QHBoxLayout;
-    head->addWidget(m_title);
-    head->addStretch();
+    auto *head = inRow(styleSpacing, {m_title, Placed::stretch()});
     auto *choice = new QButtonGroup(this);
     for (const auto &[word, of] :
          {std::pair("x̄", CurveOf::both), std::pair("x̄↑", CurveOf::up), std::pair("x̄↓", CurveOf::down)}) {
@@ -259,15 +256,9 @@ CurveComparison::CurveComparison(QWidget *parent)
     close->setAccessibleName(tr("Close"));
     head->addWidget(close);
     connect(close, &QToolButton::clicked, this, &CurveComparison::closed);
-    auto *row = new QHBoxLayout;
-    row->addWidget(m_differenceTitle);
-    row->addWidget(m_first);
-    row->addWidget(new QLabel(QStringLiteral("−")));
-    row->addWidget(m_second);
-    row->addWidget(m_travel, 1);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, 8, pageMargin, 8);
-    layout->addLayout(head);
+    auto *row = inRow(styleSpacing,
+                      {m_differenceTitle, m_first, new QLabel(QStringLiteral("−")), m_second, {m_travel, 1}});
+    auto *layout = inColumn(this, {pageMargin, 8, pageMargin, 8}, styleSpacing, {head});
     QScrollArea *area = m_listArea;
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);

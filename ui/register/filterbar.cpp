@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/filterbar.h"
 
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/windowlanguage.h"
 
-#include <QHBoxLayout>
 #include <QMenu>
 
 namespace palmer::ui {
@@ -15,9 +15,7 @@ FilterBar::FilterBar() {
     constexpr std::array names{"filterAxis", "filterSince",  "filterEdition",   "filterPurpose",
                                "filterRole", "filterLimits", "filterAccordance"};
     setFixedHeight(filterHeight);
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(pageMargin, 8, pageMargin, 8);
-    row->setSpacing(6);
+    auto *row = inRow(this, {pageMargin, 8, pageMargin, 8}, 6, {});
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto property = static_cast<TestFilters::Property>(i);
         FilterChip *chip = m_chips.at(i) = made<FilterChip>(names.at(i));

@@ -2,18 +2,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/firstuse.h"
 
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/register/machinelist.h"
 #include "ui/theme.h"
 
 #include <QEvent>
 #include <QGridLayout>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPainterPath>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 namespace palmer::ui {
 
@@ -135,28 +134,20 @@ RegisterFirstUse::RegisterFirstUse(QWidget *parent)
     rule->setProperty("rule", true);
     rule->setFixedHeight(1);
     rule->setMaximumWidth(firstFactsWidth);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, 8, pageMargin, 8);
-    layout->addStretch(3);
-    layout->addWidget(m_picture, 0, Qt::AlignHCenter);
-    layout->addSpacing(4);
-    layout->addWidget(m_title);
-    layout->addSpacing(8);
-    layout->addWidget(m_text);
-    layout->addSpacing(20);
-    layout->addWidget(m_choose, 0, Qt::AlignHCenter);
-    layout->addSpacing(8);
-    layout->addWidget(m_drop);
-    layout->addSpacing(30);
-    auto *middle = new QHBoxLayout;
-    auto *below = new QVBoxLayout;
-    below->addWidget(rule);
-    below->addSpacing(16);
-    below->addWidget(makeFacts());
-    middle->addStretch();
-    middle->addLayout(below, 1000);
-    middle->addStretch();
-    layout->addLayout(middle);
+    auto *layout = inColumn(this, {pageMargin, 8, pageMargin, 8}, styleSpacing,
+                            {Placed::stretch(3),
+                             {m_picture, 0, Qt::AlignHCenter},
+                             Placed::gap(4),
+                             m_title,
+                             Placed::gap(8),
+                             m_text,
+                             Placed::gap(20),
+                             {m_choose, 0, Qt::AlignHCenter},
+                             Placed::gap(8),
+                             m_drop,
+                             Placed::gap(30)});
+    auto *below = inColumn(styleSpacing, {rule, Placed::gap(16), makeFacts()});
+    layout->addLayout(inRow(styleSpacing, {Placed::stretch(), {below, 1000}, Placed::stretch()}));
     layout->addStretch(4);
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base); // this changes the palette

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/folderlist.h"
 
+#include "ui/madewidgets.h"
+
 #include <QEvent>
 #include <QFileDialog>
-#include <QHBoxLayout>
 #include <QListWidget>
 #include <QPushButton>
-#include <QVBoxLayout>
 
 namespace palmer::ui {
 
@@ -21,14 +21,8 @@ FolderList::FolderList(const QStringList &folders, QWidget *parent)
     m_add->setObjectName(QStringLiteral("addFolder"));
     m_remove->setObjectName(QStringLiteral("removeFolder"));
     m_remove->setEnabled(false);
-    auto *row = new QHBoxLayout;
-    row->addWidget(m_add);
-    row->addWidget(m_remove);
-    row->addStretch();
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_list);
-    layout->addLayout(row);
+    auto *row = inRow(styleSpacing, {m_add, m_remove, Placed::stretch()});
+    inColumn(this, noMargins, styleSpacing, {m_list, row});
     retranslate();
     connect(m_list, &QListWidget::itemSelectionChanged, this,
             [this] { m_remove->setEnabled(!m_list->selectedItems().isEmpty()); });

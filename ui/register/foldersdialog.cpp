@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/foldersdialog.h"
 
+#include "ui/madewidgets.h"
 #include "ui/register/folderlist.h"
 
 #include <QDialogButtonBox>
 #include <QLabel>
-#include <QVBoxLayout>
 
 namespace palmer::ui {
 
@@ -21,10 +21,7 @@ FoldersDialog::FoldersDialog(const QStringList &folders, QWidget *parent)
                       "never writes into them."));
     explanation->setWordWrap(true);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
-    auto *layout = new QVBoxLayout(this);
-    layout->addWidget(explanation);
-    layout->addWidget(m_list);
-    layout->addWidget(buttons);
+    inColumn(this, styleMargins, styleSpacing, {explanation, m_list, buttons});
     resize(width, sizeHint().height());
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);

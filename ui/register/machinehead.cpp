@@ -6,7 +6,6 @@
 #include "ui/windowlanguage.h"
 
 #include <QMenu>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace palmer::ui {
@@ -15,16 +14,9 @@ MachineHead::MachineHead() {
     constexpr int headHeight = 52;
     setFixedHeight(headHeight);
     m_facts->setProperty("secondary", true);
-    auto *names = new QVBoxLayout;
-    names->setSpacing(2);
-    names->addWidget(m_name);
-    names->addWidget(m_facts);
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(pageMargin, 4, pageMargin, 4);
-    row->addLayout(names, 1);
-    row->addWidget(m_intervalLabel);
-    row->addWidget(m_interval);
-    row->addWidget(m_due);
+    auto *names = inColumn(2, {m_name, m_facts});
+    inRow(this, {pageMargin, 4, pageMargin, 4}, styleSpacing,
+          {{names, 1}, m_intervalLabel, m_interval, m_due});
     connect(m_interval, &QComboBox::activated, this,
             [this] { emit intervalChosen(m_interval->currentData().toInt()); });
 }

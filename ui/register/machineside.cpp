@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/machineside.h"
 
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 
 #include <QButtonGroup>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace palmer::ui {
@@ -14,11 +14,7 @@ namespace palmer::ui {
 MachineSide::MachineSide() {
     setMinimumWidth(200);
     makeList();
-    auto *layout = tight<QVBoxLayout>(this);
-    layout->addLayout(makeHead());
-    layout->addWidget(m_list, 1);
-    layout->addWidget(m_ghosts, 1);
-    layout->addWidget(m_unidentified);
+    inColumn(this, noMargins, 0, {makeHead(), {m_list, 1}, {m_ghosts, 1}, m_unidentified});
     connect(m_search, &QLineEdit::textChanged, this, &MachineSide::filter);
     connect(m_unidentified, &QAbstractButton::clicked, this, &MachineSide::filter);
 }
@@ -28,7 +24,7 @@ QLayout *MachineSide::makeHead() {
     m_search->addAction(lineIcon(QStringLiteral("search"), QPalette::PlaceholderText),
                         QLineEdit::LeadingPosition);
     auto *choice = new QButtonGroup(this);
-    auto *switches = tight<QHBoxLayout>();
+    auto *switches = inRow(0, {});
     for (QToolButton *button : {m_all, m_toDo}) {
         button->setCheckable(true);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -41,14 +37,7 @@ QLayout *MachineSide::makeHead() {
         filter();
     });
     m_noMachine->setWordWrap(true);
-    auto *head = new QVBoxLayout;
-    head->setContentsMargins(pageMargin, 10, pageMargin, 8);
-    head->setSpacing(8);
-    head->addWidget(m_title);
-    head->addWidget(m_search);
-    head->addLayout(switches);
-    head->addWidget(m_noMachine);
-    return head;
+    return inColumn(nullptr, {pageMargin, 10, pageMargin, 8}, 8, {m_title, m_search, switches, m_noMachine});
 }
 
 void MachineSide::makeList() {

@@ -4,11 +4,11 @@
 
 #include "kernel/measurement/testfacts.h"
 #include "register/reevaluate.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 
 #include <QAction>
 #include <QMenu>
-#include <QVBoxLayout>
 #include <algorithm>
 
 namespace palmer::ui {
@@ -46,9 +46,7 @@ RegisterPage::RegisterPage(const RegisterMenus &menus)
     m_stacked->addWidget(m_testsPart);
     m_stacked->addWidget(makeTrend());
     m_stacked->setSizes({280, 360});
-    auto *layout = tight<QVBoxLayout>(this);
-    layout->addWidget(m_head);
-    layout->addWidget(m_stacked, 1);
+    inColumn(this, noMargins, 0, {m_head, {m_stacked, 1}});
     menus.under->setEnabled(false);
     connect(m_head, &MachineHead::intervalChosen, this, &RegisterPage::intervalChosen);
     connect(menus.intervals, &QMenu::aboutToShow, this,
@@ -69,11 +67,8 @@ QWidget *RegisterPage::makeTests() {
     });
     connect(m_table, &TestsView::openAsked, this, &RegisterPage::openChosen);
     connect(m_table, &TestsView::chosenChanged, this, &RegisterPage::showChosen);
-    auto *layout = tight<QVBoxLayout>(part);
-    layout->addWidget(m_filters);
-    auto *framed = new QHBoxLayout;
-    framed->setContentsMargins(pageMargin, 0, pageMargin, 8);
-    framed->addWidget(m_table);
+    auto *layout = inColumn(part, noMargins, 0, {m_filters});
+    auto *framed = inRow(nullptr, {pageMargin, 0, pageMargin, 8}, styleSpacing, {m_table});
     layout->addLayout(framed, 1);
     return part;
 }
@@ -84,9 +79,7 @@ QWidget *RegisterPage::makeTrend() {
     connect(m_comparison, &CurveComparison::closed, this, [this] { m_menus.compare->setChecked(false); });
     connect(m_trend, &TrendView::testChosen, m_table, &TestsView::choose);
     auto *part = new QWidget;
-    auto *layout = tight<QHBoxLayout>(part);
-    layout->addWidget(m_trend, 3);
-    layout->addWidget(m_comparison, 3);
+    inRow(part, noMargins, 0, {{m_trend, 3}, {m_comparison, 3}});
     return part;
 }
 

@@ -3,6 +3,7 @@
 #include "ui/register/registersettings.h"
 
 #include "register/register.h"
+#include "ui/madewidgets.h"
 #include "ui/register/folderlist.h"
 #include "ui/register/registerservice.h"
 #include "ui/theme.h"
@@ -10,13 +11,11 @@
 
 #include <QComboBox>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QUrl>
-#include <QVBoxLayout>
 
 namespace palmer::ui {
 
@@ -71,19 +70,12 @@ RegisterSettings::RegisterSettings(RegisterService &service, QWidget *parent)
     m_index->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_outcome->setTextFormat(Qt::PlainText);
     m_outcome->setWordWrap(true);
-    auto *server = new QVBoxLayout(m_server);
-    server->setContentsMargins(0, 0, 0, 0);
-    server->addWidget(m_address);
-    auto *row = new QHBoxLayout;
-    row->addWidget(m_password, 1);
-    row->addWidget(m_connect);
+    auto *server = inColumn(m_server, noMargins, styleSpacing, {m_address});
+    auto *row = inRow(styleSpacing, {{m_password, 1}, m_connect});
     server->addLayout(row);
     server->addWidget(m_note);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    for (QWidget *part : std::initializer_list<QWidget *>{m_foldersTitle, m_folders, m_placeTitle, m_place,
-                                                          m_index, m_server, m_outcome})
-        layout->addWidget(part);
+    inColumn(this, noMargins, styleSpacing,
+             {m_foldersTitle, m_folders, m_placeTitle, m_place, m_index, m_server, m_outcome});
     if (isServerAddress(service.address()))
         m_address->setText(withoutPassword(service.address()));
     retranslate();

@@ -8,7 +8,6 @@
 #include "ui/windowlanguage.h"
 
 #include <QScrollArea>
-#include <QVBoxLayout>
 
 namespace palmer::ui {
 
@@ -40,9 +39,7 @@ TrendFacts::TrendFacts() {
     area->setWidget(m_text);
     area->viewport()->setAutoFillBackground(false);
     m_text->setAutoFillBackground(false);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, 12, 4, 8);
-    layout->addWidget(area);
+    inColumn(this, {pageMargin, 12, 4, 8}, styleSpacing, {area});
 }
 
 void TrendFacts::setTrend(const MachineTrend &trend) {

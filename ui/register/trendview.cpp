@@ -25,14 +25,8 @@ TrendView::TrendView(const RegisterMenus &menus) {
                             QSizePolicy::Preferred); // the list of machines keeps its width
     auto *trend = new QWidget;
     trend->setMinimumWidth(1); // hidden next to the curves when space is short
-    auto *above = new QVBoxLayout(trend);
-    above->setContentsMargins(pageMargin, 8, 8, 8);
-    above->addLayout(makeHead(menus));
-    above->addWidget(m_chart, 1);
-    above->addWidget(m_legend);
-    auto *layout = tight<QHBoxLayout>(this);
-    layout->addWidget(trend, 1);
-    layout->addWidget(m_facts);
+    inColumn(trend, {pageMargin, 8, 8, 8}, styleSpacing, {makeHead(menus), {m_chart, 1}, m_legend});
+    inRow(this, noMargins, 0, {{trend, 1}, m_facts});
     connect(m_chart, &TrendChart::testChosen, this, &TrendView::testChosen);
 }
 
@@ -54,14 +48,7 @@ QLayout *TrendView::makeHead(const RegisterMenus &menus) {
     auto *zoom = new ZoomButtons;
     connect(zoom, &ZoomButtons::zoomWanted, m_chart, &TrendChart::zoomBy);
     connect(zoom, &ZoomButtons::fitWanted, m_chart, &TrendChart::showAll);
-    auto *head = new QHBoxLayout;
-    head->addWidget(m_title, 1);
-    head->addLayout(m_parameters);
-    head->addWidget(m_under);
-    head->addWidget(zoom);
-    head->addWidget(m_copy);
-    head->addWidget(m_maximise);
-    return head;
+    return inRow(styleSpacing, {{m_title, 1}, m_parameters, m_under, zoom, m_copy, m_maximise});
 }
 
 void TrendView::changeEvent(QEvent *event) {

@@ -8,7 +8,6 @@
 #include "ui/register/trendfacts.h"
 
 #include <QButtonGroup>
-#include <QHBoxLayout>
 #include <QPushButton>
 #include <QToolButton>
 
@@ -47,7 +46,7 @@ private:
     QString m_about;
     std::string m_parameter; ///< ID; empty: none
     QLabel *m_title = made<ElidedLabel>("trendTitle", TextSize::head);
-    QHBoxLayout *m_parameters = tight<QHBoxLayout>();
+    QHBoxLayout *m_parameters = inRow(0, {});
     QButtonGroup *m_choice = new QButtonGroup(this);
     QPushButton *m_under = made<QPushButton>("evaluateUnder");
     QToolButton *m_copy = made<QToolButton>("copyTrend");

@@ -3,6 +3,7 @@
 #include "ui/register/troubledfiles.h"
 
 #include "register/storedsentence.h"
+#include "ui/madewidgets.h"
 #include "ui/windowlanguage.h"
 
 #include <QDialogButtonBox>
@@ -10,7 +11,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 
 namespace palmer::ui {
 
@@ -54,10 +54,7 @@ TroubledFiles::TroubledFiles(const std::vector<ListedSource> &files, QWidget *pa
     remove->setAutoDefault(false);
     connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-    auto *layout = new QVBoxLayout(this);
-    layout->addWidget(words);
-    layout->addWidget(list, 1);
-    layout->addWidget(buttons);
+    inColumn(this, styleMargins, styleSpacing, {words, {list, 1}, buttons});
     resize(usual);
 }
 

@@ -4,6 +4,7 @@
 
 #include "report/explanations/explanation.h"
 #include "ui/elidedlabel.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/results/explanationview.h"
 #include "ui/results/targetbarsview.h"
@@ -12,12 +13,10 @@
 #include <QClipboard>
 #include <QEvent>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QPainter>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 namespace palmer::ui {
 
@@ -55,26 +54,11 @@ ExplanationCard::ExplanationCard(Selection &selection, QWidget *parent)
     connect(m_copy, &QToolButton::clicked, this, &ExplanationCard::copy);
     connect(m_close, &QToolButton::clicked, this, [this] { m_selection.setParameter({}); });
 
-    auto *head = new QHBoxLayout;
-    head->setContentsMargins(0, 0, 0, 0);
-    head->setSpacing(8);
-    head->addWidget(m_name, 1);
-    head->addWidget(m_copy);
-    head->addWidget(m_close);
-    auto *body = new QHBoxLayout;
-    body->setSpacing(20);
-    body->addWidget(m_view, 1, Qt::AlignTop);
-    body->addWidget(m_bars);
-    auto *foot = new QHBoxLayout;
-    foot->addWidget(m_source);
-    foot->addStretch();
-    foot->addWidget(m_keys);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, 2, pageMargin, 2); // no higher than the target card
-    layout->setSpacing(1);
-    layout->addLayout(head);
-    layout->addLayout(body, 1);
-    layout->addLayout(foot);
+    auto *head = inRow(8, {{m_name, 1}, m_copy, m_close});
+    auto *body = inRow(20, {{m_view, 1, Qt::AlignTop}, m_bars});
+    auto *foot = inRow(styleSpacing, {m_source, Placed::stretch(), m_keys});
+    inColumn(this, {pageMargin, 2, pageMargin, 2}, 1,
+             {head, {body, 1}, foot}); // no higher than the target card
 
     connect(&selection, &Selection::parameterChanged, this, &ExplanationCard::refresh);
     retranslate();

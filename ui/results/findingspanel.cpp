@@ -3,17 +3,16 @@
 #include "ui/results/findingspanel.h"
 
 #include "ui/elidedlabel.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
 
 #include <QEvent>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QListView>
 #include <QPainter>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 namespace palmer::ui {
 
@@ -109,17 +108,8 @@ FindingsPanel::FindingsPanel(Selection &, QWidget *parent)
             activate(index);
     });
 
-    auto *head = new QHBoxLayout;
-    head->setContentsMargins(0, 0, 0, 0);
-    head->setSpacing(8);
-    head->addWidget(m_title);
-    head->addWidget(m_summary, 1);
-    head->addWidget(m_fold);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, 2, 4, 4);
-    layout->setSpacing(2);
-    layout->addLayout(head);
-    layout->addWidget(m_list);
+    auto *head = inRow(8, {m_title, {m_summary, 1}, m_fold});
+    inColumn(this, {pageMargin, 2, 4, 4}, 2, {head, m_list});
     retranslate();
 }
 

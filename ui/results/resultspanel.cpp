@@ -7,6 +7,7 @@
 #include "ui/chip.h"
 #include "ui/elidedlabel.h"
 #include "ui/formulatext.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/results/resultsdelegate.h"
 #include "ui/theme.h"
@@ -15,7 +16,6 @@
 #include <QClipboard>
 #include <QEvent>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
@@ -23,7 +23,6 @@
 #include <QPainter>
 #include <QTableView>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -186,26 +185,9 @@ void ResultsPanel::followSelection() {
 }
 
 void ResultsPanel::arrange() {
-    auto *head = new QHBoxLayout;
-    head->setContentsMargins(0, 0, 0, 0);
-    head->setSpacing(8);
-    head->addWidget(m_title);
-    head->addWidget(m_rule, 1);
-    head->addWidget(m_chip);
-    head->addWidget(m_copy);
-    auto *statements = new QHBoxLayout;
-    statements->setContentsMargins(0, 0, 4, 2);
-    statements->setSpacing(8);
-    statements->addWidget(m_limits);
-    statements->addWidget(m_accordance);
-    statements->addStretch();
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, 2, pageMargin - 4, 2);
-    layout->setSpacing(0);
-    layout->addLayout(head);
-    layout->addLayout(statements);
-    layout->addWidget(m_viewNote);
-    layout->addWidget(m_table, 1);
+    auto *head = inRow(8, {m_title, {m_rule, 1}, m_chip, m_copy});
+    auto *statements = inRow(nullptr, {0, 0, 4, 2}, 8, {m_limits, m_accordance, Placed::stretch()});
+    inColumn(this, {pageMargin, 2, pageMargin - 4, 2}, 0, {head, statements, m_viewNote, {m_table, 1}});
 }
 
 void ResultsPanel::show(const EvaluatedDocument &evaluated, std::size_t test) {

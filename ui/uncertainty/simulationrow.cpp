@@ -3,9 +3,9 @@
 #include "ui/uncertainty/simulationrow.h"
 
 #include "ui/elidedlabel.h"
+#include "ui/madewidgets.h"
 #include "ui/theme.h"
 
-#include <QHBoxLayout>
 #include <QProgressBar>
 #include <QPushButton>
 #include <QtMath>
@@ -34,12 +34,7 @@ SimulationRow::SimulationRow(Simulator &simulator, QWidget *parent)
     m_bar->setFixedSize(barWidth, progressHeight);
     m_start->setObjectName(QStringLiteral("simulate"));
     m_cancel->setObjectName(QStringLiteral("cancelSimulation"));
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->addWidget(m_text, 1);
-    row->addWidget(m_bar);
-    row->addWidget(m_start);
-    row->addWidget(m_cancel);
+    inRow(this, noMargins, styleSpacing, {{m_text, 1}, m_bar, m_start, m_cancel});
     for (QPushButton *button : {m_start, m_cancel})
         button->setAutoDefault(false);
     connect(m_start, &QPushButton::clicked, this, [this] { m_simulator.start(m_evaluated, {m_test}); });

@@ -14,6 +14,7 @@
 #include "ui/elidedlabel.h"
 #include "ui/forms/decisionrulemembers.h"
 #include "ui/forms/ofmeasurement.h"
+#include "ui/madewidgets.h"
 #include "ui/model/editname.h"
 #include "ui/rowtable.h"
 #include "ui/theme.h"
@@ -22,7 +23,6 @@
 
 #include <QApplication>
 #include <QButtonGroup>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
@@ -353,9 +353,7 @@ void UncertaintyPage::makeTypical() {
 void UncertaintyPage::addMethods() {
     beginRow();
     auto *bar = new QWidget(body());
-    auto *row = new QHBoxLayout(bar);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(0);
+    auto *row = inRow(bar, noMargins, 0, {});
     auto *group = new QButtonGroup(bar);
     for (std::size_t i = 0; i < methods.size(); ++i) {
         auto *button = new QToolButton(bar);

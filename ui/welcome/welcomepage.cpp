@@ -5,6 +5,7 @@
 #include "import/formats.h"
 #include "kernel/evaluation/edition.h"
 #include "ui/languageswitch.h"
+#include "ui/madewidgets.h"
 #include "ui/theme.h"
 #include "ui/welcome/examples.h"
 #include "ui/welcome/recentfiles.h"
@@ -72,14 +73,9 @@ protected:
 QFrame *makeCard(QWidget *parent, QLabel *title, QLabel *note, const QList<QWidget *> &content) {
     auto *card = new QFrame(parent);
     card->setProperty("card", true);
-    auto *column = new QVBoxLayout(card);
-    column->setContentsMargins(1, 1, 1, 4);
-    column->setSpacing(0);
-    auto *head = new QHBoxLayout;
-    head->setContentsMargins(12, 8, 12, 8);
+    auto *column = inColumn(card, {1, 1, 1, 4}, 0, {});
     title->setFont(themeFont(TextSize::head));
-    head->addWidget(title);
-    head->addStretch();
+    auto *head = inRow(nullptr, {12, 8, 12, 8}, styleSpacing, {title, Placed::stretch()});
     if (note) {
         note->setFont(themeFont(TextSize::small));
         note->setProperty("secondary", true);
@@ -125,16 +121,11 @@ WelcomePage::WelcomePage(QWidget *parent)
     nameFont.setPointSizeF(nameFont.pointSizeF() * 1.8);
     name->setFont(nameFont);
     m_subtitle->setProperty("secondary", true);
-    auto *names = new QVBoxLayout;
-    names->setSpacing(0);
-    names->addWidget(name);
-    names->addWidget(m_subtitle);
+    auto *names = inColumn(0, {name, m_subtitle});
 
-    auto *head = new QHBoxLayout;
-    head->setSpacing(16);
-    head->addWidget(logo);
-    head->addLayout(names, 1);
-    head->addWidget(new LanguageSwitch(LanguageSwitch::Names::full, m_body), 0, Qt::AlignVCenter);
+    auto *head = inRow(
+        16,
+        {logo, {names, 1}, {new LanguageSwitch(LanguageSwitch::Names::full, m_body), 0, Qt::AlignVCenter}});
 
     auto *starts = new QGridLayout;
     starts->setSpacing(12);
@@ -151,10 +142,8 @@ WelcomePage::WelcomePage(QWidget *parent)
     m_noRecent->setWordWrap(true);
     m_noRecent->setContentsMargins(12, 0, 12, 8);
     m_noRecent->setProperty("secondary", true);
-    auto *lists = new QVBoxLayout;
-    lists->setSpacing(16);
-    lists->addWidget(makeCard(m_body, m_recentTitle, nullptr, {m_noRecent, m_recentList}));
-    lists->addStretch();
+    auto *lists = inColumn(
+        16, {makeCard(m_body, m_recentTitle, nullptr, {m_noRecent, m_recentList}), Placed::stretch()});
 
     m_body->setMaximumWidth(contentWidth);
     auto *grid = new QGridLayout(m_body);
@@ -169,18 +158,12 @@ WelcomePage::WelcomePage(QWidget *parent)
     grid->setColumnStretch(1, 5);
     grid->setRowStretch(1, 1);
 
-    auto *row = new QHBoxLayout(m_page);
-    row->setContentsMargins(32, 16, 32, 16);
-    row->addStretch(1);
-    row->addWidget(m_body, 1000);
-    row->addStretch(1);
+    inRow(m_page, {32, 16, 32, 16}, styleSpacing, {Placed::stretch(1), {m_body, 1000}, Placed::stretch(1)});
     m_place->setWidget(m_page);
     m_place->setWidgetResizable(true);
     m_place->setFrameShape(QFrame::NoFrame);
     m_place->setFocusPolicy(Qt::NoFocus);
-    auto *whole = new QVBoxLayout(this);
-    whole->setContentsMargins(0, 0, 0, 0);
-    whole->addWidget(m_place);
+    inColumn(this, noMargins, styleSpacing, {m_place});
 
     setTabOrder(m_new, m_newCircle);
     setTabOrder(m_newCircle, m_open);

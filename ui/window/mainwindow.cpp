@@ -3,6 +3,7 @@
 #include "ui/window/mainwindow.h"
 #include "kernel/measurement/testfacts.h"
 #include "ui/errorbox.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/clipboardtext.h"
 #include "ui/sizeonscreen.h"
@@ -70,7 +71,6 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QUndoStack>
-#include <QVBoxLayout>
 #include <span>
 #include <variant>
 
@@ -134,12 +134,7 @@ MainWindow::MainWindow(QWidget *parent)
     setMinimumSize(leastSize);
     setCentralWidget(m_centre);
     m_stack->addWidget(m_welcome);
-    auto *column = new QVBoxLayout(m_centre);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_notice);
-    column->addWidget(m_reportBar);
-    column->addWidget(m_stack, 1);
+    inColumn(m_centre, noMargins, 0, {m_notice, m_reportBar, {m_stack, 1}});
     makeMenus();
     makeToolBar();
     makeStatusBar();

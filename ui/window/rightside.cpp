@@ -3,6 +3,7 @@
 #include "ui/window/rightside.h"
 
 #include "ui/figures/figureview.h"
+#include "ui/madewidgets.h"
 #include "ui/results/findingspanel.h"
 #include "ui/results/resultspanel.h"
 #include "ui/theme.h"
@@ -12,7 +13,6 @@
 #include <QFrame>
 #include <QLabel>
 #include <QTimer>
-#include <QVBoxLayout>
 #include <array>
 #include <utility>
 
@@ -47,9 +47,7 @@ RightSide::RightSide(Selection &selection, QWidget *parent)
     m_tabs->setCurrentIndex(figureTab);
     m_column->setContentsMargins(0, 0, 0, 0);
     m_column->setSpacing(0);
-    auto *tabRow = new QHBoxLayout;
-    tabRow->setContentsMargins(12, 0, 12, 0);
-    tabRow->addWidget(m_tabs);
+    auto *tabRow = inRow(nullptr, {12, 0, 12, 0}, styleSpacing, {m_tabs});
     m_column->addLayout(tabRow);
     m_column->addWidget(m_figure, 1);
     m_column->addWidget(m_results);

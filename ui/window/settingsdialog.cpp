@@ -3,6 +3,7 @@
 #include "ui/window/settingsdialog.h"
 
 #include "ui/formrows.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/settings.h"
 #include "ui/register/registerservice.h"
@@ -15,7 +16,6 @@
 #include <QDialogButtonBox>
 #include <QEvent>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 namespace palmer::ui {
 
@@ -50,15 +50,9 @@ SettingsDialog::SettingsDialog(QWidget *parent)
     m_backup = addSwitch(QStringLiteral("settingsBackup"), keepsBackups());
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     m_buttons = buttons;
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(pageMargin, pageMargin, pageMargin, pageMargin);
-    layout->setSpacing(12);
-    layout->addLayout(form);
-    layout->addWidget(m_autosave);
-    layout->addWidget(m_backup);
-    layout->addWidget(new RegisterSettings(RegisterService::instance(), this));
-    layout->addStretch();
-    layout->addWidget(m_buttons);
+    inColumn(this, {pageMargin, pageMargin, pageMargin, pageMargin}, 12,
+             {form, m_autosave, m_backup, new RegisterSettings(RegisterService::instance(), this),
+              Placed::stretch(), m_buttons});
     retranslate();
     connect(m_language, &QComboBox::activated, this,
             [](int index) { setWindowLanguage(index == 0 ? Language::Id::french : Language::Id::english); });

@@ -5,6 +5,7 @@
 #include "kernel/evaluation/edition.h"
 #include "kernel/measurement/testfacts.h"
 #include "report/words/wording.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
@@ -13,7 +14,6 @@
 #include <QComboBox>
 #include <QCoreApplication>
 #include <QEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -105,19 +105,8 @@ TestHead::TestHead(QWidget *parent)
         label->setMinimumWidth(0);
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     }
-    auto *texts = new QVBoxLayout;
-    texts->setSpacing(0);
-    texts->addStretch();
-    texts->addWidget(m_title);
-    texts->addWidget(m_subtitle);
-    texts->addStretch();
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(pageMargin, 0, pageMargin, 0);
-    row->setSpacing(8);
-    row->addLayout(texts, 1);
-    row->addWidget(m_editionLabel);
-    row->addWidget(m_set);
-    row->addWidget(m_edition);
+    auto *texts = inColumn(0, {Placed::stretch(), m_title, m_subtitle, Placed::stretch()});
+    inRow(this, {pageMargin, 0, pageMargin, 0}, 8, {{texts, 1}, m_editionLabel, m_set, m_edition});
     connect(m_edition, &QComboBox::activated, this,
             [this] { emit viewChosen(m_edition->currentData().toString()); });
     connect(m_set, &QPushButton::clicked, this,

@@ -17,6 +17,7 @@
 #include "ui/forms/field.h"
 #include "ui/forms/limitspage.h"
 #include "ui/forms/reportpages.h"
+#include "ui/madewidgets.h"
 #include "ui/model/editname.h"
 #include "ui/navigation/navigationlist.h"
 #include "ui/readings/keyhints.h"
@@ -43,7 +44,6 @@
 #include <QSettings>
 #include <QStackedWidget>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -221,16 +221,10 @@ Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent
     m_addTest->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_addTest->setFocusPolicy(Qt::TabFocus);
     m_addTest->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    auto *sideColumn = new QVBoxLayout(m_side);
-    sideColumn->setContentsMargins(0, 0, 0, 4);
-    sideColumn->setSpacing(4);
-    sideColumn->addWidget(m_navigation, 1);
-    sideColumn->addWidget(m_addTest);
+    inColumn(m_side, {0, 0, 0, 4}, 4, {{m_navigation, 1}, m_addTest});
     m_outer->setStretchFactor(0, 0);
     m_outer->setStretchFactor(1, 1);
-    auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_outer);
+    inColumn(this, noMargins, styleSpacing, {m_outer});
     connectParts();
     retranslate();
 }
@@ -284,28 +278,15 @@ QWidget *Workplace::makeCentre() {
     m_target = new TargetCard(m_selection, card);
     m_explanation = new ExplanationCard(m_selection, card);
     card->setObjectName(QStringLiteral("detailCard"));
-    auto *cardLayout = new QVBoxLayout(card);
-    cardLayout->setContentsMargins(0, 0, 0, 0);
-    cardLayout->addWidget(m_target);
-    cardLayout->addWidget(m_explanation);
+    inColumn(card, noMargins, styleSpacing, {m_target, m_explanation});
     m_keys = new KeyHints(centre);
     card->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
 
-    auto *tabRow = new QHBoxLayout;
-    tabRow->setContentsMargins(12, 0, 12, 0);
-    tabRow->addWidget(m_tabs);
+    auto *tabRow = inRow(nullptr, {12, 0, 12, 0}, styleSpacing, {m_tabs});
     auto *line = new QFrame(centre);
     line->setProperty("rule", true);
     line->setFixedHeight(1);
-    auto *column = new QVBoxLayout(centre);
-    column->setContentsMargins(0, 0, 0, 0);
-    column->setSpacing(0);
-    column->addWidget(m_head);
-    column->addLayout(tabRow);
-    column->addWidget(line);
-    column->addWidget(m_pages, 1);
-    column->addWidget(m_card);
-    column->addWidget(m_keys);
+    inColumn(centre, noMargins, 0, {m_head, tabRow, line, {m_pages, 1}, m_card, m_keys});
     return centre;
 }
 
