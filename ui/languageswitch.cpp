@@ -13,8 +13,8 @@ namespace palmer::ui {
 
 LanguageSwitch::LanguageSwitch(Names names, QWidget *parent)
     : QWidget(parent)
-    , m_french(new QToolButton(this))
-    , m_english(new QToolButton(this)) {
+    , m_french(made<QToolButton>("french", this))
+    , m_english(made<QToolButton>("english", this)) {
     auto *row = inRow(this, noMargins, 0, {});
     auto *group = new QButtonGroup(this);
     for (QToolButton *button : {m_french, m_english}) {
@@ -23,8 +23,6 @@ LanguageSwitch::LanguageSwitch(Names names, QWidget *parent)
         group->addButton(button);
         row->addWidget(button);
     }
-    m_french->setObjectName(QStringLiteral("french"));
-    m_english->setObjectName(QStringLiteral("english"));
     m_french->setProperty("segment", QStringLiteral("first"));
     m_english->setProperty("segment", QStringLiteral("last"));
     // Language names are not translated.

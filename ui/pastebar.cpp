@@ -19,30 +19,22 @@ namespace palmer::ui {
 
 PasteBar::PasteBar(QWidget *parent)
     : QFrame(parent)
-    , m_summary(new QLabel(this))
-    , m_remarks(new QLabel(this))
+    , m_summary(made<QLabel>("pasteSummary", this))
+    , m_remarks(made<QLabel>("pasteRemarks", TextSize::small, this))
     , m_guess(new QLabel(this))
     , m_marks(new QButtonGroup(this))
-    , m_comma(new QToolButton(this))
-    , m_point(new QToolButton(this))
-    , m_content(new QComboBox(this))
+    , m_comma(made<QToolButton>("pasteComma", this))
+    , m_point(made<QToolButton>("pastePoint", this))
+    , m_content(made<QComboBox>("pasteContent", this))
     , m_boxes(new QHBoxLayout)
-    , m_questions(new RemarkList(this))
-    , m_undo(new QToolButton(this))
-    , m_close(new QToolButton(this)) {
+    , m_questions(made<RemarkList>("pasteQuestions", this))
+    , m_undo(made<QToolButton>("pasteUndo", this))
+    , m_close(made<QToolButton>("pasteClose", this)) {
     setObjectName(QStringLiteral("pasteBar"));
     setProperty("bar", true);
-    m_summary->setObjectName(QStringLiteral("pasteSummary"));
-    m_remarks->setObjectName(QStringLiteral("pasteRemarks"));
-    m_comma->setObjectName(QStringLiteral("pasteComma"));
-    m_point->setObjectName(QStringLiteral("pastePoint"));
-    m_content->setObjectName(QStringLiteral("pasteContent"));
-    m_undo->setObjectName(QStringLiteral("pasteUndo"));
-    m_close->setObjectName(QStringLiteral("pasteClose"));
     m_summary->setWordWrap(true); // in a narrow window the choices leave it little width
     m_remarks->setWordWrap(true);
     m_remarks->setTextFormat(Qt::PlainText);
-    m_remarks->setFont(themeFont(TextSize::small));
     m_guess->setFont(themeFont(TextSize::small));
     m_guess->setProperty("secondary", true);
     m_comma->setProperty("segment", QStringLiteral("first"));
@@ -66,7 +58,6 @@ PasteBar::PasteBar(QWidget *parent)
     auto *marks = inRow(0, {m_comma, m_point});
     auto *row = inRow(8, {{m_summary, 1}, m_guess, marks, m_content, m_boxes, m_undo, m_close});
     inColumn(this, {8, 4, 4, 4}, 2, {row, m_remarks, m_questions});
-    m_questions->setObjectName(QStringLiteral("pasteQuestions"));
 
     connect(m_questions, &RemarkList::answered, this, &PasteBar::answered);
     connect(m_questions, &RemarkList::answerWanted, this, &PasteBar::askFor);
@@ -138,8 +129,7 @@ void PasteBar::say(const QString &pasted, const QStringList &remarks,
 void PasteBar::addBox(const ImportChoice &choice) {
     const ImportKey &key = *findImportKey(choice.key);
     const Unit *now = unitOf(choice.value);
-    auto *box = new QComboBox(this);
-    box->setObjectName(QStringLiteral("paste.") + QString::fromStdString(choice.key));
+    auto *box = made<QComboBox>(QStringLiteral("paste.") + QString::fromStdString(choice.key), this);
     box->setAccessibleName(windowLanguage().text(key.name));
     box->setToolTip(box->accessibleName());
     box->setFocusPolicy(Qt::StrongFocus);
@@ -157,8 +147,7 @@ void PasteBar::addBox(const ImportChoice &choice) {
 /// Asks for an answer that no list contains.
 void PasteBar::askFor(const QString &key) {
     const ImportKey *found = findImportKey(key.toStdString());
-    auto *dialog = new QInputDialog(this);
-    dialog->setObjectName(QStringLiteral("answerDialog"));
+    auto *dialog = made<QInputDialog>("answerDialog", this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Answer"));
     dialog->setLabelText(found ? windowLanguage().text(found->name) : key);

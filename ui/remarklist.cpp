@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/remarklist.h"
 
+#include "ui/madewidgets.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
@@ -110,8 +111,7 @@ void RemarkList::showRemarks(const Imported &imported, const std::optional<QStri
     m_hasLine = hasLine;
     clear();
     if (refusal) {
-        auto *reason = new QLabel(*refusal);
-        reason->setObjectName(QStringLiteral("importRefusal"));
+        auto *reason = made<QLabel>("importRefusal", *refusal);
         reason->setProperty("reason", true);
         reason->setTextFormat(Qt::PlainText);
         reason->setWordWrap(true);
@@ -219,8 +219,7 @@ void RemarkList::addAnswers(QHBoxLayout &row, const Question &question, const QS
             addLink(row, proposal.isEmpty() ? tr("answer") : tr("another answer"), sentence);
         button->setProperty("opens", true); // for a menu: leaves space for its arrow
         button->setObjectName(QStringLiteral("other.") + id);
-        auto *menu = new QMenu(button);
-        menu->setObjectName(QStringLiteral("answers.") + id);
+        auto *menu = made<QMenu>(QStringLiteral("answers.") + id, button);
         for (const Answer &answer : answers) {
             QAction *action = menu->addAction(answer.name);
             action->setData(answer.word);

@@ -67,14 +67,13 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     : QDialog(parent)
     , m_circle(std::move(circle))
     , m_language(language)
-    , m_text(new TableText(this))
-    , m_problem(new QLabel(this))
-    , m_paths(new QLabel(this))
-    , m_remarks(new RemarkList(this))
+    , m_text(made<TableText>("arcTable", this))
+    , m_problem(made<QLabel>("arcProblem", this))
+    , m_paths(made<QLabel>("arcPaths", this))
+    , m_remarks(made<RemarkList>("arcRemarks", this))
     , m_remarksPlace(new QScrollArea(this)) {
     setObjectName(QStringLiteral("arcDialog"));
     setWindowTitle(tr("New arc"));
-    m_text->setObjectName(QStringLiteral("arcTable"));
     m_text->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
     m_text->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_text->setTabChangesFocus(true);
@@ -84,10 +83,7 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
                                tr("Headings may name columns, units and sense."));
     auto *label = new QLabel(tr("&Table of points"), this);
     label->setBuddy(m_text);
-    m_problem->setObjectName(QStringLiteral("arcProblem"));
     m_problem->setProperty("reason", true);
-    m_paths->setObjectName(QStringLiteral("arcPaths"));
-    m_remarks->setObjectName(QStringLiteral("arcRemarks"));
     m_remarks->setAccessibleName(tr("Questions and remarks"));
     m_remarksPlace->setAccessibleName(m_remarks->accessibleName());
     m_remarksPlace->setWidget(m_remarks);
@@ -155,8 +151,7 @@ QFormLayout *ArcDialog::makeForm() {
 }
 
 QComboBox *ArcDialog::addChoice(QFormLayout &form, const char *name, const QString &label) {
-    auto *box = new QComboBox(this);
-    box->setObjectName(QLatin1StringView(name));
+    auto *box = made<QComboBox>(name, this);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     form.addRow(label, box);
     return box;
@@ -174,8 +169,7 @@ void ArcDialog::fillWords(QComboBox &box, const char *key, bool (*isOfCircle)(st
 }
 
 QLineEdit *ArcDialog::addAngle(QFormLayout &form, const char *name, const QString &label, double value) {
-    auto *field = new QLineEdit(m_language.number(value, Quantity::angle), this);
-    field->setObjectName(QLatin1StringView(name));
+    auto *field = made<QLineEdit>(name, m_language.number(value, Quantity::angle), this);
     field->setAlignment(Qt::AlignRight);
     auto *text = new QLabel(label, this);
     text->setBuddy(field);

@@ -62,13 +62,13 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     : QWidget(parent)
     , m_model(model)
     , m_selection(selection)
-    , m_arcs(new QTableView(this))
-    , m_newArc(new QToolButton(this))
-    , m_empty(new QLabel(this))
-    , m_import(new QPushButton(this))
+    , m_arcs(made<QTableView>("arcs", this))
+    , m_newArc(made<QToolButton>("newArcButton", this))
+    , m_empty(made<QLabel>("noArcs", this))
+    , m_import(made<QPushButton>("importArcs", this))
     , m_curves(new ArcCurvesView(selection, this))
-    , m_points(new QTableView(this))
-    , m_reason(new QLabel(this)) {
+    , m_points(made<QTableView>("points", this))
+    , m_reason(made<QLabel>("circlesReason", this)) {
     setObjectName(QStringLiteral("circlesPage"));
     auto *units = new QButtonGroup(this);
     m_deviations = addUnit(*units, "first", "showRadialDeviations", PointUnit::deviations);
@@ -82,7 +82,6 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     });
     auto *bar = inRow(nullptr, {0, 8, 0, 8}, 0,
                       {m_deviations, m_coordinates, m_lengths, Placed::stretch(), m_newArc});
-    m_newArc->setObjectName(QStringLiteral("newArcButton"));
     m_newArc->setIcon(lineIcon(QStringLiteral("plus")));
     m_newArc->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_newArc->setFocusPolicy(Qt::StrongFocus);
@@ -96,16 +95,13 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     makeRangeRow(*rangeRow);
     makeTables();
     makeActions();
-    m_reason->setObjectName(QStringLiteral("circlesReason"));
     m_reason->setProperty("reason", true);
     m_reason->setTextFormat(Qt::PlainText);
     m_reason->setWordWrap(true);
     m_reason->hide();
-    m_empty->setObjectName(QStringLiteral("noArcs"));
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
     m_empty->setProperty("secondary", true);
-    m_import->setObjectName(QStringLiteral("importArcs"));
     connect(m_import, &QPushButton::clicked, this, &CirclesPage::importAsked);
     m_emptyPlace = new QWidget(this);
     inColumn(m_emptyPlace, noMargins, 12,
@@ -135,8 +131,7 @@ CirclesPage::~CirclesPage() {
 
 QToolButton *CirclesPage::addUnit(QButtonGroup &group, const char *segment, const char *name,
                                   PointUnit unit) {
-    auto *button = new QToolButton(this);
-    button->setObjectName(QLatin1StringView(name));
+    auto *button = made<QToolButton>(name, this);
     button->setCheckable(true);
     button->setProperty("segment", QString::fromLatin1(segment));
     button->setFocusPolicy(Qt::StrongFocus);
@@ -155,8 +150,7 @@ QWidget *CirclesPage::labelled(QHBoxLayout &row, int share, const char *label, Q
 }
 
 QComboBox *CirclesPage::addChoice(QHBoxLayout &row, int share, const char *name, const char *label) {
-    auto *box = new ElidedBox(this);
-    box->setObjectName(QLatin1StringView(name));
+    auto *box = made<ElidedBox>(name, this);
     box->setFixedHeight(fieldHeight);
     box->setMinimumContentsLength(6);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -484,8 +478,6 @@ void CirclesPage::deleteArc() {
 }
 
 void CirclesPage::makeTables() {
-    m_arcs->setObjectName(QStringLiteral("arcs"));
-    m_points->setObjectName(QStringLiteral("points"));
     for (QTableView *table : {m_arcs, m_points}) {
         makeQuiet(*table, tableRowHeight, tableRowHeight);
         table->setItemDelegate(new QuietDelegate(table)); // before the model, which reports its current cell

@@ -51,13 +51,11 @@ QCheckBox *tickBox(QTableWidget &table, int row) {
 
 DiagnosisPage::DiagnosisPage(QWidget *parent)
     : QWidget(parent)
-    , m_nature(new ElidedLabel(this))
-    , m_summary(new ElidedLabel(this))
-    , m_trace(new QToolButton(this))
-    , m_empty(new QLabel(this)) {
+    , m_nature(made<ElidedLabel>("diagnosisNature", TextSize::head, this))
+    , m_summary(made<ElidedLabel>("diagnosisSummary", TextSize::small, this))
+    , m_trace(made<QToolButton>("traceSources", this))
+    , m_empty(made<QLabel>("diagnosisEmpty", this)) {
     setObjectName(QStringLiteral("diagnosisPage"));
-    m_nature->setObjectName(QStringLiteral("diagnosisNature"));
-    m_nature->setFont(themeFont(TextSize::head));
     auto *head = inRow(nullptr, {pageMargin, 6, pageMargin, 0}, 12, {m_nature, {m_summary, 1}});
     auto *bar = makeBar();
     m_area = new QScrollArea(this);
@@ -71,12 +69,9 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
     m_table = new RowTable("diagnosisTable", TableColumn::columns, m_content);
     m_table->setFocusPolicy(Qt::StrongFocus);
     m_table->installEventFilter(this);
-    m_title = new QLabel(m_content);
-    m_title->setObjectName(QStringLiteral("sourceTitle"));
-    m_text = new QLabel(m_content);
-    m_text->setObjectName(QStringLiteral("sourceText"));
-    m_remarks = new QLabel(m_content);
-    m_remarks->setObjectName(QStringLiteral("diagnosisRemarks"));
+    m_title = made<QLabel>("sourceTitle", m_content);
+    m_text = made<QLabel>("sourceText", m_content);
+    m_remarks = made<QLabel>("diagnosisRemarks", m_content);
     for (QLabel *label : {m_title, m_text, m_remarks}) {
         label->setTextFormat(Qt::PlainText);
         label->setWordWrap(true);
@@ -85,7 +80,6 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
     inColumn(m_content, {pageMargin, 0, pageMargin, 8}, 4,
              {m_table, Placed::gap(6), m_title, m_text, m_remarks, {makeBelow(), 1}});
     m_area->setWidget(m_content);
-    m_empty->setObjectName(QStringLiteral("diagnosisEmpty"));
     m_empty->setAlignment(Qt::AlignCenter);
     m_empty->setWordWrap(true);
     m_empty->setProperty("secondary", true);
@@ -103,8 +97,7 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
 }
 
 QToolButton *DiagnosisPage::addSegment(const char *segment, const char *name) {
-    auto *button = new QToolButton(this);
-    button->setObjectName(QLatin1StringView(name));
+    auto *button = made<QToolButton>(name, this);
     button->setCheckable(true);
     button->setProperty("segment", QString::fromLatin1(segment));
     button->setFocusPolicy(Qt::StrongFocus);
@@ -115,9 +108,7 @@ QWidget *DiagnosisPage::makeBar() {
     auto *area = new QWidget(this);
     area->setFixedHeight(diagnosisBarHeight);
     auto *row = inRow(area, {pageMargin, 4, pageMargin, 4}, 0, {});
-    m_summary->setObjectName(QStringLiteral("diagnosisSummary"));
     m_summary->setProperty("secondary", true);
-    m_summary->setFont(themeFont(TextSize::small));
     m_summary->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // takes the remaining width
     m_circle = addSegment("first", "diagnosisOfCircle");
@@ -126,7 +117,6 @@ QWidget *DiagnosisPage::makeBar() {
     auto *views = new QButtonGroup(this);
     views->addButton(m_circle);
     views->addButton(m_feeds);
-    m_trace->setObjectName(QStringLiteral("traceSources"));
     m_trace->setCheckable(true);
     m_trace->setChecked(true);
     m_trace->setProperty("segment", QStringLiteral("first"));
@@ -153,16 +143,14 @@ QWidget *DiagnosisPage::makeBelow() {
     auto *kinds = new QButtonGroup(this);
     kinds->addButton(m_rest);
     kinds->addButton(m_spectrum);
-    m_chartNote = new ElidedLabel(area);
-    m_chartNote->setObjectName(QStringLiteral("chartNote"));
+    m_chartNote = made<ElidedLabel>("chartNote", area);
     m_chartNote->setProperty("secondary", true);
     m_chartNote->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // takes the remaining width
     auto *bar = inRow(m_chartBar, {0, 4, 0, 0}, 0, {m_rest, m_spectrum, Placed::gap(8), {m_chartNote, 1}});
     auto *zoom = new ZoomButtons(m_chartBar);
     bar->addWidget(zoom);
     m_overlay = new FeedsView(area);
-    m_chart = new LineChart(area);
-    m_chart->setObjectName(QStringLiteral("diagnosisChart"));
+    m_chart = made<LineChart>("diagnosisChart", area);
     auto *charts = inRow(8, {{m_overlay, 2}, {m_chart, 3}});
     inColumn(area, noMargins, 4, {m_chartBar, {charts, 1}});
     connect(zoom, &ZoomButtons::zoomWanted, m_chart, &LineChart::zoomBy);

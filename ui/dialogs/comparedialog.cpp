@@ -210,8 +210,7 @@ Document readTests(const QString &path, std::vector<Message> &guesses) {
 }
 
 QTableWidget *readOnlyTable(QWidget *parent, const char *name) {
-    auto *table = new QTableWidget(parent);
-    table->setObjectName(QLatin1StringView(name));
+    auto *table = made<QTableWidget>(name, parent);
     table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     table->setSelectionBehavior(QAbstractItemView::SelectRows);
     makeQuiet(*table, tableRowHeight, tableRowHeight);
@@ -227,26 +226,19 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
     : QDialog(parent)
     , m_evaluated(evaluated)
     , m_test(test)
-    , m_tabs(new QTabWidget(this))
-    , m_editionList(new QListWidget(this))
+    , m_tabs(made<QTabWidget>("compareTabs", this))
+    , m_editionList(made<QListWidget>("editionList", this))
     , m_editionTable(readOnlyTable(this, "editionTable"))
-    , m_editionNotes(new QLabel(this))
-    , m_testList(new QListWidget(this))
+    , m_editionNotes(made<QLabel>("editionNotes", this))
+    , m_testList(made<QListWidget>("testList", this))
     , m_view(new ComparisonView(this))
     , m_testTable(readOnlyTable(this, "testTable"))
     , m_testNotes(new QLabel(this))
-    , m_addFile(new QPushButton(this))
-    , m_copy(new QPushButton(this))
-    , m_close(new QPushButton(this)) {
+    , m_addFile(made<QPushButton>("addFile", this))
+    , m_copy(made<QPushButton>("copyComparison", this))
+    , m_close(made<QPushButton>("closeComparison", this)) {
     setObjectName(QStringLiteral("compareDialog"));
     resize(sizeOnScreen(*this, {1200, 720}));
-    m_tabs->setObjectName(QStringLiteral("compareTabs"));
-    m_editionList->setObjectName(QStringLiteral("editionList"));
-    m_testList->setObjectName(QStringLiteral("testList"));
-    m_editionNotes->setObjectName(QStringLiteral("editionNotes"));
-    m_addFile->setObjectName(QStringLiteral("addFile"));
-    m_copy->setObjectName(QStringLiteral("copyComparison"));
-    m_close->setObjectName(QStringLiteral("closeComparison"));
     for (QListWidget *list : {m_editionList, m_testList}) {
         list->setFixedWidth(listWidth);
         list->setProperty("roomy", true);

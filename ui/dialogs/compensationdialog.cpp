@@ -66,17 +66,17 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     , m_incremental(addSwitch("incremental", &CompensationOptions::incremental))
     , m_encoder(addChoice("encoder"))
     , m_mark(addChoice("decimalMark"))
-    , m_reason(new QLabel(this))
+    , m_reason(made<QLabel>("compensationReason", this))
     , m_tableTitle(new QLabel(this))
-    , m_table(new QPlainTextEdit(this))
+    , m_table(made<QPlainTextEdit>("compensationTable", this))
     , m_curveTitle(new QLabel(this))
-    , m_curve(new LineView(this))
+    , m_curve(made<LineView>("compensationCurve", this))
     , m_predictionTitle(new QLabel(this))
-    , m_prediction(new QTableWidget(this))
-    , m_note(new QLabel(this))
-    , m_compare(new QPushButton(this))
-    , m_save(new QPushButton(this))
-    , m_close(new QPushButton(this)) {
+    , m_prediction(made<QTableWidget>("prediction", this))
+    , m_note(made<QLabel>("compensationNote", this))
+    , m_compare(made<QPushButton>("compareCompensation", this))
+    , m_save(made<QPushButton>("saveCompensation", this))
+    , m_close(made<QPushButton>("closeCompensation", this)) {
     setObjectName(QStringLiteral("compensationDialog"));
     resize(1040, 680);
     auto *fields = inColumn(
@@ -96,7 +96,6 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     fields->addWidget(m_signConfirmed);
     m_signConfirmed->setVisible(fileOfAssumedSign(*m_evaluated.document->tests[m_test]) != nullptr);
     connect(m_signConfirmed, &QCheckBox::toggled, this, &CompensationDialog::signConfirmed);
-    m_reason->setObjectName(QStringLiteral("compensationReason"));
     m_reason->setProperty("reason", true);
     m_reason->setTextFormat(Qt::PlainText);
     m_reason->setWordWrap(true);
@@ -110,15 +109,12 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     left->widget()->setLayout(fields);
     fields->setContentsMargins(0, 0, scrollBar, 0);
 
-    m_table->setObjectName(QStringLiteral("compensationTable"));
     m_table->setReadOnly(true);
     m_table->setLineWrapMode(QPlainTextEdit::NoWrap);
     m_table->setTabChangesFocus(true);
     QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
     fixed.setPointSizeF(font().pointSizeF());
     m_table->setFont(fixed);
-    m_curve->setObjectName(QStringLiteral("compensationCurve"));
-    m_prediction->setObjectName(QStringLiteral("prediction"));
     m_prediction->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_prediction->setSelectionMode(QAbstractItemView::NoSelection);
     m_prediction->setTabKeyNavigation(false);
@@ -126,7 +122,6 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     m_prediction->verticalHeader()->setDefaultSectionSize(predictionRowHeight);
     m_prediction->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_prediction->setFixedHeight((predictionRows + 1) * predictionRowHeight + 4);
-    m_note->setObjectName(QStringLiteral("compensationNote"));
     m_note->setTextFormat(Qt::PlainText);
     m_note->setProperty("secondary", true);
     m_note->setWordWrap(true);
@@ -138,10 +133,7 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     auto *table = inColumn(styleSpacing, {m_tableTitle, m_table});
     right->addLayout(inRow(pageMargin, {{prediction, 1}, {table, 1}}));
     auto *body = inRow(pageMargin, {left, {right, 1}});
-    m_save->setObjectName(QStringLiteral("saveCompensation"));
     m_save->setProperty("primary", true);
-    m_close->setObjectName(QStringLiteral("closeCompensation"));
-    m_compare->setObjectName(QStringLiteral("compareCompensation"));
     auto *foot = inRow(styleSpacing, {m_compare, Placed::stretch(), m_close, m_save});
     for (QPushButton *button : {m_compare, m_save, m_close})
         button->setAutoDefault(false);
@@ -181,8 +173,7 @@ Field *CompensationDialog::addNumber(const char *name, const char *label,
 }
 
 QCheckBox *CompensationDialog::addSwitch(const char *name, bool CompensationOptions::*value) {
-    auto *box = new QCheckBox(this);
-    box->setObjectName(QStringLiteral("compensation.") + QLatin1StringView(name));
+    auto *box = made<QCheckBox>(QStringLiteral("compensation.") + QLatin1StringView(name), this);
     connect(box, &QCheckBox::toggled, this, [this, value](bool on) {
         m_options.*value = on;
         compute();
@@ -311,9 +302,8 @@ void CompensationDialog::showPrediction() {
 }
 
 void CompensationDialog::chooseTable() {
-    auto *dialog = new QFileDialog(this, tr("Compare with a compensation table"),
-                                   QSettings().value(QStringLiteral("window/exportFolder")).toString());
-    dialog->setObjectName(QStringLiteral("comparedFileDialog"));
+    auto *dialog = made<QFileDialog>("comparedFileDialog", this, tr("Compare with a compensation table"),
+                                     QSettings().value(QStringLiteral("window/exportFolder")).toString());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, &CompensationDialog::compareWith);
@@ -333,9 +323,8 @@ bool CompensationDialog::compareWith(const QString &path) {
 }
 
 void CompensationDialog::chooseFile() {
-    auto *dialog = new QFileDialog(this, tr("Save the compensation table"),
-                                   QSettings().value(QStringLiteral("window/exportFolder")).toString());
-    dialog->setObjectName(QStringLiteral("compensationFileDialog"));
+    auto *dialog = made<QFileDialog>("compensationFileDialog", this, tr("Save the compensation table"),
+                                     QSettings().value(QStringLiteral("window/exportFolder")).toString());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     const auto kind = format();

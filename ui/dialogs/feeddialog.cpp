@@ -32,11 +32,10 @@ FeedDialog::FeedDialog(QWidget *parent)
     , m_specifiedFeed(addNumber("specifiedFeed", Quantity::feed, &iso230_4::ContouringFeed::specifiedFeed))
     , m_diameter(addNumber("diameter", Quantity::position, &iso230_4::ContouringFeed::diameter))
     , m_feedLabel(new QLabel(this))
-    , m_feed(new QLabel(this))
+    , m_feed(made<QLabel>("feed", this))
     , m_formula(new QLabel(this))
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Close, this)) {
     setObjectName(QStringLiteral("feedDialog"));
-    m_feed->setObjectName(QStringLiteral("feed"));
     m_feed->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_feed->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_formula->setProperty("secondary", true);

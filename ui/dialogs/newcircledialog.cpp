@@ -30,21 +30,15 @@ constexpr int newCircleDialogWidth = 420;
 NewCircleDialog::NewCircleDialog(Language language, const Test *like, QWidget *parent)
     : QDialog(parent)
     , m_language(std::move(language))
-    , m_plane(new QComboBox(this))
-    , m_radius(new QLineEdit(this))
-    , m_feed(new QLineEdit(this))
-    , m_source(new QComboBox(this))
-    , m_edition(new QComboBox(this))
+    , m_plane(made<QComboBox>("newPlane", this))
+    , m_radius(made<QLineEdit>("newRadius", this))
+    , m_feed(made<QLineEdit>("newFeed", this))
+    , m_source(made<QComboBox>("newSource", this))
+    , m_edition(made<QComboBox>("newCircleEdition", this))
     , m_statements(new StatementsBox(this))
-    , m_problem(new QLabel(this)) {
+    , m_problem(made<QLabel>("newCircleProblem", this)) {
     setObjectName(QStringLiteral("newCircleDialog"));
     setWindowTitle(tr("New circular test"));
-    m_plane->setObjectName(QStringLiteral("newPlane"));
-    m_radius->setObjectName(QStringLiteral("newRadius"));
-    m_feed->setObjectName(QStringLiteral("newFeed"));
-    m_source->setObjectName(QStringLiteral("newSource"));
-    m_edition->setObjectName(QStringLiteral("newCircleEdition"));
-    m_problem->setObjectName(QStringLiteral("newCircleProblem"));
     for (const char *plane : {"XY", "YZ", "ZX", "YX", "ZY", "XZ"}) // right-handed first
         m_plane->addItem(QString::fromLatin1(plane).insert(1, QStringLiteral(" → ")),
                          QString::fromLatin1(plane));

@@ -53,34 +53,22 @@ NewTestDialog::NewTestDialog(Language language, const Test *like, QWidget *paren
     : QDialog(parent)
     , m_language(std::move(language))
     , m_seed(QRandomGenerator::global()->bounded(1U, mostProposedSeed))
-    , m_name(new QLineEdit(this))
-    , m_motion(new QComboBox(this))
-    , m_travel(new QLineEdit(this))
-    , m_edition(new QComboBox(this))
-    , m_cycle(new QComboBox(this))
-    , m_runs(new QLineEdit(this))
-    , m_both(new QCheckBox(this))
-    , m_first(new QLineEdit(this))
-    , m_last(new QLineEdit(this))
-    , m_count(new QLineEdit(this))
-    , m_list(new TableText(this))
+    , m_name(made<QLineEdit>("newAxis", this))
+    , m_motion(made<QComboBox>("newMotion", this))
+    , m_travel(made<QLineEdit>("newTravel", this))
+    , m_edition(made<QComboBox>("newEdition", this))
+    , m_cycle(made<QComboBox>("newCycle", this))
+    , m_runs(made<QLineEdit>("newRuns", this))
+    , m_both(made<QCheckBox>("newBothDirections", this))
+    , m_first(made<QLineEdit>("newFirst", this))
+    , m_last(made<QLineEdit>("newLast", this))
+    , m_count(made<QLineEdit>("newCount", this))
+    , m_list(made<TableText>("newTargets", this))
     , m_read(new PasteBar(this))
     , m_statements(new StatementsBox(this))
-    , m_problem(new QLabel(this)) {
+    , m_problem(made<QLabel>("newProblem", this)) {
     setObjectName(QStringLiteral("newTestDialog"));
     setWindowTitle(tr("New positioning test"));
-    m_name->setObjectName(QStringLiteral("newAxis"));
-    m_motion->setObjectName(QStringLiteral("newMotion"));
-    m_travel->setObjectName(QStringLiteral("newTravel"));
-    m_edition->setObjectName(QStringLiteral("newEdition"));
-    m_cycle->setObjectName(QStringLiteral("newCycle"));
-    m_runs->setObjectName(QStringLiteral("newRuns"));
-    m_both->setObjectName(QStringLiteral("newBothDirections"));
-    m_first->setObjectName(QStringLiteral("newFirst"));
-    m_last->setObjectName(QStringLiteral("newLast"));
-    m_count->setObjectName(QStringLiteral("newCount"));
-    m_list->setObjectName(QStringLiteral("newTargets"));
-    m_problem->setObjectName(QStringLiteral("newProblem"));
 
     fillFields(like);
     makeForm();

@@ -102,26 +102,24 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     , m_test(test)
     , m_edition(defaultEdition(Kind::positioning).word)
     , m_view(new CycleView(this))
-    , m_summary(new QLabel(this))
-    , m_targets(new QLabel(this))
-    , m_reseed(new QPushButton(this))
-    , m_fill(new QPushButton(this))
-    , m_make(new QPushButton(this))
-    , m_print(new QPushButton(this))
-    , m_savePlan(new QPushButton(this))
-    , m_dialect(new QComboBox(this))
-    , m_programReason(new QLabel(this))
-    , m_saveProgram(new QPushButton(this))
-    , m_close(new QPushButton(this)) {
+    , m_summary(made<QLabel>("planSummary", this))
+    , m_targets(made<QLabel>("planTargets", this))
+    , m_reseed(made<QPushButton>("reseed", this))
+    , m_fill(made<QPushButton>("fillTest", this))
+    , m_make(made<QPushButton>("makeTest", this))
+    , m_print(made<QPushButton>("printPlan", this))
+    , m_savePlan(made<QPushButton>("savePlan", this))
+    , m_dialect(made<QComboBox>("dialect", this))
+    , m_programReason(made<QLabel>("programReason", this))
+    , m_saveProgram(made<QPushButton>("saveProgram", this))
+    , m_close(made<QPushButton>("closePlan", this)) {
     setObjectName(QStringLiteral("planDialog"));
     resize(sizeOnScreen(*this, {980, 680}));
     m_request.travel = 1000;
     begin(test);
 
     auto *fields = makeFields();
-    m_summary->setObjectName(QStringLiteral("planSummary"));
     m_summary->setWordWrap(true);
-    m_targets->setObjectName(QStringLiteral("planTargets"));
     m_targets->setWordWrap(true);
     m_targets->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto *right = inColumn(styleSpacing, {{m_view, 1}, m_summary, m_targets});
@@ -177,7 +175,6 @@ void PlanDialog::makeChoices(QWidget *parent) {
 
 /// The button that draws new random parts, in the row of the field next to it.
 QWidget *PlanDialog::makeReseed(QWidget *parent) {
-    m_reseed->setObjectName(QStringLiteral("reseed"));
     m_reseed->setAutoDefault(false);
     connect(m_reseed, &QPushButton::clicked, this, [this] {
         ++m_request.seed;
@@ -258,23 +255,15 @@ QWidget *PlanDialog::makeFields() {
 
 /// Buttons for program, print and test.
 QHBoxLayout *PlanDialog::makeButtons() {
-    m_dialect->setObjectName(QStringLiteral("dialect"));
     for (const DialectName &each : dialects())
         m_dialect->addItem(QString::fromUtf8(each.name));
-    m_programReason->setObjectName(QStringLiteral("programReason"));
     m_programReason->setProperty("reason", true);
     m_programReason->setTextFormat(Qt::PlainText);
     m_programReason->setWordWrap(true);
-    m_saveProgram->setObjectName(QStringLiteral("saveProgram"));
     m_saveProgram->setIcon(lineIcon(QStringLiteral("save")));
-    m_print->setObjectName(QStringLiteral("printPlan"));
     m_print->setIcon(lineIcon(QStringLiteral("print")));
-    m_savePlan->setObjectName(QStringLiteral("savePlan"));
     m_savePlan->setIcon(lineIcon(QStringLiteral("pdf")));
-    m_fill->setObjectName(QStringLiteral("fillTest"));
-    m_make->setObjectName(QStringLiteral("makeTest"));
     m_make->setProperty("primary", true);
-    m_close->setObjectName(QStringLiteral("closePlan"));
     for (QPushButton *button : {m_saveProgram, m_print, m_savePlan, m_fill, m_make, m_close})
         button->setAutoDefault(false);
     return inRow(styleSpacing,

@@ -18,10 +18,9 @@ namespace palmer::ui {
 RecoveryDialog::RecoveryDialog(std::vector<Recovery> recoveries, QWidget *parent)
     : QDialog(parent)
     , m_recoveries(std::move(recoveries))
-    , m_list(new QListWidget(this)) {
+    , m_list(made<QListWidget>("recoveryList", this)) {
     setObjectName(QStringLiteral("recoveryDialog"));
     setWindowTitle(tr("Unsaved changes"));
-    m_list->setObjectName(QStringLiteral("recoveryList"));
     m_list->setAccessibleName(tr("Documents with unsaved changes"));
     m_list->setWordWrap(true);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);

@@ -82,15 +82,13 @@ ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *
     , m_simulator(evaluator)
     , m_small(new PageColumn(this))
     , m_column(new PageColumn(this))
-    , m_smallArea(new QScrollArea(this))
-    , m_area(new QScrollArea(this)) {
+    , m_smallArea(made<QScrollArea>("smallPages", this))
+    , m_area(made<QScrollArea>("pages", this)) {
     setObjectName(QStringLiteral("reportDialog"));
     setWindowFlag(Qt::WindowMaximizeButtonHint);
     resize(sizeOnScreen(*this, {1280, 800}));
     m_small->setNumbered(true);
     m_small->setScale(96 / 595.0);
-    m_smallArea->setObjectName(QStringLiteral("smallPages"));
-    m_area->setObjectName(QStringLiteral("pages"));
     m_smallArea->setWidget(m_small);
     m_area->setWidget(m_column);
     for (QScrollArea *area : {m_smallArea, m_area}) {
@@ -149,8 +147,7 @@ QWidget *ReportDialog::makeHead() {
     m_larger->setShortcut(QKeySequence::ZoomIn);
     m_place = new QLabel(head);
     m_zoom = new QLabel(head);
-    m_width = new QPushButton(head);
-    m_width->setObjectName(QStringLiteral("fitWidth"));
+    m_width = made<QPushButton>("fitWidth", head);
     m_width->setAutoDefault(false);
     auto *row = inRow(head, {pageMargin, 0, pageMargin, 0}, styleSpacing,
                       {m_title, {m_summary, 1}, m_open, m_openFolder});
@@ -194,8 +191,7 @@ QWidget *ReportDialog::makeSide() {
     makeLanguages(*column);
 
     m_paperTitle = title();
-    m_paper = new QComboBox(side);
-    m_paper->setObjectName(QStringLiteral("paper"));
+    m_paper = made<QComboBox>("paper", side);
     m_paper->setFocusPolicy(Qt::StrongFocus);
     m_paper->addItem(QStringLiteral("A4"));
     m_paper->addItem(QStringLiteral("Letter"));
@@ -226,8 +222,7 @@ void ReportDialog::makeLanguages(QVBoxLayout &column) {
                              QStringLiteral("reportBoth")};
     const std::array places{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("last")};
     for (std::size_t i = 0; i < names.size(); ++i) {
-        auto *button = new QToolButton(this);
-        button->setObjectName(objects[i]);
+        auto *button = made<QToolButton>(objects[i], this);
         button->setText(names[i]);
         button->setAccessibleName(names[i]);
         button->setCheckable(true);
@@ -252,13 +247,11 @@ void ReportDialog::makeLanguages(QVBoxLayout &column) {
 /// Shown while a simulation runs.
 void ReportDialog::makeSimulation(QVBoxLayout &whole) {
     m_simulation = new QWidget(this);
-    m_simulationText = new QLabel(m_simulation);
-    m_simulationText->setObjectName(QStringLiteral("simulationText"));
+    m_simulationText = made<QLabel>("simulationText", m_simulation);
     m_simulationText->setWordWrap(true);
     m_simulationBar = new QProgressBar(m_simulation);
     m_simulationBar->setTextVisible(false);
-    m_simulationCancel = new QPushButton(m_simulation);
-    m_simulationCancel->setObjectName(QStringLiteral("cancelSimulation"));
+    m_simulationCancel = made<QPushButton>("cancelSimulation", m_simulation);
     m_simulationCancel->setAutoDefault(false);
     inColumn(m_simulation, noMargins, styleSpacing, {m_simulationText, m_simulationBar, m_simulationCancel});
     m_simulation->hide();
@@ -268,35 +261,28 @@ void ReportDialog::makeSimulation(QVBoxLayout &whole) {
 
 /// Notes on what the file will contain and what is missing.
 void ReportDialog::makeNotes(QVBoxLayout &whole) {
-    m_originals = new QCheckBox(this);
-    m_originals->setObjectName(QStringLiteral("withOriginals"));
+    m_originals = made<QCheckBox>("withOriginals", this);
     connect(m_originals, &QCheckBox::clicked, this, &ReportDialog::showDocument);
     whole.addWidget(m_originals);
-    m_attached = new QLabel(this);
-    m_attached->setObjectName(QStringLiteral("attachedNote"));
-    m_attached->setFont(themeFont(TextSize::small));
+    m_attached = made<QLabel>("attachedNote", TextSize::small, this);
     m_attached->setProperty("secondary", true);
     m_attached->setWordWrap(true);
     whole.addWidget(m_attached);
-    m_missing = new QLabel(this);
-    m_missing->setObjectName(QStringLiteral("missingNote"));
+    m_missing = made<QLabel>("missingNote", this);
     m_missing->setWordWrap(true);
     whole.addWidget(m_missing);
 }
 
 void ReportDialog::makeButtons(QVBoxLayout &whole) {
-    m_save = new QPushButton(this);
-    m_save->setObjectName(QStringLiteral("savePdf"));
+    m_save = made<QPushButton>("savePdf", this);
     m_save->setProperty("primary", true);
     m_save->setIcon(lineIcon(QStringLiteral("pdf"), QPalette::Base));
     m_save->setDefault(true);
     whole.addWidget(m_save);
-    m_print = new QPushButton(this);
-    m_print->setObjectName(QStringLiteral("print"));
+    m_print = made<QPushButton>("print", this);
     m_print->setIcon(lineIcon(QStringLiteral("print")));
     m_print->setAutoDefault(false);
-    m_close = new QPushButton(this);
-    m_close->setObjectName(QStringLiteral("closeReport"));
+    m_close = made<QPushButton>("closeReport", this);
     m_close->setAutoDefault(false);
     whole.addLayout(inRow(styleSpacing, {m_print, m_close}));
     connect(m_save, &QPushButton::clicked, this, &ReportDialog::choosePdf);
@@ -306,8 +292,7 @@ void ReportDialog::makeButtons(QVBoxLayout &whole) {
 
 void ReportDialog::addChoices(QVBoxLayout *column) {
     const auto add = [&](const char *name, const char *text, auto isOn, auto set) {
-        auto *box = new QCheckBox(this);
-        box->setObjectName(QLatin1StringView(name));
+        auto *box = made<QCheckBox>(name, this);
         column->addWidget(box);
         const std::size_t index = m_choices.size();
         m_choices.push_back({box, text, isOn, set});

@@ -53,10 +53,9 @@ void listActions(QTreeWidgetItem &group, const QMenu &menu) {
 
 ShortcutsDialog::ShortcutsDialog(const QMenuBar &menus, QWidget *parent, bool hasReadings)
     : QDialog(parent)
-    , m_list(new QTreeWidget(this)) {
+    , m_list(made<QTreeWidget>("shortcutList", this)) {
     setObjectName(QStringLiteral("shortcutsDialog"));
     setWindowTitle(tr("Keyboard shortcuts"));
-    m_list->setObjectName(QStringLiteral("shortcutList"));
     m_list->setAccessibleName(tr("Keyboard shortcuts"));
     m_list->setColumnCount(2);
     m_list->setHeaderLabels({tr("Command"), tr("Keys")});

@@ -44,22 +44,16 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
     : QWidget(parent)
     , m_model(model)
     , m_selection(selection)
-    , m_range(new ElidedLabel(this))
+    , m_range(made<ElidedLabel>("driftRange", this))
     , m_explained(new QLabel(this))
-    , m_taken(new QLabel(this))
-    , m_reason(new QLabel(this))
-    , m_paste(new QToolButton(this))
-    , m_remove(new QToolButton(this))
-    , m_table(new QTableView(this))
+    , m_taken(made<QLabel>("driftTakenBy", this))
+    , m_reason(made<QLabel>("driftReason", this))
+    , m_paste(made<QToolButton>("pasteDrift", this))
+    , m_remove(made<QToolButton>("removeDrift", this))
+    , m_table(made<QTableView>("driftReadings", this))
     , m_pasted(new TablePaste(model, *this)) {
     setObjectName(QStringLiteral("driftPage"));
     setFocusProxy(m_table);
-    m_range->setObjectName(QStringLiteral("driftRange"));
-    m_taken->setObjectName(QStringLiteral("driftTakenBy"));
-    m_reason->setObjectName(QStringLiteral("driftReason"));
-    m_paste->setObjectName(QStringLiteral("pasteDrift"));
-    m_remove->setObjectName(QStringLiteral("removeDrift"));
-    m_table->setObjectName(QStringLiteral("driftReadings"));
     for (QLabel *label : {m_explained, m_taken})
         label->setProperty("secondary", true);
     m_explained->setWordWrap(true);

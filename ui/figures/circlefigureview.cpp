@@ -73,13 +73,11 @@ constexpr int sideBySide = -2;
 CircleFigureView::CircleFigureView(Selection &selection, QWidget *parent)
     : QWidget(parent)
     , m_selection(selection)
-    , m_choice(new QComboBox(this)) {
+    , m_choice(made<QComboBox>("circleChoice", this)) {
     setObjectName(QStringLiteral("circleFigureView"));
-    m_choice->setObjectName(QStringLiteral("circleChoice"));
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     const auto toggle = [&](const char *name, Sense sense, bool repetition) {
-        auto *button = new QToolButton(this);
-        button->setObjectName(QString::fromLatin1(name));
+        auto *button = made<QToolButton>(name, this);
         button->setCheckable(true);
         button->setChecked(!repetition);
         button->setAutoRaise(true);

@@ -108,7 +108,7 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     : QWidget(parent)
     , m_selection(selection)
     , m_title(new ElidedLabel(this))
-    , m_note(new ElidedLabel(this))
+    , m_note(made<ElidedLabel>("figureNote", this))
     , m_canvas(new FigureCanvas(selection, this))
     , m_circles(new CircleFigureView(selection, this))
     , m_marks(iconButton(this, QStringLiteral("readingMarks"), QStringLiteral("dots")))
@@ -118,7 +118,6 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     , m_detach(iconButton(this, QStringLiteral("detachFigure"), QStringLiteral("detach")))
     , m_maximise(iconButton(this, QStringLiteral("maximiseFigure"), QStringLiteral("maxi"))) {
     setObjectName(QStringLiteral("figureView"));
-    m_note->setObjectName(QStringLiteral("figureNote"));
     m_note->setProperty("secondary", true);
     m_note->setSeparator(QStringLiteral(" · "));
     m_marks->setCheckable(true);
@@ -459,8 +458,7 @@ void FigureView::askWhereToSave() {
     const QStringList filters{tr("PDF, vectors (*.pdf)"), tr("SVG, vectors (*.svg)"),
                               tr("PNG, picture (*.png)")};
     constexpr std::array suffixes{"pdf", "svg", "png"};
-    auto *dialog = new QFileDialog(this, tr("Save figure"));
-    dialog->setObjectName(QStringLiteral("figureFileDialog"));
+    auto *dialog = made<QFileDialog>("figureFileDialog", this, tr("Save figure"));
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setAcceptMode(QFileDialog::AcceptSave);
     dialog->setNameFilters(filters);

@@ -74,11 +74,10 @@ protected:
 AgreedPointsPage::AgreedPointsPage(DocumentModel &model, Selection &selection, QWidget *parent)
     : QWidget(parent)
     , m_model(model)
-    , m_chip(new Chip(this))
+    , m_chip(made<Chip>("missingChip", this))
     , m_source(new QLabel(this))
     , m_scroll(new QScrollArea(this)) {
     setObjectName(QStringLiteral("agreedPointsPage"));
-    m_chip->setObjectName(QStringLiteral("missingChip"));
     m_source->setProperty("secondary", true);
     m_scroll->setWidgetResizable(true);
     m_scroll->setFrameShape(QFrame::NoFrame);
@@ -115,8 +114,7 @@ void AgreedPointsPage::build(const Edition &edition, const Test &test) {
     }
     for (const AgreementPoint &point : edition.points)
         addRow(point, test);
-    m_others = new QPushButton(m_scroll->widget());
-    m_others->setObjectName(QStringLiteral("inapplicablePoints"));
+    m_others = made<QPushButton>("inapplicablePoints", m_scroll->widget());
     m_others->setProperty("link", true);
     m_others->setAutoDefault(false);
     connect(m_others, &QPushButton::clicked, this, [this] {

@@ -13,6 +13,7 @@
 #include "ui/forms/agreedvalue.h"
 #include "ui/forms/ofmeasurement.h"
 #include "ui/forms/templatebutton.h"
+#include "ui/madewidgets.h"
 #include "ui/theme.h"
 
 #include <QCheckBox>
@@ -285,9 +286,7 @@ void ConditionsPage::addTemperatures(const Conditions &conditions) {
 void ConditionsPage::addCorrection() {
     beginColumns();
     addThing("correctionTo20", 5);
-    m_correction = new QLabel(body());
-    m_correction->setObjectName(QStringLiteral("correctionSize"));
-    m_correction->setFont(themeFont(TextSize::small));
+    m_correction = made<QLabel>("correctionSize", TextSize::small, body());
     m_correction->setProperty("secondary", true);
     m_correction->setWordWrap(true);
     m_correction->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
@@ -541,8 +540,7 @@ void ConditionsPage::addInstruments() {
         return;
     for (const Instrument &instrument : instruments) {
         beginColumns();
-        auto *box = new QCheckBox(body());
-        box->setObjectName(QStringLiteral("uses.") + QString::fromStdString(instrument.id));
+        auto *box = made<QCheckBox>(QStringLiteral("uses.") + QString::fromStdString(instrument.id), body());
         addWidget(box, 12);
         m_instruments.push_back(box);
         connect(box, &QCheckBox::clicked, this, [this, id = instrument.id](bool used) {

@@ -114,8 +114,7 @@ Field::Field(Kind kind, QWidget *parent)
 
 void Field::makeReason() {
     m_reasonRow = new QWidget(this);
-    m_reason = new ElidedLabel(m_reasonRow);
-    m_reason->setObjectName(QStringLiteral("refusal"));
+    m_reason = made<ElidedLabel>("refusal", m_reasonRow);
     m_reason->setProperty("tone", QStringLiteral("bad"));
     inRow(m_reasonRow, noMargins, 4, {new RefusedMark(m_reasonRow), {m_reason, 1}});
     m_reasonRow->setAttribute(Qt::WA_TransparentForMouseEvents);

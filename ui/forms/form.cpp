@@ -49,12 +49,10 @@ Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent
     , m_context(context)
     , m_page(page)
     , m_model(model)
-    , m_chip(new Chip(this))
-    , m_next(new QPushButton(this))
+    , m_chip(made<Chip>("missingChip", this))
+    , m_next(made<QPushButton>("nextMissingButton", this))
     , m_bar(new QHBoxLayout)
     , m_scroll(new QScrollArea(this)) {
-    m_chip->setObjectName(QStringLiteral("missingChip"));
-    m_next->setObjectName(QStringLiteral("nextMissingButton"));
     m_next->setAutoDefault(false);
     connect(m_next, &QPushButton::clicked, this, &Form::nextWanted);
     auto *content = new QWidget(m_scroll);
@@ -102,8 +100,7 @@ void Form::addSection(const char *title, const QString &argument) {
 void Form::addFoldingSection(const char *title, std::function<QString()> summary) {
     if (!m_sections.empty())
         m_body->addSpacing(sectionGap - fieldGap);
-    auto *head = new SectionHead(page());
-    head->setObjectName(QStringLiteral("section.") + QString::fromLatin1(title));
+    auto *head = made<SectionHead>(QStringLiteral("section.") + QString::fromLatin1(title), page());
     m_head = inRow(styleSpacing, {{head, 1}});
     m_body->addLayout(m_head);
     m_sections.push_back({head, nullptr, title, std::move(summary), {}, {}, m_entries.size()});

@@ -6,6 +6,7 @@
 #include "document/savedocument.h"
 #include "print/pdf/logo.h"
 #include "ui/forms/templatebutton.h"
+#include "ui/madewidgets.h"
 
 #include <QCheckBox>
 #include <QCoreApplication>
@@ -143,8 +144,7 @@ void IdentificationPage::addRemarks() {
 void IdentificationPage::addPicture(const char *label, const char *choose, const char *remove,
                                     Picture picture) {
     beginRow();
-    auto *shown = new QLabel(body());
-    shown->setObjectName(QString::fromLatin1(label));
+    auto *shown = made<QLabel>(label, body());
     shown->setMinimumHeight(pictureRoom.height());
     addWidget(shown);
     addButton(choose, [this, picture] { choosePicture(picture); });
@@ -187,8 +187,7 @@ void IdentificationPage::choosePicture(Picture picture) {
 void IdentificationPage::addSigners() {
     beginRow();
     for (const SignerWord &row : signerWords) {
-        auto *box = new QCheckBox(body());
-        box->setObjectName(QStringLiteral("signs.") + QString::fromLatin1(row.word));
+        auto *box = made<QCheckBox>(QStringLiteral("signs.") + QString::fromLatin1(row.word), body());
         addWidget(box);
         m_signers.emplace_back(row.signer, box);
         connect(box, &QCheckBox::clicked, this, [this, signer = row.signer](bool signs) {

@@ -29,28 +29,23 @@ constexpr int pageRole = Qt::UserRole + 1; ///< page index of a row; none for a 
 
 HelpWindow::HelpWindow(QWidget *parent)
     : QDialog(parent)
-    , m_search(new QLineEdit(this))
-    , m_list(new QListWidget(this))
-    , m_browser(new QTextBrowser(this))
-    , m_notFound(new ElidedLabel(this))
-    , m_close(new QPushButton(this)) {
+    , m_search(made<QLineEdit>("helpSearch", this))
+    , m_list(made<QListWidget>("helpPages", this))
+    , m_browser(made<QTextBrowser>("helpText", this))
+    , m_notFound(made<ElidedLabel>("helpNotFound", this))
+    , m_close(made<QPushButton>("closeHelp", this)) {
     setObjectName(QStringLiteral("helpWindow"));
     setModal(false);
     resize(1000, 680);
-    m_list->setObjectName(QStringLiteral("helpPages"));
     m_list->setFixedWidth(listWidth);
     m_list->setProperty("roomy", true);
-    m_browser->setObjectName(QStringLiteral("helpText"));
     m_browser->setOpenLinks(false);
     m_browser->document()->setDocumentMargin(textMargin);
-    m_close->setObjectName(QStringLiteral("closeHelp"));
     m_close->setAutoDefault(false);
-    m_search->setObjectName(QStringLiteral("helpSearch"));
     m_search->setClearButtonEnabled(true);
     m_search->setFixedWidth(listWidth);
     auto *side = inColumn(styleSpacing, {m_search, {m_list, 1}});
     auto *row = inRow(styleSpacing, {side, {m_browser, 1}});
-    m_notFound->setObjectName(QStringLiteral("helpNotFound"));
     m_notFound->setTextFormat(Qt::PlainText);
     m_notFound->setProperty("tone", QStringLiteral("bad"));
     m_notFound->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

@@ -133,35 +133,35 @@ ImportAssistant::ImportAssistant(MeasurementFile file, const Document *open, QWi
     , m_file(std::move(file))
     , m_title(new QLabel(this))
     , m_origin(new QLabel(this))
-    , m_other(new QPushButton(this))
-    , m_paste(new QPushButton(this))
+    , m_other(made<QPushButton>("importOther", this))
+    , m_paste(made<QPushButton>("importPaste", this))
     , m_choices(new QGridLayout)
     , m_destinationName(new QLabel(this))
-    , m_destination(new ElidedBox(this))
+    , m_destination(made<ElidedBox>("import.destination", this))
     , m_profileName(new QLabel(this))
-    , m_profile(new ElidedBox(this))
+    , m_profile(made<ElidedBox>("import.profile", this))
     , m_rawTitle(new QLabel(this))
     , m_rawSize(new QLabel(this))
-    , m_rawView(new QListView(this))
+    , m_rawView(made<QListView>("importRaw", this))
     , m_tableTitle(new QLabel(this))
     , m_tableSize(new QLabel(this))
     , m_columns(new ColumnRoles(this))
-    , m_table(new QTableView(this))
+    , m_table(made<QTableView>("importTable", this))
     , m_curveTitle(new QLabel(this))
     , m_zoom(new ZoomButtons(this))
     , m_curves(new QStackedWidget(this))
-    , m_curveCanvas(new FigureCanvas(m_selection, m_curves))
-    , m_circleCanvas(new CircleCanvas(m_selection, m_curves))
+    , m_curveCanvas(made<FigureCanvas>("importCurve", m_selection, m_curves))
+    , m_circleCanvas(made<CircleCanvas>("importCircle", m_selection, m_curves))
     , m_lineView(new LineView(m_curves))
     , m_noCurve(new QLabel(m_curves))
     , m_remarksTitle(new QLabel(this))
-    , m_confirmAll(new QPushButton(this))
+    , m_confirmAll(made<QPushButton>("confirmAll", this))
     , m_remarks(new RemarkList(this))
-    , m_keep(new QCheckBox(this))
-    , m_saveProfile(new QPushButton(this))
-    , m_open(new QLabel(this))
-    , m_cancel(new QPushButton(this))
-    , m_import(new QPushButton(this))
+    , m_keep(made<QCheckBox>("keepBytes", this))
+    , m_saveProfile(made<QPushButton>("saveProfile", this))
+    , m_open(made<QLabel>("importOpen", this))
+    , m_cancel(made<QPushButton>("cancelImport", this))
+    , m_import(made<QPushButton>("acceptImport", this))
     , m_work(new WorkBar(this)) {
     if (open)
         m_document = *open;
@@ -184,8 +184,6 @@ void ImportAssistant::makeLayout() {
     m_title->setTextFormat(Qt::PlainText);
     m_origin->setProperty("secondary", true);
     auto *head = inRow(styleSpacing, {m_title, m_origin, m_work, Placed::stretch()});
-    m_other->setObjectName(QStringLiteral("importOther"));
-    m_paste->setObjectName(QStringLiteral("importPaste"));
     head->addWidget(m_other);
     head->addWidget(m_paste);
     m_choices->setHorizontalSpacing(boxSpacing);
@@ -199,13 +197,6 @@ void ImportAssistant::makeLayout() {
         words->setMinimumContentsLength(boxContents);
     }
 
-    m_destination->setObjectName(QStringLiteral("import.destination"));
-    m_profile->setObjectName(QStringLiteral("import.profile"));
-    m_keep->setObjectName(QStringLiteral("keepBytes"));
-    m_saveProfile->setObjectName(QStringLiteral("saveProfile"));
-    m_open->setObjectName(QStringLiteral("importOpen"));
-    m_cancel->setObjectName(QStringLiteral("cancelImport"));
-    m_import->setObjectName(QStringLiteral("acceptImport"));
     m_import->setProperty("primary", true);
     auto *foot = inRow(styleSpacing, {m_keep, Placed::gap(24), m_saveProfile, Placed::stretch(), m_open,
                                       m_cancel, m_import});
@@ -217,7 +208,6 @@ void ImportAssistant::makeLayout() {
 }
 
 QWidget *ImportAssistant::makeMiddle() {
-    m_rawView->setObjectName(QStringLiteral("importRaw"));
     m_rawView->setModel(&m_raw);
     m_rawView->setItemDelegate(new RawTextDelegate(m_rawView));
     m_rawView->setUniformItemSizes(true);
@@ -228,7 +218,6 @@ QWidget *ImportAssistant::makeMiddle() {
     fixed.setPointSizeF(font().pointSizeF());
     m_rawView->setFont(fixed);
     m_rawView->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
-    m_table->setObjectName(QStringLiteral("importTable"));
     m_table->setModel(&m_recognised);
     m_table->setFrameShape(QFrame::NoFrame);
     m_table->setTabKeyNavigation(false);
@@ -236,8 +225,6 @@ QWidget *ImportAssistant::makeMiddle() {
     m_table->verticalHeader()->setDefaultSectionSize(tableRowHeight);
     m_table->horizontalHeader()->setDefaultSectionSize(columnWidth);
     m_table->horizontalHeader()->setTextElideMode(Qt::ElideRight);
-    m_curveCanvas->setObjectName(QStringLiteral("importCurve"));
-    m_circleCanvas->setObjectName(QStringLiteral("importCircle"));
     m_noCurve->setAlignment(Qt::AlignCenter);
     m_noCurve->setWordWrap(true);
     m_noCurve->setProperty("secondary", true);
@@ -258,14 +245,12 @@ QWidget *ImportAssistant::makeMiddle() {
 }
 
 QWidget *ImportAssistant::makeRemarks() {
-    m_remarksPlace = new QScrollArea(this);
-    m_remarksPlace->setObjectName(QStringLiteral("importRemarks"));
+    m_remarksPlace = made<QScrollArea>("importRemarks", this);
     m_remarksPlace->setWidget(m_remarks);
     m_remarksPlace->setWidgetResizable(true);
     m_remarksPlace->setFrameShape(QFrame::NoFrame);
     m_remarksPlace->setFixedHeight(remarksHeight);
     m_remarksTitle->setFont(themeFont(TextSize::head));
-    m_confirmAll->setObjectName(QStringLiteral("confirmAll"));
     m_confirmAll->setAutoDefault(false);
     auto *whole = new QWidget(this);
     auto *head = inRow(styleSpacing, {{m_remarksTitle, 1}, m_confirmAll});
@@ -451,9 +436,8 @@ void ImportAssistant::pasteText() {
 }
 
 void ImportAssistant::chooseOther() {
-    auto *dialog = new QFileDialog(this, tr("Import another file"),
-                                   QSettings().value(QStringLiteral("window/importFolder")).toString());
-    dialog->setObjectName(QStringLiteral("otherDialog"));
+    auto *dialog = made<QFileDialog>("otherDialog", this, tr("Import another file"),
+                                     QSettings().value(QStringLiteral("window/importFolder")).toString());
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString &path) {
@@ -556,8 +540,7 @@ void ImportAssistant::fillProfiles(const QString &current) {
 }
 
 void ImportAssistant::askProfileName() {
-    auto *dialog = new QInputDialog(this);
-    dialog->setObjectName(QStringLiteral("profileDialog"));
+    auto *dialog = made<QInputDialog>("profileDialog", this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Save the choices"));
     dialog->setLabelText(tr("Name of the profile"));

@@ -24,21 +24,17 @@ constexpr int mostLines = 6; ///< visible at once
 
 ReportBar::ReportBar(QWidget *parent)
     : QFrame(parent)
-    , m_sentence(new QLabel(this))
-    , m_list(new QListWidget(this))
-    , m_details(new QPushButton(this))
-    , m_close(new QPushButton(this)) {
+    , m_sentence(made<QLabel>("reportSentence", this))
+    , m_list(made<QListWidget>("reportDifferences", this))
+    , m_details(made<QPushButton>("reportDetails", this))
+    , m_close(made<QPushButton>("closeReportBar", this)) {
     setObjectName(QStringLiteral("reportBar"));
     setProperty("notice", true);
-    m_sentence->setObjectName(QStringLiteral("reportSentence"));
     m_sentence->setTextFormat(Qt::PlainText);
     m_sentence->setWordWrap(true);
-    m_list->setObjectName(QStringLiteral("reportDifferences"));
     m_list->setWordWrap(true);
     m_list->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_details->setObjectName(QStringLiteral("reportDetails"));
     m_details->setCheckable(true);
-    m_close->setObjectName(QStringLiteral("closeReportBar"));
     auto *row = inRow(8, {{m_sentence, 1}, m_details, m_close});
     inColumn(this, {pageMargin, 6, pageMargin, 6}, styleSpacing, {row, m_list});
     connect(m_details, &QPushButton::toggled, m_list, &QWidget::setVisible);

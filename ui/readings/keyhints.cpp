@@ -22,7 +22,7 @@ constexpr int lineHeight = 34;
 
 KeyHints::KeyHints(QWidget *parent)
     : QWidget(parent)
-    , m_drift(new QLabel(this)) {
+    , m_drift(made<QLabel>("drift", TextSize::small, this)) {
     setObjectName(QStringLiteral("keyHints"));
     setFixedHeight(lineHeight);
     auto *row = inRow(this, {pageMargin, 0, pageMargin, 0}, 6, {});
@@ -37,8 +37,6 @@ KeyHints::KeyHints(QWidget *parent)
         row->addSpacing(6);
     }
     row->addStretch();
-    m_drift->setObjectName(QStringLiteral("drift"));
-    m_drift->setFont(themeFont(TextSize::small));
     row->addWidget(m_drift);
     retranslate();
 }

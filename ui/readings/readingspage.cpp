@@ -31,9 +31,9 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
     , m_editor(model)
     , m_view(new ReadingsView(m_model, m_editor, selection, this))
     , m_pasteBar(new PasteBar(this))
-    , m_leaveOut(new QToolButton(this))
-    , m_pasteButton(new QToolButton(this))
-    , m_addRunButton(new QToolButton(this)) {
+    , m_leaveOut(made<QToolButton>("leaveOutTargets", this))
+    , m_pasteButton(made<QToolButton>("pasteButton", this))
+    , m_addRunButton(made<QToolButton>("addRunButton", this)) {
     setObjectName(QStringLiteral("readingsPage"));
     setFocusProxy(m_view);
     auto *units = new QButtonGroup(this);
@@ -54,15 +54,12 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
             [this](int id) { m_model.setGrouping(static_cast<ReadingGrouping>(id)); });
 
     makeActions();
-    m_pasteButton->setObjectName(QStringLiteral("pasteButton"));
     m_pasteButton->setIcon(lineIcon(QStringLiteral("paste")));
     m_pasteButton->setProperty("iconOnly", true);
-    m_addRunButton->setObjectName(QStringLiteral("addRunButton"));
     m_addRunButton->setIcon(lineIcon(QStringLiteral("plus")));
     m_addRunButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     for (QToolButton *button : {m_pasteButton, m_addRunButton})
         button->setFocusPolicy(Qt::TabFocus);
-    m_leaveOut->setObjectName(QStringLiteral("leaveOutTargets"));
     m_leaveOut->setFocusPolicy(Qt::TabFocus);
     connect(m_leaveOut, &QToolButton::clicked, this, [this] {
         commitTyping();
@@ -133,8 +130,7 @@ ReadingsPage::~ReadingsPage() {
 }
 
 QAction *ReadingsPage::addAction(QList<QAction *> &list, const QString &name, const QKeySequence &shortcut) {
-    auto *action = new QAction(this);
-    action->setObjectName(name);
+    auto *action = made<QAction>(name, this);
     action->setShortcut(shortcut);
     action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     list << action;
@@ -348,8 +344,7 @@ void ReadingsPage::fill(bool down) {
 }
 
 void ReadingsPage::askReason() {
-    auto *dialog = new QInputDialog(this);
-    dialog->setObjectName(QStringLiteral("reasonDialog"));
+    auto *dialog = made<QInputDialog>("reasonDialog", this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Set aside"));
     dialog->setLabelText(

@@ -5,6 +5,7 @@
 #include "editing/measuringcycle.h"
 #include "ui/currentcell.h"
 #include "ui/formulatext.h"
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/readings/readingseditor.h"
 #include "ui/readings/readingsheader.h"
@@ -50,10 +51,9 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
     , m_model(model)
     , m_editor(editor)
     , m_selection(selection)
-    , m_frozen(new QTableView(this))
-    , m_reason(new QLabel(viewport())) {
+    , m_frozen(made<QTableView>("frozenReadings", this))
+    , m_reason(made<QLabel>("reason", TextSize::small, viewport())) {
     setObjectName(QStringLiteral("readings"));
-    m_frozen->setObjectName(QStringLiteral("frozenReadings"));
     m_frozen->setFocusPolicy(Qt::NoFocus);
     m_frozen->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_frozen->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -78,8 +78,6 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
         connect(delegateOf(view), &ReadingsDelegate::typed, this, &ReadingsView::take);
         connect(delegateOf(view), &ReadingsDelegate::stepWanted, this, &ReadingsView::step);
     }
-    m_reason->setObjectName(QStringLiteral("reason"));
-    m_reason->setFont(themeFont(TextSize::small));
     m_reason->setTextFormat(Qt::PlainText);
     m_reason->setProperty("reason", true);
     m_reason->hide();

@@ -39,18 +39,14 @@ constexpr std::array rows{
 TargetCard::TargetCard(Selection &selection, QWidget *parent)
     : QWidget(parent)
     , m_selection(selection)
-    , m_title(new QLabel(this))
+    , m_title(made<QLabel>("targetTitle", this))
     , m_position(new QLabel(this))
-    , m_previous(new QToolButton(this))
-    , m_next(new QToolButton(this))
+    , m_previous(made<QToolButton>("previousTarget", this))
+    , m_next(made<QToolButton>("nextTarget", this))
     , m_strip(new TargetStripView(selection, this))
-    , m_statistics(new TargetStatisticsView(this)) {
+    , m_statistics(made<TargetStatisticsView>("targetStatistics", this)) {
     setObjectName(QStringLiteral("targetCard"));
-    m_title->setObjectName(QStringLiteral("targetTitle"));
-    m_statistics->setObjectName(QStringLiteral("targetStatistics"));
     m_position->setProperty("secondary", true);
-    m_previous->setObjectName(QStringLiteral("previousTarget"));
-    m_next->setObjectName(QStringLiteral("nextTarget"));
     m_previous->setIcon(lineIcon(QStringLiteral("left")));
     m_next->setIcon(lineIcon(QStringLiteral("right")));
     for (QToolButton *button : {m_previous, m_next}) {

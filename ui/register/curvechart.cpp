@@ -219,20 +219,17 @@ void TaggedChart::drawForeground(QPainter *painter, const QRectF &rect) {
 CurveComparison::CurveComparison(QWidget *parent)
     : QWidget(parent)
     , m_title(new QLabel)
-    , m_list(new QLabel)
+    , m_list(made<QLabel>("curveList"))
     , m_listArea(new QScrollArea) // limits the list, so that many curves leave height for their chart
     , m_curves(new TaggedChart("curves"))
     , m_differences(new TaggedChart("curveDifference"))
     , m_differenceTitle(new QLabel)
-    , m_first(new QComboBox)
-    , m_second(new QComboBox)
+    , m_first(made<QComboBox>("firstCurve"))
+    , m_second(made<QComboBox>("secondCurve"))
     , m_travel(new QLabel) {
     setObjectName(QStringLiteral("curveComparison"));
     m_title->setFont(themeFont(TextSize::head));
     m_differenceTitle->setFont(themeFont(TextSize::head));
-    m_list->setObjectName(QStringLiteral("curveList"));
-    m_first->setObjectName(QStringLiteral("firstCurve"));
-    m_second->setObjectName(QStringLiteral("secondCurve"));
     auto *head = inRow(styleSpacing, {m_title, Placed::stretch()});
     auto *choice = new QButtonGroup(this);
     for (const auto &[word, of] :
@@ -248,8 +245,7 @@ CurveComparison::CurveComparison(QWidget *parent)
             rebuild();
         });
     }
-    auto *close = new QToolButton;
-    close->setObjectName(QStringLiteral("closeComparison"));
+    auto *close = made<QToolButton>("closeComparison");
     close->setIcon(lineIcon(QStringLiteral("close")));
     close->setAutoRaise(true);
     close->setToolTip(tr("Close"));

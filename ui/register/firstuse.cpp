@@ -101,8 +101,7 @@ private:
 };
 
 QLabel *centred(const char *name, TextSize size) {
-    auto *label = new QLabel;
-    label->setObjectName(QString::fromLatin1(name));
+    auto *label = made<QLabel>(name);
     label->setFont(themeFont(size));
     label->setAlignment(Qt::AlignCenter);
     return label;
@@ -115,7 +114,7 @@ RegisterFirstUse::RegisterFirstUse(QWidget *parent)
     , m_picture(new Picture(this))
     , m_title(centred("registerWelcome", TextSize::title))
     , m_text(centred("registerExplanation", TextSize::base))
-    , m_choose(new QPushButton)
+    , m_choose(made<QPushButton>("chooseFolder"))
     , m_drop(centred("registerDrop", TextSize::small)) {
     setObjectName(QStringLiteral("registerFirstUse"));
     QFont large = themeFont(TextSize::title);
@@ -124,7 +123,6 @@ RegisterFirstUse::RegisterFirstUse(QWidget *parent)
     m_title->setWordWrap(true);
     for (QLabel *label : {m_text, m_drop})
         label->setProperty("secondary", true);
-    m_choose->setObjectName(QStringLiteral("chooseFolder"));
     m_choose->setFixedWidth(208);
     m_choose->setProperty("large", true);
     m_choose->setProperty("primary", true);
@@ -167,9 +165,7 @@ QWidget *RegisterFirstUse::makeFacts() {
         const int column = 2 * static_cast<int>(i);
         fact.mark = new QLabel;
         fact.mark->setFixedSize(factMarkSize, factMarkSize + 2);
-        fact.title = new QLabel;
-        fact.title->setObjectName(QStringLiteral("fact%1").arg(i + 1));
-        fact.title->setFont(themeFont(TextSize::base));
+        fact.title = made<QLabel>(QStringLiteral("fact%1").arg(i + 1), TextSize::base);
         fact.text = new QLabel;
         fact.text->setFont(themeFont(TextSize::small));
         fact.text->setWordWrap(true);

@@ -13,13 +13,10 @@ namespace palmer::ui {
 
 FolderList::FolderList(const QStringList &folders, QWidget *parent)
     : QWidget(parent)
-    , m_list(new QListWidget)
-    , m_add(new QPushButton)
-    , m_remove(new QPushButton) {
-    m_list->setObjectName(QStringLiteral("folders"));
+    , m_list(made<QListWidget>("folders"))
+    , m_add(made<QPushButton>("addFolder"))
+    , m_remove(made<QPushButton>("removeFolder")) {
     m_list->addItems(folders);
-    m_add->setObjectName(QStringLiteral("addFolder"));
-    m_remove->setObjectName(QStringLiteral("removeFolder"));
     m_remove->setEnabled(false);
     auto *row = inRow(styleSpacing, {m_add, m_remove, Placed::stretch()});
     inColumn(this, noMargins, styleSpacing, {m_list, row});

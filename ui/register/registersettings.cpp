@@ -40,26 +40,20 @@ RegisterSettings::RegisterSettings(RegisterService &service, QWidget *parent)
     , m_foldersTitle(new QLabel)
     , m_folders(new FolderList(service.folders()))
     , m_placeTitle(new QLabel)
-    , m_place(new QComboBox)
-    , m_index(new QLabel)
+    , m_place(made<QComboBox>("registerPlace"))
+    , m_index(made<QLabel>("registerIndex"))
     , m_server(new QWidget)
-    , m_address(new QLineEdit)
-    , m_password(new QLineEdit)
-    , m_connect(new QPushButton)
+    , m_address(made<QLineEdit>("registerServer"))
+    , m_password(made<QLineEdit>("registerPassword"))
+    , m_connect(made<QPushButton>("registerConnect"))
     , m_note(new QLabel)
-    , m_outcome(new QLabel) {
+    , m_outcome(made<QLabel>("registerOutcome")) {
     constexpr int listHeight = 84;
     setObjectName(QStringLiteral("registerSettings"));
     m_folders->setMaximumHeight(2 * listHeight);
     m_folders->setMinimumHeight(listHeight);
-    m_place->setObjectName(QStringLiteral("registerPlace"));
-    m_index->setObjectName(QStringLiteral("registerIndex"));
-    m_address->setObjectName(QStringLiteral("registerServer"));
-    m_password->setObjectName(QStringLiteral("registerPassword"));
     m_password->setEchoMode(QLineEdit::Password);
-    m_connect->setObjectName(QStringLiteral("registerConnect"));
     m_connect->setAutoDefault(false);
-    m_outcome->setObjectName(QStringLiteral("registerOutcome"));
     for (QLabel *title : {m_foldersTitle, m_placeTitle})
         title->setFont(themeFont(TextSize::head));
     for (QLabel *label : {m_index, m_note}) {

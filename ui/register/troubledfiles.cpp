@@ -19,8 +19,7 @@ TroubledFiles::TroubledFiles(const std::vector<ListedSource> &files, QWidget *pa
     constexpr QSize usual(760, 400);
     setObjectName(QStringLiteral("troubledFilesDialog"));
     setWindowTitle(tr("Files of the register"));
-    auto *list = new QTreeWidget;
-    list->setObjectName(QStringLiteral("troubledList"));
+    auto *list = made<QTreeWidget>("troubledList");
     list->setAccessibleName(tr("Files of the register"));
     list->setColumnCount(2);
     list->setHeaderLabels({tr("File"), tr("Reason")});

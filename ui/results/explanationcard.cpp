@@ -29,19 +29,14 @@ constexpr int barsWidth = 180;
 ExplanationCard::ExplanationCard(Selection &selection, QWidget *parent)
     : QWidget(parent)
     , m_selection(selection)
-    , m_name(new ElidedLabel(this))
-    , m_source(new QLabel(this))
+    , m_name(made<ElidedLabel>("explanationName", this))
+    , m_source(made<QLabel>("explanationSource", this))
     , m_keys(new QLabel(this))
-    , m_copy(new QToolButton(this))
-    , m_close(new QToolButton(this))
-    , m_view(new ExplanationView(this))
+    , m_copy(made<QToolButton>("copyExplanation", this))
+    , m_close(made<QToolButton>("closeExplanation", this))
+    , m_view(made<ExplanationView>("explanation", this))
     , m_bars(new TargetBarsView(selection, this)) {
     setObjectName(QStringLiteral("explanationCard"));
-    m_name->setObjectName(QStringLiteral("explanationName"));
-    m_source->setObjectName(QStringLiteral("explanationSource"));
-    m_view->setObjectName(QStringLiteral("explanation"));
-    m_copy->setObjectName(QStringLiteral("copyExplanation"));
-    m_close->setObjectName(QStringLiteral("closeExplanation"));
     m_source->setProperty("secondary", true);
     m_keys->setProperty("secondary", true);
     m_copy->setIcon(lineIcon(QStringLiteral("copy")));

@@ -79,13 +79,10 @@ public:
 FindingsPanel::FindingsPanel(Selection &, QWidget *parent)
     : QWidget(parent)
     , m_title(new QLabel(this))
-    , m_summary(new ElidedLabel(this))
-    , m_fold(new QToolButton(this))
-    , m_list(new QListView(this)) {
+    , m_summary(made<ElidedLabel>("findingsSummary", this))
+    , m_fold(made<QToolButton>("foldFindings", this))
+    , m_list(made<QListView>("findings", this)) {
     setObjectName(QStringLiteral("findingsPanel"));
-    m_summary->setObjectName(QStringLiteral("findingsSummary"));
-    m_fold->setObjectName(QStringLiteral("foldFindings"));
-    m_list->setObjectName(QStringLiteral("findings"));
     m_summary->setProperty("secondary", true);
     m_summary->setSeparator(QStringLiteral(" · "));
     m_fold->setProperty("iconOnly", true);

@@ -118,23 +118,16 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     : QWidget(parent)
     , m_selection(selection)
     , m_title(new QLabel(this))
-    , m_rule(new ElidedLabel(this))
-    , m_viewNote(new QLabel(this))
-    , m_chip(new Chip(this))
-    , m_limits(new Chip(this))
-    , m_accordance(new Chip(this))
-    , m_copy(new QToolButton(this))
-    , m_table(new ResultsTable(this))
+    , m_rule(made<ElidedLabel>("resultsRule", this))
+    , m_viewNote(made<QLabel>("viewNote", this))
+    , m_chip(made<Chip>("verdictChip", this))
+    , m_limits(made<Chip>("limitsChip", this))
+    , m_accordance(made<Chip>("accordanceChip", this))
+    , m_copy(made<QToolButton>("copyResults", this))
+    , m_table(made<ResultsTable>("results", this))
     , m_delegate(new ResultsDelegate(m_table)) {
     setObjectName(QStringLiteral("resultsPanel"));
-    m_rule->setObjectName(QStringLiteral("resultsRule"));
-    m_viewNote->setObjectName(QStringLiteral("viewNote"));
-    m_chip->setObjectName(QStringLiteral("verdictChip"));
-    m_limits->setObjectName(QStringLiteral("limitsChip"));
-    m_accordance->setObjectName(QStringLiteral("accordanceChip"));
     m_accordance->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed); // its tooltip has the whole text
-    m_copy->setObjectName(QStringLiteral("copyResults"));
-    m_table->setObjectName(QStringLiteral("results"));
     m_rule->setProperty("secondary", true);
     m_rule->setSeparator(QStringLiteral(" · "));
     m_viewNote->setProperty("secondary", true);

@@ -23,17 +23,14 @@ constexpr int percent = 100;
 SimulationRow::SimulationRow(Simulator &simulator, QWidget *parent)
     : QWidget(parent)
     , m_simulator(simulator)
-    , m_text(new ElidedLabel(this))
+    , m_text(made<ElidedLabel>("simulationText", this))
     , m_bar(new QProgressBar(this))
-    , m_start(new QPushButton(this))
-    , m_cancel(new QPushButton(this)) {
-    m_text->setObjectName(QStringLiteral("simulationText"));
+    , m_start(made<QPushButton>("simulate", this))
+    , m_cancel(made<QPushButton>("cancelSimulation", this)) {
     m_text->setProperty("secondary", true);
     m_text->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_bar->setTextVisible(false);
     m_bar->setFixedSize(barWidth, progressHeight);
-    m_start->setObjectName(QStringLiteral("simulate"));
-    m_cancel->setObjectName(QStringLiteral("cancelSimulation"));
     inRow(this, noMargins, styleSpacing, {{m_text, 1}, m_bar, m_start, m_cancel});
     for (QPushButton *button : {m_start, m_cancel})
         button->setAutoDefault(false);

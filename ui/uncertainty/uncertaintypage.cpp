@@ -339,8 +339,7 @@ void UncertaintyPage::prepare() {
 }
 
 void UncertaintyPage::makeTypical() {
-    m_typical = new QToolButton(this);
-    m_typical->setObjectName(QStringLiteral("typicalValues"));
+    m_typical = made<QToolButton>("typicalValues", this);
     m_typical->setProperty("segment", QStringLiteral("only"));
     m_typical->setPopupMode(QToolButton::InstantPopup);
     m_typical->setFocusPolicy(Qt::StrongFocus);
@@ -356,8 +355,7 @@ void UncertaintyPage::addMethods() {
     auto *row = inRow(bar, noMargins, 0, {});
     auto *group = new QButtonGroup(bar);
     for (std::size_t i = 0; i < methods.size(); ++i) {
-        auto *button = new QToolButton(bar);
-        button->setObjectName(QStringLiteral("method%1").arg(static_cast<int>(methods[i])));
+        auto *button = made<QToolButton>(QStringLiteral("method%1").arg(static_cast<int>(methods[i])), bar);
         button->setCheckable(true);
         button->setFocusPolicy(Qt::StrongFocus);
         button->setProperty("segment", i == 0                    ? QStringLiteral("first")
@@ -372,8 +370,7 @@ void UncertaintyPage::addMethods() {
     row->addStretch();
     addWidget(bar);
     beginRow(); // it does not fit next to the buttons
-    m_methodNote = new QLabel(body());
-    m_methodNote->setObjectName(QStringLiteral("methodNote"));
+    m_methodNote = made<QLabel>("methodNote", body());
     m_methodNote->setProperty("secondary", true);
     m_methodNote->setWordWrap(true);
     addWidget(m_methodNote);
@@ -562,8 +559,7 @@ void UncertaintyPage::addContributions() {
     beginRow();
     addWidget(makeRule(body()));
     addSection(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Contributions"));
-    m_advice = new QPushButton(body());
-    m_advice->setObjectName(QStringLiteral("advice"));
+    m_advice = made<QPushButton>("advice", body());
     m_advice->setProperty("link", true);
     m_advice->setAutoDefault(false);
     connect(m_advice, &QPushButton::clicked, this, [this] { focusContribution(m_contributions->key(0)); });
@@ -593,18 +589,15 @@ void UncertaintyPage::addResults(bool linear) {
     });
     addWidget(m_results);
     beginRow();
-    m_decides = new QLabel(body());
-    m_decides->setObjectName(QStringLiteral("decides"));
+    m_decides = made<QLabel>("decides", body());
     m_decides->setWordWrap(true);
     m_decides->setProperty("secondary", true);
     addWidget(m_decides);
     beginRow();
-    m_distributionTitle = new QLabel(body());
-    m_distributionTitle->setObjectName(QStringLiteral("distributionTitle"));
+    m_distributionTitle = made<QLabel>("distributionTitle", body());
     addWidget(m_distributionTitle);
     beginRow();
-    m_distribution = new FigureCard(body());
-    m_distribution->setObjectName(QStringLiteral("distribution"));
+    m_distribution = made<FigureCard>("distribution", body());
     m_distribution->setFixedHeight(figureHeight);
     addWidget(m_distribution);
     beginRow();
@@ -638,8 +631,7 @@ void UncertaintyPage::addDecision() {
     addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Guard band, times U")}, Quantity::number,
               guardFactorMember(), 1, Allowed::notNegative);
     beginRow();
-    m_rule = new QLabel(body());
-    m_rule->setObjectName(QStringLiteral("decisionRuleText"));
+    m_rule = made<QLabel>("decisionRuleText", body());
     m_rule->setWordWrap(true);
     m_rule->setProperty("secondary", true);
     addWidget(m_rule);

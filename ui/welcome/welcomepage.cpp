@@ -100,19 +100,14 @@ WelcomePage::WelcomePage(QWidget *parent)
     , m_noRecent(new QLabel(m_body))
     , m_examplesTitle(new QLabel(m_body))
     , m_examplesNote(new QLabel(m_body))
-    , m_new(new StartButton(QStringLiteral("axis"), m_body, StartButton::Picture::deviation))
-    , m_newCircle(new StartButton(QStringLiteral("circle"), m_body, StartButton::Picture::circle))
-    , m_open(new StartButton(QStringLiteral("open"), m_body))
-    , m_import(new StartButton(QStringLiteral("imp"), m_body))
-    , m_recentList(new StartList(m_recent, mostRecent, m_body))
-    , m_examplesList(new StartList(m_examples, m_body)) {
+    , m_new(made<StartButton>("welcomeNew", QStringLiteral("axis"), m_body, StartButton::Picture::deviation))
+    , m_newCircle(made<StartButton>("welcomeNewCircle", QStringLiteral("circle"), m_body,
+                                    StartButton::Picture::circle))
+    , m_open(made<StartButton>("welcomeOpen", QStringLiteral("open"), m_body))
+    , m_import(made<StartButton>("welcomeImport", QStringLiteral("imp"), m_body))
+    , m_recentList(made<StartList>("recentList", m_recent, mostRecent, m_body))
+    , m_examplesList(made<StartList>("examplesList", m_examples, m_body)) {
     setObjectName(QStringLiteral("welcome"));
-    m_new->setObjectName(QStringLiteral("welcomeNew"));
-    m_newCircle->setObjectName(QStringLiteral("welcomeNewCircle"));
-    m_open->setObjectName(QStringLiteral("welcomeOpen"));
-    m_import->setObjectName(QStringLiteral("welcomeImport"));
-    m_recentList->setObjectName(QStringLiteral("recentList"));
-    m_examplesList->setObjectName(QStringLiteral("examplesList"));
 
     auto *logo = new QLabel(m_body);
     logo->setPixmap(QIcon(QStringLiteral(":/icons/palmer.svg")).pixmap(QSize(40, 40)));

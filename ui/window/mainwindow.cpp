@@ -161,8 +161,7 @@ bool MainWindow::hasDocument() const {
 }
 
 void MainWindow::makeToolBar() {
-    m_toolBar = new QToolBar(this);
-    m_toolBar->setObjectName(QStringLiteral("toolBar"));
+    m_toolBar = made<QToolBar>("toolBar", this);
     m_toolBar->setMovable(false);
     m_toolBar->setContextMenuPolicy(Qt::PreventContextMenu);
     m_toolBar->setFixedHeight(pageBarHeight);
@@ -605,8 +604,7 @@ void MainWindow::renameTest() {
     const Test *test = currentTest();
     if (!test)
         return;
-    auto *dialog = new QInputDialog(this);
-    dialog->setObjectName(QStringLiteral("renameDialog"));
+    auto *dialog = made<QInputDialog>("renameDialog", this);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Rename the test"));
     dialog->setLabelText(tr("Name of the test"));

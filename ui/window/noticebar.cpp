@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/noticebar.h"
 
+#include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/theme.h"
 
@@ -13,11 +14,10 @@ namespace palmer::ui {
 
 NoticeBar::NoticeBar(QWidget *parent)
     : QFrame(parent)
-    , m_sentence(new QLabel(this))
+    , m_sentence(made<QLabel>("noticeSentence", this))
     , m_row(new QHBoxLayout(this)) {
     setObjectName(QStringLiteral("notice"));
     setProperty("notice", true);
-    m_sentence->setObjectName(QStringLiteral("noticeSentence"));
     m_sentence->setTextFormat(Qt::PlainText);
     m_sentence->setWordWrap(true);
     m_row->setContentsMargins(pageMargin, 6, pageMargin, 6);
@@ -37,8 +37,7 @@ void NoticeBar::show(const QString &sentence, const QList<Answer> &answers) {
     m_sentence->setText(QStringLiteral("⚠ ") + sentence);
     setAccessibleName(sentence);
     for (const Answer &answer : answers) {
-        auto *button = new QPushButton(answer.text, this);
-        button->setObjectName(answer.name);
+        auto *button = made<QPushButton>(answer.name, answer.text, this);
         connect(button, &QPushButton::clicked, this, [this, action = answer.action] {
             hide();
             if (action)

@@ -29,17 +29,16 @@ constexpr int markBelow = 36;  ///< the figure's header
 
 RightSide::RightSide(Selection &selection, QWidget *parent)
     : QWidget(parent)
-    , m_tabs(new PageTabs(this))
+    , m_tabs(made<PageTabs>("rightTabs", this))
     , m_column(new QVBoxLayout(this))
     , m_figure(new FigureView(selection, this))
     , m_results(new ResultsPanel(selection, this))
     , m_findings(new FindingsPanel(selection, this))
-    , m_mark(new QLabel(this))
+    , m_mark(made<QLabel>("computingMark", this))
     , m_markLater(new QTimer(this)) {
     setObjectName(QStringLiteral("rightSide"));
     setAttribute(Qt::WA_StyledBackground);
     setProperty("ground", QStringLiteral("base"));
-    m_tabs->setObjectName(QStringLiteral("rightTabs"));
     setFocusProxy(m_tabs);
     for (int i = 0; i < tabs; ++i)
         m_tabs->addTab(QString());
@@ -52,7 +51,6 @@ RightSide::RightSide(Selection &selection, QWidget *parent)
     m_column->addWidget(m_figure, 1);
     m_column->addWidget(m_results);
     m_column->addWidget(m_findings);
-    m_mark->setObjectName(QStringLiteral("computingMark"));
     m_mark->setProperty("mark", true);
     m_mark->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_mark->hide();

@@ -41,8 +41,7 @@ SettingsDialog::SettingsDialog(QWidget *parent)
     m_angles = addChoice(*form, "settingsAngles");
     alignLabels(*form);
     const auto addSwitch = [this](const QString &name, bool on) {
-        auto *box = new QCheckBox(this);
-        box->setObjectName(name);
+        auto *box = made<QCheckBox>(name, this);
         box->setChecked(on);
         return box;
     };
@@ -66,8 +65,7 @@ SettingsDialog::SettingsDialog(QWidget *parent)
 }
 
 QComboBox *SettingsDialog::addChoice(QFormLayout &form, const char *name) {
-    auto *box = new QComboBox(this);
-    box->setObjectName(QLatin1StringView(name));
+    auto *box = made<QComboBox>(name, this);
     box->setFocusPolicy(Qt::StrongFocus);
     auto *label = new QLabel(this);
     label->setBuddy(box);

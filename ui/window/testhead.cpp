@@ -77,19 +77,13 @@ QString testSummary(const Test &test) {
 
 TestHead::TestHead(QWidget *parent)
     : QWidget(parent)
-    , m_title(new QLabel(this))
-    , m_subtitle(new QLabel(this))
+    , m_title(made<QLabel>("testTitle", TextSize::title, this))
+    , m_subtitle(made<QLabel>("testSummary", TextSize::small, this))
     , m_editionLabel(new QLabel(this))
-    , m_set(new QPushButton(this))
-    , m_edition(new QComboBox(this)) {
+    , m_set(made<QPushButton>("setEdition", this))
+    , m_edition(made<QComboBox>("edition", this)) {
     setObjectName(QStringLiteral("testHead"));
-    m_title->setObjectName(QStringLiteral("testTitle"));
-    m_subtitle->setObjectName(QStringLiteral("testSummary"));
-    m_edition->setObjectName(QStringLiteral("edition"));
-    m_set->setObjectName(QStringLiteral("setEdition"));
     setFixedHeight(usualHeight);
-    m_title->setFont(themeFont(TextSize::title));
-    m_subtitle->setFont(themeFont(TextSize::small));
     m_subtitle->setProperty("secondary", true);
     m_editionLabel->setFont(themeFont(TextSize::small));
     m_editionLabel->setProperty("secondary", true);

@@ -198,15 +198,13 @@ Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent
     : QWidget(parent)
     , m_model(model)
     , m_evaluator(evaluator)
-    , m_outer(new ThinSplitter(Qt::Horizontal, this))
+    , m_outer(made<ThinSplitter>("outerSplitter", Qt::Horizontal, this))
     , m_side(new QWidget(m_outer))
-    , m_inner(new ThinSplitter(Qt::Horizontal, m_outer))
+    , m_inner(made<ThinSplitter>("innerSplitter", Qt::Horizontal, m_outer))
     , m_navigation(new NavigationList(m_navigationModel, m_side))
-    , m_addTest(new QToolButton(m_side)) {
+    , m_addTest(made<QToolButton>("addTestButton", m_side)) {
     setObjectName(QStringLiteral("workplace"));
     setFocusProxy(m_navigation);
-    m_outer->setObjectName(QStringLiteral("outerSplitter"));
-    m_inner->setObjectName(QStringLiteral("innerSplitter"));
     m_centre = makeCentre();
     m_right = new RightSide(m_selection, m_inner);
     m_right->setMinimumWidth(leastRightWidth);
@@ -215,7 +213,6 @@ Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent
     m_findings = m_right->findings();
     m_inner->setStretchFactor(0, 1);
     m_inner->setStretchFactor(1, 0);
-    m_addTest->setObjectName(QStringLiteral("addTestButton"));
     m_addTest->setIcon(lineIcon(QStringLiteral("plus")));
     m_addTest->setPopupMode(QToolButton::InstantPopup);
     m_addTest->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
@@ -262,14 +259,12 @@ void Workplace::makePages(QWidget *centre) {
 // Every part is made with its final parent: reparenting recomputes all styles below it. A splitter adopts
 // widgets made with it as parent.
 QWidget *Workplace::makeCentre() {
-    auto *centre = new QWidget(m_inner);
-    centre->setObjectName(QStringLiteral("centre"));
+    auto *centre = made<QWidget>("centre", m_inner);
     centre->setAttribute(Qt::WA_StyledBackground);
     centre->setProperty("ground", QStringLiteral("base"));
     centre->setMinimumWidth(centreWidth);
     m_head = new TestHead(centre);
-    m_tabs = new PageTabs(centre);
-    m_tabs->setObjectName(QStringLiteral("pageTabs"));
+    m_tabs = made<PageTabs>("pageTabs", centre);
     for (std::size_t i = 0; i < testPages.size(); ++i)
         m_tabs->addTab(QString());
     makePages(centre);
