@@ -206,9 +206,7 @@ Field *AgreedPointsPage::makeValue(const AgreementPoint &point, Quantity quantit
     connect(field, &Field::entered, this, [this, field, quantity, name = point.point] {
         const auto value = enteredNumber(field->valueText(), quantity, m_language.units()).value;
         m_model.edit(
-            changeOf(agreedPointsContext,
-                     QT_TRANSLATE_NOOP("palmer::ui::AgreedPointsPage", "Number of an agreement"))
-                .constData(),
+            changeOf(agreedPointsContext, QT_TR_NOOP("Number of an agreement")).constData(),
             [&](Document &document) { agreedValue(name).write(document, m_test, value); },
             QStringLiteral("agreedValue/%1/%2/%3").arg(QString::fromLatin1(name)).arg(m_test).arg(m_visit));
     });
@@ -272,9 +270,7 @@ void AgreedPointsPage::setText(const AgreementPoint &point, const QString &text)
     else if (state == AgreementState::agreed && !wasEmpty && text.isEmpty() && !before->value)
         state.reset();
     m_model.edit(
-        changeOf(agreedPointsContext,
-                 QT_TRANSLATE_NOOP("palmer::ui::AgreedPointsPage", "Text of an agreement"))
-            .constData(),
+        changeOf(agreedPointsContext, QT_TR_NOOP("Text of an agreement")).constData(),
         [&](Document &document) {
             editTest(document, m_test,
                      [&](Test &test) { setAgreedPoint(test, point.point, state, text.toStdString()); });

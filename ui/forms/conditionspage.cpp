@@ -242,22 +242,20 @@ void ConditionsPage::addSensor(SensorMeasures what, std::size_t ordinal) {
     start->setLabelArgument(argument);
     addNumber({"sensors", labels.end}, Quantity::temperature, endOf(what, ordinal), 3, Allowed::celsius)
         ->setLabelArgument(argument);
-    addText({"sensors", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Sensor position")},
-            ofSensor<&Sensor::position>(what, ordinal),
+    addText({"sensors", QT_TR_NOOP("Sensor position")}, ofSensor<&Sensor::position>(what, ordinal),
             what == SensorMeasures::air && ordinal == 0 ? 6 : 3); // the others have something next to them
     m_lastSensors[what] = start;
 }
 
 void ConditionsPage::addTemperatures(const Conditions &conditions) {
-    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Temperatures"),
-                      [this] { return temperatureSummary(); });
+    addFoldingSection(QT_TR_NOOP("Temperatures"), [this] { return temperatureSummary(); });
     for (const SensorMeasures what : kinds) {
         const std::size_t count = shownSensors(conditions, what);
         for (std::size_t ordinal = 0; ordinal < count; ++ordinal) {
             addSensor(what, ordinal);
             if (ordinal > 0 || what == SensorMeasures::notStated) {
                 addButton(
-                    QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Remove the sensor"),
+                    QT_TR_NOOP("Remove the sensor"),
                     [this, what, ordinal] {
                         edit(QT_TRANSLATE_NOOP("edits", "remove a sensor"), [&](Document &document) {
                             editTest(document, this->test(), [&](Test &changed) {
@@ -267,13 +265,12 @@ void ConditionsPage::addTemperatures(const Conditions &conditions) {
                     },
                     3);
             } else if (what == SensorMeasures::machine) {
-                addNumber({"expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α")},
-                          Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::machine>(), 3,
-                          Allowed::coefficient);
+                addNumber({"expansion", QT_TR_NOOP("Expansion α")}, Quantity::expansion,
+                          commonPart<&Conditions::expansion, &Expansion::machine>(), 3, Allowed::coefficient);
             } else if (what == SensorMeasures::instrument) {
-                addNumber({"expansion", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Expansion α")},
-                          Quantity::expansion, commonPart<&Conditions::expansion, &Expansion::instrument>(),
-                          3, Allowed::coefficient);
+                addNumber({"expansion", QT_TR_NOOP("Expansion α")}, Quantity::expansion,
+                          commonPart<&Conditions::expansion, &Expansion::instrument>(), 3,
+                          Allowed::coefficient);
             }
         }
     }
@@ -312,12 +309,10 @@ void ConditionsPage::addSensorButtons() {
             focusPart(*m_lastSensors.at(what));
         })->setObjectName(name);
     };
-    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another air sensor"), SensorMeasures::air,
-           QStringLiteral("addAirSensor"));
-    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another machine sensor"), SensorMeasures::machine,
-           QStringLiteral("addMachineSensor"));
-    addOne(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Another instrument sensor"),
-           SensorMeasures::instrument, QStringLiteral("addInstrumentSensor"));
+    addOne(QT_TR_NOOP("Another air sensor"), SensorMeasures::air, QStringLiteral("addAirSensor"));
+    addOne(QT_TR_NOOP("Another machine sensor"), SensorMeasures::machine, QStringLiteral("addMachineSensor"));
+    addOne(QT_TR_NOOP("Another instrument sensor"), SensorMeasures::instrument,
+           QStringLiteral("addInstrumentSensor"));
     addWidget(new QWidget(body()));
 }
 
@@ -326,8 +321,8 @@ void ConditionsPage::addAir(const PositioningMeasurement & /*measurement*/) {
     addThings(FieldForm::Section::air);
     beginColumns();
     addThing("gradientHoursBefore", 6);
-    addNumber({"gradient", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed limit of the gradient")},
-              Quantity::gradient, agreedValue("gradient"), 6);
+    addNumber({"gradient", QT_TR_NOOP("Agreed limit of the gradient")}, Quantity::gradient,
+              agreedValue("gradient"), 6);
 }
 
 void ConditionsPage::addCycle(const PositioningMeasurement & /*measurement*/) {
@@ -336,24 +331,21 @@ void ConditionsPage::addCycle(const PositioningMeasurement & /*measurement*/) {
 }
 
 void ConditionsPage::addCycle(const CircularMeasurement & /*measurement*/) {
-    addNumber({"feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Contouring feed")}, Quantity::feed,
-              circular<&CircularMeasurement::feed>(), 4);
+    addNumber({"feed", QT_TR_NOOP("Contouring feed")}, Quantity::feed, circular<&CircularMeasurement::feed>(),
+              4);
     addThings(FieldForm::Section::circle, 4);
 }
 
 void ConditionsPage::addWarmUp() {
     beginColumns();
     addWords("warmUp", commonPart<&Conditions::warmUp, &WarmUp::kind>(), 6);
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up, details")},
-            commonPart<&Conditions::warmUp, &WarmUp::text>(), 6);
+    addText({"", QT_TR_NOOP("Warm-up, details")}, commonPart<&Conditions::warmUp, &WarmUp::text>(), 6);
 }
 
 void ConditionsPage::addSpecifiedBy(int width) {
     beginColumns();
-    addChoice({"warmUp", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Warm-up specified by")},
-              {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "not stated"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "the maker"),
-               QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "agreement")},
+    addChoice({"warmUp", QT_TR_NOOP("Warm-up specified by")},
+              {QT_TR_NOOP("not stated"), QT_TR_NOOP("the maker"), QT_TR_NOOP("agreement")},
               choiceOf<SpecifiedBy>(commonPart<&Conditions::warmUp, &WarmUp::specifiedBy>(),
                                     {SpecifiedBy::notStated, SpecifiedBy::maker, SpecifiedBy::agreement}),
               true, width);
@@ -363,24 +355,23 @@ void ConditionsPage::addAgreedCycle(const PositioningMeasurement &measurement) {
     const bool isRotary = measurement.axis.motion == Motion::rotary;
     const int width = isRotary ? 4 : 6; // three or two in a row
     addSpecifiedBy(width);
-    addNumber({"feed", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Agreed feed rate")},
-              feedQuantity(*shownTest()), agreedValue("feed"), width);
+    addNumber({"feed", QT_TR_NOOP("Agreed feed rate")}, feedQuantity(*shownTest()), agreedValue("feed"),
+              width);
     if (isRotary)
         addThing("continuousDevice", width);
 }
 
 void ConditionsPage::addAgreedCycle(const CircularMeasurement & /*measurement*/) {
     addSpecifiedBy(4);
-    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified diameter")}, Quantity::position,
+    addNumber({"", QT_TR_NOOP("Specified diameter")}, Quantity::position,
               circular<&CircularMeasurement::specified, &SpecifiedCircle::diameter>(), 4, Allowed::positive);
-    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Specified feed")}, Quantity::feed,
+    addNumber({"", QT_TR_NOOP("Specified feed")}, Quantity::feed,
               circular<&CircularMeasurement::specified, &SpecifiedCircle::feed>(), 4, Allowed::positive);
 }
 
 void ConditionsPage::addDeclarations(const Edition *edition) {
-    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declarations"),
-                      [this] { return declarationSummary(); });
-    addSectionButton(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "All of these apply"), [this] {
+    addFoldingSection(QT_TR_NOOP("Declarations"), [this] { return declarationSummary(); });
+    addSectionButton(QT_TR_NOOP("All of these apply"), [this] {
         edit(QT_TRANSLATE_NOOP("edits", "declare what was not declared"), [&](Document &document) {
             editTest(document, this->test(), [](Test &changed) {
                 for (const Declaration &declaration : declarations)
@@ -398,12 +389,12 @@ void ConditionsPage::addDeclarations(const Edition *edition) {
     for (const std::string &clause : clauses)
         addDeclarationsOf(edition, clause);
     beginColumns();
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Rest of the requirements declared met by")},
+    addText({"", QT_TR_NOOP("Rest of the requirements declared met by")},
             ofTest([](auto &test) { return &test.declaredAccordance.by; }), 6);
-    addDate({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Declared on")},
-            ofTest([](auto &test) { return &test.declaredAccordance.date; }), 6);
+    addDate({"", QT_TR_NOOP("Declared on")}, ofTest([](auto &test) { return &test.declaredAccordance.date; }),
+            6);
     beginColumns();
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Text of the declaration")},
+    addText({"", QT_TR_NOOP("Text of the declaration")},
             ofTest([](auto &test) { return &test.declaredAccordance.text; }), 12);
 }
 
@@ -429,22 +420,22 @@ void ConditionsPage::addDeclarationsOf(const Edition *edition, const std::string
 
 void ConditionsPage::addPositions() {
     constexpr auto position = Quantity::position;
-    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Positions"));
+    addFoldingSection(QT_TR_NOOP("Positions"));
     addThings(FieldForm::Section::positions);
     beginColumns();
-    addNumber({"toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, X")}, position,
+    addNumber({"toolOffset", QT_TR_NOOP("Offset to tool, X")}, position,
               coordinate<&Conditions::toolOffset, 0>(), 4);
-    addNumber({"toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Y")}, position,
+    addNumber({"toolOffset", QT_TR_NOOP("Offset to tool, Y")}, position,
               coordinate<&Conditions::toolOffset, 1>(), 4);
-    addNumber({"toolOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to tool, Z")}, position,
+    addNumber({"toolOffset", QT_TR_NOOP("Offset to tool, Z")}, position,
               coordinate<&Conditions::toolOffset, 2>(), 4);
     beginColumns();
-    addNumber({"workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, X")},
-              position, coordinate<&Conditions::workpieceOffset, 0>(), 4);
-    addNumber({"workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Y")},
-              position, coordinate<&Conditions::workpieceOffset, 1>(), 4);
-    addNumber({"workpieceOffset", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Offset to workpiece, Z")},
-              position, coordinate<&Conditions::workpieceOffset, 2>(), 4);
+    addNumber({"workpieceOffset", QT_TR_NOOP("Offset to workpiece, X")}, position,
+              coordinate<&Conditions::workpieceOffset, 0>(), 4);
+    addNumber({"workpieceOffset", QT_TR_NOOP("Offset to workpiece, Y")}, position,
+              coordinate<&Conditions::workpieceOffset, 1>(), 4);
+    addNumber({"workpieceOffset", QT_TR_NOOP("Offset to workpiece, Z")}, position,
+              coordinate<&Conditions::workpieceOffset, 2>(), 4);
 }
 
 void ConditionsPage::addPlace(const CircularMeasurement & /*measurement*/) {
@@ -453,23 +444,18 @@ void ConditionsPage::addPlace(const CircularMeasurement & /*measurement*/) {
         return circular<&CircularMeasurement::conditions, &CircularConditions::centre, axis>();
     };
     beginColumns();
-    addNumber({"centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, X")},
-              position, centre.operator()<0>(), 4);
-    addNumber({"centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Y")},
-              position, centre.operator()<1>(), 4);
-    addNumber({"centre", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Centre of the circle, Z")},
-              position, centre.operator()<2>(), 4);
+    addNumber({"centre", QT_TR_NOOP("Centre of the circle, X")}, position, centre.operator()<0>(), 4);
+    addNumber({"centre", QT_TR_NOOP("Centre of the circle, Y")}, position, centre.operator()<1>(), 4);
+    addNumber({"centre", QT_TR_NOOP("Centre of the circle, Z")}, position, centre.operator()<2>(), 4);
     addThings(FieldForm::Section::points);
 }
 
 void ConditionsPage::addTestAndPurpose() {
-    addFoldingSection(QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Test and axis"));
+    addFoldingSection(QT_TR_NOOP("Test and axis"));
     beginColumns();
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Title of the test")},
-            ofTest([](auto &test) { return &test.title; }), 5);
+    addText({"", QT_TR_NOOP("Title of the test")}, ofTest([](auto &test) { return &test.title; }), 5);
     addDate("date", ofTest([](auto &test) { return &test.date; }), 4);
-    addTime({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Time")},
-            ofTest([](auto &test) { return &test.time; }), 3);
+    addTime({"", QT_TR_NOOP("Time")}, ofTest([](auto &test) { return &test.time; }), 3);
     beginColumns();
     addThing("purpose", 6);
     addThing("role", 6);
@@ -479,21 +465,17 @@ void ConditionsPage::addTestAndPurpose() {
 void ConditionsPage::addAxis(const CircularMeasurement & /*measurement*/) {
     beginColumns();
     addThing("positionFeedback", 6);
-    addYesNo(
-        {"referenceLength", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Reference length calibrated")},
-        circular<&CircularMeasurement::referenceLength, &ReferenceLength::calibrated>(), 6);
+    addYesNo({"referenceLength", QT_TR_NOOP("Reference length calibrated")},
+             circular<&CircularMeasurement::referenceLength, &ReferenceLength::calibrated>(), 6);
 }
 
 void ConditionsPage::addAxis(const PositioningMeasurement &measurement) {
     using Measurement = PositioningMeasurement;
     const Quantity position = positionQuantity(measurement.axis);
     beginColumns();
-    addText({"name", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Axis")},
-            positioning<&Measurement::axis, &Axis::name>(), 2);
+    addText({"name", QT_TR_NOOP("Axis")}, positioning<&Measurement::axis, &Axis::name>(), 2);
     addChoice(
-        {"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Motion")},
-        {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "linear"),
-         QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "rotary")},
+        {"", QT_TR_NOOP("Motion")}, {QT_TR_NOOP("linear"), QT_TR_NOOP("rotary")},
         choiceOf<Motion>(positioning<&Measurement::axis, &Axis::motion>(), {Motion::linear, Motion::rotary}),
         false, 3);
     addNumber("travel", position, positioning<&Measurement::axis, &Axis::travel>(), 3, Allowed::positive);
@@ -510,23 +492,21 @@ void ConditionsPage::addTargets(const PositioningMeasurement &measurement) {
     const Quantity position = positionQuantity(measurement.axis);
     beginColumns();
     addWords("targetChoice", positioning<&Measurement::targetChoice, &TargetChoice::kind>(), 4);
-    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Nominal interval")}, position,
+    addNumber({"", QT_TR_NOOP("Nominal interval")}, position,
               positioning<&Measurement::targetChoice, &TargetChoice::interval>(), 4);
-    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Period of the error")}, position,
+    addNumber({"", QT_TR_NOOP("Period of the error")}, position,
               positioning<&Measurement::targetChoice, &TargetChoice::period>(), 4);
     beginColumns();
-    addNumber({"faces", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Faces of the polygon, number")},
-              Quantity::count, faces(), 6, Allowed::positive);
+    addNumber({"faces", QT_TR_NOOP("Faces of the polygon, number")}, Quantity::count, faces(), 6,
+              Allowed::positive);
     if (measurement.axis.motion == Motion::linear)
-        addNumber({"scaleElement",
-                   QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Element of the scale (0: continuous)")},
-                  position, positioning<&Measurement::axis, &Axis::scaleElement>(), 6, Allowed::notNegative);
+        addNumber({"scaleElement", QT_TR_NOOP("Element of the scale (0: continuous)")}, position,
+                  positioning<&Measurement::axis, &Axis::scaleElement>(), 6, Allowed::notNegative);
     beginColumns();
     addThing("cycle", 6);
     if (m_built.contains(QStringLiteral(" range"))) {
-        addChoice({"", QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "Standard deviation")},
-                  {QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by calculation"),
-                   QT_TRANSLATE_NOOP("palmer::ui::ConditionsPage", "by the range method")},
+        addChoice({"", QT_TR_NOOP("Standard deviation")},
+                  {QT_TR_NOOP("by calculation"), QT_TR_NOOP("by the range method")},
                   choiceOf<DeviationMethod>(positioning<&Measurement::standardDeviation>(),
                                             {DeviationMethod::calculation, DeviationMethod::range}),
                   false, 6);

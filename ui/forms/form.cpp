@@ -328,7 +328,7 @@ Field *Form::addWordsOf(const char *thing, Member<std::size_t> member, int weigh
     std::vector<Text> texts(words.begin(), words.end());
     const bool none = texts.front().empty();
     if (none)
-        texts.front() = {QT_TRANSLATE_NOOP("palmer::ui::Form", "not stated"), ""};
+        texts.front() = {QT_TR_NOOP("not stated"), ""};
     return addChoiceOf(thing, std::move(texts),
                        converted<int, std::size_t>(
                            std::move(member),
@@ -403,11 +403,9 @@ Field *Form::addChoiceOf(const Topic &topic, std::vector<Text> words, Member<int
 
 Field *Form::addYesNo(const Topic &topic, Member<std::optional<bool>> member, int weight) {
     using Answer = std::optional<bool>;
-    return addChoice(
-        topic,
-        {QT_TRANSLATE_NOOP("palmer::ui::Form", "not stated"), QT_TRANSLATE_NOOP("palmer::ui::Form", "yes"),
-         QT_TRANSLATE_NOOP("palmer::ui::Form", "no")},
-        choiceOf<Answer>(std::move(member), {Answer(), Answer(true), Answer(false)}), true, weight);
+    return addChoice(topic, {QT_TR_NOOP("not stated"), QT_TR_NOOP("yes"), QT_TR_NOOP("no")},
+                     choiceOf<Answer>(std::move(member), {Answer(), Answer(true), Answer(false)}), true,
+                     weight);
 }
 
 void Form::addStretch() {

@@ -54,34 +54,23 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
     setObjectName(QStringLiteral("identificationPage"));
     follow(selection);
     addToBar(new TemplateButton(TemplateButton::Kind::laboratory, model, selection, this));
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Report"));
+    addSection(QT_TR_NOOP("Report"));
     beginRow();
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Title")},
-            ofReport<&ReportHead::title>());
+    addText({"", QT_TR_NOOP("Title")}, ofReport<&ReportHead::title>());
     beginRow();
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Number")},
-            ofReport<&ReportHead::number>());
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Revision")},
-            ofReport<&ReportHead::revision>());
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Replaces")},
-            ofReport<&ReportHead::replaces>());
+    addText({"", QT_TR_NOOP("Number")}, ofReport<&ReportHead::number>());
+    addText({"", QT_TR_NOOP("Revision")}, ofReport<&ReportHead::revision>());
+    addText({"", QT_TR_NOOP("Replaces")}, ofReport<&ReportHead::replaces>());
     beginRow();
-    addDate({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Date of issue")},
-            ofReport<&ReportHead::date>());
-    addDate({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Performed from")},
-            ofReport<&ReportHead::performedFrom>());
-    addDate({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "to")},
-            ofReport<&ReportHead::performedTo>());
+    addDate({"", QT_TR_NOOP("Date of issue")}, ofReport<&ReportHead::date>());
+    addDate({"", QT_TR_NOOP("Performed from")}, ofReport<&ReportHead::performedFrom>());
+    addDate({"", QT_TR_NOOP("to")}, ofReport<&ReportHead::performedTo>());
     beginRow();
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Place")},
-            ofReport<&ReportHead::place>());
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Operator")},
-            ofReport<&ReportHead::operatorName>());
+    addText({"", QT_TR_NOOP("Place")}, ofReport<&ReportHead::place>());
+    addText({"", QT_TR_NOOP("Operator")}, ofReport<&ReportHead::operatorName>());
     beginRow();
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Order")},
-            ofReport<&ReportHead::order>());
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Procedure")},
-            ofReport<&ReportHead::procedure>());
+    addText({"", QT_TR_NOOP("Order")}, ofReport<&ReportHead::order>());
+    addText({"", QT_TR_NOOP("Procedure")}, ofReport<&ReportHead::procedure>());
     addLaboratory();
     addParties();
     addRemarks();
@@ -90,55 +79,44 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
 }
 
 void IdentificationPage::addLaboratory() {
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Laboratory"));
+    addSection(QT_TR_NOOP("Laboratory"));
     beginRow();
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Name")},
-            within<&ReportHead::laboratory, &Laboratory::name>());
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Accreditation")},
-            within<&ReportHead::laboratory, &Laboratory::accreditation>());
+    addText({"", QT_TR_NOOP("Name")}, within<&ReportHead::laboratory, &Laboratory::name>());
+    addText({"", QT_TR_NOOP("Accreditation")}, within<&ReportHead::laboratory, &Laboratory::accreditation>());
     beginRow();
-    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address")},
-                within<&ReportHead::laboratory, &Laboratory::address>());
+    addLongText({"", QT_TR_NOOP("Address")}, within<&ReportHead::laboratory, &Laboratory::address>());
     beginRow();
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Authorised by")},
-            within<&ReportHead::authorisedBy, &Authorisation::name>());
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Function")},
-            within<&ReportHead::authorisedBy, &Authorisation::function>());
+    addText({"", QT_TR_NOOP("Authorised by")}, within<&ReportHead::authorisedBy, &Authorisation::name>());
+    addText({"", QT_TR_NOOP("Function")}, within<&ReportHead::authorisedBy, &Authorisation::function>());
 
-    addPicture(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Logo"),
-               QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Choose the logo…"),
-               QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remove the logo"), &Laboratory::logo);
-    addPicture(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Mark of the accreditation body"),
-               QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Choose the mark…"),
-               QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remove the mark"), &Laboratory::mark);
+    addPicture(QT_TR_NOOP("Logo"), QT_TR_NOOP("Choose the logo…"), QT_TR_NOOP("Remove the logo"),
+               &Laboratory::logo);
+    addPicture(QT_TR_NOOP("Mark of the accreditation body"), QT_TR_NOOP("Choose the mark…"),
+               QT_TR_NOOP("Remove the mark"), &Laboratory::mark);
 }
 
 void IdentificationPage::addParties() {
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Customer and supplier"));
+    addSection(QT_TR_NOOP("Customer and supplier"));
     beginRow();
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Customer")},
-            within<&ReportHead::customer, &Party::name>());
-    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address of the customer")},
+    addText({"", QT_TR_NOOP("Customer")}, within<&ReportHead::customer, &Party::name>());
+    addLongText({"", QT_TR_NOOP("Address of the customer")},
                 within<&ReportHead::customer, &Party::address>());
     beginRow();
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Supplier")},
-            within<&ReportHead::supplier, &Party::name>());
-    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Address of the supplier")},
+    addText({"", QT_TR_NOOP("Supplier")}, within<&ReportHead::supplier, &Party::name>());
+    addLongText({"", QT_TR_NOOP("Address of the supplier")},
                 within<&ReportHead::supplier, &Party::address>());
 
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Signatures"));
+    addSection(QT_TR_NOOP("Signatures"));
     addSigners();
 }
 
 void IdentificationPage::addRemarks() {
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks"));
+    addSection(QT_TR_NOOP("Remarks"));
     beginRow();
-    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Adjustments made")},
-                ofReport<&ReportHead::adjustments>())
+    addLongText({"", QT_TR_NOOP("Adjustments made")}, ofReport<&ReportHead::adjustments>())
         ->setMost(mostOfLine);
     beginRow();
-    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::IdentificationPage", "Remarks")},
-                ofReport<&ReportHead::remarks>());
+    addLongText({"", QT_TR_NOOP("Remarks")}, ofReport<&ReportHead::remarks>());
 }
 
 void IdentificationPage::addPicture(const char *label, const char *choose, const char *remove,

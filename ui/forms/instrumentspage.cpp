@@ -80,7 +80,7 @@ void InstrumentsPage::prepare() {
     for (std::size_t k = 0; k < std::max<std::size_t>(1, count); ++k)
         addFields(k);
     beginRow();
-    addButton(QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Add an instrument"), [this] {
+    addButton(QT_TR_NOOP("Add an instrument"), [this] {
         edit(QT_TRANSLATE_NOOP("edits", "add an instrument"),
              [](Document &document) { addInstrument(document, Instrument()); });
         focusPart(*m_descriptions.back());
@@ -91,21 +91,19 @@ void InstrumentsPage::prepare() {
 void InstrumentsPage::addFields(std::size_t k) {
     const bool several = m_built.chopped(1).toInt() > 1;
     if (several)
-        addSection(QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Instrument %1"), QString::number(k + 1));
+        addSection(QT_TR_NOOP("Instrument %1"), QString::number(k + 1));
     else
-        addSection(QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Instrument"));
+        addSection(QT_TR_NOOP("Instrument"));
     if (m_built.endsWith(u'+')) {
-        addSectionButton(QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Remove the instrument"), [this,
-                                                                                                     k] {
+        addSectionButton(QT_TR_NOOP("Remove the instrument"), [this, k] {
             edit(QT_TRANSLATE_NOOP("edits", "remove an instrument"),
                  [k](Document &document) { removeInstrument(document, k); });
         })->setObjectName(QStringLiteral("removeInstrument%1").arg(k));
     }
     beginRow();
     m_descriptions.push_back(
-        addText({"instruments", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Description")},
-                ofInstrument<&Instrument::description>(k), 2));
-    Field *id = addText({"", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Short name")}, idOf(k));
+        addText({"instruments", QT_TR_NOOP("Description")}, ofInstrument<&Instrument::description>(k), 2));
+    Field *id = addText({"", QT_TR_NOOP("Short name")}, idOf(k));
     id->edit()->setObjectName(QStringLiteral("field.id.%1").arg(k));
     id->setReader([this, k](const QString &typed) -> Field::Reading {
         const auto &instruments = m_documents.document()->instruments;
@@ -119,20 +117,17 @@ void InstrumentsPage::addFields(std::size_t k) {
         return {typed, {}};
     });
     beginRow();
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Manufacturer")},
-            ofInstrument<&Instrument::manufacturer>(k));
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Type")},
-            ofInstrument<&Instrument::model>(k));
+    addText({"", QT_TR_NOOP("Manufacturer")}, ofInstrument<&Instrument::manufacturer>(k));
+    addText({"", QT_TR_NOOP("Type")}, ofInstrument<&Instrument::model>(k));
     addText("serialNumber", ofInstrument<&Instrument::serialNumber>(k));
     beginRow();
     addText("certificate", ofInstrument<&Instrument::certificate>(k));
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Calibrated by")},
-            ofInstrument<&Instrument::calibratedBy>(k));
+    addText({"", QT_TR_NOOP("Calibrated by")}, ofInstrument<&Instrument::calibratedBy>(k));
     beginRow();
     addDate("calibrationDate", ofInstrument<&Instrument::calibrationDate>(k));
     addDate("calibrationDue", ofInstrument<&Instrument::calibrationDue>(k));
-    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::InstrumentsPage", "Resolution")}, m_resolutions[k],
-              ofInstrument<&Instrument::resolution>(k), 1, Allowed::notNegative);
+    addNumber({"", QT_TR_NOOP("Resolution")}, m_resolutions[k], ofInstrument<&Instrument::resolution>(k), 1,
+              Allowed::notNegative);
 }
 
 } // namespace palmer::ui

@@ -184,23 +184,22 @@ void LimitsPage::prepare() {
     m_ids.clear();
     m_edits.clear();
     clear();
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Decision rule"));
+    addSection(QT_TR_NOOP("Decision rule"));
     beginRow();
-    addChoice({"decisionRule", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Rule")},
-              {QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "simple acceptance"),
-               QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "ISO 14253-1: conformity is to be proven"),
-               QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "non-conformity is to be proven")},
+    addChoice({"decisionRule", QT_TR_NOOP("Rule")},
+              {QT_TR_NOOP("simple acceptance"), QT_TR_NOOP("ISO 14253-1: conformity is to be proven"),
+               QT_TR_NOOP("non-conformity is to be proven")},
               decisionRuleMember(), false, 2);
-    addNumber({"guardFactor", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Guard band, times U")},
-              Quantity::number, guardFactorMember(), 1, Allowed::notNegative);
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed limits"));
-    addSectionButton(QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Paste"), [this] {
+    addNumber({"guardFactor", QT_TR_NOOP("Guard band, times U")}, Quantity::number, guardFactorMember(), 1,
+              Allowed::notNegative);
+    addSection(QT_TR_NOOP("Agreed limits"));
+    addSectionButton(QT_TR_NOOP("Paste"), [this] {
         pasteLimits(0);
     })->setObjectName(QStringLiteral("pasteLimits"));
     for (const LimitRow &row : rows)
         addLimit(row.symbol, row.terms, row.id, edition->kind);
     beginRow();
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Origin of all limits")}, originOfAll());
+    addText({"", QT_TR_NOOP("Origin of all limits")}, originOfAll());
     addStretch();
 }
 
@@ -218,22 +217,21 @@ void LimitsPage::addLimit(const Formula &symbol, const std::vector<const Term *>
     place->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     addWidget(place, 4);
     m_names.push_back({label, terms});
-    Field *limit = addNumber({"limits", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Limit of %1")},
-                             m_quantity, ofLimit<&Limit::value>(id), 2);
+    Field *limit =
+        addNumber({"limits", QT_TR_NOOP("Limit of %1")}, m_quantity, ofLimit<&Limit::value>(id), 2);
     limit->setLabelArgument(symbol.plain());
     limit->edit()->installEventFilter(this);
     m_ids.push_back({id, symbol.plain()});
     m_edits.push_back(limit->edit());
-    std::vector<const char *> words{QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "of the test")};
+    std::vector<const char *> words{QT_TR_NOOP("of the test")};
     std::vector<std::optional<std::string>> values{std::nullopt};
     for (const Edition *edition : editionsOf(kind)) {
         words.push_back(edition->word);
         values.emplace_back(edition->word);
     }
-    Field *edition = addChoice({"", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Agreed for edition")}, words,
+    Field *edition = addChoice({"", QT_TR_NOOP("Agreed for edition")}, words,
                                choiceOf(ofLimit<&Limit::edition>(id), values), false, 3);
-    Field *origin =
-        addText({"", QT_TRANSLATE_NOOP("palmer::ui::LimitsPage", "Source")}, ofLimit<&Limit::source>(id), 3);
+    Field *origin = addText({"", QT_TR_NOOP("Source")}, ofLimit<&Limit::source>(id), 3);
     if (first) {
         m_first = limit;
         return;

@@ -25,7 +25,7 @@ MachinePage::MachinePage(DocumentModel &model, Selection &selection, QWidget *pa
     setObjectName(QStringLiteral("machinePage"));
     follow(selection);
     addToBar(new TemplateButton(TemplateButton::Kind::machine, model, selection, this));
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Machine"));
+    addSection(QT_TR_NOOP("Machine"));
     beginRow();
     addText("name", ofMachine<&Machine::name>());
     beginRow();
@@ -33,7 +33,7 @@ MachinePage::MachinePage(DocumentModel &model, Selection &selection, QWidget *pa
     addText("model", ofMachine<&Machine::model>());
     beginRow();
     addText("serialNumber", ofMachine<&Machine::serialNumber>());
-    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Year of construction")}, Quantity::count,
+    addNumber({"", QT_TR_NOOP("Year of construction")}, Quantity::count,
               converted<Amount, std::optional<int>>(
                   ofMachine<&Machine::year>(),
                   [](const std::optional<int> &year) { return year ? Amount(*year) : Amount(); },
@@ -43,11 +43,9 @@ MachinePage::MachinePage(DocumentModel &model, Selection &selection, QWidget *pa
               1, Allowed::whole);
     beginRow();
     addText("controller", ofMachine<&Machine::controller>());
-    addText({"", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Location")}, ofMachine<&Machine::location>());
+    addText({"", QT_TR_NOOP("Location")}, ofMachine<&Machine::location>());
     beginRow();
-    addLongText({"", QT_TRANSLATE_NOOP("palmer::ui::MachinePage", "Condition")},
-                ofMachine<&Machine::condition>())
-        ->setMost(mostOfLine);
+    addLongText({"", QT_TR_NOOP("Condition")}, ofMachine<&Machine::condition>())->setMost(mostOfLine);
     addStretch();
     refresh();
 }

@@ -195,18 +195,14 @@ QString UncertaintyPage::shortName(const Contribution &contribution) const {
         const char *id = nullptr;
         const char *source = nullptr;
     };
-    static constexpr std::array names{
-        Name{deviceId, QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument")},
-        Name{misalignmentId, QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Misalignment")},
-        Name{"temperatureMachine", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Temperature, machine")},
-        Name{"temperatureInstrument",
-             QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Temperature, instrument")},
-        Name{"expansionMachine", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Expansion, machine")},
-        Name{"expansionInstrument",
-             QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Expansion, instrument")},
-        Name{environmentalVariationId,
-             QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Environmental variation")},
-        Name{displacementId, QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Displacement")}};
+    static constexpr std::array names{Name{deviceId, QT_TR_NOOP("Instrument")},
+                                      Name{misalignmentId, QT_TR_NOOP("Misalignment")},
+                                      Name{"temperatureMachine", QT_TR_NOOP("Temperature, machine")},
+                                      Name{"temperatureInstrument", QT_TR_NOOP("Temperature, instrument")},
+                                      Name{"expansionMachine", QT_TR_NOOP("Expansion, machine")},
+                                      Name{"expansionInstrument", QT_TR_NOOP("Expansion, instrument")},
+                                      Name{environmentalVariationId, QT_TR_NOOP("Environmental variation")},
+                                      Name{displacementId, QT_TR_NOOP("Displacement")}};
     const auto found = std::ranges::find_if(
         names, [&](const Name &name) { return std::string_view(name.id) == contribution.id; });
     return found == names.end() ? contributionName(contribution, language()) : word(found->source);
@@ -377,8 +373,7 @@ void UncertaintyPage::addMethods() {
 }
 
 void UncertaintyPage::chooseMethod(UncertaintyMethod method) {
-    const QByteArray name =
-        changeOf(context, QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Method of the uncertainty"));
+    const QByteArray name = changeOf(context, QT_TR_NOOP("Method of the uncertainty"));
     edit(name.constData(), [this, method](Document &document) {
         editTest(document, test(), [method](Test &changed) {
             withUncertainty(changed, [method](auto &inputs) { inputs.method = method; });
@@ -403,24 +398,21 @@ void UncertaintyPage::fillTypical() {
 
 /// Value and source of E_VE; the choice is shown only if there are drift tests.
 void UncertaintyPage::addEnvironment(Quantity size, Member<Amount> member) {
-    m_environment = addNumber(
-        {"environmentalVariation", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Env. variation E_VE")},
-        size, std::move(member), 1, Allowed::notNegative);
+    m_environment = addNumber({"environmentalVariation", QT_TR_NOOP("Env. variation E_VE")}, size,
+                              std::move(member), 1, Allowed::notNegative);
     m_fields[environmentalVariationId] = m_environment;
     if (m_drifts.empty())
         return;
-    std::vector<const char *> words{QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "typed in")};
+    std::vector<const char *> words{QT_TR_NOOP("typed in")};
     for (const QByteArray &name : m_driftNames)
         words.push_back(name.constData());
-    addChoice({"driftTest", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "E_VE from")}, words,
-              environmentFrom(m_drifts), false);
+    addChoice({"driftTest", QT_TR_NOOP("E_VE from")}, words, environmentFrom(m_drifts), false);
 }
 
 /// Settings of the simulation.
 void UncertaintyPage::addTrials(Member<std::optional<long long>> trials, Member<long long> seed) {
     m_trials = addNumber("trials", Quantity::count, trialsOf(std::move(trials)), 1, Allowed::counting);
-    addNumber({"seed", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Seed")}, Quantity::count,
-              seedOf(std::move(seed)), 1, Allowed::whole);
+    addNumber({"seed", QT_TR_NOOP("Seed")}, Quantity::count, seedOf(std::move(seed)), 1, Allowed::whole);
 }
 
 void UncertaintyPage::addInputs(const PositioningUncertaintyInputs & /*inputs*/) {
@@ -429,21 +421,19 @@ void UncertaintyPage::addInputs(const PositioningUncertaintyInputs & /*inputs*/)
     const bool rotary = motionOf(*shownTest()) == Motion::rotary;
     const Quantity size = rotary ? Quantity::arcSeconds : Quantity::micrometres;
     beginRow();
-    addChoice({"device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument by")},
-              {QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "certificate"),
-               QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "range of its error")},
+    addChoice({"device", QT_TR_NOOP("Instrument by")},
+              {QT_TR_NOOP("certificate"), QT_TR_NOOP("range of its error")},
               choiceOf<DeviceKind>(positioning<&Inputs::device, &DeviceUncertainty::kind>(),
                                    {DeviceKind::certificate, DeviceKind::range}),
               false);
     m_fields[deviceId] =
-        addNumber({"device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument, fixed part")},
-                  size, positioning<&Inputs::device, &DeviceUncertainty::fixed>(), 1, Allowed::notNegative);
+        addNumber({"device", QT_TR_NOOP("Instrument, fixed part")}, size,
+                  positioning<&Inputs::device, &DeviceUncertainty::fixed>(), 1, Allowed::notNegative);
     if (asksPerMetre(*shownTest()))
-        m_perMetre = addNumber(
-            {"device", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Instrument, per metre")}, size,
-            positioning<&Inputs::device, &DeviceUncertainty::perMetre>(), 1, Allowed::notNegative);
-    addNumber({"coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the certificate")},
-              Quantity::number,
+        m_perMetre =
+            addNumber({"device", QT_TR_NOOP("Instrument, per metre")}, size,
+                      positioning<&Inputs::device, &DeviceUncertainty::perMetre>(), 1, Allowed::notNegative);
+    addNumber({"coverageFactor", QT_TR_NOOP("k of the certificate")}, Quantity::number,
               coverageOf(positioning<&Inputs::device, &DeviceUncertainty::coverageFactor>()), 1,
               Allowed::positive);
     beginRow();
@@ -459,22 +449,18 @@ void UncertaintyPage::addInputs(const PositioningUncertaintyInputs & /*inputs*/)
         if (m_drifts.empty()) // aligns with the other rows
             addWidget(new QWidget(body()));
         beginRow();
-        m_fields["temperatureMachine"] = addNumber(
-            {"temperatureRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of θ, machine")},
-            Quantity::temperature, positioning<&Inputs::temperatureRange, &Both::machine>(), 1,
-            Allowed::notNegative);
-        m_fields["temperatureInstrument"] = addNumber(
-            {"temperatureRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of θ, instr.")},
-            Quantity::temperature, positioning<&Inputs::temperatureRange, &Both::instrument>(), 1,
-            Allowed::notNegative);
-        m_fields["expansionMachine"] = addNumber(
-            {"expansionRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of α, machine")},
-            Quantity::expansion, positioning<&Inputs::expansionRange, &Both::machine>(), 1,
-            Allowed::notNegative);
-        m_fields["expansionInstrument"] = addNumber(
-            {"expansionRange", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Range of α, instr.")},
-            Quantity::expansion, positioning<&Inputs::expansionRange, &Both::instrument>(), 1,
-            Allowed::notNegative);
+        m_fields["temperatureMachine"] =
+            addNumber({"temperatureRange", QT_TR_NOOP("Range of θ, machine")}, Quantity::temperature,
+                      positioning<&Inputs::temperatureRange, &Both::machine>(), 1, Allowed::notNegative);
+        m_fields["temperatureInstrument"] =
+            addNumber({"temperatureRange", QT_TR_NOOP("Range of θ, instr.")}, Quantity::temperature,
+                      positioning<&Inputs::temperatureRange, &Both::instrument>(), 1, Allowed::notNegative);
+        m_fields["expansionMachine"] =
+            addNumber({"expansionRange", QT_TR_NOOP("Range of α, machine")}, Quantity::expansion,
+                      positioning<&Inputs::expansionRange, &Both::machine>(), 1, Allowed::notNegative);
+        m_fields["expansionInstrument"] =
+            addNumber({"expansionRange", QT_TR_NOOP("Range of α, instr.")}, Quantity::expansion,
+                      positioning<&Inputs::expansionRange, &Both::instrument>(), 1, Allowed::notNegative);
     }
 }
 
@@ -484,59 +470,47 @@ void UncertaintyPage::addInputs(const CircularUncertaintyInputs & /*inputs*/) {
     constexpr Quantity size = Quantity::micrometres;
     beginRow();
     m_fields[displacementId] =
-        addNumber({"displacement", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Displacement, U")}, size,
+        addNumber({"displacement", QT_TR_NOOP("Displacement, U")}, size,
                   circular<&Inputs::displacement, &ExpandedValue::expanded>(), 1, Allowed::notNegative);
-    addNumber({"coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the displacement")},
-              Quantity::number, coverageOf(circular<&Inputs::displacement, &ExpandedValue::coverageFactor>()),
-              1, Allowed::positive);
-    m_fields[referenceLengthId] = addNumber(
-        {"referenceLength", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Reference length, U")}, size,
-        length<&ReferenceLength::expandedUncertainty>(), 1, Allowed::notNegative);
-    addNumber({"coverageFactor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "k of the length")},
-              Quantity::number, coverageOf(length<&ReferenceLength::coverageFactor>()), 1, Allowed::positive);
+    addNumber({"coverageFactor", QT_TR_NOOP("k of the displacement")}, Quantity::number,
+              coverageOf(circular<&Inputs::displacement, &ExpandedValue::coverageFactor>()), 1,
+              Allowed::positive);
+    m_fields[referenceLengthId] =
+        addNumber({"referenceLength", QT_TR_NOOP("Reference length, U")}, size,
+                  length<&ReferenceLength::expandedUncertainty>(), 1, Allowed::notNegative);
+    addNumber({"coverageFactor", QT_TR_NOOP("k of the length")}, Quantity::number,
+              coverageOf(length<&ReferenceLength::coverageFactor>()), 1, Allowed::positive);
     beginRow();
-    m_fields[resolutionId] =
-        addNumber({"resolution", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Resolution")}, size,
-                  circular<&Inputs::resolution>(), 1, Allowed::notNegative);
-    m_fields[pointNoiseId] =
-        addNumber({"pointNoise", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Noise of a point, u")},
-                  size, circular<&Inputs::pointNoise>(), 1, Allowed::notNegative);
-    m_repeatability =
-        addNumber({"repeatability", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Repeatability, u")},
-                  size, circular<&Inputs::repeatability>(), 1, Allowed::notNegative);
+    m_fields[resolutionId] = addNumber({"resolution", QT_TR_NOOP("Resolution")}, size,
+                                       circular<&Inputs::resolution>(), 1, Allowed::notNegative);
+    m_fields[pointNoiseId] = addNumber({"pointNoise", QT_TR_NOOP("Noise of a point, u")}, size,
+                                       circular<&Inputs::pointNoise>(), 1, Allowed::notNegative);
+    m_repeatability = addNumber({"repeatability", QT_TR_NOOP("Repeatability, u")}, size,
+                                circular<&Inputs::repeatability>(), 1, Allowed::notNegative);
     m_fields[repeatabilityId] = m_repeatability;
     if (asksForCentring(*shownTest()))
-        m_fields[centringId] =
-            addNumber({"centring", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Centring, u")}, size,
-                      circular<&Inputs::centring>(), 1, Allowed::notNegative);
+        m_fields[centringId] = addNumber({"centring", QT_TR_NOOP("Centring, u")}, size,
+                                         circular<&Inputs::centring>(), 1, Allowed::notNegative);
     beginRow();
     addEnvironment(size, circular<&Inputs::environmentalVariation>());
-    addChoice({"sameSensor", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Temperature sensors")},
-              {QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "one each"),
-               QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "one for machine and instrument")},
+    addChoice({"sameSensor", QT_TR_NOOP("Temperature sensors")},
+              {QT_TR_NOOP("one each"), QT_TR_NOOP("one for machine and instrument")},
               choiceOf<bool>(circular<&Inputs::sameSensor>(), {false, true}), false);
     beginRow();
-    m_fields[correctionId] =
-        addNumber({"temperatureStandardUncertainty",
-                   QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of θ, machine")},
-                  Quantity::temperature, circular<&Inputs::temperatureStandardUncertainty, &Both::machine>(),
-                  1, Allowed::notNegative);
-    addNumber({"temperatureStandardUncertainty",
-               QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of θ, instr.")},
-              Quantity::temperature, circular<&Inputs::temperatureStandardUncertainty, &Both::instrument>(),
-              1, Allowed::notNegative);
-    addNumber(
-        {"expansionStandardUncertainty", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of α, machine")},
-        Quantity::expansion, circular<&Inputs::expansionStandardUncertainty, &Both::machine>(), 1,
-        Allowed::notNegative);
-    addNumber(
-        {"expansionStandardUncertainty", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "u of α, instr.")},
-        Quantity::expansion, circular<&Inputs::expansionStandardUncertainty, &Both::instrument>(), 1,
-        Allowed::notNegative);
+    m_fields[correctionId] = addNumber(
+        {"temperatureStandardUncertainty", QT_TR_NOOP("u of θ, machine")}, Quantity::temperature,
+        circular<&Inputs::temperatureStandardUncertainty, &Both::machine>(), 1, Allowed::notNegative);
+    addNumber({"temperatureStandardUncertainty", QT_TR_NOOP("u of θ, instr.")}, Quantity::temperature,
+              circular<&Inputs::temperatureStandardUncertainty, &Both::instrument>(), 1,
+              Allowed::notNegative);
+    addNumber({"expansionStandardUncertainty", QT_TR_NOOP("u of α, machine")}, Quantity::expansion,
+              circular<&Inputs::expansionStandardUncertainty, &Both::machine>(), 1, Allowed::notNegative);
+    addNumber({"expansionStandardUncertainty", QT_TR_NOOP("u of α, instr.")}, Quantity::expansion,
+              circular<&Inputs::expansionStandardUncertainty, &Both::instrument>(), 1, Allowed::notNegative);
 }
 
 void UncertaintyPage::addStatedUncertainties(const Edition &edition, bool rotary) {
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Expanded uncertainties, k = 2"));
+    addSection(QT_TR_NOOP("Expanded uncertainties, k = 2"));
     const Quantity size = rotary ? Quantity::arcSeconds : Quantity::micrometres;
     constexpr int fieldsInRow = 4;
     int count = 0;
@@ -544,7 +518,7 @@ void UncertaintyPage::addStatedUncertainties(const Edition &edition, bool rotary
         if (count++ % fieldsInRow == 0)
             beginRow();
         Field *field =
-            addNumber({"expanded", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "U(%1)")}, size,
+            addNumber({"expanded", QT_TR_NOOP("U(%1)")}, size,
                       statedFor(edition.circles ? circular<&CircularUncertaintyInputs::expanded>()
                                                 : positioning<&PositioningUncertaintyInputs::expanded>(),
                                 result.key),
@@ -558,7 +532,7 @@ void UncertaintyPage::addStatedUncertainties(const Edition &edition, bool rotary
 void UncertaintyPage::addContributions() {
     beginRow();
     addWidget(makeRule(body()));
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Contributions"));
+    addSection(QT_TR_NOOP("Contributions"));
     m_advice = made<QPushButton>("advice", body());
     m_advice->setProperty("link", true);
     m_advice->setAutoDefault(false);
@@ -576,7 +550,7 @@ void UncertaintyPage::addResults(bool linear) {
     using Circular = CircularUncertaintyInputs;
     beginRow();
     addWidget(makeRule(body()));
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Results, %1"), language().unit(deviation()));
+    addSection(QT_TR_NOOP("Results, %1"), language().unit(deviation()));
     m_simulation = new SimulationRow(m_simulator, body());
     addToSection(m_simulation, 1);
     beginRow();
@@ -602,13 +576,12 @@ void UncertaintyPage::addResults(bool linear) {
     addWidget(m_distribution);
     beginRow();
     addWidget(makeRule(body()));
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Simulation"));
+    addSection(QT_TR_NOOP("Simulation"));
     beginRow();
     if (linear) {
         addTrials(positioning<&Positioning::trials>(), positioning<&Positioning::seed>());
-        addChoice({"driftModel", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Drift of the readings")},
-                  {QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "independent"),
-                   QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "linear in time")},
+        addChoice({"driftModel", QT_TR_NOOP("Drift of the readings")},
+                  {QT_TR_NOOP("independent"), QT_TR_NOOP("linear in time")},
                   choiceOf<DriftModel>(positioning<&Positioning::driftModel>(),
                                        {DriftModel::independent, DriftModel::linear}),
                   false, 2);
@@ -621,15 +594,14 @@ void UncertaintyPage::addResults(bool linear) {
 void UncertaintyPage::addDecision() {
     beginRow();
     addWidget(makeRule(body()));
-    addSection(QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Decision"));
+    addSection(QT_TR_NOOP("Decision"));
     beginRow();
-    addChoice({"", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Rule")},
-              {QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "simple acceptance"),
-               QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "ISO 14253-1: conformity is to be proven"),
-               QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "non-conformity is to be proven")},
+    addChoice({"", QT_TR_NOOP("Rule")},
+              {QT_TR_NOOP("simple acceptance"), QT_TR_NOOP("ISO 14253-1: conformity is to be proven"),
+               QT_TR_NOOP("non-conformity is to be proven")},
               decisionRuleMember(), false, 2);
-    addNumber({"", QT_TRANSLATE_NOOP("palmer::ui::UncertaintyPage", "Guard band, times U")}, Quantity::number,
-              guardFactorMember(), 1, Allowed::notNegative);
+    addNumber({"", QT_TR_NOOP("Guard band, times U")}, Quantity::number, guardFactorMember(), 1,
+              Allowed::notNegative);
     beginRow();
     m_rule = made<QLabel>("decisionRuleText", body());
     m_rule->setWordWrap(true);
