@@ -6,13 +6,12 @@
 #include "ui/windowlanguage.h"
 
 #include <QButtonGroup>
-#include <QEvent>
 #include <QToolButton>
 
 namespace palmer::ui {
 
 LanguageSwitch::LanguageSwitch(Names names, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_french(made<QToolButton>("french", this))
     , m_english(made<QToolButton>("english", this)) {
     auto *row = inRow(this, noMargins, 0, {});
@@ -33,12 +32,6 @@ LanguageSwitch::LanguageSwitch(Names names, QWidget *parent)
     connect(m_french, &QToolButton::clicked, this, [] { setWindowLanguage(Language::Id::french); });
     connect(m_english, &QToolButton::clicked, this, [] { setWindowLanguage(Language::Id::english); });
     retranslate();
-}
-
-void LanguageSwitch::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 void LanguageSwitch::retranslate() {

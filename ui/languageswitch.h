@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/translated.h"
+
 #include <QWidget>
 
 class QToolButton;
@@ -10,7 +12,7 @@ namespace palmer::ui {
 
 /// Two buttons that choose the language of the windows: "FR
 /// EN", or the full names on the welcome page.
-class LanguageSwitch : public QWidget {
+class LanguageSwitch : public Translated<QWidget> {
     Q_OBJECT
 
 public:
@@ -18,11 +20,8 @@ public:
 
     explicit LanguageSwitch(Names names, QWidget *parent = nullptr);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
-    void retranslate();
+    void retranslate() final;
 
     QToolButton *m_french;
     QToolButton *m_english;

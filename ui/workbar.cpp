@@ -6,7 +6,6 @@
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -36,7 +35,7 @@ constexpr int workBarHeight = 4;
 } // namespace
 
 WorkBar::WorkBar(QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_count(made<QLabel>("workCount", TextSize::small, this))
     , m_bar(new QProgressBar(this))
     , m_cancel(made<QPushButton>("cancelWork", this))
@@ -94,12 +93,6 @@ void WorkBar::showProgress() {
     m_bar->setRange(0, known ? steps : 0);
     if (known)
         m_bar->setValue(static_cast<int>(done * steps / of));
-}
-
-void WorkBar::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 void WorkBar::retranslate() {

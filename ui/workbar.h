@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/readprogress.h"
+#include "ui/translated.h"
 
 #include <QWidget>
 #include <memory>
@@ -16,7 +17,7 @@ namespace palmer::ui {
 
 /// Progress bar of a background job with its count and Cancel; the job is named next to it. Appears after a
 /// delay, so that short jobs do not flash it.
-class WorkBar : public QWidget {
+class WorkBar : public Translated<QWidget> {
     Q_OBJECT
 
 public:
@@ -29,12 +30,9 @@ public:
 signals:
     void cancelled();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void showProgress();
-    void retranslate();
+    void retranslate() final;
 
     QLabel *m_count;
     QProgressBar *m_bar;

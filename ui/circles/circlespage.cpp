@@ -59,7 +59,7 @@ QString planeText(const std::string &first, const std::string &second) {
 } // namespace
 
 CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_model(model)
     , m_selection(selection)
     , m_arcs(made<QTableView>("arcs", this))
@@ -192,19 +192,17 @@ void CirclesPage::makeParameters(QVBoxLayout &rows) {
     rows.addLayout(test);
     rows.addLayout(centres);
     // The width shares follow the lengths of the labels.
-    m_plane = addChoice(*test, 4, "plane", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Plane"));
+    m_plane = addChoice(*test, 4, "plane", QT_TR_NOOP("Plane"));
     m_radius = makeNumber("nominalRadius");
     m_feed = makeNumber("contouringFeed");
     test->addWidget(m_radius, 5);
     test->addWidget(m_feed, 6);
     readPositive(m_radius, Quantity::position, true);
     readPositive(m_feed, Quantity::feed, false);
-    m_source = addChoice(*test, 6, "signalSource", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Source"));
-    m_circle = addChoice(*centres, 1, "referenceCircle",
-                         QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Reference circle of G"));
-    m_centring =
-        addChoice(*centres, 1, "centring", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Centring for F"));
-    m_angle = addChoice(*centres, 1, "angleReference", QT_TRANSLATE_NOOP("palmer::ui::CirclesPage", "Angle"));
+    m_source = addChoice(*test, 6, "signalSource", QT_TR_NOOP("Source"));
+    m_circle = addChoice(*centres, 1, "referenceCircle", QT_TR_NOOP("Reference circle of G"));
+    m_centring = addChoice(*centres, 1, "centring", QT_TR_NOOP("Centring for F"));
+    m_angle = addChoice(*centres, 1, "angleReference", QT_TR_NOOP("Angle"));
     m_angle->setPlaceholderText(QStringLiteral("–")); // angles come with the arcs
     for (const auto &[first, second] : planes)
         m_plane->addItem(planeText(first, second),
@@ -815,12 +813,6 @@ void CirclesPage::retranslate() {
     m_curves->setAccessibleDescription(
         tr("The handles set the evaluated range of the current arc; the fields above set it by number"));
     refresh();
-}
-
-void CirclesPage::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

@@ -10,6 +10,7 @@
 #include "ui/forms/refusedfields.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/selection.h"
+#include "ui/translated.h"
 
 #include <QPersistentModelIndex>
 #include <QWidget>
@@ -33,7 +34,7 @@ class ArcCurvesView;
 /// The page "Readings" of a circular test: parameters, arcs with their evaluated range, the unwrapped curve
 /// and the points. Arcs are added as tables and deleted; parameters, sense, order and evaluated range are
 /// edited here, each as one undo step.
-class CirclesPage : public QWidget {
+class CirclesPage : public Translated<QWidget, QEvent::FontChange> {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(CirclesPage)
 
@@ -64,7 +65,6 @@ signals:
     void importAsked();
 
 protected:
-    void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
@@ -105,7 +105,7 @@ private:
     void hover(const QModelIndex &index);
     void showHovered();
     void showCurrent();
-    void retranslate();
+    void retranslate() final;
     [[nodiscard]] const CircularMeasurement *measurement() const;
     /// Changes the test in view; `name` is a source text of the context "edits".
     void edit(const char *name, const std::function<void(CircularMeasurement &)> &change,

@@ -223,7 +223,7 @@ QTableWidget *readOnlyTable(QWidget *parent, const char *name) {
 } // namespace
 
 CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t test, QWidget *parent)
-    : QDialog(parent)
+    : Translated(parent)
     , m_evaluated(evaluated)
     , m_test(test)
     , m_tabs(made<QTabWidget>("compareTabs", this))
@@ -414,12 +414,6 @@ bool CompareDialog::eventFilter(QObject *watched, QEvent *event) {
             fitNames(*table);
     }
     return QDialog::eventFilter(watched, event);
-}
-
-void CompareDialog::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 void CompareDialog::retranslate() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "report/comparison.h"
+#include "ui/translated.h"
 
 #include <QDialog>
 #include <vector>
@@ -19,7 +20,7 @@ class ComparisonView;
 
 /// "Compare…": the test in view under several editions, with the reason of each difference, and next to other
 /// tests of this or other files, e.g. as found and as left, or this year and the last.
-class CompareDialog : public QDialog {
+class CompareDialog : public Translated<QDialog> {
     Q_OBJECT
 
 public:
@@ -29,7 +30,6 @@ public:
     bool addFile(const QString &path);
 
 protected:
-    void changeEvent(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
@@ -44,7 +44,7 @@ private:
     void showTests();
     void chooseFile();
     void copy();
-    void retranslate();
+    void retranslate() final;
 
     EvaluatedDocument m_evaluated;
     std::size_t m_test;

@@ -19,7 +19,6 @@
 #include "ui/windowlanguage.h"
 
 #include <QCheckBox>
-#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
@@ -56,7 +55,7 @@ const Parameter *parameter(const TestEvaluation &evaluation, std::string_view id
 } // namespace
 
 CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t test, QWidget *parent)
-    : QDialog(parent)
+    : Translated(parent)
     , m_evaluated(std::move(evaluated))
     , m_test(test)
     , m_format(addChoice("format"))
@@ -351,12 +350,6 @@ bool CompensationDialog::saveTo(const QString &path) {
         return false;
     }
     return true;
-}
-
-void CompensationDialog::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 void CompensationDialog::retranslate() {

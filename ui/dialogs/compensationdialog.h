@@ -5,6 +5,7 @@
 #include "document/documenterror.h"
 #include "document/evaluateddocument.h"
 #include "export/compensation.h"
+#include "ui/translated.h"
 
 #include <QDialog>
 #include <functional>
@@ -25,7 +26,7 @@ class LineView;
 /// "Compensation table…": a table for a control that compensates the systematic deviations of an axis. Shows
 /// the table and the predicted result of using it, computed from the table as written: mean deviations over
 /// the measured ones, and A, E, M, B. A table of a control can be compared with it. Changes no document.
-class CompensationDialog : public QDialog {
+class CompensationDialog : public Translated<QDialog> {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(CompensationDialog)
 
@@ -47,9 +48,6 @@ signals:
     /// The user confirms that the deviations are actual − target, or withdraws this.
     void signConfirmed(bool confirmed);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     struct NumberField {
         Field *field = nullptr;
@@ -66,7 +64,7 @@ private:
     void showPrediction();
     void chooseFile();
     void chooseTable();
-    void retranslate();
+    void retranslate() final;
 
     EvaluatedDocument m_evaluated;
     std::size_t m_test;

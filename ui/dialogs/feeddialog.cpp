@@ -11,7 +11,6 @@
 #include "ui/windowlanguage.h"
 
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 
@@ -25,7 +24,7 @@ constexpr iso230_4::ContouringFeed exampleOfTheAnnex{100, 500, 125};
 } // namespace
 
 FeedDialog::FeedDialog(QWidget *parent)
-    : QDialog(parent)
+    : Translated(parent)
     , m_numbers(exampleOfTheAnnex)
     , m_specifiedDiameter(
           addNumber("specifiedDiameter", Quantity::position, &iso230_4::ContouringFeed::specifiedDiameter))
@@ -86,12 +85,6 @@ void FeedDialog::showFeed() {
     const auto feed = iso230_4::contouringFeed(m_numbers);
     m_feed->setText(feed ? windowLanguage().quantity(*feed, Quantity::feed, feedDecimals(*feed))
                          : QStringLiteral("–"));
-}
-
-void FeedDialog::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 void FeedDialog::retranslate() {

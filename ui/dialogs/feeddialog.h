@@ -5,6 +5,7 @@
 #include "kernel/evaluation/iso230_4/contouringfeed.h"
 
 #include "kernel/words/quantity.h"
+#include "ui/translated.h"
 
 #include <QDialog>
 #include <vector>
@@ -18,7 +19,7 @@ class Field;
 
 /// "Contouring feed…": the feed for a circle of another diameter (ISO 230-4, annex C), computed during
 /// typing. Starts with the example of the annex. Changes no document.
-class FeedDialog : public QDialog {
+class FeedDialog : public Translated<QDialog> {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(FeedDialog)
 
@@ -30,9 +31,6 @@ public:
     /// Shows these numbers, except those not above 0.
     void setNumbers(const iso230_4::ContouringFeed &numbers);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     struct NumberField {
         Field *field = nullptr;
@@ -42,7 +40,7 @@ private:
 
     Field *addNumber(const char *name, Quantity quantity, double iso230_4::ContouringFeed::*member);
     void showFeed();
-    void retranslate();
+    void retranslate() final;
 
     std::vector<NumberField> m_fields;
     iso230_4::ContouringFeed m_numbers;

@@ -25,7 +25,6 @@
 #include <QBuffer>
 #include <QComboBox>
 #include <QDir>
-#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -97,7 +96,7 @@ Setter wholeNumber(double least, double most, const std::function<void(double)> 
 } // namespace
 
 PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
-    : QDialog(parent)
+    : Translated(parent)
     , m_model(model)
     , m_test(test)
     , m_edition(defaultEdition(Kind::positioning).word)
@@ -525,12 +524,6 @@ void PlanDialog::choosePrinter() {
     QPrintDialog dialog(&printer, this);
     if (dialog.exec() == QDialog::Accepted)
         printOn(printer);
-}
-
-void PlanDialog::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 void PlanDialog::retranslate() {

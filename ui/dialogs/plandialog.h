@@ -6,6 +6,7 @@
 #include "kernel/planning/targetplan.h"
 #include "report/blocks/report.h"
 #include "ui/forms/field.h"
+#include "ui/translated.h"
 
 #include <QDialog>
 #include <functional>
@@ -25,7 +26,7 @@ class DocumentModel;
 /// "Plan…": targets of a positioning test chosen by the rule of an edition, with a diagram of the measuring
 /// cycle. The plan goes into the test or a new one, is printed with an empty table, or is written as a part
 /// program.
-class PlanDialog : public QDialog {
+class PlanDialog : public Translated<QDialog> {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(PlanDialog)
 
@@ -48,9 +49,6 @@ public:
 signals:
     /// A test was made from the plan; its index.
     void testMade(std::size_t test);
-
-protected:
-    void changeEvent(QEvent *event) override;
 
 private:
     void makeChoices(QWidget *parent);
@@ -75,7 +73,7 @@ private:
     [[nodiscard]] Report report() const;
     [[nodiscard]] Dialect dialect() const;
     [[nodiscard]] QString summary() const;
-    void retranslate();
+    void retranslate() final;
 
     struct Entry {
         Field *field = nullptr;

@@ -10,7 +10,6 @@
 #include "ui/theme.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QIconEngine>
 #include <QPainter>
 #include <QSignalBlocker>
@@ -71,7 +70,7 @@ constexpr int sideBySide = -2;
 } // namespace
 
 CircleFigureView::CircleFigureView(Selection &selection, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_selection(selection)
     , m_choice(made<QComboBox>("circleChoice", this)) {
     setObjectName(QStringLiteral("circleFigureView"));
@@ -300,12 +299,6 @@ void CircleFigureView::retranslate() {
         canvas->setAccessibleName(tr("Circle figure"));
     fillChoice();
     refresh();
-}
-
-void CircleFigureView::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

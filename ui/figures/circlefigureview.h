@@ -8,6 +8,7 @@
 #include "report/explanations/explanation.h"
 #include "ui/figures/circlecanvas.h"
 #include "ui/model/selection.h"
+#include "ui/translated.h"
 
 #include <QWidget>
 #include <array>
@@ -22,7 +23,7 @@ namespace palmer::ui {
 
 /// The figures of a circular test: the choice of figure (combined, one of the standard's, or G(b) and both G
 /// side by side), what it shows, and its canvases.
-class CircleFigureView : public QWidget {
+class CircleFigureView : public Translated<QWidget, QEvent::FontChange> {
     Q_OBJECT
 
 public:
@@ -52,7 +53,6 @@ signals:
     void figureChanged();
 
 protected:
-    void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
@@ -60,7 +60,7 @@ private:
     void fitNames();
     void fillChoice();
     [[nodiscard]] std::vector<CircleFigureOptions> chosen() const;
-    void retranslate();
+    void retranslate() final;
 
     Selection &m_selection;
     EvaluatedDocument m_evaluated;

@@ -24,7 +24,6 @@
 #include "ui/theme.h"
 
 #include <QClipboard>
-#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
@@ -105,7 +104,7 @@ CurveFigure withoutReadings(CurveFigure figure) {
 } // namespace
 
 FigureView::FigureView(Selection &selection, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_selection(selection)
     , m_title(new ElidedLabel(this))
     , m_note(made<ElidedLabel>("figureNote", this))
@@ -489,12 +488,6 @@ void FigureView::retranslate() {
     nameButton(m_maximise, tr("Maximise the figure"), QStringLiteral("F11"));
     m_canvas->setToolTip({});
     refresh();
-}
-
-void FigureView::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

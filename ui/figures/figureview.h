@@ -8,6 +8,7 @@
 #include "ui/figures/figurecanvas.h"
 #include "ui/model/background.h"
 #include "ui/model/selection.h"
+#include "ui/translated.h"
 
 #include <QWidget>
 #include <array>
@@ -26,7 +27,7 @@ class ZoomButtons;
 
 /// The figure of the test in view: reads values under the pointer, zooms, pans, copies and saves. Follows the
 /// theme on screen; copies and files are white.
-class FigureView : public QWidget {
+class FigureView : public Translated<QWidget, QEvent::FontChange> {
     Q_OBJECT
 
 public:
@@ -59,7 +60,6 @@ signals:
     void said(const QString &text);
 
 protected:
-    void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
@@ -98,7 +98,7 @@ private:
     void mark();
     void showHoverLabel();
     void askWhereToSave();
-    void retranslate();
+    void retranslate() final;
 
     Selection &m_selection;
     EvaluatedDocument m_evaluated;

@@ -5,13 +5,12 @@
 #include "ui/madewidgets.h"
 #include "ui/theme.h"
 
-#include <QEvent>
 #include <QToolButton>
 
 namespace palmer::ui {
 
 ZoomButtons::ZoomButtons(QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_out(iconButton(this, QStringLiteral("zoomOut"), QStringLiteral("zoomout")))
     , m_in(iconButton(this, QStringLiteral("zoomIn"), QStringLiteral("zoomin")))
     , m_fit(iconButton(this, QStringLiteral("fitFigure"), QStringLiteral("fit"))) {
@@ -30,12 +29,6 @@ void ZoomButtons::retranslate() {
     name(m_out, tr("Zoom out"), QStringLiteral("−"));
     name(m_in, tr("Zoom in"), QStringLiteral("+"));
     name(m_fit, tr("Show the whole figure"), QStringLiteral("0"));
-}
-
-void ZoomButtons::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/translated.h"
+
 #include <QWidget>
 
 class QToolButton;
@@ -9,7 +11,7 @@ class QToolButton;
 namespace palmer::ui {
 
 /// Buttons next to a figure for zooming out and in and showing the whole, as wheel and keys do.
-class ZoomButtons : public QWidget {
+class ZoomButtons : public Translated<QWidget> {
     Q_OBJECT
 
 public:
@@ -20,11 +22,8 @@ signals:
     void zoomWanted(int steps);
     void fitWanted();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
-    void retranslate();
+    void retranslate() final;
 
     QToolButton *m_out;
     QToolButton *m_in;

@@ -68,7 +68,7 @@ QString beginningOf(const QString &text) {
 } // namespace
 
 Field::Field(Kind kind, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_kind(kind)
     , m_most(kind == Kind::longText ? mostOfText : mostOfLine)
     , m_label(new ElidedLabel(this))
@@ -421,13 +421,6 @@ bool Field::eventFilter(QObject *watched, QEvent *event) {
         }
     }
     return QWidget::eventFilter(watched, event);
-}
-
-void Field::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange ||
-        event->type() == QEvent::PaletteChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 void Field::resizeEvent(QResizeEvent *event) {

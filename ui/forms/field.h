@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/translated.h"
+
 #include <QPointer>
 #include <QString>
 #include <QStringList>
@@ -19,7 +21,7 @@ namespace palmer::ui {
 /// A form field: label above, unit inside on the right, and a mark and a bar if it is required and empty.
 /// Empty means not stated. Typing is read at once: valid text emits entered(); invalid text stays in red with
 /// a short reason in the gap below, which moves nothing, and the former value is kept.
-class Field : public QWidget {
+class Field : public Translated<QWidget, QEvent::FontChange, QEvent::PaletteChange> {
     Q_OBJECT
 
 public:
@@ -92,7 +94,6 @@ signals:
     void begun();
 
 protected:
-    void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void moveEvent(QMoveEvent *event) override;
     void showEvent(QShowEvent *event) override;
@@ -105,7 +106,7 @@ private:
     void typed();
     void finish();
     void restore();
-    void retranslate();
+    void retranslate() final;
     [[nodiscard]] QString refusalText() const;
     [[nodiscard]] QString description() const;
     void placeParts();

@@ -11,7 +11,6 @@
 #include "ui/model/templatestore.h"
 #include "ui/windowlanguage.h"
 
-#include <QEvent>
 #include <QFileDialog>
 #include <QInputDialog>
 #include <QMenu>
@@ -36,7 +35,7 @@ QAction *addNamed(QMenu &menu, const Template &content) {
 } // namespace
 
 TemplateButton::TemplateButton(Kind kind, DocumentModel &model, Selection &selection, QWidget *parent)
-    : QToolButton(parent)
+    : Translated(parent)
     , m_kind(kind)
     , m_model(model)
     , m_selection(selection) {
@@ -210,12 +209,6 @@ void TemplateButton::save() {
     } catch (const Error &error) {
         showError(this, tr("The template cannot be saved"), error);
     }
-}
-
-void TemplateButton::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QToolButton::changeEvent(event);
 }
 
 void TemplateButton::retranslate() {

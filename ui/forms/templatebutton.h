@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/templatefile.h"
+#include "ui/translated.h"
 
 #include <QToolButton>
 
@@ -13,7 +14,7 @@ class Selection;
 
 /// A form's button with a menu to fill the form from a user template, store its content as one, and import or
 /// export templates as files.
-class TemplateButton : public QToolButton {
+class TemplateButton : public Translated<QToolButton> {
     Q_OBJECT
 
 public:
@@ -26,9 +27,6 @@ public:
     /// The content of the form as a template of that name; the last one of several instruments.
     [[nodiscard]] Template current(const QString &name) const;
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void fill();
     void keep();
@@ -36,7 +34,7 @@ private:
     void save();
     [[nodiscard]] bool fits(const Template &content) const;
     [[nodiscard]] QString suggestedName() const;
-    void retranslate();
+    void retranslate() final;
 
     Kind m_kind;
     DocumentModel &m_model;

@@ -9,7 +9,6 @@
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
-#include <QEvent>
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
@@ -28,7 +27,7 @@ constexpr int pageRole = Qt::UserRole + 1; ///< page index of a row; none for a 
 } // namespace
 
 HelpWindow::HelpWindow(QWidget *parent)
-    : QDialog(parent)
+    : Translated(parent)
     , m_search(made<QLineEdit>("helpSearch", this))
     , m_list(made<QListWidget>("helpPages", this))
     , m_browser(made<QTextBrowser>("helpText", this))
@@ -156,12 +155,6 @@ void HelpWindow::fillList() {
         auto *item = new QListWidgetItem(m_pages[i].title, m_list);
         item->setData(pageRole, QVariant::fromValue(i));
     }
-}
-
-void HelpWindow::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 void HelpWindow::retranslate() {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "report/help/help.h"
+#include "ui/translated.h"
 
 #include <QDialog>
 #include <optional>
@@ -17,7 +18,7 @@ class QTextBrowser;
 namespace palmer::ui {
 
 /// Help (F1): pages on the left, their content on the right, in the window's language.
-class HelpWindow : public QDialog {
+class HelpWindow : public Translated<QDialog> {
     Q_OBJECT
 
 public:
@@ -31,16 +32,13 @@ public:
     /// is none. The validation is searched only while in view.
     bool find(const QString &words);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     [[nodiscard]] std::optional<std::size_t> pageAt(int row) const;
     void goTo(std::size_t page);
     void sayWhether(bool found, const QString &words);
     void fillList();
     void showRow(int row);
-    void retranslate();
+    void retranslate() final;
 
     std::vector<HelpPage> m_pages;
     std::optional<std::vector<SetValidation>> m_validated; ///< computed on first use

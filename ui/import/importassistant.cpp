@@ -27,7 +27,6 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFontDatabase>
@@ -129,7 +128,7 @@ ImportAssistant::ImportAssistant(const QByteArray &bytes, const QString &fileNam
     : ImportAssistant(readMeasurementFile(bytes, fileName), open, parent) {}
 
 ImportAssistant::ImportAssistant(MeasurementFile file, const Document *open, QWidget *parent)
-    : QDialog(parent)
+    : Translated(parent)
     , m_file(std::move(file))
     , m_title(new QLabel(this))
     , m_origin(new QLabel(this))
@@ -947,12 +946,6 @@ void ImportAssistant::finish(std::variant<Document, Error> outcome) {
     settings.setValue(profileSetting(m_file.name),
                       m_profile->currentIndex() > 0 ? m_profile->currentText() : QString());
     QDialog::accept();
-}
-
-void ImportAssistant::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 void ImportAssistant::retranslate() {

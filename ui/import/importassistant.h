@@ -10,6 +10,7 @@
 #include "ui/import/recognisedmodel.h"
 #include "ui/model/background.h"
 #include "ui/model/selection.h"
+#include "ui/translated.h"
 
 #include <QDialog>
 #include <functional>
@@ -60,7 +61,7 @@ struct MeasurementFile {
 /// roles, the resulting table and curve, every choice with its origin, the questions and remarks. Changing a
 /// choice reads the file again; each question must be answered before the import. A file without a readable
 /// measurement is shown with what is missing. Changes no document: the caller adds the data with addTo().
-class ImportAssistant : public QDialog {
+class ImportAssistant : public Translated<QDialog> {
     Q_OBJECT
 
 public:
@@ -96,7 +97,6 @@ public:
     void accept() override;
 
 protected:
-    void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
@@ -157,7 +157,7 @@ private:
     void refresh();
     void takeRead(MeasurementFile file);
     void refuse(const Error &error, const QString &file);
-    void retranslate();
+    void retranslate() final;
 
     MeasurementFile m_file;
     std::optional<Document> m_document; ///< the open one; may be null

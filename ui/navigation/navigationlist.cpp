@@ -6,7 +6,6 @@
 #include "ui/measures.h"
 #include "ui/theme.h"
 
-#include <QEvent>
 #include <QPainter>
 
 namespace palmer::ui {
@@ -136,7 +135,7 @@ private:
 } // namespace
 
 NavigationList::NavigationList(NavigationModel &model, QWidget *parent)
-    : QListView(parent)
+    : Translated(parent)
     , m_model(model) {
     setObjectName(QStringLiteral("navigation"));
     setModel(&model);
@@ -171,12 +170,6 @@ void NavigationList::currentChanged(const QModelIndex &current, const QModelInde
         emit pageChosen(*page);
     if (const auto test = m_model.testAt(current))
         emit testChosen(*test);
-}
-
-void NavigationList::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QListView::changeEvent(event);
 }
 
 void NavigationList::retranslate() {

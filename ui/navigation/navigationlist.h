@@ -3,13 +3,14 @@
 #pragma once
 
 #include "ui/navigation/navigationmodel.h"
+#include "ui/translated.h"
 
 #include <QListView>
 
 namespace palmer::ui {
 
 /// The list on the left of a window: 184 px wide, or collapsed to 48 px with icons and verdict marks.
-class NavigationList : public QListView {
+class NavigationList : public Translated<QListView> {
     Q_OBJECT
 
 public:
@@ -29,10 +30,9 @@ signals:
 
 protected:
     void currentChanged(const QModelIndex &current, const QModelIndex &previous) override;
-    void changeEvent(QEvent *event) override;
 
 private:
-    void retranslate();
+    void retranslate() final;
 
     NavigationModel &m_model;
     bool m_rail = false;

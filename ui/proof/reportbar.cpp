@@ -6,7 +6,6 @@
 #include "ui/measures.h"
 #include "ui/windowlanguage.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QPushButton>
@@ -23,7 +22,7 @@ constexpr int mostLines = 6; ///< visible at once
 } // namespace
 
 ReportBar::ReportBar(QWidget *parent)
-    : QFrame(parent)
+    : Translated(parent)
     , m_sentence(made<QLabel>("reportSentence", this))
     , m_list(made<QListWidget>("reportDifferences", this))
     , m_details(made<QPushButton>("reportDetails", this))
@@ -107,12 +106,6 @@ void ReportBar::retranslate() {
     style()->unpolish(this); // applies the changed property
     style()->polish(this);
     setAccessibleName(m_sentence->text());
-}
-
-void ReportBar::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QFrame::changeEvent(event);
 }
 
 } // namespace palmer::ui

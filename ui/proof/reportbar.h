@@ -3,6 +3,7 @@
 #pragma once
 
 #include "proof/verification.h"
+#include "ui/translated.h"
 
 #include <QFrame>
 #include <optional>
@@ -14,7 +15,7 @@ class QPushButton;
 namespace palmer::ui {
 
 /// Bar above a document opened from a report: says if the report follows from its data, or lists differences.
-class ReportBar : public QFrame {
+class ReportBar : public Translated<QFrame> {
     Q_OBJECT
 
 public:
@@ -29,11 +30,8 @@ public:
     [[nodiscard]] QString sentence() const;
     [[nodiscard]] QStringList lines() const;
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
-    void retranslate();
+    void retranslate() final;
 
     QLabel *m_sentence;
     QListWidget *m_list;

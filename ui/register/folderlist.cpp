@@ -4,7 +4,6 @@
 
 #include "ui/madewidgets.h"
 
-#include <QEvent>
 #include <QFileDialog>
 #include <QListWidget>
 #include <QPushButton>
@@ -12,7 +11,7 @@
 namespace palmer::ui {
 
 FolderList::FolderList(const QStringList &folders, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_list(made<QListWidget>("folders"))
     , m_add(made<QPushButton>("addFolder"))
     , m_remove(made<QPushButton>("removeFolder")) {
@@ -52,12 +51,6 @@ void FolderList::retranslate() {
     m_list->setAccessibleName(tr("Folders of the register"));
     m_add->setText(tr("&Add folder…"));
     m_remove->setText(tr("&Remove"));
-}
-
-void FolderList::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/translated.h"
+
 #include <QStringList>
 #include <QWidget>
 
@@ -11,7 +13,7 @@ class QPushButton;
 namespace palmer::ui {
 
 /// The folders of the register, with buttons to add and remove them.
-class FolderList : public QWidget {
+class FolderList : public Translated<QWidget> {
     Q_OBJECT
 
 public:
@@ -24,11 +26,8 @@ public:
 signals:
     void changed();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
-    void retranslate();
+    void retranslate() final;
 
     QListWidget *m_list;
     QPushButton *m_add;

@@ -10,7 +10,6 @@
 #include "ui/windowlanguage.h"
 
 #include <QComboBox>
-#include <QEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -35,7 +34,7 @@ QString withPassword(const QString &address, const QString &password) {
 } // namespace
 
 RegisterSettings::RegisterSettings(RegisterService &service, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_service(service)
     , m_foldersTitle(new QLabel)
     , m_folders(new FolderList(service.folders()))
@@ -147,12 +146,6 @@ void RegisterSettings::retranslate() {
     m_note->setText(tr("The password is not stored: after the next start it is taken from your password file "
                        "of PostgreSQL (~/.pgpass), or asked for here again."));
     showPlace();
-}
-
-void RegisterSettings::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/model/background.h"
+#include "ui/translated.h"
 
 #include <QWidget>
 
@@ -19,7 +20,7 @@ class RegisterService;
 /// Settings of the register: its folders and the location of its index, a file of this user or a PostgreSQL
 /// server shared by several. A server is accepted only once it was reached; its password is kept only until
 /// the program ends.
-class RegisterSettings : public QWidget {
+class RegisterSettings : public Translated<QWidget> {
     Q_OBJECT
 
 public:
@@ -27,14 +28,11 @@ public:
 
     [[nodiscard]] bool isBusy() const { return m_lane.isBusy(); }
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void showPlace();
     void choosePlace(int place);
     void tryServer();
-    void retranslate();
+    void retranslate() final;
 
     RegisterService &m_service;
     QLabel *m_foldersTitle;

@@ -40,7 +40,7 @@ constexpr int wideListWidth = 264;
 } // namespace
 
 RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
-    : QMainWindow(parent)
+    : Translated(parent)
     , m_service(service)
     , m_menus(*this)
     , m_history(*this) {
@@ -119,12 +119,6 @@ void RegisterWindow::makeActions() {
         dialog->show();
     });
     connect(m_menus.about, &QAction::triggered, this, [this] { showAbout(this); });
-}
-
-void RegisterWindow::changeEvent(QEvent *event) {
-    QMainWindow::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
 }
 
 void RegisterWindow::retranslate() {

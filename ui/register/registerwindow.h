@@ -6,6 +6,7 @@
 #include "ui/register/historypdf.h"
 #include "ui/register/machinelist.h"
 #include "ui/register/registermenus.h"
+#include "ui/translated.h"
 
 #include <QMainWindow>
 #include <vector>
@@ -23,7 +24,7 @@ class RegisterStatus;
 
 /// The register: machines on the left, then the tests of one of them, the trend of a parameter and
 /// superimposed curves. Shows the register, which is read in the background; computes nothing.
-class RegisterWindow : public QMainWindow {
+class RegisterWindow : public Translated<QMainWindow> {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(RegisterWindow)
 
@@ -39,14 +40,13 @@ signals:
     void openAsked(const QString &path, std::size_t test); ///< test of a file, index from 0
 
 protected:
-    void changeEvent(QEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
     void makeActions();
-    void retranslate();
+    void retranslate() final;
 
     void loadMachines();
     void takeMachines(std::vector<MachineRow> rows);

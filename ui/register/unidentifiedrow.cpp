@@ -6,13 +6,12 @@
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
 
-#include <QEvent>
 #include <QPainter>
 
 namespace palmer::ui {
 
 UnidentifiedRow::UnidentifiedRow(QWidget *parent)
-    : QAbstractButton(parent) {
+    : Translated(parent) {
     setCheckable(true);
     setFixedHeight(rowHeight);
     setFocusPolicy(Qt::TabFocus);
@@ -23,12 +22,6 @@ UnidentifiedRow::UnidentifiedRow(QWidget *parent)
 void UnidentifiedRow::setTests(int tests) {
     m_tests = tests;
     retranslate();
-}
-
-void UnidentifiedRow::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QAbstractButton::changeEvent(event);
 }
 
 void UnidentifiedRow::retranslate() {

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/translated.h"
+
 #include <QAbstractButton>
 
 namespace palmer::ui {
 
 /// The row below the list of machines that, while checked, shows those without serial number instead.
-class UnidentifiedRow : public QAbstractButton {
+class UnidentifiedRow : public Translated<QAbstractButton> {
     Q_OBJECT
 
 public:
@@ -19,12 +21,11 @@ public:
 
 protected:
     void paintEvent(QPaintEvent *event) override;
-    void changeEvent(QEvent *event) override;
 
 private:
     static constexpr int rowHeight = 44;
 
-    void retranslate();
+    void retranslate() final;
 
     int m_tests = 0;
     QString m_below;

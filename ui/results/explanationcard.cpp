@@ -11,7 +11,6 @@
 #include "ui/theme.h"
 
 #include <QClipboard>
-#include <QEvent>
 #include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLabel>
@@ -27,7 +26,7 @@ constexpr int barsWidth = 180;
 } // namespace
 
 ExplanationCard::ExplanationCard(Selection &selection, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_selection(selection)
     , m_name(made<ElidedLabel>("explanationName", this))
     , m_source(made<QLabel>("explanationSource", this))
@@ -118,12 +117,6 @@ void ExplanationCard::retranslate() {
     m_close->setToolTip(tr("Close the explanation (Esc)"));
     m_close->setAccessibleName(tr("Close the explanation"));
     refresh();
-}
-
-void ExplanationCard::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

@@ -5,6 +5,7 @@
 #include "document/evaluateddocument.h"
 #include "language/language.h"
 #include "ui/model/selection.h"
+#include "ui/translated.h"
 
 #include <QWidget>
 
@@ -18,7 +19,7 @@ class TargetBarsView;
 
 /// Explains the chosen result: formula, the numbers of this test inserted, clause, and the contribution of
 /// each target. Closing it clears the selected parameter.
-class ExplanationCard : public QWidget {
+class ExplanationCard : public Translated<QWidget, QEvent::FontChange> {
     Q_OBJECT
 
 public:
@@ -35,13 +36,12 @@ signals:
     void said(const QString &text);
 
 protected:
-    void changeEvent(QEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
 
 private:
     void refresh();
-    void retranslate();
+    void retranslate() final;
 
     Selection &m_selection;
     EvaluatedDocument m_evaluated;

@@ -7,7 +7,6 @@
 #include "ui/measures.h"
 #include "ui/theme.h"
 
-#include <QEvent>
 #include <QGuiApplication>
 #include <QLabel>
 #include <QListView>
@@ -77,7 +76,7 @@ public:
 } // namespace
 
 FindingsPanel::FindingsPanel(Selection &, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_title(new QLabel(this))
     , m_summary(made<ElidedLabel>("findingsSummary", this))
     , m_fold(made<QToolButton>("foldFindings", this))
@@ -161,12 +160,6 @@ void FindingsPanel::retranslate() {
     m_fold->setAccessibleName(what);
     m_list->setAccessibleName(tr("Findings"));
     refresh();
-}
-
-void FindingsPanel::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

@@ -7,6 +7,7 @@
 #include "ui/model/page.h"
 #include "ui/model/selection.h"
 #include "ui/results/findingsmodel.h"
+#include "ui/translated.h"
 
 #include <QWidget>
 
@@ -19,7 +20,7 @@ namespace palmer::ui {
 class ElidedLabel;
 
 /// Requirements of the edition that the test does not meet. Never blocks anything.
-class FindingsPanel : public QWidget {
+class FindingsPanel : public Translated<QWidget, QEvent::FontChange> {
     Q_OBJECT
 
 public:
@@ -39,12 +40,9 @@ signals:
     void activated(palmer::ui::Page page, const QString &id);
     void foldedChanged(bool folded);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void refresh();
-    void retranslate();
+    void retranslate() final;
     void activate(const QModelIndex &index);
 
     FindingsModel m_model;

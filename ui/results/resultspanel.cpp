@@ -115,7 +115,7 @@ bool saysNothing(const ResultsModel &model, int column) {
 } // namespace
 
 ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_selection(selection)
     , m_title(new QLabel(this))
     , m_rule(made<ElidedLabel>("resultsRule", this))
@@ -391,12 +391,6 @@ void ResultsPanel::retranslate() {
     m_table->setAccessibleName(tr("Results"));
     m_model.retranslate();
     refresh();
-}
-
-void ResultsPanel::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

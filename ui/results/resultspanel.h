@@ -6,6 +6,7 @@
 #include "language/language.h"
 #include "ui/model/selection.h"
 #include "ui/results/resultsmodel.h"
+#include "ui/translated.h"
 
 #include <QWidget>
 
@@ -22,7 +23,7 @@ class Chip;
 
 /// The results of the test in view: numbers, decision scale, verdicts; if measured before and after an
 /// adjustment, both side by side instead of the scale. Arrows move, Enter or a click explains.
-class ResultsPanel : public QWidget {
+class ResultsPanel : public Translated<QWidget, QEvent::FontChange> {
     Q_OBJECT
 
 public:
@@ -42,7 +43,6 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
-    void changeEvent(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
@@ -57,7 +57,7 @@ private:
     void fitNames();
     void showVerdict();
     [[nodiscard]] QString rolesNote() const;
-    void retranslate();
+    void retranslate() final;
 
     Selection &m_selection;
     ResultsModel m_model;

@@ -12,7 +12,6 @@
 #include "ui/welcome/startbutton.h"
 #include "ui/windowlanguage.h"
 
-#include <QEvent>
 #include <QFileInfo>
 #include <QGridLayout>
 #include <QKeySequence>
@@ -90,7 +89,7 @@ QFrame *makeCard(QWidget *parent, QLabel *title, QLabel *note, const QList<QWidg
 } // namespace
 
 WelcomePage::WelcomePage(QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_place(new QScrollArea(this))
     , m_page(new QWidget(m_place->viewport()))
     , m_body(new QWidget(m_page))
@@ -194,12 +193,6 @@ void WelcomePage::refresh() {
     for (const Example &example : examples())
         carried.push_back({example.path, kindIcon(example.circular), example.name, {}, example.year, {}});
     m_examples.setEntries(std::move(carried));
-}
-
-void WelcomePage::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 void WelcomePage::showEvent(QShowEvent *event) {

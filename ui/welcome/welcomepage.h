@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/translated.h"
 #include "ui/welcome/startlist.h"
 
 #include <QWidget>
@@ -14,7 +15,7 @@ namespace palmer::ui {
 class StartButton;
 
 /// The window's page before a file is open: ways to start, recent files, examples.
-class WelcomePage : public QWidget {
+class WelcomePage : public Translated<QWidget> {
     Q_OBJECT
 
 public:
@@ -31,11 +32,10 @@ signals:
     void fileChosen(const QString &path);
 
 protected:
-    void changeEvent(QEvent *event) override;
     void showEvent(QShowEvent *event) override;
 
 private:
-    void retranslate();
+    void retranslate() final;
 
     StartModel m_recent;
     StartModel m_examples;

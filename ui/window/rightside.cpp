@@ -9,7 +9,6 @@
 #include "ui/theme.h"
 #include "ui/window/pagetabs.h"
 
-#include <QEvent>
 #include <QFrame>
 #include <QLabel>
 #include <QTimer>
@@ -28,7 +27,7 @@ constexpr int markBelow = 36;  ///< the figure's header
 } // namespace
 
 RightSide::RightSide(Selection &selection, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_tabs(made<PageTabs>("rightTabs", this))
     , m_column(new QVBoxLayout(this))
     , m_figure(new FigureView(selection, this))
@@ -149,12 +148,6 @@ void RightSide::arrange() {
             widgets[i]->setVisible(visible);
     }
     setMaximumHeight(leavesToPage() ? m_tabs->sizeHint().height() : QWIDGETSIZE_MAX);
-}
-
-void RightSide::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 void RightSide::retranslate() {

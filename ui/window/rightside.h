@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/translated.h"
+
 #include <QWidget>
 
 class QLabel;
@@ -19,7 +21,7 @@ class Selection;
 /// Figure, results and findings in a column, the figure taking the remaining height; in a narrow window one
 /// at a time behind tabs. In a window too low for table and figure in a column, the page of the test is one
 /// of the tabs too, which are then at the bottom.
-class RightSide : public QWidget {
+class RightSide : public Translated<QWidget> {
     Q_OBJECT
 
 public:
@@ -56,11 +58,10 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
-    void changeEvent(QEvent *event) override;
 
 private:
     void arrange();
-    void retranslate();
+    void retranslate() final;
 
     PageTabs *m_tabs;
     QVBoxLayout *m_column;

@@ -14,7 +14,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
-#include <QEvent>
 #include <QSignalBlocker>
 
 namespace palmer::ui {
@@ -32,7 +31,7 @@ void setWords(QComboBox &box, const QStringList &words, int chosen) {
 } // namespace
 
 SettingsDialog::SettingsDialog(QWidget *parent)
-    : QDialog(parent) {
+    : Translated(parent) {
     setObjectName(QStringLiteral("settingsDialog"));
     auto *form = new QFormLayout;
     m_language = addChoice(*form, "settingsLanguage");
@@ -98,12 +97,6 @@ void SettingsDialog::retranslate() {
     m_backup->setText(tr("Keep the version &before when saving"));
     m_backup->setToolTip(tr("Beside the file, with .bak at the end of its name"));
     m_buttons->button(QDialogButtonBox::Close)->setText(tr("&Close"));
-}
-
-void SettingsDialog::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QDialog::changeEvent(event);
 }
 
 } // namespace palmer::ui

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/translated.h"
+
 #include <QDialog>
 #include <vector>
 
@@ -15,19 +17,16 @@ namespace palmer::ui {
 
 /// Settings for all windows: language, theme, displayed units, how changes are kept and the folders of the
 /// register. Each choice takes effect at once.
-class SettingsDialog : public QDialog {
+class SettingsDialog : public Translated<QDialog> {
     Q_OBJECT
 
 public:
     explicit SettingsDialog(QWidget *parent = nullptr);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     QComboBox *addChoice(QFormLayout &form, const char *name);
     void setUnits();
-    void retranslate();
+    void retranslate() final;
 
     QComboBox *m_language;
     QComboBox *m_theme;

@@ -13,7 +13,6 @@
 
 #include <QComboBox>
 #include <QCoreApplication>
-#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
@@ -76,7 +75,7 @@ QString testSummary(const Test &test) {
 }
 
 TestHead::TestHead(QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_title(made<QLabel>("testTitle", TextSize::title, this))
     , m_subtitle(made<QLabel>("testSummary", TextSize::small, this))
     , m_editionLabel(new QLabel(this))
@@ -142,12 +141,6 @@ void TestHead::showTitle(const QString &title, const QString &subtitle) {
 void TestHead::setLow(bool low) {
     m_subtitle->setVisible(!low);
     setFixedHeight(low ? lowHeight : usualHeight);
-}
-
-void TestHead::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    QWidget::changeEvent(event);
 }
 
 void TestHead::resizeEvent(QResizeEvent *event) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "ui/translated.h"
 
 #include <QWidget>
 
@@ -14,7 +15,7 @@ namespace palmer::ui {
 
 /// Header of a test: title, axis and cycle, and the edition it is shown under. Another edition is only a
 /// view; a button makes it the edition of the test.
-class TestHead : public QWidget {
+class TestHead : public Translated<QWidget> {
     Q_OBJECT
 
 public:
@@ -31,11 +32,10 @@ signals:
     void editionSet(const QString &edition);
 
 protected:
-    void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
 
 private:
-    void retranslate();
+    void retranslate() final;
     void elide();
 
     QLabel *m_title;
