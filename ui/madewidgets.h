@@ -7,6 +7,8 @@
 #include <QAnyStringView>
 #include <QBoxLayout>
 #include <QMargins>
+#include <QWidget>
+#include <concepts>
 #include <initializer_list>
 #include <utility>
 
@@ -20,7 +22,31 @@ template <class Object, class... Arguments>
     return object;
 }
 
-/// Returns a new widget with an object name and a text size of the theme.
+/// What made() gives a widget besides its name and text size.
+namespace trait {
+inline constexpr auto secondary = [](QWidget &widget) { widget.setProperty("secondary", true); }; ///< dimmed
+/// Says why something is refused.
+inline constexpr auto reason = [](QWidget &widget) { widget.setProperty("reason", true); };
+inline constexpr auto link = [](QWidget &button) { button.setProperty("link", true); };
+inline constexpr auto primary = [](QWidget &button) { button.setProperty("primary", true); };
+inline constexpr auto iconOnly = [](QWidget &button) { button.setProperty("iconOnly", true); };
+inline constexpr auto wrapped = [](auto &label) { label.setWordWrap(true); };
+/// For a text that may look like markup.
+inline constexpr auto plainText = [](auto &label) { label.setTextFormat(Qt::PlainText); };
+inline constexpr auto checkable = [](auto &button) { button.setCheckable(true); };
+inline constexpr auto notDefault = [](auto &button) { button.setAutoDefault(false); };
+inline constexpr auto strongFocus = [](QWidget &widget) { widget.setFocusPolicy(Qt::StrongFocus); };
+} // namespace trait
+
+/// Returns a new widget with an object name and a trait; further traits may follow before its arguments.
+template <class Widget, std::invocable<Widget &> Trait, class... Arguments>
+[[nodiscard]] Widget *made(QAnyStringView name, Trait set, Arguments &&...arguments) {
+    auto *widget = made<Widget>(name, std::forward<Arguments>(arguments)...);
+    set(*widget);
+    return widget;
+}
+
+/// Returns a new widget with an object name and a text size of the theme; traits may follow.
 template <class Widget, class... Arguments>
 [[nodiscard]] Widget *made(QAnyStringView name, TextSize size, Arguments &&...arguments) {
     auto *widget = made<Widget>(name, std::forward<Arguments>(arguments)...);

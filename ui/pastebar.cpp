@@ -20,21 +20,19 @@ namespace palmer::ui {
 PasteBar::PasteBar(QWidget *parent)
     : QFrame(parent)
     , m_summary(made<QLabel>("pasteSummary", this))
-    , m_remarks(made<QLabel>("pasteRemarks", TextSize::small, this))
+    , m_remarks(made<QLabel>("pasteRemarks", TextSize::small, trait::wrapped, trait::plainText, this))
     , m_guess(new QLabel(this))
     , m_marks(new QButtonGroup(this))
     , m_comma(made<QToolButton>("pasteComma", this))
     , m_point(made<QToolButton>("pastePoint", this))
-    , m_content(made<QComboBox>("pasteContent", this))
+    , m_content(made<QComboBox>("pasteContent", trait::strongFocus, this))
     , m_boxes(new QHBoxLayout)
     , m_questions(made<RemarkList>("pasteQuestions", this))
-    , m_undo(made<QToolButton>("pasteUndo", this))
-    , m_close(made<QToolButton>("pasteClose", this)) {
+    , m_undo(made<QToolButton>("pasteUndo", trait::strongFocus, this))
+    , m_close(made<QToolButton>("pasteClose", trait::iconOnly, trait::strongFocus, this)) {
     setObjectName(QStringLiteral("pasteBar"));
     setProperty("bar", true);
     m_summary->setWordWrap(true); // in a narrow window the choices leave it little width
-    m_remarks->setWordWrap(true);
-    m_remarks->setTextFormat(Qt::PlainText);
     m_guess->setFont(themeFont(TextSize::small));
     m_guess->setProperty("secondary", true);
     m_comma->setProperty("segment", QStringLiteral("first"));
@@ -45,13 +43,9 @@ PasteBar::PasteBar(QWidget *parent)
         button->setFocusPolicy(Qt::StrongFocus);
         m_marks->addButton(button, id++);
     }
-    m_content->setFocusPolicy(Qt::StrongFocus);
     m_undo->setIcon(lineIcon(QStringLiteral("undo")));
     m_undo->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_undo->setFocusPolicy(Qt::StrongFocus);
     m_close->setIcon(lineIcon(QStringLiteral("close")));
-    m_close->setProperty("iconOnly", true);
-    m_close->setFocusPolicy(Qt::StrongFocus);
     for (int i = 0; i < 3; ++i)
         m_content->addItem(QString(), i); // BlockContent
 

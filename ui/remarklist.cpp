@@ -111,10 +111,8 @@ void RemarkList::showRemarks(const Imported &imported, const std::optional<QStri
     m_hasLine = hasLine;
     clear();
     if (refusal) {
-        auto *reason = made<QLabel>("importRefusal", *refusal);
-        reason->setProperty("reason", true);
-        reason->setTextFormat(Qt::PlainText);
-        reason->setWordWrap(true);
+        auto *reason =
+            made<QLabel>("importRefusal", trait::reason, trait::plainText, trait::wrapped, *refusal);
         m_rows->addWidget(reason);
     }
     for (const Question &question : imported.questions)

@@ -36,17 +36,15 @@ constexpr int workBarHeight = 4;
 
 WorkBar::WorkBar(QWidget *parent)
     : Translated(parent)
-    , m_count(made<QLabel>("workCount", TextSize::small, this))
+    , m_count(made<QLabel>("workCount", TextSize::small, trait::secondary, this))
     , m_bar(new QProgressBar(this))
-    , m_cancel(made<QPushButton>("cancelWork", this))
+    , m_cancel(made<QPushButton>("cancelWork", trait::notDefault, this))
     , m_later(new QTimer(this))
     , m_look(new QTimer(this)) {
     setObjectName(QStringLiteral("workBar"));
     setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Preferred); // keeps its parts together in an empty bar
     m_bar->setTextVisible(false);
     m_bar->setFixedSize(barWidth, workBarHeight);
-    m_count->setProperty("secondary", true);
-    m_cancel->setAutoDefault(false);
     m_cancel->setProperty("link", true); // flat, to fit into a status bar
     inRow(this, noMargins, 8, {m_count, m_bar, m_cancel});
     m_later->setSingleShot(true);

@@ -68,7 +68,7 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     , m_circle(std::move(circle))
     , m_language(language)
     , m_text(made<TableText>("arcTable", this))
-    , m_problem(made<QLabel>("arcProblem", this))
+    , m_problem(made<QLabel>("arcProblem", trait::reason, this))
     , m_paths(made<QLabel>("arcPaths", this))
     , m_remarks(made<RemarkList>("arcRemarks", this))
     , m_remarksPlace(new QScrollArea(this)) {
@@ -83,7 +83,6 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
                                tr("Headings may name columns, units and sense."));
     auto *label = new QLabel(tr("&Table of points"), this);
     label->setBuddy(m_text);
-    m_problem->setProperty("reason", true);
     m_remarks->setAccessibleName(tr("Questions and remarks"));
     m_remarksPlace->setAccessibleName(m_remarks->accessibleName());
     m_remarksPlace->setWidget(m_remarks);

@@ -63,12 +63,12 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     , m_model(model)
     , m_selection(selection)
     , m_arcs(made<QTableView>("arcs", this))
-    , m_newArc(made<QToolButton>("newArcButton", this))
-    , m_empty(made<QLabel>("noArcs", this))
+    , m_newArc(made<QToolButton>("newArcButton", trait::strongFocus, this))
+    , m_empty(made<QLabel>("noArcs", trait::secondary, trait::wrapped, this))
     , m_import(made<QPushButton>("importArcs", this))
     , m_curves(new ArcCurvesView(selection, this))
     , m_points(made<QTableView>("points", this))
-    , m_reason(made<QLabel>("circlesReason", this)) {
+    , m_reason(made<QLabel>("circlesReason", trait::reason, trait::wrapped, trait::plainText, this)) {
     setObjectName(QStringLiteral("circlesPage"));
     auto *units = new QButtonGroup(this);
     m_deviations = addUnit(*units, "first", "showRadialDeviations", PointUnit::deviations);
@@ -84,7 +84,6 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
                       {m_deviations, m_coordinates, m_lengths, Placed::stretch(), m_newArc});
     m_newArc->setIcon(lineIcon(QStringLiteral("plus")));
     m_newArc->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_newArc->setFocusPolicy(Qt::StrongFocus);
     auto *barArea = new QWidget(this);
     barArea->setFixedHeight(pageBarHeight);
     barArea->setLayout(bar);
@@ -95,13 +94,8 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
     makeRangeRow(*rangeRow);
     makeTables();
     makeActions();
-    m_reason->setProperty("reason", true);
-    m_reason->setTextFormat(Qt::PlainText);
-    m_reason->setWordWrap(true);
     m_reason->hide();
     m_empty->setAlignment(Qt::AlignCenter);
-    m_empty->setWordWrap(true);
-    m_empty->setProperty("secondary", true);
     connect(m_import, &QPushButton::clicked, this, &CirclesPage::importAsked);
     m_emptyPlace = new QWidget(this);
     inColumn(m_emptyPlace, noMargins, 12,
@@ -131,8 +125,7 @@ CirclesPage::~CirclesPage() {
 
 QToolButton *CirclesPage::addUnit(QButtonGroup &group, const char *segment, const char *name,
                                   PointUnit unit) {
-    auto *button = made<QToolButton>(name, this);
-    button->setCheckable(true);
+    auto *button = made<QToolButton>(name, trait::checkable, this);
     button->setProperty("segment", QString::fromLatin1(segment));
     button->setFocusPolicy(Qt::StrongFocus);
     group.addButton(button, static_cast<int>(unit));

@@ -52,9 +52,9 @@ QCheckBox *tickBox(QTableWidget &table, int row) {
 DiagnosisPage::DiagnosisPage(QWidget *parent)
     : QWidget(parent)
     , m_nature(made<ElidedLabel>("diagnosisNature", TextSize::head, this))
-    , m_summary(made<ElidedLabel>("diagnosisSummary", TextSize::small, this))
-    , m_trace(made<QToolButton>("traceSources", this))
-    , m_empty(made<QLabel>("diagnosisEmpty", this)) {
+    , m_summary(made<ElidedLabel>("diagnosisSummary", TextSize::small, trait::secondary, this))
+    , m_trace(made<QToolButton>("traceSources", trait::checkable, trait::strongFocus, this))
+    , m_empty(made<QLabel>("diagnosisEmpty", trait::secondary, trait::wrapped, this)) {
     setObjectName(QStringLiteral("diagnosisPage"));
     auto *head = inRow(nullptr, {pageMargin, 6, pageMargin, 0}, 12, {m_nature, {m_summary, 1}});
     auto *bar = makeBar();
@@ -81,8 +81,6 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
              {m_table, Placed::gap(6), m_title, m_text, m_remarks, {makeBelow(), 1}});
     m_area->setWidget(m_content);
     m_empty->setAlignment(Qt::AlignCenter);
-    m_empty->setWordWrap(true);
-    m_empty->setProperty("secondary", true);
     inColumn(this, noMargins, 0, {head, bar, {m_area, 1}, {m_empty, 1}});
     connect(&m_diagnoser, &Diagnoser::changed, this, [this] {
         refresh();
@@ -97,8 +95,7 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
 }
 
 QToolButton *DiagnosisPage::addSegment(const char *segment, const char *name) {
-    auto *button = made<QToolButton>(name, this);
-    button->setCheckable(true);
+    auto *button = made<QToolButton>(name, trait::checkable, this);
     button->setProperty("segment", QString::fromLatin1(segment));
     button->setFocusPolicy(Qt::StrongFocus);
     return button;
@@ -108,7 +105,6 @@ QWidget *DiagnosisPage::makeBar() {
     auto *area = new QWidget(this);
     area->setFixedHeight(diagnosisBarHeight);
     auto *row = inRow(area, {pageMargin, 4, pageMargin, 4}, 0, {});
-    m_summary->setProperty("secondary", true);
     m_summary->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_summary->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // takes the remaining width
     m_circle = addSegment("first", "diagnosisOfCircle");
@@ -117,12 +113,10 @@ QWidget *DiagnosisPage::makeBar() {
     auto *views = new QButtonGroup(this);
     views->addButton(m_circle);
     views->addButton(m_feeds);
-    m_trace->setCheckable(true);
     m_trace->setChecked(true);
     m_trace->setProperty("segment", QStringLiteral("first"));
     m_trace->setIcon(lineIcon(QStringLiteral("circle")));
     m_trace->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-    m_trace->setFocusPolicy(Qt::StrongFocus);
     row->addWidget(m_circle);
     row->addWidget(m_feeds);
     row->addStretch();
@@ -143,8 +137,7 @@ QWidget *DiagnosisPage::makeBelow() {
     auto *kinds = new QButtonGroup(this);
     kinds->addButton(m_rest);
     kinds->addButton(m_spectrum);
-    m_chartNote = made<ElidedLabel>("chartNote", area);
-    m_chartNote->setProperty("secondary", true);
+    m_chartNote = made<ElidedLabel>("chartNote", trait::secondary, area);
     m_chartNote->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // takes the remaining width
     auto *bar = inRow(m_chartBar, {0, 4, 0, 0}, 0, {m_rest, m_spectrum, Placed::gap(8), {m_chartNote, 1}});
     auto *zoom = new ZoomButtons(m_chartBar);

@@ -65,16 +65,16 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     , m_incremental(addSwitch("incremental", &CompensationOptions::incremental))
     , m_encoder(addChoice("encoder"))
     , m_mark(addChoice("decimalMark"))
-    , m_reason(made<QLabel>("compensationReason", this))
+    , m_reason(made<QLabel>("compensationReason", trait::reason, trait::wrapped, trait::plainText, this))
     , m_tableTitle(new QLabel(this))
     , m_table(made<QPlainTextEdit>("compensationTable", this))
     , m_curveTitle(new QLabel(this))
     , m_curve(made<LineView>("compensationCurve", this))
     , m_predictionTitle(new QLabel(this))
     , m_prediction(made<QTableWidget>("prediction", this))
-    , m_note(made<QLabel>("compensationNote", this))
+    , m_note(made<QLabel>("compensationNote", trait::secondary, trait::wrapped, trait::plainText, this))
     , m_compare(made<QPushButton>("compareCompensation", this))
-    , m_save(made<QPushButton>("saveCompensation", this))
+    , m_save(made<QPushButton>("saveCompensation", trait::primary, this))
     , m_close(made<QPushButton>("closeCompensation", this)) {
     setObjectName(QStringLiteral("compensationDialog"));
     resize(1040, 680);
@@ -95,9 +95,6 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     fields->addWidget(m_signConfirmed);
     m_signConfirmed->setVisible(fileOfAssumedSign(*m_evaluated.document->tests[m_test]) != nullptr);
     connect(m_signConfirmed, &QCheckBox::toggled, this, &CompensationDialog::signConfirmed);
-    m_reason->setProperty("reason", true);
-    m_reason->setTextFormat(Qt::PlainText);
-    m_reason->setWordWrap(true);
     fields->addWidget(m_reason);
     fields->addStretch(1);
     auto *left = scrolledPlace(this);
@@ -121,9 +118,6 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     m_prediction->verticalHeader()->setDefaultSectionSize(predictionRowHeight);
     m_prediction->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_prediction->setFixedHeight((predictionRows + 1) * predictionRowHeight + 4);
-    m_note->setTextFormat(Qt::PlainText);
-    m_note->setProperty("secondary", true);
-    m_note->setWordWrap(true);
     for (QLabel *title : {m_tableTitle, m_curveTitle, m_predictionTitle})
         title->setFont(themeFont(TextSize::head));
 
@@ -132,7 +126,6 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     auto *table = inColumn(styleSpacing, {m_tableTitle, m_table});
     right->addLayout(inRow(pageMargin, {{prediction, 1}, {table, 1}}));
     auto *body = inRow(pageMargin, {left, {right, 1}});
-    m_save->setProperty("primary", true);
     auto *foot = inRow(styleSpacing, {m_compare, Placed::stretch(), m_close, m_save});
     for (QPushButton *button : {m_compare, m_save, m_close})
         button->setAutoDefault(false);

@@ -36,7 +36,7 @@ NewCircleDialog::NewCircleDialog(Language language, const Test *like, QWidget *p
     , m_source(made<QComboBox>("newSource", this))
     , m_edition(made<QComboBox>("newCircleEdition", this))
     , m_statements(new StatementsBox(this))
-    , m_problem(made<QLabel>("newCircleProblem", this)) {
+    , m_problem(made<QLabel>("newCircleProblem", trait::reason, trait::wrapped, trait::plainText, this)) {
     setObjectName(QStringLiteral("newCircleDialog"));
     setWindowTitle(tr("New circular test"));
     for (const char *plane : {"XY", "YZ", "ZX", "YX", "ZY", "XZ"}) // right-handed first
@@ -59,9 +59,6 @@ NewCircleDialog::NewCircleDialog(Language language, const Test *like, QWidget *p
             m_feed->setText(m_language.number(*circle->feed, Quantity::feed));
     }
 
-    m_problem->setWordWrap(true);
-    m_problem->setProperty("reason", true);
-    m_problem->setTextFormat(Qt::PlainText);
     auto *form = new QFormLayout;
     const auto addNumber = [&](const QString &text, QLineEdit *field, Quantity quantity) {
         field->setAlignment(Qt::AlignRight);

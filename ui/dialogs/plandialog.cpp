@@ -101,15 +101,15 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     , m_test(test)
     , m_edition(defaultEdition(Kind::positioning).word)
     , m_view(new CycleView(this))
-    , m_summary(made<QLabel>("planSummary", this))
-    , m_targets(made<QLabel>("planTargets", this))
-    , m_reseed(made<QPushButton>("reseed", this))
+    , m_summary(made<QLabel>("planSummary", trait::wrapped, this))
+    , m_targets(made<QLabel>("planTargets", trait::wrapped, this))
+    , m_reseed(made<QPushButton>("reseed", trait::notDefault, this))
     , m_fill(made<QPushButton>("fillTest", this))
-    , m_make(made<QPushButton>("makeTest", this))
+    , m_make(made<QPushButton>("makeTest", trait::primary, this))
     , m_print(made<QPushButton>("printPlan", this))
     , m_savePlan(made<QPushButton>("savePlan", this))
     , m_dialect(made<QComboBox>("dialect", this))
-    , m_programReason(made<QLabel>("programReason", this))
+    , m_programReason(made<QLabel>("programReason", trait::reason, trait::wrapped, trait::plainText, this))
     , m_saveProgram(made<QPushButton>("saveProgram", this))
     , m_close(made<QPushButton>("closePlan", this)) {
     setObjectName(QStringLiteral("planDialog"));
@@ -118,8 +118,6 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     begin(test);
 
     auto *fields = makeFields();
-    m_summary->setWordWrap(true);
-    m_targets->setWordWrap(true);
     m_targets->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto *right = inColumn(styleSpacing, {{m_view, 1}, m_summary, m_targets});
     auto *place = new QScrollArea(this); // on low screens the fields are higher than the dialog
@@ -174,7 +172,6 @@ void PlanDialog::makeChoices(QWidget *parent) {
 
 /// The button that draws new random parts, in the row of the field next to it.
 QWidget *PlanDialog::makeReseed(QWidget *parent) {
-    m_reseed->setAutoDefault(false);
     connect(m_reseed, &QPushButton::clicked, this, [this] {
         ++m_request.seed;
         replan();
@@ -256,13 +253,9 @@ QWidget *PlanDialog::makeFields() {
 QHBoxLayout *PlanDialog::makeButtons() {
     for (const DialectName &each : dialects())
         m_dialect->addItem(QString::fromUtf8(each.name));
-    m_programReason->setProperty("reason", true);
-    m_programReason->setTextFormat(Qt::PlainText);
-    m_programReason->setWordWrap(true);
     m_saveProgram->setIcon(lineIcon(QStringLiteral("save")));
     m_print->setIcon(lineIcon(QStringLiteral("print")));
     m_savePlan->setIcon(lineIcon(QStringLiteral("pdf")));
-    m_make->setProperty("primary", true);
     for (QPushButton *button : {m_saveProgram, m_print, m_savePlan, m_fill, m_make, m_close})
         button->setAutoDefault(false);
     return inRow(styleSpacing,

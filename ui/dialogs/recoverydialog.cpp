@@ -18,11 +18,10 @@ namespace palmer::ui {
 RecoveryDialog::RecoveryDialog(std::vector<Recovery> recoveries, QWidget *parent)
     : QDialog(parent)
     , m_recoveries(std::move(recoveries))
-    , m_list(made<QListWidget>("recoveryList", this)) {
+    , m_list(made<QListWidget>("recoveryList", trait::wrapped, this)) {
     setObjectName(QStringLiteral("recoveryDialog"));
     setWindowTitle(tr("Unsaved changes"));
     m_list->setAccessibleName(tr("Documents with unsaved changes"));
-    m_list->setWordWrap(true);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     m_list->setResizeMode(QListView::Adjust);
     for (const Recovery &recovery : m_recoveries) {

@@ -147,8 +147,7 @@ QWidget *ReportDialog::makeHead() {
     m_larger->setShortcut(QKeySequence::ZoomIn);
     m_place = new QLabel(head);
     m_zoom = new QLabel(head);
-    m_width = made<QPushButton>("fitWidth", head);
-    m_width->setAutoDefault(false);
+    m_width = made<QPushButton>("fitWidth", trait::notDefault, head);
     auto *row = inRow(head, {pageMargin, 0, pageMargin, 0}, styleSpacing,
                       {m_title, {m_summary, 1}, m_open, m_openFolder});
     for (QWidget *widget :
@@ -191,8 +190,7 @@ QWidget *ReportDialog::makeSide() {
     makeLanguages(*column);
 
     m_paperTitle = title();
-    m_paper = made<QComboBox>("paper", side);
-    m_paper->setFocusPolicy(Qt::StrongFocus);
+    m_paper = made<QComboBox>("paper", trait::strongFocus, side);
     m_paper->addItem(QStringLiteral("A4"));
     m_paper->addItem(QStringLiteral("Letter"));
     m_paperTitle->setBuddy(m_paper);
@@ -247,12 +245,10 @@ void ReportDialog::makeLanguages(QVBoxLayout &column) {
 /// Shown while a simulation runs.
 void ReportDialog::makeSimulation(QVBoxLayout &whole) {
     m_simulation = new QWidget(this);
-    m_simulationText = made<QLabel>("simulationText", m_simulation);
-    m_simulationText->setWordWrap(true);
+    m_simulationText = made<QLabel>("simulationText", trait::wrapped, m_simulation);
     m_simulationBar = new QProgressBar(m_simulation);
     m_simulationBar->setTextVisible(false);
-    m_simulationCancel = made<QPushButton>("cancelSimulation", m_simulation);
-    m_simulationCancel->setAutoDefault(false);
+    m_simulationCancel = made<QPushButton>("cancelSimulation", trait::notDefault, m_simulation);
     inColumn(m_simulation, noMargins, styleSpacing, {m_simulationText, m_simulationBar, m_simulationCancel});
     m_simulation->hide();
     connect(m_simulationCancel, &QPushButton::clicked, this, [this] { m_simulator.cancel(); });
@@ -264,26 +260,20 @@ void ReportDialog::makeNotes(QVBoxLayout &whole) {
     m_originals = made<QCheckBox>("withOriginals", this);
     connect(m_originals, &QCheckBox::clicked, this, &ReportDialog::showDocument);
     whole.addWidget(m_originals);
-    m_attached = made<QLabel>("attachedNote", TextSize::small, this);
-    m_attached->setProperty("secondary", true);
-    m_attached->setWordWrap(true);
+    m_attached = made<QLabel>("attachedNote", TextSize::small, trait::secondary, trait::wrapped, this);
     whole.addWidget(m_attached);
-    m_missing = made<QLabel>("missingNote", this);
-    m_missing->setWordWrap(true);
+    m_missing = made<QLabel>("missingNote", trait::wrapped, this);
     whole.addWidget(m_missing);
 }
 
 void ReportDialog::makeButtons(QVBoxLayout &whole) {
-    m_save = made<QPushButton>("savePdf", this);
-    m_save->setProperty("primary", true);
+    m_save = made<QPushButton>("savePdf", trait::primary, this);
     m_save->setIcon(lineIcon(QStringLiteral("pdf"), QPalette::Base));
     m_save->setDefault(true);
     whole.addWidget(m_save);
-    m_print = made<QPushButton>("print", this);
+    m_print = made<QPushButton>("print", trait::notDefault, this);
     m_print->setIcon(lineIcon(QStringLiteral("print")));
-    m_print->setAutoDefault(false);
-    m_close = made<QPushButton>("closeReport", this);
-    m_close->setAutoDefault(false);
+    m_close = made<QPushButton>("closeReport", trait::notDefault, this);
     whole.addLayout(inRow(styleSpacing, {m_print, m_close}));
     connect(m_save, &QPushButton::clicked, this, &ReportDialog::choosePdf);
     connect(m_print, &QPushButton::clicked, this, &ReportDialog::choosePrinter);

@@ -46,8 +46,8 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
     , m_selection(selection)
     , m_range(made<ElidedLabel>("driftRange", this))
     , m_explained(new QLabel(this))
-    , m_taken(made<QLabel>("driftTakenBy", this))
-    , m_reason(made<QLabel>("driftReason", this))
+    , m_taken(made<QLabel>("driftTakenBy", trait::wrapped, this))
+    , m_reason(made<QLabel>("driftReason", trait::reason, trait::plainText, this))
     , m_paste(made<QToolButton>("pasteDrift", this))
     , m_remove(made<QToolButton>("removeDrift", this))
     , m_table(made<QTableView>("driftReadings", this))
@@ -57,10 +57,7 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
     for (QLabel *label : {m_explained, m_taken})
         label->setProperty("secondary", true);
     m_explained->setWordWrap(true);
-    m_taken->setWordWrap(true);
     m_taken->setTextFormat(Qt::RichText);
-    m_reason->setProperty("reason", true);
-    m_reason->setTextFormat(Qt::PlainText);
     m_reason->hide();
     m_paste->setIcon(lineIcon(QStringLiteral("paste")));
     m_remove->setIcon(lineIcon(QStringLiteral("close")));

@@ -76,8 +76,7 @@ CircleFigureView::CircleFigureView(Selection &selection, QWidget *parent)
     setObjectName(QStringLiteral("circleFigureView"));
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     const auto toggle = [&](const char *name, Sense sense, bool repetition) {
-        auto *button = made<QToolButton>(name, this);
-        button->setCheckable(true);
+        auto *button = made<QToolButton>(name, trait::checkable, this);
         button->setChecked(!repetition);
         button->setAutoRaise(true);
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);

@@ -107,7 +107,7 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     : Translated(parent)
     , m_selection(selection)
     , m_title(new ElidedLabel(this))
-    , m_note(made<ElidedLabel>("figureNote", this))
+    , m_note(made<ElidedLabel>("figureNote", trait::secondary, this))
     , m_canvas(new FigureCanvas(selection, this))
     , m_circles(new CircleFigureView(selection, this))
     , m_marks(iconButton(this, QStringLiteral("readingMarks"), QStringLiteral("dots")))
@@ -117,7 +117,6 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     , m_detach(iconButton(this, QStringLiteral("detachFigure"), QStringLiteral("detach")))
     , m_maximise(iconButton(this, QStringLiteral("maximiseFigure"), QStringLiteral("maxi"))) {
     setObjectName(QStringLiteral("figureView"));
-    m_note->setProperty("secondary", true);
     m_note->setSeparator(QStringLiteral(" · "));
     m_marks->setCheckable(true);
     m_marks->setChecked(m_readingMarks);

@@ -114,9 +114,7 @@ void AgreedPointsPage::build(const Edition &edition, const Test &test) {
     }
     for (const AgreementPoint &point : edition.points)
         addRow(point, test);
-    m_others = made<QPushButton>("inapplicablePoints", m_scroll->widget());
-    m_others->setProperty("link", true);
-    m_others->setAutoDefault(false);
+    m_others = made<QPushButton>("inapplicablePoints", trait::link, trait::notDefault, m_scroll->widget());
     connect(m_others, &QPushButton::clicked, this, [this] {
         m_showsAll = true;
         refresh();

@@ -283,9 +283,7 @@ void ConditionsPage::addTemperatures(const Conditions &conditions) {
 void ConditionsPage::addCorrection() {
     beginColumns();
     addThing("correctionTo20", 5);
-    m_correction = made<QLabel>("correctionSize", TextSize::small, body());
-    m_correction->setProperty("secondary", true);
-    m_correction->setWordWrap(true);
+    m_correction = made<QLabel>("correctionSize", TextSize::small, trait::secondary, trait::wrapped, body());
     m_correction->setAlignment(Qt::AlignLeft | Qt::AlignVCenter);
     m_correction->setContentsMargins(0, Field::headHeight, 0, 0); // level with the field, not its label
     addWidget(m_correction, 7);

@@ -50,10 +50,9 @@ Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent
     , m_page(page)
     , m_model(model)
     , m_chip(made<Chip>("missingChip", this))
-    , m_next(made<QPushButton>("nextMissingButton", this))
+    , m_next(made<QPushButton>("nextMissingButton", trait::notDefault, this))
     , m_bar(new QHBoxLayout)
     , m_scroll(new QScrollArea(this)) {
-    m_next->setAutoDefault(false);
     connect(m_next, &QPushButton::clicked, this, &Form::nextWanted);
     auto *content = new QWidget(m_scroll);
     content->setProperty("ground", QStringLiteral("base"));

@@ -31,8 +31,8 @@ HelpWindow::HelpWindow(QWidget *parent)
     , m_search(made<QLineEdit>("helpSearch", this))
     , m_list(made<QListWidget>("helpPages", this))
     , m_browser(made<QTextBrowser>("helpText", this))
-    , m_notFound(made<ElidedLabel>("helpNotFound", this))
-    , m_close(made<QPushButton>("closeHelp", this)) {
+    , m_notFound(made<ElidedLabel>("helpNotFound", trait::plainText, this))
+    , m_close(made<QPushButton>("closeHelp", trait::notDefault, this)) {
     setObjectName(QStringLiteral("helpWindow"));
     setModal(false);
     resize(1000, 680);
@@ -40,12 +40,10 @@ HelpWindow::HelpWindow(QWidget *parent)
     m_list->setProperty("roomy", true);
     m_browser->setOpenLinks(false);
     m_browser->document()->setDocumentMargin(textMargin);
-    m_close->setAutoDefault(false);
     m_search->setClearButtonEnabled(true);
     m_search->setFixedWidth(listWidth);
     auto *side = inColumn(styleSpacing, {m_search, {m_list, 1}});
     auto *row = inRow(styleSpacing, {side, {m_browser, 1}});
-    m_notFound->setTextFormat(Qt::PlainText);
     m_notFound->setProperty("tone", QStringLiteral("bad"));
     m_notFound->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
     auto *foot = inRow(styleSpacing, {{m_notFound, 1}, m_close});

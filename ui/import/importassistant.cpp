@@ -154,13 +154,13 @@ ImportAssistant::ImportAssistant(MeasurementFile file, const Document *open, QWi
     , m_lineView(new LineView(m_curves))
     , m_noCurve(new QLabel(m_curves))
     , m_remarksTitle(new QLabel(this))
-    , m_confirmAll(made<QPushButton>("confirmAll", this))
+    , m_confirmAll(made<QPushButton>("confirmAll", trait::notDefault, this))
     , m_remarks(new RemarkList(this))
     , m_keep(made<QCheckBox>("keepBytes", this))
     , m_saveProfile(made<QPushButton>("saveProfile", this))
     , m_open(made<QLabel>("importOpen", this))
     , m_cancel(made<QPushButton>("cancelImport", this))
-    , m_import(made<QPushButton>("acceptImport", this))
+    , m_import(made<QPushButton>("acceptImport", trait::primary, this))
     , m_work(new WorkBar(this)) {
     if (open)
         m_document = *open;
@@ -196,7 +196,6 @@ void ImportAssistant::makeLayout() {
         words->setMinimumContentsLength(boxContents);
     }
 
-    m_import->setProperty("primary", true);
     auto *foot = inRow(styleSpacing, {m_keep, Placed::gap(24), m_saveProfile, Placed::stretch(), m_open,
                                       m_cancel, m_import});
     for (QPushButton *button : {m_other, m_paste, m_saveProfile, m_cancel, m_import})
@@ -250,7 +249,6 @@ QWidget *ImportAssistant::makeRemarks() {
     m_remarksPlace->setFrameShape(QFrame::NoFrame);
     m_remarksPlace->setFixedHeight(remarksHeight);
     m_remarksTitle->setFont(themeFont(TextSize::head));
-    m_confirmAll->setAutoDefault(false);
     auto *whole = new QWidget(this);
     auto *head = inRow(styleSpacing, {{m_remarksTitle, 1}, m_confirmAll});
     inColumn(whole, noMargins, styleSpacing, {head, m_remarksPlace});

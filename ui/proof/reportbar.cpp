@@ -23,17 +23,13 @@ constexpr int mostLines = 6; ///< visible at once
 
 ReportBar::ReportBar(QWidget *parent)
     : Translated(parent)
-    , m_sentence(made<QLabel>("reportSentence", this))
-    , m_list(made<QListWidget>("reportDifferences", this))
-    , m_details(made<QPushButton>("reportDetails", this))
+    , m_sentence(made<QLabel>("reportSentence", trait::wrapped, trait::plainText, this))
+    , m_list(made<QListWidget>("reportDifferences", trait::wrapped, this))
+    , m_details(made<QPushButton>("reportDetails", trait::checkable, this))
     , m_close(made<QPushButton>("closeReportBar", this)) {
     setObjectName(QStringLiteral("reportBar"));
     setProperty("notice", true);
-    m_sentence->setTextFormat(Qt::PlainText);
-    m_sentence->setWordWrap(true);
-    m_list->setWordWrap(true);
     m_list->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_details->setCheckable(true);
     auto *row = inRow(8, {{m_sentence, 1}, m_details, m_close});
     inColumn(this, {pageMargin, 6, pageMargin, 6}, styleSpacing, {row, m_list});
     connect(m_details, &QPushButton::toggled, m_list, &QWidget::setVisible);

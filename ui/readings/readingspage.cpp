@@ -32,7 +32,7 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
     , m_view(new ReadingsView(m_model, m_editor, selection, this))
     , m_pasteBar(new PasteBar(this))
     , m_leaveOut(made<QToolButton>("leaveOutTargets", this))
-    , m_pasteButton(made<QToolButton>("pasteButton", this))
+    , m_pasteButton(made<QToolButton>("pasteButton", trait::iconOnly, this))
     , m_addRunButton(made<QToolButton>("addRunButton", this)) {
     setObjectName(QStringLiteral("readingsPage"));
     setFocusProxy(m_view);
@@ -55,7 +55,6 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
 
     makeActions();
     m_pasteButton->setIcon(lineIcon(QStringLiteral("paste")));
-    m_pasteButton->setProperty("iconOnly", true);
     m_addRunButton->setIcon(lineIcon(QStringLiteral("plus")));
     m_addRunButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     for (QToolButton *button : {m_pasteButton, m_addRunButton})

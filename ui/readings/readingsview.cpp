@@ -52,7 +52,7 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
     , m_editor(editor)
     , m_selection(selection)
     , m_frozen(made<QTableView>("frozenReadings", this))
-    , m_reason(made<QLabel>("reason", TextSize::small, viewport())) {
+    , m_reason(made<QLabel>("reason", TextSize::small, trait::reason, trait::plainText, viewport())) {
     setObjectName(QStringLiteral("readings"));
     m_frozen->setFocusPolicy(Qt::NoFocus);
     m_frozen->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
@@ -78,8 +78,6 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
         connect(delegateOf(view), &ReadingsDelegate::typed, this, &ReadingsView::take);
         connect(delegateOf(view), &ReadingsDelegate::stepWanted, this, &ReadingsView::step);
     }
-    m_reason->setTextFormat(Qt::PlainText);
-    m_reason->setProperty("reason", true);
     m_reason->hide();
     // The frozen columns take no focus: after typing there it returns here.
     connect(delegateOf(m_frozen), &ReadingsDelegate::closeEditor, this, [this] { setFocus(); });

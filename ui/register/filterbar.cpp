@@ -25,7 +25,6 @@ FilterBar::FilterBar() {
     }
     m_count->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // the width left by the chips
     m_count->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_clear->setProperty("link", true);
     row->addWidget(m_count, 1);
     row->addWidget(m_clear);
     connect(m_clear, &QPushButton::clicked, this, &FilterBar::clear);

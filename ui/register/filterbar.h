@@ -40,7 +40,7 @@ private:
     std::size_t m_tests = 0;
     std::array<FilterChip *, TestFilters::count> m_chips{};
     QLabel *m_count = made<ElidedLabel>("shownCount", TextSize::small);
-    QPushButton *m_clear = made<QPushButton>("clearFilters");
+    QPushButton *m_clear = made<QPushButton>("clearFilters", trait::link);
 };
 
 } // namespace palmer::ui

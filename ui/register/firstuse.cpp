@@ -114,7 +114,7 @@ RegisterFirstUse::RegisterFirstUse(QWidget *parent)
     , m_picture(new Picture(this))
     , m_title(centred("registerWelcome", TextSize::title))
     , m_text(centred("registerExplanation", TextSize::base))
-    , m_choose(made<QPushButton>("chooseFolder"))
+    , m_choose(made<QPushButton>("chooseFolder", trait::primary))
     , m_drop(centred("registerDrop", TextSize::small)) {
     setObjectName(QStringLiteral("registerFirstUse"));
     QFont large = themeFont(TextSize::title);
@@ -125,7 +125,6 @@ RegisterFirstUse::RegisterFirstUse(QWidget *parent)
         label->setProperty("secondary", true);
     m_choose->setFixedWidth(208);
     m_choose->setProperty("large", true);
-    m_choose->setProperty("primary", true);
     m_choose->setDefault(true);
     connect(m_choose, &QPushButton::clicked, this, &RegisterFirstUse::folderWanted);
     auto *rule = new QFrame;

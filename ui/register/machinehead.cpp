@@ -13,7 +13,6 @@ namespace palmer::ui {
 MachineHead::MachineHead() {
     constexpr int headHeight = 52;
     setFixedHeight(headHeight);
-    m_facts->setProperty("secondary", true);
     auto *names = inColumn(2, {m_name, m_facts});
     inRow(this, {pageMargin, 4, pageMargin, 4}, styleSpacing,
           {{names, 1}, m_intervalLabel, m_interval, m_due});

@@ -30,7 +30,7 @@ signals:
 
 private:
     QLabel *m_name = made<ElidedLabel>("machineName", TextSize::title); ///< names may be long
-    QLabel *m_facts = made<ElidedLabel>("machineFacts", TextSize::small);
+    QLabel *m_facts = made<ElidedLabel>("machineFacts", TextSize::small, trait::secondary);
     QLabel *m_intervalLabel = made<QLabel>("intervalLabel", TextSize::small);
     QComboBox *m_interval = made<QComboBox>("interval");
     Chip *m_due = made<Chip>("due");

@@ -36,7 +36,6 @@ QLayout *MachineSide::makeHead() {
         m_unidentified->setChecked(false);
         filter();
     });
-    m_noMachine->setWordWrap(true);
     return inColumn(nullptr, {pageMargin, 10, pageMargin, 8}, 8, {m_title, m_search, switches, m_noMachine});
 }
 

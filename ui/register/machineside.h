@@ -48,7 +48,7 @@ private:
     QLineEdit *m_search = made<QLineEdit>("machineSearch");
     QToolButton *m_all = made<QToolButton>("allMachines");
     QToolButton *m_toDo = made<QToolButton>("machinesToDo");
-    QLabel *m_noMachine = made<QLabel>("noMachine", TextSize::base);
+    QLabel *m_noMachine = made<QLabel>("noMachine", TextSize::base, trait::wrapped);
     QListView *m_list = made<QListView>("machines");
     GhostRows *m_ghosts = made<GhostRows>("ghostRows");
     UnidentifiedRow *m_unidentified = made<UnidentifiedRow>("unidentified");

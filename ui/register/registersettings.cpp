@@ -44,15 +44,14 @@ RegisterSettings::RegisterSettings(RegisterService &service, QWidget *parent)
     , m_server(new QWidget)
     , m_address(made<QLineEdit>("registerServer"))
     , m_password(made<QLineEdit>("registerPassword"))
-    , m_connect(made<QPushButton>("registerConnect"))
+    , m_connect(made<QPushButton>("registerConnect", trait::notDefault))
     , m_note(new QLabel)
-    , m_outcome(made<QLabel>("registerOutcome")) {
+    , m_outcome(made<QLabel>("registerOutcome", trait::wrapped, trait::plainText)) {
     constexpr int listHeight = 84;
     setObjectName(QStringLiteral("registerSettings"));
     m_folders->setMaximumHeight(2 * listHeight);
     m_folders->setMinimumHeight(listHeight);
     m_password->setEchoMode(QLineEdit::Password);
-    m_connect->setAutoDefault(false);
     for (QLabel *title : {m_foldersTitle, m_placeTitle})
         title->setFont(themeFont(TextSize::head));
     for (QLabel *label : {m_index, m_note}) {
@@ -61,8 +60,6 @@ RegisterSettings::RegisterSettings(RegisterService &service, QWidget *parent)
         label->setWordWrap(true);
     }
     m_index->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    m_outcome->setTextFormat(Qt::PlainText);
-    m_outcome->setWordWrap(true);
     auto *server = inColumn(m_server, noMargins, styleSpacing, {m_address});
     auto *row = inRow(styleSpacing, {{m_password, 1}, m_connect});
     server->addLayout(row);

@@ -27,7 +27,6 @@ QString inPieces(QString text) {
 TrendFacts::TrendFacts() {
     constexpr int factsColumnWidth = 256;
     setFixedWidth(factsColumnWidth);
-    m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::RichText);
     m_text->setAlignment(Qt::AlignTop);
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);

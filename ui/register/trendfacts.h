@@ -19,7 +19,7 @@ public:
     void setTrend(const MachineTrend &trend);
 
 private:
-    QLabel *m_text = made<QLabel>("trendFacts", TextSize::base);
+    QLabel *m_text = made<QLabel>("trendFacts", TextSize::base, trait::wrapped);
 };
 
 } // namespace palmer::ui

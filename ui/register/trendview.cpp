@@ -19,7 +19,6 @@ namespace palmer::ui {
 
 TrendView::TrendView(const RegisterMenus &menus) {
     m_legend->setAlignment(Qt::AlignCenter);
-    m_legend->setWordWrap(true);
     m_legend->setTextFormat(Qt::RichText);
     m_legend->setSizePolicy(QSizePolicy::Ignored,
                             QSizePolicy::Preferred); // the list of machines keeps its width
@@ -41,7 +40,6 @@ QLayout *TrendView::makeHead(const RegisterMenus &menus) {
         if (!m_chart->panel().values.empty())
             QGuiApplication::clipboard()->setPixmap(m_chart->grab());
     });
-    m_maximise->setCheckable(true);
     connect(m_maximise, &QToolButton::toggled, this, &TrendView::sayMaximised);
     connect(m_maximise, &QToolButton::toggled, menus.trendAlone, &QAction::setChecked);
     connect(menus.trendAlone, &QAction::toggled, m_maximise, &QToolButton::setChecked);

@@ -50,9 +50,9 @@ private:
     QButtonGroup *m_choice = new QButtonGroup(this);
     QPushButton *m_under = made<QPushButton>("evaluateUnder");
     QToolButton *m_copy = made<QToolButton>("copyTrend");
-    QToolButton *m_maximise = made<QToolButton>("maximiseTrend");
+    QToolButton *m_maximise = made<QToolButton>("maximiseTrend", trait::checkable);
     TrendChart *m_chart = new TrendChart;
-    QLabel *m_legend = made<QLabel>("trendLegend", TextSize::tiny);
+    QLabel *m_legend = made<QLabel>("trendLegend", TextSize::tiny, trait::wrapped);
     TrendFacts *m_facts = new TrendFacts;
 };
 

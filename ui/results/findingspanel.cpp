@@ -78,14 +78,11 @@ public:
 FindingsPanel::FindingsPanel(Selection &, QWidget *parent)
     : Translated(parent)
     , m_title(new QLabel(this))
-    , m_summary(made<ElidedLabel>("findingsSummary", this))
-    , m_fold(made<QToolButton>("foldFindings", this))
+    , m_summary(made<ElidedLabel>("findingsSummary", trait::secondary, this))
+    , m_fold(made<QToolButton>("foldFindings", trait::iconOnly, trait::strongFocus, this))
     , m_list(made<QListView>("findings", this)) {
     setObjectName(QStringLiteral("findingsPanel"));
-    m_summary->setProperty("secondary", true);
     m_summary->setSeparator(QStringLiteral(" · "));
-    m_fold->setProperty("iconOnly", true);
-    m_fold->setFocusPolicy(Qt::StrongFocus);
     connect(m_fold, &QToolButton::clicked, this, [this] { setFolded(!m_folded); });
 
     m_list->setModel(&m_model);

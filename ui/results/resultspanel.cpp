@@ -118,23 +118,18 @@ ResultsPanel::ResultsPanel(Selection &selection, QWidget *parent)
     : Translated(parent)
     , m_selection(selection)
     , m_title(new QLabel(this))
-    , m_rule(made<ElidedLabel>("resultsRule", this))
-    , m_viewNote(made<QLabel>("viewNote", this))
+    , m_rule(made<ElidedLabel>("resultsRule", trait::secondary, this))
+    , m_viewNote(made<QLabel>("viewNote", trait::secondary, trait::wrapped, this))
     , m_chip(made<Chip>("verdictChip", this))
     , m_limits(made<Chip>("limitsChip", this))
     , m_accordance(made<Chip>("accordanceChip", this))
-    , m_copy(made<QToolButton>("copyResults", this))
+    , m_copy(made<QToolButton>("copyResults", trait::iconOnly, trait::strongFocus, this))
     , m_table(made<ResultsTable>("results", this))
     , m_delegate(new ResultsDelegate(m_table)) {
     setObjectName(QStringLiteral("resultsPanel"));
     m_accordance->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed); // its tooltip has the whole text
-    m_rule->setProperty("secondary", true);
     m_rule->setSeparator(QStringLiteral(" · "));
-    m_viewNote->setProperty("secondary", true);
-    m_viewNote->setWordWrap(true);
     m_copy->setIcon(lineIcon(QStringLiteral("copy")));
-    m_copy->setProperty("iconOnly", true);
-    m_copy->setFocusPolicy(Qt::StrongFocus);
     connect(m_copy, &QToolButton::clicked, this, &ResultsPanel::copy);
     makeTable();
     followSelection();

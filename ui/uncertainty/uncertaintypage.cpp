@@ -335,10 +335,9 @@ void UncertaintyPage::prepare() {
 }
 
 void UncertaintyPage::makeTypical() {
-    m_typical = made<QToolButton>("typicalValues", this);
+    m_typical = made<QToolButton>("typicalValues", trait::strongFocus, this);
     m_typical->setProperty("segment", QStringLiteral("only"));
     m_typical->setPopupMode(QToolButton::InstantPopup);
-    m_typical->setFocusPolicy(Qt::StrongFocus);
     m_typical->setMenu(new QMenu(m_typical));
     connect(m_typical->menu(), &QMenu::aboutToShow, this, &UncertaintyPage::fillTypical);
     addToBar(m_typical);
@@ -351,9 +350,8 @@ void UncertaintyPage::addMethods() {
     auto *row = inRow(bar, noMargins, 0, {});
     auto *group = new QButtonGroup(bar);
     for (std::size_t i = 0; i < methods.size(); ++i) {
-        auto *button = made<QToolButton>(QStringLiteral("method%1").arg(static_cast<int>(methods[i])), bar);
-        button->setCheckable(true);
-        button->setFocusPolicy(Qt::StrongFocus);
+        auto *button = made<QToolButton>(QStringLiteral("method%1").arg(static_cast<int>(methods[i])),
+                                         trait::checkable, trait::strongFocus, bar);
         button->setProperty("segment", i == 0                    ? QStringLiteral("first")
                                        : i + 1 == methods.size() ? QStringLiteral("last")
                                                                  : QStringLiteral("middle"));
@@ -366,9 +364,7 @@ void UncertaintyPage::addMethods() {
     row->addStretch();
     addWidget(bar);
     beginRow(); // it does not fit next to the buttons
-    m_methodNote = made<QLabel>("methodNote", body());
-    m_methodNote->setProperty("secondary", true);
-    m_methodNote->setWordWrap(true);
+    m_methodNote = made<QLabel>("methodNote", trait::secondary, trait::wrapped, body());
     addWidget(m_methodNote);
 }
 
@@ -533,9 +529,7 @@ void UncertaintyPage::addContributions() {
     beginRow();
     addWidget(makeRule(body()));
     addSection(QT_TR_NOOP("Contributions"));
-    m_advice = made<QPushButton>("advice", body());
-    m_advice->setProperty("link", true);
-    m_advice->setAutoDefault(false);
+    m_advice = made<QPushButton>("advice", trait::link, trait::notDefault, body());
     connect(m_advice, &QPushButton::clicked, this, [this] { focusContribution(m_contributions->key(0)); });
     addToSection(m_advice);
     beginRow();
@@ -563,9 +557,7 @@ void UncertaintyPage::addResults(bool linear) {
     });
     addWidget(m_results);
     beginRow();
-    m_decides = made<QLabel>("decides", body());
-    m_decides->setWordWrap(true);
-    m_decides->setProperty("secondary", true);
+    m_decides = made<QLabel>("decides", trait::wrapped, trait::secondary, body());
     addWidget(m_decides);
     beginRow();
     m_distributionTitle = made<QLabel>("distributionTitle", body());
@@ -603,9 +595,7 @@ void UncertaintyPage::addDecision() {
     addNumber({"", QT_TR_NOOP("Guard band, times U")}, Quantity::number, guardFactorMember(), 1,
               Allowed::notNegative);
     beginRow();
-    m_rule = made<QLabel>("decisionRuleText", body());
-    m_rule->setWordWrap(true);
-    m_rule->setProperty("secondary", true);
+    m_rule = made<QLabel>("decisionRuleText", trait::wrapped, trait::secondary, body());
     addWidget(m_rule);
 }
 

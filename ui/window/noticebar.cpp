@@ -14,12 +14,10 @@ namespace palmer::ui {
 
 NoticeBar::NoticeBar(QWidget *parent)
     : QFrame(parent)
-    , m_sentence(made<QLabel>("noticeSentence", this))
+    , m_sentence(made<QLabel>("noticeSentence", trait::wrapped, trait::plainText, this))
     , m_row(new QHBoxLayout(this)) {
     setObjectName(QStringLiteral("notice"));
     setProperty("notice", true);
-    m_sentence->setTextFormat(Qt::PlainText);
-    m_sentence->setWordWrap(true);
     m_row->setContentsMargins(pageMargin, 6, pageMargin, 6);
     m_row->setSpacing(8);
     m_row->addWidget(m_sentence, 1);

@@ -64,8 +64,7 @@ SettingsDialog::SettingsDialog(QWidget *parent)
 }
 
 QComboBox *SettingsDialog::addChoice(QFormLayout &form, const char *name) {
-    auto *box = made<QComboBox>(name, this);
-    box->setFocusPolicy(Qt::StrongFocus);
+    auto *box = made<QComboBox>(name, trait::strongFocus, this);
     auto *label = new QLabel(this);
     label->setBuddy(box);
     form.addRow(label, box);

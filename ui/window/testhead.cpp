@@ -77,22 +77,19 @@ QString testSummary(const Test &test) {
 TestHead::TestHead(QWidget *parent)
     : Translated(parent)
     , m_title(made<QLabel>("testTitle", TextSize::title, this))
-    , m_subtitle(made<QLabel>("testSummary", TextSize::small, this))
+    , m_subtitle(made<QLabel>("testSummary", TextSize::small, trait::secondary, this))
     , m_editionLabel(new QLabel(this))
-    , m_set(made<QPushButton>("setEdition", this))
-    , m_edition(made<QComboBox>("edition", this)) {
+    , m_set(made<QPushButton>("setEdition", trait::link, this))
+    , m_edition(made<QComboBox>("edition", trait::strongFocus, this)) {
     setObjectName(QStringLiteral("testHead"));
     setFixedHeight(usualHeight);
-    m_subtitle->setProperty("secondary", true);
     m_editionLabel->setFont(themeFont(TextSize::small));
     m_editionLabel->setProperty("secondary", true);
     m_editionLabel->setBuddy(m_edition);
-    m_edition->setFocusPolicy(Qt::StrongFocus);
     m_edition->setFixedHeight(fieldHeight);
     m_edition->setMinimumWidth(136);
     m_edition->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_set->setFixedHeight(fieldHeight);
-    m_set->setProperty("link", true);
     for (QLabel *label : {m_title, m_subtitle}) {
         label->setTextFormat(Qt::PlainText);
         label->setMinimumWidth(0);
