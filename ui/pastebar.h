@@ -6,14 +6,9 @@
 #include "import/choices.h"
 #include "import/question.h"
 #include "language/language.h"
+#include "ui/qtforward.h"
 
 #include <QFrame>
-
-class QButtonGroup;
-class QComboBox;
-class QHBoxLayout;
-class QLabel;
-class QToolButton;
 
 namespace palmer::ui {
 

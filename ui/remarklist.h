@@ -3,13 +3,11 @@
 #pragma once
 
 #include "import/imported.h"
+#include "ui/qtforward.h"
 
 #include <QWidget>
 #include <functional>
 #include <optional>
-
-class QHBoxLayout;
-class QVBoxLayout;
 
 namespace palmer::ui {
 

@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/qtforward.h"
+
 #include <QSize>
 #include <QWidget>
-
-class QApplication;
-class QScrollArea;
 
 namespace palmer::ui {
 

@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-class QApplication;
-class QWidget;
+#include "ui/qtforward.h"
 
 namespace palmer::ui {
 

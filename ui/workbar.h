@@ -3,15 +3,11 @@
 #pragma once
 
 #include "document/readprogress.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QWidget>
 #include <memory>
-
-class QLabel;
-class QProgressBar;
-class QPushButton;
-class QTimer;
 
 namespace palmer::ui {
 

@@ -4,18 +4,11 @@
 
 #include "editing/arctable.h"
 #include "language/language.h"
+#include "ui/qtforward.h"
 
 #include <QDialog>
 #include <string_view>
 #include <vector>
-
-class QComboBox;
-class QFormLayout;
-class QLabel;
-class QLineEdit;
-class QPlainTextEdit;
-class QPushButton;
-class QScrollArea;
 
 namespace palmer::ui {
 

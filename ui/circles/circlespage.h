@@ -10,22 +10,13 @@
 #include "ui/forms/refusedfields.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/selection.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QPersistentModelIndex>
 #include <QWidget>
 #include <functional>
 #include <vector>
-
-class QAction;
-class QButtonGroup;
-class QComboBox;
-class QHBoxLayout;
-class QLabel;
-class QPushButton;
-class QTableView;
-class QToolButton;
-class QVBoxLayout;
 
 namespace palmer::ui {
 

@@ -6,16 +6,13 @@
 #include "language/language.h"
 #include "report/tables/diagnosisrows.h"
 #include "ui/diagnosis/diagnoser.h"
+#include "ui/qtforward.h"
 
 #include <QWidget>
 #include <optional>
 #include <set>
 #include <string>
 #include <vector>
-
-class QLabel;
-class QScrollArea;
-class QToolButton;
 
 namespace palmer::ui {
 

@@ -3,16 +3,11 @@
 #pragma once
 
 #include "report/comparison.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QDialog>
 #include <vector>
-
-class QLabel;
-class QListWidget;
-class QPushButton;
-class QTabWidget;
-class QTableWidget;
 
 namespace palmer::ui {
 

@@ -5,18 +5,13 @@
 #include "document/documenterror.h"
 #include "document/evaluateddocument.h"
 #include "export/compensation.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QDialog>
 #include <functional>
 #include <optional>
 #include <vector>
-
-class QCheckBox;
-class QLabel;
-class QPlainTextEdit;
-class QPushButton;
-class QTableWidget;
 
 namespace palmer::ui {
 

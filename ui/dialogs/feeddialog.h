@@ -5,13 +5,11 @@
 #include "kernel/evaluation/iso230_4/contouringfeed.h"
 
 #include "kernel/words/quantity.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QDialog>
 #include <vector>
-
-class QDialogButtonBox;
-class QLabel;
 
 namespace palmer::ui {
 

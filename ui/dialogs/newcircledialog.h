@@ -4,13 +4,9 @@
 
 #include "editing/newtest.h"
 #include "language/language.h"
+#include "ui/qtforward.h"
 
 #include <QDialog>
-
-class QComboBox;
-class QLabel;
-class QLineEdit;
-class QPushButton;
 
 namespace palmer::ui {
 

@@ -6,18 +6,11 @@
 #include "editing/typedreading.h"
 #include "kernel/planning/targetplan.h"
 #include "language/language.h"
+#include "ui/qtforward.h"
 
 #include <QDialog>
 #include <array>
 #include <optional>
-
-class QComboBox;
-class QCheckBox;
-class QFormLayout;
-class QLabel;
-class QLineEdit;
-class QPlainTextEdit;
-class QPushButton;
 
 namespace palmer::ui {
 

@@ -6,17 +6,12 @@
 #include "kernel/planning/targetplan.h"
 #include "report/blocks/report.h"
 #include "ui/forms/field.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QDialog>
 #include <functional>
 #include <vector>
-
-class QComboBox;
-class QHBoxLayout;
-class QLabel;
-class QPushButton;
-class QPrinter;
 
 namespace palmer::ui {
 

@@ -3,12 +3,10 @@
 #pragma once
 
 #include "document/recovery.h"
+#include "ui/qtforward.h"
 
 #include <QDialog>
 #include <vector>
-
-class QListWidget;
-class QPushButton;
 
 namespace palmer::ui {
 

@@ -8,21 +8,11 @@
 #include "ui/model/documentmodel.h"
 #include "ui/model/evaluator.h"
 #include "ui/model/simulator.h"
+#include "ui/qtforward.h"
 
 #include <QDialog>
 #include <functional>
 #include <vector>
-
-class QButtonGroup;
-class QCheckBox;
-class QComboBox;
-class QLabel;
-class QPrinter;
-class QProgressBar;
-class QPushButton;
-class QScrollArea;
-class QToolButton;
-class QVBoxLayout;
 
 namespace palmer::ui {
 

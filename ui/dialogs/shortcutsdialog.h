@@ -2,10 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDialog>
+#include "ui/qtforward.h"
 
-class QMenuBar;
-class QTreeWidget;
+#include <QDialog>
 
 namespace palmer::ui {
 

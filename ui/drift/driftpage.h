@@ -5,12 +5,9 @@
 #include "ui/drift/driftmodel.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/selection.h"
+#include "ui/qtforward.h"
 
 #include <QWidget>
-
-class QLabel;
-class QTableView;
-class QToolButton;
 
 namespace palmer::ui {
 

@@ -8,16 +8,13 @@
 #include "report/explanations/explanation.h"
 #include "ui/figures/circlecanvas.h"
 #include "ui/model/selection.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QWidget>
 #include <array>
 #include <optional>
 #include <vector>
-
-class QComboBox;
-class QHBoxLayout;
-class QToolButton;
 
 namespace palmer::ui {
 

@@ -8,15 +8,13 @@
 #include "ui/figures/figurecanvas.h"
 #include "ui/model/background.h"
 #include "ui/model/selection.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QWidget>
 #include <array>
 #include <memory>
 #include <optional>
-
-class QLabel;
-class QToolButton;
 
 namespace palmer::ui {
 

@@ -6,16 +6,10 @@
 #include "language/language.h"
 #include "ui/forms/refusedfields.h"
 #include "ui/model/selection.h"
+#include "ui/qtforward.h"
 
 #include <QWidget>
 #include <vector>
-
-class QHBoxLayout;
-class QLabel;
-class QPushButton;
-class QScrollArea;
-class QToolButton;
-class QVBoxLayout;
 
 namespace palmer::ui {
 

@@ -3,11 +3,9 @@
 #pragma once
 
 #include "ui/forms/form.h"
+#include "ui/qtforward.h"
 
 #include <map>
-
-class QCheckBox;
-class QLabel;
 
 namespace palmer::ui {
 

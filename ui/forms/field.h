@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QPointer>
@@ -10,11 +11,6 @@
 #include <QWidget>
 #include <functional>
 #include <optional>
-
-class QComboBox;
-class QLabel;
-class QLineEdit;
-class QPlainTextEdit;
 
 namespace palmer::ui {
 

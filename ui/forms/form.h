@@ -10,6 +10,7 @@
 #include "ui/forms/member.h"
 #include "ui/forms/refusedfields.h"
 #include "ui/model/selection.h"
+#include "ui/qtforward.h"
 
 #include <QScrollArea>
 #include <functional>
@@ -19,12 +20,6 @@
 #include <span>
 #include <string>
 #include <vector>
-
-class QGridLayout;
-class QHBoxLayout;
-class QLabel;
-class QPushButton;
-class QVBoxLayout;
 
 namespace palmer::ui {
 

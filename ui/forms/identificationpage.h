@@ -3,9 +3,7 @@
 #pragma once
 
 #include "ui/forms/form.h"
-
-class QCheckBox;
-class QLabel;
+#include "ui/qtforward.h"
 
 namespace palmer::ui {
 

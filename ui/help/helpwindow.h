@@ -3,17 +3,12 @@
 #pragma once
 
 #include "report/help/help.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QDialog>
 #include <optional>
 #include <vector>
-
-class QLabel;
-class QLineEdit;
-class QListWidget;
-class QPushButton;
-class QTextBrowser;
 
 namespace palmer::ui {
 

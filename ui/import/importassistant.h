@@ -10,6 +10,7 @@
 #include "ui/import/recognisedmodel.h"
 #include "ui/model/background.h"
 #include "ui/model/selection.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QDialog>
@@ -18,17 +19,6 @@
 #include <string>
 #include <variant>
 #include <vector>
-
-class QCheckBox;
-class QComboBox;
-class QGridLayout;
-class QLabel;
-class QLineEdit;
-class QListView;
-class QPushButton;
-class QScrollArea;
-class QStackedWidget;
-class QTableView;
 
 namespace palmer::ui {
 

@@ -3,14 +3,11 @@
 #pragma once
 
 #include "proof/verification.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QFrame>
 #include <optional>
-
-class QLabel;
-class QListWidget;
-class QPushButton;
 
 namespace palmer::ui {
 

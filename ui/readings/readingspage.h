@@ -6,14 +6,11 @@
 #include "language/language.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/selection.h"
+#include "ui/qtforward.h"
 #include "ui/readings/readingseditor.h"
 #include "ui/readings/readingsmodel.h"
 
 #include <QWidget>
-
-class QButtonGroup;
-class QMenu;
-class QToolButton;
 
 namespace palmer::ui {
 

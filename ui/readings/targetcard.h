@@ -5,11 +5,9 @@
 #include "document/evaluateddocument.h"
 #include "language/language.h"
 #include "ui/model/selection.h"
+#include "ui/qtforward.h"
 
 #include <QWidget>
-
-class QLabel;
-class QToolButton;
 
 namespace palmer::ui {
 

@@ -4,14 +4,11 @@
 
 #include "register/curves.h"
 #include "register/queries.h"
+#include "ui/qtforward.h"
 
 #include <QChartView>
 #include <QWidget>
 #include <vector>
-
-class QComboBox;
-class QLabel;
-class QScrollArea;
 
 namespace palmer::ui {
 

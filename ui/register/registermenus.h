@@ -2,12 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QCoreApplication>
+#include "ui/qtforward.h"
 
-class QAction;
-class QMainWindow;
-class QMenu;
-class QToolBar;
+#include <QCoreApplication>
 
 namespace palmer::ui {
 

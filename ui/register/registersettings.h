@@ -3,14 +3,10 @@
 #pragma once
 
 #include "ui/model/background.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QWidget>
-
-class QComboBox;
-class QLabel;
-class QLineEdit;
-class QPushButton;
 
 namespace palmer::ui {
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/model/background.h"
+#include "ui/qtforward.h"
 #include "ui/register/historypdf.h"
 #include "ui/register/machinelist.h"
 #include "ui/register/registermenus.h"
@@ -10,9 +11,6 @@
 
 #include <QMainWindow>
 #include <vector>
-
-class QSplitter;
-class QStackedWidget;
 
 namespace palmer::ui {
 

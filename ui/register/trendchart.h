@@ -5,14 +5,11 @@
 #include "figures/figure.h"
 #include "register/machinetrend.h"
 #include "ui/figures/plotchart.h"
+#include "ui/qtforward.h"
 
 #include <QDate>
 #include <map>
 #include <vector>
-
-class QCategoryAxis;
-class QLineSeries;
-class QScatterSeries;
 
 namespace palmer::ui {
 

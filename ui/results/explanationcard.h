@@ -5,12 +5,10 @@
 #include "document/evaluateddocument.h"
 #include "language/language.h"
 #include "ui/model/selection.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QWidget>
-
-class QLabel;
-class QToolButton;
 
 namespace palmer::ui {
 

@@ -6,14 +6,11 @@
 #include "language/language.h"
 #include "ui/model/page.h"
 #include "ui/model/selection.h"
+#include "ui/qtforward.h"
 #include "ui/results/findingsmodel.h"
 #include "ui/translated.h"
 
 #include <QWidget>
-
-class QLabel;
-class QListView;
-class QToolButton;
 
 namespace palmer::ui {
 

@@ -5,15 +5,11 @@
 #include "document/evaluateddocument.h"
 #include "language/language.h"
 #include "ui/model/selection.h"
+#include "ui/qtforward.h"
 #include "ui/results/resultsmodel.h"
 #include "ui/translated.h"
 
 #include <QWidget>
-
-class QFontMetrics;
-class QLabel;
-class QTableView;
-class QToolButton;
 
 namespace palmer::ui {
 

@@ -4,12 +4,9 @@
 
 #include "language/language.h"
 #include "ui/model/simulator.h"
+#include "ui/qtforward.h"
 
 #include <QWidget>
-
-class QLabel;
-class QProgressBar;
-class QPushButton;
 
 namespace palmer::ui {
 

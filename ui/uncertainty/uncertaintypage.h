@@ -4,16 +4,13 @@
 
 #include "ui/forms/form.h"
 #include "ui/model/simulator.h"
+#include "ui/qtforward.h"
 
 #include <QByteArray>
 #include <array>
 #include <map>
 #include <string>
 #include <vector>
-
-class QLabel;
-class QPushButton;
-class QToolButton;
 
 namespace palmer::ui {
 

@@ -2,13 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 #include "ui/welcome/startlist.h"
 
 #include <QWidget>
-
-class QLabel;
-class QScrollArea;
 
 namespace palmer::ui {
 

@@ -11,6 +11,7 @@
 #include "ui/model/evaluator.h"
 #include "ui/model/filewatch.h"
 #include "ui/model/page.h"
+#include "ui/qtforward.h"
 #include "ui/window/filelock.h"
 #include "ui/window/windowaction.h"
 
@@ -23,13 +24,6 @@
 #include <memory>
 #include <optional>
 #include <vector>
-
-class QLabel;
-class QMenu;
-class QScrollArea;
-class QStackedWidget;
-class QToolBar;
-class QToolButton;
 
 namespace palmer {
 

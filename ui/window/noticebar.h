@@ -2,11 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/qtforward.h"
+
 #include <QFrame>
 #include <functional>
-
-class QHBoxLayout;
-class QLabel;
 
 namespace palmer::ui {
 

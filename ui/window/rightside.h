@@ -2,13 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QWidget>
-
-class QLabel;
-class QTimer;
-class QVBoxLayout;
 
 namespace palmer::ui {
 

@@ -2,16 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QDialog>
 #include <vector>
-
-class QCheckBox;
-class QComboBox;
-class QDialogButtonBox;
-class QFormLayout;
-class QLabel;
 
 namespace palmer::ui {
 

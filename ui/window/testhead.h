@@ -3,13 +3,10 @@
 #pragma once
 
 #include "document/evaluateddocument.h"
+#include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QWidget>
-
-class QComboBox;
-class QLabel;
-class QPushButton;
 
 namespace palmer::ui {
 

@@ -7,17 +7,12 @@
 #include "ui/model/page.h"
 #include "ui/model/selection.h"
 #include "ui/navigation/navigationmodel.h"
+#include "ui/qtforward.h"
 
 #include <QPointer>
 #include <QStringList>
 #include <QWidget>
 #include <map>
-
-class QFrame;
-class QScrollArea;
-class QSplitter;
-class QStackedWidget;
-class QToolButton;
 
 namespace palmer::ui {
 
