@@ -10,7 +10,6 @@
 
 #include <QButtonGroup>
 #include <QComboBox>
-#include <QEvent>
 #include <QInputDialog>
 #include <QLabel>
 #include <QToolButton>
@@ -18,7 +17,7 @@
 namespace palmer::ui {
 
 PasteBar::PasteBar(QWidget *parent)
-    : QFrame(parent)
+    : Translated(parent)
     , m_summary(made<QLabel>("pasteSummary", this))
     , m_remarks(made<QLabel>("pasteRemarks", TextSize::small, trait::wrapped, trait::plainText, this))
     , m_guess(new QLabel(this))
@@ -62,7 +61,6 @@ PasteBar::PasteBar(QWidget *parent)
     connect(m_undo, &QToolButton::clicked, this, &PasteBar::undoWanted);
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
     retranslate();
-    hide();
 }
 
 void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, const Language &language,
@@ -160,14 +158,6 @@ void PasteBar::showRemarks(const QStringList &remarks, const std::vector<Questio
     QFrame::show();
 }
 
-void PasteBar::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        hide(); // its sentences are in the language before
-    }
-    QFrame::changeEvent(event);
-}
-
 void PasteBar::retranslate() {
     setAccessibleName(tr("What was pasted"));
     m_guess->setText(tr("guessed:"));
@@ -182,6 +172,7 @@ void PasteBar::retranslate() {
     m_undo->setToolTip(tr("Takes back what was pasted, also what it has erased"));
     m_close->setAccessibleName(tr("Close"));
     m_close->setToolTip(tr("Close"));
+    hide(); // its sentences are in the language before
 }
 
 } // namespace palmer::ui

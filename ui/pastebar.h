@@ -7,6 +7,7 @@
 #include "import/question.h"
 #include "language/language.h"
 #include "ui/qtforward.h"
+#include "ui/translated.h"
 
 #include <QFrame>
 
@@ -16,7 +17,7 @@ class RemarkList;
 
 /// Shows above the table what a paste did and how it was interpreted, until the next action. Choosing another
 /// interpretation pastes again.
-class PasteBar : public QFrame {
+class PasteBar : public Translated<QFrame> {
     Q_OBJECT
 
 public:
@@ -35,11 +36,8 @@ signals:
     void contentChosen(palmer::BlockContent content);
     void undoWanted();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
-    void retranslate();
+    void retranslate() final;
     void summarise(const QString &pasted, const std::vector<Question> &questions);
     void askFor(const QString &key);
     void showRemarks(const QStringList &remarks, const std::vector<Question> &questions, bool canUndo);

@@ -24,7 +24,6 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDesktopServices>
-#include <QEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLabel>
@@ -76,7 +75,7 @@ void put(std::vector<Word> &list, Word word, bool in) {
 } // namespace
 
 ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *parent)
-    : QDialog(parent)
+    : Translated(parent)
     , m_model(model)
     , m_evaluator(evaluator)
     , m_simulator(evaluator)
@@ -110,7 +109,6 @@ ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *
     connect(&m_simulator, &Simulator::progressed, this, &ReportDialog::showProgress);
     connect(&m_simulator, &Simulator::finished, this, &ReportDialog::showProgress);
     retranslate();
-    showDocument();
 }
 
 QWidget *ReportDialog::makeHead() {
@@ -585,14 +583,6 @@ bool ReportDialog::printOn(QPrinter &printer) {
     return painter.end();
 }
 
-void ReportDialog::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        showDocument();
-    }
-    QDialog::changeEvent(event);
-}
-
 void ReportDialog::resizeEvent(QResizeEvent *event) {
     QDialog::resizeEvent(event);
     if (m_fit)
@@ -636,6 +626,7 @@ void ReportDialog::retranslate() {
     m_save->setText(tr("&Save PDF…"));
     m_print->setText(tr("&Print…"));
     m_close->setText(tr("&Close"));
+    showDocument();
 }
 
 } // namespace palmer::ui

@@ -9,6 +9,7 @@
 #include "ui/model/evaluator.h"
 #include "ui/model/simulator.h"
 #include "ui/qtforward.h"
+#include "ui/translated.h"
 
 #include <QDialog>
 #include <functional>
@@ -20,7 +21,7 @@ class PageColumn;
 
 /// "Report…": the pages to print and, next to them, the choices for the report: languages, paper, sections,
 /// signatures. These belong to the document; choosing them edits it. Saves a PDF in each language, prints.
-class ReportDialog : public QDialog {
+class ReportDialog : public Translated<QDialog> {
     Q_OBJECT
 
 public:
@@ -37,7 +38,6 @@ public:
     [[nodiscard]] bool isSimulating() const { return m_simulator.isRunning(); }
 
 protected:
-    void changeEvent(QEvent *event) override;
     void resizeEvent(QResizeEvent *event) override;
     void showEvent(QShowEvent *event) override;
 
@@ -73,7 +73,7 @@ private:
     void refuse(const QString &file, const QString &why);
     void showSaved(const QStringList &files);
     void choosePrinter();
-    void retranslate();
+    void retranslate() final;
 
     DocumentModel &m_model;
     Evaluator &m_evaluator;

@@ -41,7 +41,7 @@ constexpr int rangeDecimals = 2;
 } // namespace
 
 DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_model(model)
     , m_selection(selection)
     , m_range(made<ElidedLabel>("driftRange", this))
@@ -275,12 +275,6 @@ bool DriftPage::eventFilter(QObject *watched, QEvent *event) {
         }
     }
     return QWidget::eventFilter(watched, event);
-}
-
-void DriftPage::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
-        refresh();
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

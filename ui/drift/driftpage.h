@@ -6,6 +6,7 @@
 #include "ui/model/documentmodel.h"
 #include "ui/model/selection.h"
 #include "ui/qtforward.h"
+#include "ui/translated.h"
 
 #include <QWidget>
 
@@ -15,7 +16,7 @@ class TablePaste;
 
 /// The page of a drift test: E_VE, the tests that use it, and the readings, typed or pasted, next to their
 /// curve.
-class DriftPage : public QWidget {
+class DriftPage : public Translated<QWidget, QEvent::FontChange> {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(DriftPage)
 
@@ -34,7 +35,6 @@ public:
     bool undoRefused() { return m_readings.undoRefused(); }
 
 protected:
-    void changeEvent(QEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
@@ -42,6 +42,7 @@ private:
     void connectParts();
     void arrange();
     void refresh();
+    void retranslate() final { refresh(); }
     void paste();
     void removeRows();
     void goOn();

@@ -72,7 +72,7 @@ protected:
 };
 
 AgreedPointsPage::AgreedPointsPage(DocumentModel &model, Selection &selection, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_model(model)
     , m_chip(made<Chip>("missingChip", this))
     , m_source(new QLabel(this))
@@ -406,12 +406,6 @@ bool AgreedPointsPage::focusField(const QString &id) {
         return true;
     }
     return false;
-}
-
-void AgreedPointsPage::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
-        refresh();
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

@@ -7,6 +7,7 @@
 #include "ui/forms/refusedfields.h"
 #include "ui/model/selection.h"
 #include "ui/qtforward.h"
+#include "ui/translated.h"
 
 #include <QWidget>
 #include <vector>
@@ -19,7 +20,7 @@ class DocumentModel;
 
 /// The points to be agreed between supplier/manufacturer and user: each agreed, not agreed, not applicable or
 /// not declared, with its text.
-class AgreedPointsPage : public QWidget {
+class AgreedPointsPage : public Translated<QWidget, QEvent::FontChange> {
     Q_OBJECT
 
 public:
@@ -31,9 +32,6 @@ public:
     bool focusField(const QString &id);
     /// Numbers typed here, for any test, that cannot be accepted.
     [[nodiscard]] QStringList refusedTexts() const;
-
-protected:
-    void changeEvent(QEvent *event) override;
 
 private:
     struct Row {
@@ -61,6 +59,7 @@ private:
     void setText(const AgreementPoint &point, const QString &text);
     void takeFromConditions(const AgreementPoint &point);
     void refresh();
+    void retranslate() final { refresh(); }
     void refreshRow(const Row &row, const Test &test, const AgreedPoint *agreed, bool settled);
 
     DocumentModel &m_model;

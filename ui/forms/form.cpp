@@ -16,7 +16,6 @@
 #include "ui/theme.h"
 
 #include <QCoreApplication>
-#include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -45,7 +44,7 @@ void dispose(QWidget *widget) {
 } // namespace
 
 Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_context(context)
     , m_page(page)
     , m_model(model)
@@ -805,12 +804,6 @@ void Form::follow(Selection &selection) {
         if (selection.page() == m_page)
             focusField(id);
     });
-}
-
-void Form::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::FontChange)
-        refresh();
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

@@ -11,6 +11,7 @@
 #include "ui/forms/refusedfields.h"
 #include "ui/model/selection.h"
 #include "ui/qtforward.h"
+#include "ui/translated.h"
 
 #include <QScrollArea>
 #include <functional>
@@ -35,7 +36,7 @@ class SectionHead;
 
 /// A page of fields in sections, filled from the document without signals. Typing changes the document at
 /// once, as one undo step per visit of a field. Label texts are sources of the given context.
-class Form : public QWidget {
+class Form : public Translated<QWidget, QEvent::FontChange> {
     Q_OBJECT
 
 public:
@@ -86,8 +87,7 @@ protected:
         const char *label;
     };
 
-    // Building, in the constructor or in prepare(). Labels are marked for translation with QT_TRANSLATE_NOOP
-    // in the context.
+    // Building, in the constructor or in prepare(). Labels are marked for translation with QT_TR_NOOP.
     void addSection(const char *title, const QString &argument = {});
     /// A section that is folded if complete when the page comes into view, but never while in view.
     /// `summary`: text of the folded section in one line; by default its values.
@@ -160,7 +160,7 @@ protected:
     [[nodiscard]] virtual QString missingText(int count) const;
 
     void refresh();
-    void changeEvent(QEvent *event) override;
+    void retranslate() final { refresh(); }
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
 

@@ -7,12 +7,10 @@
 #include "ui/forms/machinepage.h"
 #include "ui/windowlanguage.h"
 
-#include <QEvent>
-
 namespace palmer::ui {
 
 ReportPages::ReportPages(DocumentModel &model, Selection &selection, QWidget *parent)
-    : QStackedWidget(parent)
+    : Translated(parent)
     , m_model(model)
     , m_selection(selection) {
     setObjectName(QStringLiteral("reportPages"));
@@ -56,12 +54,9 @@ QString ReportPages::subtitle() const {
     return m_evaluated.document ? QString::fromStdString(m_evaluated.document->report.title) : QString();
 }
 
-void ReportPages::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange) {
-        for (const auto &[page, form] : m_forms)
-            form->setLanguage(windowLanguage());
-    }
-    QStackedWidget::changeEvent(event);
+void ReportPages::retranslate() {
+    for (const auto &[page, form] : m_forms)
+        form->setLanguage(windowLanguage());
 }
 
 } // namespace palmer::ui

@@ -4,6 +4,7 @@
 
 #include "document/evaluateddocument.h"
 #include "ui/model/page.h"
+#include "ui/translated.h"
 
 #include <QStackedWidget>
 #include <map>
@@ -15,7 +16,7 @@ class Form;
 class Selection;
 
 /// The report's pages outside the tests: identification, machine, instruments. Each is made when first shown.
-class ReportPages : public QStackedWidget {
+class ReportPages : public Translated<QStackedWidget> {
     Q_OBJECT
 
 public:
@@ -31,11 +32,9 @@ signals:
     /// The user asked for the next missing statement.
     void nextWanted();
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     [[nodiscard]] Form *make(Page page);
+    void retranslate() final;
 
     DocumentModel &m_model;
     Selection &m_selection;

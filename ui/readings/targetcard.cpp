@@ -12,7 +12,6 @@
 #include "ui/readings/targetstripview.h"
 #include "ui/theme.h"
 
-#include <QEvent>
 #include <QLabel>
 #include <QToolButton>
 #include <algorithm>
@@ -37,7 +36,7 @@ constexpr std::array rows{
 } // namespace
 
 TargetCard::TargetCard(Selection &selection, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_selection(selection)
     , m_title(made<QLabel>("targetTitle", this))
     , m_position(new QLabel(this))
@@ -140,14 +139,6 @@ void TargetCard::retranslate() {
     m_previous->setToolTip(tr("Previous target"));
     m_next->setToolTip(tr("Next target"));
     refresh();
-}
-
-void TargetCard::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange)
-        retranslate();
-    else if (event->type() == QEvent::FontChange)
-        refresh();
-    QWidget::changeEvent(event);
 }
 
 } // namespace palmer::ui

@@ -6,6 +6,7 @@
 #include "language/language.h"
 #include "ui/model/selection.h"
 #include "ui/qtforward.h"
+#include "ui/translated.h"
 
 #include <QWidget>
 
@@ -16,7 +17,7 @@ class TargetStatisticsView;
 
 /// The detail card of the current target (by default the first): its readings in the order of the runs, with
 /// bands and means of both directions, and x̄ s R B.
-class TargetCard : public QWidget {
+class TargetCard : public Translated<QWidget, QEvent::FontChange> {
     Q_OBJECT
 
 public:
@@ -25,13 +26,10 @@ public:
     void show(const EvaluatedDocument &evaluated, std::size_t test);
     void setLanguage(const Language &language);
 
-protected:
-    void changeEvent(QEvent *event) override;
-
 private:
     void refresh();
     void step(int by);
-    void retranslate();
+    void retranslate() final;
     [[nodiscard]] std::size_t current() const;
     [[nodiscard]] std::size_t count() const;
 

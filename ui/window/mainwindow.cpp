@@ -122,7 +122,7 @@ QString proposedName(const Document &document) {
 } // namespace
 
 MainWindow::MainWindow(QWidget *parent)
-    : QMainWindow(parent)
+    : Translated(parent)
     , m_centre(new QWidget(this))
     , m_notice(new NoticeBar(m_centre))
     , m_reportBar(new ReportBar(m_centre))
@@ -144,7 +144,6 @@ MainWindow::MainWindow(QWidget *parent)
     if (!geometry.isEmpty())
         restoreGeometry(geometry);
     retranslate();
-    showState();
 }
 
 MainWindow::~MainWindow() {
@@ -1099,14 +1098,6 @@ void MainWindow::showSettings() {
     dialog->open();
 }
 
-void MainWindow::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        showState();
-    }
-    QMainWindow::changeEvent(event);
-}
-
 void MainWindow::closeEvent(QCloseEvent *event) {
     if (!mayClose()) {
         event->ignore();
@@ -1171,6 +1162,7 @@ void MainWindow::retranslate() {
         if (tool != WindowAction::none)
             toolButton(tool).setAccessibleName(action(tool)->iconText().remove(u'…'));
     }
+    showState();
 }
 
 } // namespace palmer::ui

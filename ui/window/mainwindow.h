@@ -12,6 +12,7 @@
 #include "ui/model/filewatch.h"
 #include "ui/model/page.h"
 #include "ui/qtforward.h"
+#include "ui/translated.h"
 #include "ui/window/filelock.h"
 #include "ui/window/windowaction.h"
 
@@ -43,7 +44,7 @@ class WelcomePage;
 class Workplace;
 
 /// A window with one file. Builds and connects the parts; computes nothing.
-class MainWindow : public QMainWindow {
+class MainWindow : public Translated<QMainWindow> {
     Q_OBJECT
     Q_DISABLE_COPY_MOVE(MainWindow)
 
@@ -84,7 +85,6 @@ public:
     [[nodiscard]] bool hasDocument() const;
 
 protected:
-    void changeEvent(QEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
     void dropEvent(QDropEvent *event) override;
@@ -169,7 +169,7 @@ private:
     void showHelpPage(const QString &id, const QString &anchor = {});
     void showShortcuts();
     void showSettings();
-    void retranslate();
+    void retranslate() final;
 
     DocumentModel m_model;
     Evaluator m_evaluator;

@@ -38,7 +38,6 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QComboBox>
-#include <QEvent>
 #include <QFrame>
 #include <QScrollArea>
 #include <QSettings>
@@ -195,7 +194,7 @@ int tabOf(Page page) {
 } // namespace
 
 Workplace::Workplace(DocumentModel &model, Evaluator &evaluator, QWidget *parent)
-    : QWidget(parent)
+    : Translated(parent)
     , m_model(model)
     , m_evaluator(evaluator)
     , m_outer(made<ThinSplitter>("outerSplitter", Qt::Horizontal, this))
@@ -882,15 +881,6 @@ void Workplace::keepSizes() const {
         QSettings().setValue(navigationKey(), m_outer->sizes().value(0));
 }
 
-void Workplace::changeEvent(QEvent *event) {
-    if (event->type() == QEvent::LanguageChange) {
-        retranslate();
-        if (m_evaluated.document)
-            present();
-    }
-    QWidget::changeEvent(event);
-}
-
 void Workplace::retranslate() {
     setAccessibleName(tr("Test report"));
     m_addTest->setText(tr("Test"));
@@ -921,6 +911,8 @@ void Workplace::retranslate() {
     m_results->setLanguage(language);
     m_findings->setLanguage(language);
     m_navigationModel.retranslate();
+    if (m_evaluated.document)
+        present();
 }
 
 } // namespace palmer::ui

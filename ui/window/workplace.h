@@ -8,6 +8,7 @@
 #include "ui/model/selection.h"
 #include "ui/navigation/navigationmodel.h"
 #include "ui/qtforward.h"
+#include "ui/translated.h"
 
 #include <QPointer>
 #include <QStringList>
@@ -41,7 +42,7 @@ class UncertaintyPage;
 
 /// A window with an open document: navigation, the pages of a test with the detail card below, and on the
 /// right figure, results and findings. Arranges them for the available size.
-class Workplace : public QWidget {
+class Workplace : public Translated<QWidget> {
     Q_OBJECT
 
 public:
@@ -90,7 +91,6 @@ signals:
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
-    void changeEvent(QEvent *event) override;
     [[nodiscard]] QSize minimumSizeHint() const override;
 
 private:
@@ -118,7 +118,7 @@ private:
     void restoreSizes();
     void restoreNavigation();
     void keepSizes() const;
-    void retranslate();
+    void retranslate() final;
     [[nodiscard]] bool wantsStack() const;
     [[nodiscard]] Kind kind() const; ///< of the test in view
     [[nodiscard]] bool hasPage(Page page) const;
