@@ -7,6 +7,7 @@
 #include <QAnyStringView>
 #include <QBoxLayout>
 #include <QMargins>
+#include <QScrollArea>
 #include <QWidget>
 #include <concepts>
 #include <initializer_list>
@@ -36,6 +37,13 @@ inline constexpr auto plainText = [](auto &label) { label.setTextFormat(Qt::Plai
 inline constexpr auto checkable = [](auto &button) { button.setCheckable(true); };
 inline constexpr auto notDefault = [](auto &button) { button.setAutoDefault(false); };
 inline constexpr auto strongFocus = [](QWidget &widget) { widget.setFocusPolicy(Qt::StrongFocus); };
+/// For an area that scrolls its content up and down only, without frame and focus.
+inline constexpr auto scrollsDown = [](QScrollArea &area) {
+    area.setWidgetResizable(true);
+    area.setFrameShape(QFrame::NoFrame);
+    area.setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area.setFocusPolicy(Qt::NoFocus);
+};
 } // namespace trait
 
 /// Returns a new widget with an object name and a trait; further traits may follow before its arguments.

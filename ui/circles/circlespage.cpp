@@ -90,8 +90,7 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
 
     auto *parameters = inColumn(8, {});
     makeParameters(*parameters);
-    auto *rangeRow = inRow(6, {});
-    makeRangeRow(*rangeRow);
+    auto *rangeRow = makeRangeRow();
     makeTables();
     makeActions();
     m_reason->hide();
@@ -125,9 +124,8 @@ CirclesPage::~CirclesPage() {
 
 QToolButton *CirclesPage::addUnit(QButtonGroup &group, const char *segment, const char *name,
                                   PointUnit unit) {
-    auto *button = made<QToolButton>(name, trait::checkable, this);
+    auto *button = made<QToolButton>(name, trait::checkable, trait::strongFocus, this);
     button->setProperty("segment", QString::fromLatin1(segment));
-    button->setFocusPolicy(Qt::StrongFocus);
     group.addButton(button, static_cast<int>(unit));
     return button;
 }
@@ -143,11 +141,10 @@ QWidget *CirclesPage::labelled(QHBoxLayout &row, int share, const char *label, Q
 }
 
 QComboBox *CirclesPage::addChoice(QHBoxLayout &row, int share, const char *name, const char *label) {
-    auto *box = made<ElidedBox>(name, this);
+    auto *box = made<ElidedBox>(name, trait::strongFocus, this);
     box->setFixedHeight(fieldHeight);
     box->setMinimumContentsLength(6);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setFocusPolicy(Qt::StrongFocus);
     labelled(row, share, label, box);
     return box;
 }
@@ -238,11 +235,9 @@ void CirclesPage::makeParameters(QVBoxLayout &rows) {
 /// Buttons for the current arc as a whole.
 void CirclesPage::makeArcButtons() {
     const auto button = [&](const char *name) {
-        auto *made = new QPushButton(this);
-        made->setObjectName(QLatin1StringView(name));
-        made->setFixedHeight(fieldHeight);
-        made->setAutoDefault(false);
-        return made;
+        auto *result = made<QPushButton>(name, trait::notDefault, this);
+        result->setFixedHeight(fieldHeight);
+        return result;
     };
     m_whole = button("wholeArc");
     m_reverse = button("reverseSense");
@@ -250,11 +245,9 @@ void CirclesPage::makeArcButtons() {
     m_reverse->setFixedWidth(reverseWidth);
     m_reverse->setStyleSheet(QStringLiteral("padding: 0"));
     const auto arrow = [&](const char *name) {
-        auto *made = new QToolButton(this);
-        made->setObjectName(QLatin1StringView(name));
-        made->setFixedSize(fieldHeight, fieldHeight);
-        made->setFocusPolicy(Qt::StrongFocus);
-        return made;
+        auto *result = made<QToolButton>(name, trait::strongFocus, this);
+        result->setFixedSize(fieldHeight, fieldHeight);
+        return result;
     };
     m_earlier = arrow("moveArcUp");
     m_later = arrow("moveArcDown");
@@ -277,7 +270,7 @@ void CirclesPage::makeArcButtons() {
     connect(m_later, &QToolButton::clicked, this, [this, move] { move(m_arc + 1); });
 }
 
-void CirclesPage::makeRangeRow(QHBoxLayout &row) {
+QHBoxLayout *CirclesPage::makeRangeRow() {
     m_rangeLabel = new QLabel(this);
     m_rangeLabel->setProperty("secondary", true);
     m_from = makeNumber("evaluatedFrom");
@@ -304,16 +297,16 @@ void CirclesPage::makeRangeRow(QHBoxLayout &row) {
         showReason();
     });
     makeArcButtons();
-    row.addWidget(m_rangeLabel);
-    row.addWidget(m_from);
-    row.addWidget(new QLabel(QStringLiteral("…"), this));
-    row.addWidget(m_to);
-    row.addWidget(m_whole);
-    row.addWidget(m_cutOff, 1);
-    row.addWidget(m_reverse);
-    row.addWidget(m_earlier);
-    row.addWidget(m_later);
-    row.addWidget(m_delete);
+    return inRow(6, {m_rangeLabel,
+                     m_from,
+                     new QLabel(QStringLiteral("…"), this),
+                     m_to,
+                     m_whole,
+                     {m_cutOff, 1},
+                     m_reverse,
+                     m_earlier,
+                     m_later,
+                     m_delete});
 }
 
 /// Reads an end of the evaluated range, which must be on its side of the other one.
@@ -373,12 +366,11 @@ QStringList CirclesPage::refusedTexts() const {
 
 void CirclesPage::makeActions() {
     const auto action = [this](const char *name, const QKeySequence &shortcut) {
-        auto *made = new QAction(this);
-        made->setObjectName(QLatin1StringView(name));
-        made->setShortcut(shortcut);
-        made->setShortcutContext(Qt::WidgetWithChildrenShortcut);
-        addAction(made);
-        return made;
+        auto *result = made<QAction>(name, this);
+        result->setShortcut(shortcut);
+        result->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+        addAction(result);
+        return result;
     };
     m_newArcAction = action("newArc", QKeySequence(Qt::CTRL | Qt::Key_Plus));
     m_pasteArcAction = action("pasteArc", QKeySequence::Paste);

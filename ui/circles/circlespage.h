@@ -67,7 +67,7 @@ private:
     };
 
     void makeParameters(QVBoxLayout &rows);
-    void makeRangeRow(QHBoxLayout &row);
+    [[nodiscard]] QHBoxLayout *makeRangeRow();
     void makeArcButtons();
     void nameRange();
     void makeTables();

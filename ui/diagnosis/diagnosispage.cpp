@@ -59,10 +59,7 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
     auto *head = inRow(nullptr, {pageMargin, 6, pageMargin, 0}, 12, {m_nature, {m_summary, 1}});
     auto *bar = makeBar();
     m_area = new QScrollArea(this);
-    m_area->setWidgetResizable(true);
-    m_area->setFrameShape(QFrame::NoFrame);
-    m_area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_area->setFocusPolicy(Qt::NoFocus);
+    trait::scrollsDown(*m_area);
     m_content = new QWidget(m_area->viewport());
     m_content->setAttribute(Qt::WA_StyledBackground);
     m_content->setProperty("ground", QStringLiteral("base"));
@@ -95,9 +92,8 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
 }
 
 QToolButton *DiagnosisPage::addSegment(const char *segment, const char *name) {
-    auto *button = made<QToolButton>(name, trait::checkable, this);
+    auto *button = made<QToolButton>(name, trait::checkable, trait::strongFocus, this);
     button->setProperty("segment", QString::fromLatin1(segment));
-    button->setFocusPolicy(Qt::StrongFocus);
     return button;
 }
 

@@ -66,7 +66,7 @@ NewTestDialog::NewTestDialog(Language language, const Test *like, QWidget *paren
     , m_list(made<TableText>("newTargets", this))
     , m_read(new PasteBar(this))
     , m_statements(new StatementsBox(this))
-    , m_problem(made<QLabel>("newProblem", this)) {
+    , m_problem(made<QLabel>("newProblem", trait::reason, trait::wrapped, trait::plainText, this)) {
     setObjectName(QStringLiteral("newTestDialog"));
     setWindowTitle(tr("New positioning test"));
 
@@ -101,10 +101,6 @@ void NewTestDialog::fillFields(const Test *like) {
         field->setAlignment(Qt::AlignRight);
     m_list->setMaximumHeight(110);
     m_list->setTabChangesFocus(true);
-    m_problem->setWordWrap(true);
-    m_problem->setProperty("reason", true);
-    m_problem->setTextFormat(Qt::PlainText);
-
     m_edition->setCurrentIndex(
         m_edition->findData(QString::fromUtf8(defaultEdition(Kind::positioning).word)));
     if (like && !like->edition.empty() && m_edition->findData(QString::fromStdString(like->edition)) >= 0)

@@ -121,10 +121,7 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     m_targets->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto *right = inColumn(styleSpacing, {{m_view, 1}, m_summary, m_targets});
     auto *place = new QScrollArea(this); // on low screens the fields are higher than the dialog
-    place->setFrameShape(QFrame::NoFrame);
-    place->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    place->setFocusPolicy(Qt::NoFocus);
-    place->setWidgetResizable(true);
+    trait::scrollsDown(*place);
     place->setWidget(fields);
     place->setFixedWidth(planFieldsWidth + place->verticalScrollBar()->sizeHint().width());
     auto *body = inRow(16, {place, {right, 1}});

@@ -170,10 +170,7 @@ QWidget *ReportDialog::makeSide() {
     side->setFixedWidth(sideWidth);
     auto *whole = inColumn(side, {pageMargin, 12, pageMargin, 12}, 8, {});
     auto *place = new QScrollArea(side); // on low screens the choices are higher than the dialog
-    place->setFrameShape(QFrame::NoFrame);
-    place->setWidgetResizable(true);
-    place->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    place->setFocusPolicy(Qt::NoFocus);
+    trait::scrollsDown(*place);
     auto *choices = new QWidget(place);
     auto *column = inColumn(choices, noMargins, 8, {});
     const auto title = [&] {

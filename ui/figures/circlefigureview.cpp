@@ -76,13 +76,12 @@ CircleFigureView::CircleFigureView(Selection &selection, QWidget *parent)
     setObjectName(QStringLiteral("circleFigureView"));
     m_choice->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     const auto toggle = [&](const char *name, Sense sense, bool repetition) {
-        auto *button = made<QToolButton>(name, trait::checkable, this);
+        auto *button = made<QToolButton>(name, trait::checkable, trait::strongFocus, this);
         button->setChecked(!repetition);
         button->setAutoRaise(true);
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
         button->setIconSize({22, 16});
         button->setIcon(QIcon(new TraceIcon(sense, repetition, this)));
-        button->setFocusPolicy(Qt::StrongFocus);
         connect(button, &QToolButton::toggled, this, &CircleFigureView::refresh);
         return button;
     };

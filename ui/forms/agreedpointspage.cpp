@@ -79,10 +79,7 @@ AgreedPointsPage::AgreedPointsPage(DocumentModel &model, Selection &selection, Q
     , m_scroll(new QScrollArea(this)) {
     setObjectName(QStringLiteral("agreedPointsPage"));
     m_source->setProperty("secondary", true);
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setFrameShape(QFrame::NoFrame);
-    m_scroll->setFocusPolicy(Qt::NoFocus);
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    trait::scrollsDown(*m_scroll);
     auto *content = new QWidget(m_scroll);
     content->setProperty("ground", QStringLiteral("base"));
     m_body = inColumn(content, {pageMargin, 4, pageMargin, pageMargin}, 4, {});

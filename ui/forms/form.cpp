@@ -59,10 +59,7 @@ Form::Form(const char *context, Page page, DocumentModel &model, QWidget *parent
     m_scroll->viewport()->setBackgroundRole(QPalette::Base); // the fields do not fill the view
     m_body = inColumn(content, {pageMargin, 8, pageMargin, pageMargin}, fieldGap, {});
     m_scroll->setWidget(content);
-    m_scroll->setWidgetResizable(true);
-    m_scroll->setFrameShape(QFrame::NoFrame);
-    m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_scroll->setFocusPolicy(Qt::NoFocus);
+    trait::scrollsDown(*m_scroll);
     m_bar->setContentsMargins(pageMargin, 8, pageMargin, 4);
     m_bar->setSpacing(8);
     m_bar->addStrut(barHeight); // keeps the fields in place when the chip disappears

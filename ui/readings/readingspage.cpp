@@ -38,14 +38,11 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
     setFocusProxy(m_view);
     auto *units = new QButtonGroup(this);
     auto *groupings = new QButtonGroup(this);
-    m_deviations = addSegment(units, "first", static_cast<int>(ReadingUnit::deviations));
-    m_positions = addSegment(units, "last", static_cast<int>(ReadingUnit::positions));
-    m_byRun = addSegment(groupings, "first", static_cast<int>(ReadingGrouping::byRun));
-    m_byDirection = addSegment(groupings, "last", static_cast<int>(ReadingGrouping::byDirection));
-    m_deviations->setObjectName(QStringLiteral("showDeviations"));
-    m_positions->setObjectName(QStringLiteral("showPositions"));
-    m_byRun->setObjectName(QStringLiteral("groupByRun"));
-    m_byDirection->setObjectName(QStringLiteral("groupByDirection"));
+    m_deviations = addSegment(*units, "first", "showDeviations", static_cast<int>(ReadingUnit::deviations));
+    m_positions = addSegment(*units, "last", "showPositions", static_cast<int>(ReadingUnit::positions));
+    m_byRun = addSegment(*groupings, "first", "groupByRun", static_cast<int>(ReadingGrouping::byRun));
+    m_byDirection =
+        addSegment(*groupings, "last", "groupByDirection", static_cast<int>(ReadingGrouping::byDirection));
     m_deviations->setChecked(true);
     m_byRun->setChecked(true);
     connect(units, &QButtonGroup::idClicked, this,
@@ -115,12 +112,10 @@ void ReadingsPage::connectParts() {
     });
 }
 
-QToolButton *ReadingsPage::addSegment(QButtonGroup *group, const char *name, int id) {
-    auto *button = new QToolButton(this);
-    button->setCheckable(true);
-    button->setProperty("segment", QString::fromLatin1(name));
-    button->setFocusPolicy(Qt::StrongFocus);
-    group->addButton(button, id);
+QToolButton *ReadingsPage::addSegment(QButtonGroup &group, const char *segment, const char *name, int id) {
+    auto *button = made<QToolButton>(name, trait::checkable, trait::strongFocus, this);
+    button->setProperty("segment", QString::fromLatin1(segment));
+    group.addButton(button, id);
     return button;
 }
 

@@ -71,7 +71,7 @@ private:
     void showPasted(const PastedBlock &pasted);
     void fill(bool down);
     void askReason();
-    QToolButton *addSegment(QButtonGroup *group, const char *name, int id);
+    QToolButton *addSegment(QButtonGroup &group, const char *segment, const char *name, int id);
 
     Selection &m_selection;
     ReadingsEditor m_editor;

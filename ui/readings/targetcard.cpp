@@ -40,18 +40,14 @@ TargetCard::TargetCard(Selection &selection, QWidget *parent)
     , m_selection(selection)
     , m_title(made<QLabel>("targetTitle", this))
     , m_position(new QLabel(this))
-    , m_previous(made<QToolButton>("previousTarget", this))
-    , m_next(made<QToolButton>("nextTarget", this))
+    , m_previous(made<QToolButton>("previousTarget", trait::iconOnly, trait::strongFocus, this))
+    , m_next(made<QToolButton>("nextTarget", trait::iconOnly, trait::strongFocus, this))
     , m_strip(new TargetStripView(selection, this))
     , m_statistics(made<TargetStatisticsView>("targetStatistics", this)) {
     setObjectName(QStringLiteral("targetCard"));
     m_position->setProperty("secondary", true);
     m_previous->setIcon(lineIcon(QStringLiteral("left")));
     m_next->setIcon(lineIcon(QStringLiteral("right")));
-    for (QToolButton *button : {m_previous, m_next}) {
-        button->setProperty("iconOnly", true);
-        button->setFocusPolicy(Qt::StrongFocus);
-    }
     connect(m_previous, &QToolButton::clicked, this, [this] { step(-1); });
     connect(m_next, &QToolButton::clicked, this, [this] { step(1); });
 

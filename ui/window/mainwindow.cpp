@@ -194,16 +194,9 @@ QToolButton &MainWindow::toolButton(WindowAction tool) const {
 void MainWindow::makeStatusBar() {
     statusBar()->setFixedHeight(statusHeight);
     statusBar()->setSizeGripEnabled(false);
-    m_content = new QLabel(this);
-    m_hint = new QLabel(this);
-    m_state = new QLabel(this);
-    m_content->setObjectName(QStringLiteral("statusContent"));
-    m_hint->setObjectName(QStringLiteral("statusHint"));
-    m_state->setObjectName(QStringLiteral("statusState"));
-    for (QLabel *label : {m_content, m_hint, m_state})
-        label->setFont(themeFont(TextSize::small));
-    m_hint->setProperty("secondary", true);
-    m_state->setProperty("secondary", true);
+    m_content = made<QLabel>("statusContent", TextSize::small, this);
+    m_hint = made<QLabel>("statusHint", TextSize::small, trait::secondary, this);
+    m_state = made<QLabel>("statusState", TextSize::small, trait::secondary, this);
     m_content->setContentsMargins(14, 0, 8, 0);
     m_state->setContentsMargins(8, 0, 14, 0);
     statusBar()->addWidget(m_content);

@@ -230,10 +230,7 @@ void Workplace::makePages(QWidget *centre) {
     m_readingPages = new QStackedWidget(m_pages);
     m_readings = new ReadingsPage(m_model, m_selection, m_readingPages);
     m_circlesPlace = new QScrollArea(m_readingPages); // on low screens the page is higher than its space
-    m_circlesPlace->setWidgetResizable(true);
-    m_circlesPlace->setFrameShape(QFrame::NoFrame);
-    m_circlesPlace->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_circlesPlace->setFocusPolicy(Qt::NoFocus);
+    trait::scrollsDown(*m_circlesPlace);
     m_circles = new CirclesPage(m_model, m_selection, m_circlesPlace->viewport());
     m_circles->setAttribute(Qt::WA_StyledBackground);
     m_circles->setProperty("ground", QStringLiteral("base"));
