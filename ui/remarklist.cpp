@@ -12,7 +12,6 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <utility>
 #include <vector>
 
 namespace palmer::ui {

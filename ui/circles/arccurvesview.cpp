@@ -14,7 +14,6 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>

@@ -21,10 +21,8 @@
 #include <QAction>
 #include <QButtonGroup>
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QEvent>
 #include <QGridLayout>
-#include <QGuiApplication>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
@@ -101,14 +99,12 @@ CirclesPage::CirclesPage(DocumentModel &model, Selection &selection, QWidget *pa
              {Placed::stretch(), m_empty, {m_import, 0, Qt::AlignHCenter}, Placed::stretch()});
     m_emptyPlace->hide();
 
-    auto *layout = inColumn(this, {pageMargin, 0, pageMargin, 8}, 8, {barArea, parameters, m_arcs, rangeRow});
     auto *curves = new QGridLayout; // the reason overlays the curves, so that nothing below moves
     curves->addWidget(m_curves, 0, 0);
     curves->addWidget(m_reason, 0, 0, Qt::AlignTop);
     m_reason->raise();
-    layout->addLayout(curves);
-    layout->addWidget(m_points, 1);
-    layout->addWidget(m_emptyPlace, 1);
+    inColumn(this, {pageMargin, 0, pageMargin, 8}, 8,
+             {barArea, parameters, m_arcs, rangeRow, curves, {m_points, 1}, {m_emptyPlace, 1}});
     connect(m_curves, &ArcCurvesView::rangeWanted, this,
             [this](std::size_t arc, const Interval &range) { setRange(arc, range); });
     connect(m_model.undoStack(), &QUndoStack::indexChanged, this, [this] { m_refusedPoint = QModelIndex(); });

@@ -78,25 +78,17 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     , m_close(made<QPushButton>("closeCompensation", this)) {
     setObjectName(QStringLiteral("compensationDialog"));
     resize(1040, 680);
-    auto *fields = inColumn(
-        8,
-        {m_format, addNumber("from", QT_TR_NOOP("From (empty: first target)"), &CompensationOptions::from),
-         addNumber("to", QT_TR_NOOP("To (empty: last target)"), &CompensationOptions::to),
-         addNumber("interval", QT_TR_NOOP("Interval (empty: the targets)"), &CompensationOptions::interval)});
-    Field *reference =
+    Field *from = addNumber("from", QT_TR_NOOP("From (empty: first target)"), &CompensationOptions::from);
+    Field *to = addNumber("to", QT_TR_NOOP("To (empty: last target)"), &CompensationOptions::to);
+    Field *interval =
+        addNumber("interval", QT_TR_NOOP("Interval (empty: the targets)"), &CompensationOptions::interval);
+    m_reference =
         addNumber("reference", QT_TR_NOOP("Reference point of the axis"), &CompensationOptions::reference);
-    fields->addWidget(reference);
-    m_reference = reference;
-    fields->addWidget(m_encoder);
-    fields->addWidget(m_sign);
-    fields->addWidget(m_mark);
-    fields->addWidget(m_perDirection);
-    fields->addWidget(m_incremental);
-    fields->addWidget(m_signConfirmed);
+    auto *fields =
+        inColumn(8, {m_format, from, to, interval, m_reference, m_encoder, m_sign, m_mark, m_perDirection,
+                     m_incremental, m_signConfirmed, m_reason, Placed::stretch(1)});
     m_signConfirmed->setVisible(fileOfAssumedSign(*m_evaluated.document->tests[m_test]) != nullptr);
     connect(m_signConfirmed, &QCheckBox::toggled, this, &CompensationDialog::signConfirmed);
-    fields->addWidget(m_reason);
-    fields->addStretch(1);
     auto *left = scrolledPlace(this);
     left->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     const int scrollBar = left->verticalScrollBar()->sizeHint().width();

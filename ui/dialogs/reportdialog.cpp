@@ -146,11 +146,18 @@ QWidget *ReportDialog::makeHead() {
     m_place = new QLabel(head);
     m_zoom = new QLabel(head);
     m_width = made<QPushButton>("fitWidth", trait::notDefault, head);
-    auto *row = inRow(head, {pageMargin, 0, pageMargin, 0}, styleSpacing,
-                      {m_title, {m_summary, 1}, m_open, m_openFolder});
-    for (QWidget *widget :
-         std::initializer_list<QWidget *>{m_previous, m_place, m_next, m_smaller, m_zoom, m_larger, m_width})
-        row->addWidget(widget);
+    inRow(head, {pageMargin, 0, pageMargin, 0}, styleSpacing,
+          {m_title,
+           {m_summary, 1},
+           m_open,
+           m_openFolder,
+           m_previous,
+           m_place,
+           m_next,
+           m_smaller,
+           m_zoom,
+           m_larger,
+           m_width});
     connect(m_previous, &QToolButton::clicked, this,
             [this] { goTo(m_column->pageAt(m_area->verticalScrollBar()->value()) - 1); });
     connect(m_next, &QToolButton::clicked, this,

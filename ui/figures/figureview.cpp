@@ -27,7 +27,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QLabel>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QToolButton>
@@ -137,10 +136,8 @@ FigureView::FigureView(Selection &selection, QWidget *parent)
     connect(&selection, &Selection::hoveredChanged, this, &FigureView::showHoverLabel);
     connect(&selection, &Selection::parameterChanged, this, &FigureView::mark);
 
-    auto *head = inRow(2, {m_title, Placed::gap(8), {m_note, 1}});
-    for (QWidget *button :
-         std::initializer_list<QWidget *>{m_marks, m_zoom, m_copy, m_save, m_detach, m_maximise})
-        head->addWidget(button);
+    auto *head = inRow(
+        2, {m_title, Placed::gap(8), {m_note, 1}, m_marks, m_zoom, m_copy, m_save, m_detach, m_maximise});
     inColumn(this, {pageMargin, 2, 6, 2}, 2, {head, {m_canvas, 1}, {m_circles, 1}});
     m_circles->hide();
     retranslate();

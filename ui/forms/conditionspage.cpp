@@ -17,7 +17,6 @@
 #include "ui/theme.h"
 
 #include <QCheckBox>
-#include <QCoreApplication>
 #include <QLabel>
 #include <QPushButton>
 #include <algorithm>

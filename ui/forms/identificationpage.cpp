@@ -9,7 +9,6 @@
 #include "ui/madewidgets.h"
 
 #include <QCheckBox>
-#include <QCoreApplication>
 #include <QFileDialog>
 #include <QLabel>
 #include <QMessageBox>

@@ -6,7 +6,6 @@
 #include "ui/forms/templatebutton.h"
 #include "ui/model/documentmodel.h"
 
-#include <QCoreApplication>
 #include <QPushButton>
 #include <algorithm>
 

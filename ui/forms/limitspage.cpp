@@ -17,8 +17,6 @@
 #include "ui/tablepaste.h"
 #include "ui/theme.h"
 
-#include <QCoreApplication>
-#include <QGuiApplication>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMessageBox>

@@ -5,8 +5,6 @@
 #include "document/bounds.h"
 #include "ui/forms/templatebutton.h"
 
-#include <QCoreApplication>
-
 namespace palmer::ui {
 
 namespace {

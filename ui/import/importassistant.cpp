@@ -31,7 +31,6 @@
 #include <QFileInfo>
 #include <QFontDatabase>
 #include <QGridLayout>
-#include <QGuiApplication>
 #include <QHeaderView>
 #include <QInputDialog>
 #include <QLabel>
@@ -182,9 +181,7 @@ void ImportAssistant::makeLayout() {
     m_title->setFont(themeFont(TextSize::title));
     m_title->setTextFormat(Qt::PlainText);
     m_origin->setProperty("secondary", true);
-    auto *head = inRow(styleSpacing, {m_title, m_origin, m_work, Placed::stretch()});
-    head->addWidget(m_other);
-    head->addWidget(m_paste);
+    auto *head = inRow(styleSpacing, {m_title, m_origin, m_work, Placed::stretch(), m_other, m_paste});
     m_choices->setHorizontalSpacing(boxSpacing);
     m_choices->setVerticalSpacing(6);
     for (const auto &[name, words] :

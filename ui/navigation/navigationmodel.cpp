@@ -10,7 +10,6 @@
 #include "ui/windowlanguage.h"
 
 #include <algorithm>
-#include <array>
 
 namespace palmer::ui {
 

@@ -6,7 +6,6 @@
 #include "kernel/measurement/readingsaside.h"
 #include "ui/model/editname.h"
 
-#include <QCoreApplication>
 #include <QUndoStack>
 #include <algorithm>
 #include <iterator>

@@ -254,7 +254,6 @@ CurveComparison::CurveComparison(QWidget *parent)
     connect(close, &QToolButton::clicked, this, &CurveComparison::closed);
     auto *row = inRow(styleSpacing,
                       {m_differenceTitle, m_first, new QLabel(QStringLiteral("−")), m_second, {m_travel, 1}});
-    auto *layout = inColumn(this, {pageMargin, 8, pageMargin, 8}, styleSpacing, {head});
     QScrollArea *area = m_listArea;
     area->setFrameShape(QFrame::NoFrame);
     area->setWidgetResizable(true);
@@ -263,10 +262,8 @@ CurveComparison::CurveComparison(QWidget *parent)
     area->viewport()->setAutoFillBackground(false);
     m_list->setAutoFillBackground(false);
     m_list->setAlignment(Qt::AlignTop);
-    layout->addWidget(area);
-    layout->addWidget(m_curves, 5);
-    layout->addLayout(row);
-    layout->addWidget(m_differences, 3);
+    inColumn(this, {pageMargin, 8, pageMargin, 8}, styleSpacing,
+             {head, area, {m_curves, 5}, row, {m_differences, 3}});
     for (QComboBox *box : {m_first, m_second})
         connect(box, &QComboBox::currentIndexChanged, this, &CurveComparison::rebuildDifference);
     m_travel->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);

@@ -131,21 +131,21 @@ RegisterFirstUse::RegisterFirstUse(QWidget *parent)
     rule->setProperty("rule", true);
     rule->setFixedHeight(1);
     rule->setMaximumWidth(firstFactsWidth);
-    auto *layout = inColumn(this, {pageMargin, 8, pageMargin, 8}, styleSpacing,
-                            {Placed::stretch(3),
-                             {m_picture, 0, Qt::AlignHCenter},
-                             Placed::gap(4),
-                             m_title,
-                             Placed::gap(8),
-                             m_text,
-                             Placed::gap(20),
-                             {m_choose, 0, Qt::AlignHCenter},
-                             Placed::gap(8),
-                             m_drop,
-                             Placed::gap(30)});
     auto *below = inColumn(styleSpacing, {rule, Placed::gap(16), makeFacts()});
-    layout->addLayout(inRow(styleSpacing, {Placed::stretch(), {below, 1000}, Placed::stretch()}));
-    layout->addStretch(4);
+    inColumn(this, {pageMargin, 8, pageMargin, 8}, styleSpacing,
+             {Placed::stretch(3),
+              {m_picture, 0, Qt::AlignHCenter},
+              Placed::gap(4),
+              m_title,
+              Placed::gap(8),
+              m_text,
+              Placed::gap(20),
+              {m_choose, 0, Qt::AlignHCenter},
+              Placed::gap(8),
+              m_drop,
+              Placed::gap(30),
+              inRow(styleSpacing, {Placed::stretch(), {below, 1000}, Placed::stretch()}),
+              Placed::stretch(4)});
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base); // this changes the palette
     retranslate();

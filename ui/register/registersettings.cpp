@@ -60,10 +60,8 @@ RegisterSettings::RegisterSettings(RegisterService &service, QWidget *parent)
         label->setWordWrap(true);
     }
     m_index->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    auto *server = inColumn(m_server, noMargins, styleSpacing, {m_address});
-    auto *row = inRow(styleSpacing, {{m_password, 1}, m_connect});
-    server->addLayout(row);
-    server->addWidget(m_note);
+    inColumn(m_server, noMargins, styleSpacing,
+             {m_address, inRow(styleSpacing, {{m_password, 1}, m_connect}), m_note});
     inColumn(this, noMargins, styleSpacing,
              {m_foldersTitle, m_folders, m_placeTitle, m_place, m_index, m_server, m_outcome});
     if (isServerAddress(service.address()))

@@ -9,7 +9,6 @@
 #include <QFileInfo>
 #include <QSettings>
 #include <algorithm>
-#include <array>
 
 namespace palmer::ui {
 

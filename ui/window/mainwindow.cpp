@@ -71,7 +71,6 @@
 #include <QToolBar>
 #include <QToolButton>
 #include <QUndoStack>
-#include <span>
 #include <variant>
 
 namespace palmer::ui {
