@@ -19,7 +19,8 @@ namespace palmer::ui {
 template <class Object, class... Arguments>
 [[nodiscard]] Object *made(QAnyStringView name, Arguments &&...arguments) {
     auto *object = new Object(std::forward<Arguments>(arguments)...);
-    object->setObjectName(name);
+    if (!name.isEmpty())
+        object->setObjectName(name);
     return object;
 }
 
@@ -60,6 +61,13 @@ template <class Widget, class... Arguments>
     auto *widget = made<Widget>(name, std::forward<Arguments>(arguments)...);
     widget->setFont(themeFont(size));
     return widget;
+}
+
+/// The same without a name.
+template <class Widget, class First, class... Arguments>
+requires(std::invocable<First, Widget &> || std::same_as<First, TextSize>)
+    [[nodiscard]] Widget *made(First first, Arguments &&...arguments) {
+    return made<Widget>(QAnyStringView(), first, std::forward<Arguments>(arguments)...);
 }
 
 /// What is added to a row or column: a widget or a layout with its stretch factor, a gap in pixels, or a

@@ -20,7 +20,7 @@ PasteBar::PasteBar(QWidget *parent)
     : Translated(parent)
     , m_summary(made<QLabel>("pasteSummary", this))
     , m_remarks(made<QLabel>("pasteRemarks", TextSize::small, trait::wrapped, trait::plainText, this))
-    , m_guess(new QLabel(this))
+    , m_guess(made<QLabel>(TextSize::small, trait::secondary, this))
     , m_marks(new QButtonGroup(this))
     , m_comma(made<QToolButton>("pasteComma", this))
     , m_point(made<QToolButton>("pastePoint", this))
@@ -32,8 +32,6 @@ PasteBar::PasteBar(QWidget *parent)
     setObjectName(QStringLiteral("pasteBar"));
     setProperty("bar", true);
     m_summary->setWordWrap(true); // in a narrow window the choices leave it little width
-    m_guess->setFont(themeFont(TextSize::small));
-    m_guess->setProperty("secondary", true);
     m_comma->setProperty("segment", QStringLiteral("first"));
     m_point->setProperty("segment", QStringLiteral("last"));
     int id = 0;

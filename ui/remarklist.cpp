@@ -54,9 +54,7 @@ private:
 };
 
 QPushButton *addLink(QHBoxLayout &row, const QString &words, const QString &sentence) {
-    auto *button = new QPushButton(words);
-    button->setProperty("link", true);
-    button->setAutoDefault(false);
+    auto *button = made<QPushButton>(trait::link, trait::notDefault, words);
     button->setAccessibleName(QStringLiteral("%1 – %2").arg(words, sentence));
     row.addWidget(button);
     return button;
@@ -153,9 +151,7 @@ QHBoxLayout *RemarkList::addRow(RemarkGrade grade, QString sentence, const Place
         sentence = tr("Line %1, column %2: %3").arg(place.line).arg(place.column).arg(sentence);
     else if (place.line > 0)
         sentence = tr("Line %1: %2").arg(place.line).arg(sentence);
-    auto *text = new QLabel(sentence, row);
-    text->setTextFormat(Qt::PlainText);
-    text->setWordWrap(true);
+    auto *text = made<QLabel>(trait::plainText, trait::wrapped, sentence, row);
     layout->addWidget(icon);
     layout->addWidget(text, 1);
     if (m_hasLine(place.line))

@@ -127,9 +127,8 @@ QToolButton *CirclesPage::addUnit(QButtonGroup &group, const char *segment, cons
 }
 
 QWidget *CirclesPage::labelled(QHBoxLayout &row, int share, const char *label, QWidget *field) {
-    auto *text = new ElidedLabel(this);
+    auto *text = made<ElidedLabel>(trait::secondary, this);
     text->setFixedHeight(labelHeight);
-    text->setProperty("secondary", true);
     text->setBuddy(field);
     row.addLayout(inColumn(4, {text, field}), share);
     m_labels.push_back({text, label, field});
@@ -267,8 +266,7 @@ void CirclesPage::makeArcButtons() {
 }
 
 QHBoxLayout *CirclesPage::makeRangeRow() {
-    m_rangeLabel = new QLabel(this);
-    m_rangeLabel->setProperty("secondary", true);
+    m_rangeLabel = made<QLabel>(trait::secondary, this);
     m_from = makeNumber("evaluatedFrom");
     m_to = makeNumber("evaluatedTo");
     for (Field *end : {m_from, m_to}) {

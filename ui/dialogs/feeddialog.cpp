@@ -32,12 +32,11 @@ FeedDialog::FeedDialog(QWidget *parent)
     , m_diameter(addNumber("diameter", Quantity::position, &iso230_4::ContouringFeed::diameter))
     , m_feedLabel(new QLabel(this))
     , m_feed(made<QLabel>("feed", this))
-    , m_formula(new QLabel(this))
+    , m_formula(made<QLabel>(trait::secondary, this))
     , m_buttons(new QDialogButtonBox(QDialogButtonBox::Close, this)) {
     setObjectName(QStringLiteral("feedDialog"));
     m_feed->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_feed->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    m_formula->setProperty("secondary", true);
     m_buttons->button(QDialogButtonBox::Close)->setAutoDefault(false); // Enter belongs to the fields
 
     auto *result = inRow(styleSpacing, {m_feedLabel, {m_feed, 1}});

@@ -63,8 +63,7 @@ NewCircleDialog::NewCircleDialog(Language language, const Test *like, QWidget *p
         field->setAlignment(Qt::AlignRight);
         auto *label = new QLabel(text, this);
         label->setBuddy(field);
-        auto *unit = new QLabel(m_language.unit(quantity), this);
-        unit->setProperty("secondary", true);
+        auto *unit = made<QLabel>(trait::secondary, m_language.unit(quantity), this);
         form->addRow(label, inRow(8, {field, unit}));
         connect(field, &QLineEdit::textChanged, this, &NewCircleDialog::check);
     };
@@ -74,9 +73,8 @@ NewCircleDialog::NewCircleDialog(Language language, const Test *like, QWidget *p
     form->addRow(tr("&Source of the signal"), m_source);
     form->addRow(tr("&Edition"), m_edition);
     alignLabels(*form);
-    auto *note = new QLabel(tr("The arcs are typed or pasted afterwards, as tables."), this);
-    note->setProperty("secondary", true);
-    note->setWordWrap(true);
+    auto *note = made<QLabel>(trait::secondary, trait::wrapped,
+                              tr("The arcs are typed or pasted afterwards, as tables."), this);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     m_create = buttons->addButton(tr("&Create"), QDialogButtonBox::AcceptRole);
     m_create->setObjectName(QStringLiteral("createCircle"));

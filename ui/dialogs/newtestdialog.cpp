@@ -123,8 +123,7 @@ void NewTestDialog::makeForm() {
         m_form->addRow(label, row);
     };
     for (QLabel *&unit : m_units) {
-        unit = new QLabel(this);
-        unit->setProperty("secondary", true);
+        unit = made<QLabel>(trait::secondary, this);
         unit->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("mm")));
     }
     m_form->addRow(tr("&Axis"), m_name);

@@ -114,9 +114,8 @@ ReportDialog::ReportDialog(DocumentModel &model, Evaluator &evaluator, QWidget *
 QWidget *ReportDialog::makeHead() {
     auto *head = new QWidget(this);
     head->setFixedHeight(pageBarHeight);
-    m_title = new QLabel(head);
-    m_title->setFont(themeFont(TextSize::title));
-    m_summary = new ElidedLabel(head);
+    m_title = made<QLabel>(TextSize::title, head);
+    m_summary = made<ElidedLabel>(TextSize::small, trait::secondary, head);
     m_open = new QPushButton(head);
     m_openFolder = new QPushButton(head);
     m_open->setObjectName(QStringLiteral("openSaved"));
@@ -133,8 +132,6 @@ QWidget *ReportDialog::makeHead() {
     connect(m_openFolder, &QPushButton::clicked, this, [this] {
         QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(m_saved.constFirst()).absolutePath()));
     });
-    m_summary->setFont(themeFont(TextSize::small));
-    m_summary->setProperty("secondary", true);
     m_previous = iconButton(head, QStringLiteral("previousPage"), QStringLiteral("left"));
     m_next = iconButton(head, QStringLiteral("nextPage"), QStringLiteral("right"));
     m_smaller = iconButton(head, QStringLiteral("smaller"), QStringLiteral("zoomout"));
@@ -181,9 +178,7 @@ QWidget *ReportDialog::makeSide() {
     auto *choices = new QWidget(place);
     auto *column = inColumn(choices, noMargins, 8, {});
     const auto title = [&] {
-        auto *label = new QLabel(side);
-        label->setFont(themeFont(TextSize::small));
-        label->setProperty("secondary", true);
+        auto *label = made<QLabel>(TextSize::small, trait::secondary, side);
         column->addWidget(label);
         return label;
     };
@@ -317,9 +312,7 @@ void ReportDialog::addChoices(QVBoxLayout *column) {
     m_allReadings = m_choices.back().box;
     extra("extraDiagnosis", QT_TR_NOOP("Diagnosis of circles"), ReportExtra::diagnosis);
     extra("extraMeanRepeatability", QT_TR_NOOP("Mean repeatability (1988)"), ReportExtra::meanRepeatability);
-    m_signaturesTitle = new QLabel(this);
-    m_signaturesTitle->setFont(themeFont(TextSize::small));
-    m_signaturesTitle->setProperty("secondary", true);
+    m_signaturesTitle = made<QLabel>(TextSize::small, trait::secondary, this);
     column->addWidget(m_signaturesTitle);
     signer("signOperator", QT_TR_NOOP("Operator"), Signer::operatorSigns);
     signer("signLaboratory", QT_TR_NOOP("Laboratory"), Signer::laboratory);

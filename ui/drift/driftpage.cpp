@@ -44,7 +44,7 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
     , m_model(model)
     , m_selection(selection)
     , m_range(made<ElidedLabel>("driftRange", this))
-    , m_explained(new QLabel(this))
+    , m_explained(made<QLabel>(trait::wrapped, this))
     , m_taken(made<QLabel>("driftTakenBy", trait::wrapped, this))
     , m_reason(made<QLabel>("driftReason", trait::reason, trait::plainText, this))
     , m_paste(made<QToolButton>("pasteDrift", this))
@@ -55,7 +55,6 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
     setFocusProxy(m_table);
     for (QLabel *label : {m_explained, m_taken})
         label->setProperty("secondary", true);
-    m_explained->setWordWrap(true);
     m_taken->setTextFormat(Qt::RichText);
     m_reason->hide();
     m_paste->setIcon(lineIcon(QStringLiteral("paste")));

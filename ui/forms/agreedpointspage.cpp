@@ -75,10 +75,9 @@ AgreedPointsPage::AgreedPointsPage(DocumentModel &model, Selection &selection, Q
     : Translated(parent)
     , m_model(model)
     , m_chip(made<Chip>("missingChip", this))
-    , m_source(new QLabel(this))
+    , m_source(made<QLabel>(trait::secondary, this))
     , m_scroll(new QScrollArea(this)) {
     setObjectName(QStringLiteral("agreedPointsPage"));
-    m_source->setProperty("secondary", true);
     trait::scrollsDown(*m_scroll);
     auto *content = new QWidget(m_scroll);
     content->setProperty("ground", QStringLiteral("base"));

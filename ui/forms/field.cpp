@@ -71,7 +71,7 @@ Field::Field(Kind kind, QWidget *parent)
     : Translated(parent)
     , m_kind(kind)
     , m_most(kind == Kind::longText ? mostOfText : mostOfLine)
-    , m_label(new ElidedLabel(this))
+    , m_label(made<ElidedLabel>(trait::secondary, this))
     , m_mark(new QLabel(this)) {
     QWidget *edit = nullptr;
     if (kind == Kind::choice) {
@@ -94,15 +94,13 @@ Field::Field(Kind kind, QWidget *parent)
         connect(m_line, &QLineEdit::returnPressed, this, &Field::finish);
     }
     edit->installEventFilter(this);
-    m_unit = new QLabel(edit);
+    m_unit = made<QLabel>(trait::secondary, edit);
     m_bar = new RequiredBar(edit);
     m_label->setFixedHeight(labelHeight);
-    m_label->setProperty("secondary", true);
     m_label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     m_mark->setFixedHeight(labelHeight);
     m_mark->setProperty("tone", QStringLiteral("unsure"));
     m_label->setBuddy(edit);
-    m_unit->setProperty("secondary", true);
     m_unit->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_bar->setAttribute(Qt::WA_TransparentForMouseEvents);
     makeReason();

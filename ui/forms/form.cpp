@@ -108,9 +108,7 @@ void Form::addFoldingSection(const char *title, std::function<QString()> summary
 }
 
 QPushButton *Form::addSectionButton(const char *text, std::function<void()> pressed) {
-    auto *button = new QPushButton(page());
-    button->setProperty("link", true);
-    button->setAutoDefault(false);
+    auto *button = made<QPushButton>(trait::link, trait::notDefault, page());
     connect(button, &QPushButton::clicked, this, [pressed = std::move(pressed)] { pressed(); });
     addToSection(button);
     m_buttons.push_back({button, text});
@@ -123,8 +121,7 @@ void Form::addToSection(QWidget *widget, int stretch) {
 }
 
 QPushButton *Form::addButton(const char *text, std::function<void()> pressed, int weight) {
-    auto *button = new QPushButton(body());
-    button->setAutoDefault(false);
+    auto *button = made<QPushButton>(trait::notDefault, body());
     connect(button, &QPushButton::clicked, this, [pressed = std::move(pressed)] { pressed(); });
     const Qt::Alignment place = Qt::AlignLeft | Qt::AlignBottom;
     if (m_columns)

@@ -129,8 +129,8 @@ ImportAssistant::ImportAssistant(const QByteArray &bytes, const QString &fileNam
 ImportAssistant::ImportAssistant(MeasurementFile file, const Document *open, QWidget *parent)
     : Translated(parent)
     , m_file(std::move(file))
-    , m_title(new QLabel(this))
-    , m_origin(new QLabel(this))
+    , m_title(made<QLabel>(TextSize::title, trait::plainText, this))
+    , m_origin(made<QLabel>(trait::secondary, this))
     , m_other(made<QPushButton>("importOther", this))
     , m_paste(made<QPushButton>("importPaste", this))
     , m_choices(new QGridLayout)
@@ -139,10 +139,10 @@ ImportAssistant::ImportAssistant(MeasurementFile file, const Document *open, QWi
     , m_profileName(new QLabel(this))
     , m_profile(made<ElidedBox>("import.profile", this))
     , m_rawTitle(new QLabel(this))
-    , m_rawSize(new QLabel(this))
+    , m_rawSize(made<QLabel>(trait::secondary, this))
     , m_rawView(made<QListView>("importRaw", this))
     , m_tableTitle(new QLabel(this))
-    , m_tableSize(new QLabel(this))
+    , m_tableSize(made<QLabel>(trait::secondary, this))
     , m_columns(new ColumnRoles(this))
     , m_table(made<QTableView>("importTable", this))
     , m_curveTitle(new QLabel(this))
@@ -151,8 +151,8 @@ ImportAssistant::ImportAssistant(MeasurementFile file, const Document *open, QWi
     , m_curveCanvas(made<FigureCanvas>("importCurve", m_selection, m_curves))
     , m_circleCanvas(made<CircleCanvas>("importCircle", m_selection, m_curves))
     , m_lineView(new LineView(m_curves))
-    , m_noCurve(new QLabel(m_curves))
-    , m_remarksTitle(new QLabel(this))
+    , m_noCurve(made<QLabel>(trait::secondary, trait::wrapped, m_curves))
+    , m_remarksTitle(made<QLabel>(TextSize::head, this))
     , m_confirmAll(made<QPushButton>("confirmAll", trait::notDefault, this))
     , m_remarks(new RemarkList(this))
     , m_keep(made<QCheckBox>("keepBytes", this))
@@ -178,9 +178,6 @@ ImportAssistant::ImportAssistant(MeasurementFile file, const Document *open, QWi
 }
 
 void ImportAssistant::makeLayout() {
-    m_title->setFont(themeFont(TextSize::title));
-    m_title->setTextFormat(Qt::PlainText);
-    m_origin->setProperty("secondary", true);
     auto *head = inRow(styleSpacing, {m_title, m_origin, m_work, Placed::stretch(), m_other, m_paste});
     m_choices->setHorizontalSpacing(boxSpacing);
     m_choices->setVerticalSpacing(6);
@@ -221,8 +218,6 @@ QWidget *ImportAssistant::makeMiddle() {
     m_table->horizontalHeader()->setDefaultSectionSize(columnWidth);
     m_table->horizontalHeader()->setTextElideMode(Qt::ElideRight);
     m_noCurve->setAlignment(Qt::AlignCenter);
-    m_noCurve->setWordWrap(true);
-    m_noCurve->setProperty("secondary", true);
     for (QWidget *curve :
          std::initializer_list<QWidget *>{m_curveCanvas, m_circleCanvas, m_lineView, m_noCurve})
         m_curves->addWidget(curve);
@@ -232,8 +227,6 @@ QWidget *ImportAssistant::makeMiddle() {
     middle->setChildrenCollapsible(false);
     middle->addWidget(part(middle, m_rawTitle, m_rawSize, m_rawView));
     middle->addWidget(part(middle, m_tableTitle, m_tableSize, table));
-    m_rawSize->setProperty("secondary", true);
-    m_tableSize->setProperty("secondary", true);
     middle->addWidget(part(middle, m_curveTitle, m_zoom, m_curves));
     middle->setSizes({427, 427, 427});
     return middle;
@@ -245,7 +238,6 @@ QWidget *ImportAssistant::makeRemarks() {
     m_remarksPlace->setWidgetResizable(true);
     m_remarksPlace->setFrameShape(QFrame::NoFrame);
     m_remarksPlace->setFixedHeight(remarksHeight);
-    m_remarksTitle->setFont(themeFont(TextSize::head));
     auto *whole = new QWidget(this);
     auto *head = inRow(styleSpacing, {{m_remarksTitle, 1}, m_confirmAll});
     inColumn(whole, noMargins, styleSpacing, {head, m_remarksPlace});

@@ -27,11 +27,8 @@ KeyHints::KeyHints(QWidget *parent)
     setFixedHeight(lineHeight);
     auto *row = inRow(this, {pageMargin, 0, pageMargin, 0}, 6, {});
     for (Hint &hint : m_hints) {
-        hint = {new QLabel(this), new QLabel(this)};
+        hint = {made<QLabel>(TextSize::tiny, this), made<QLabel>(TextSize::small, trait::secondary, this)};
         hint.key->setProperty("keycap", true);
-        hint.key->setFont(themeFont(TextSize::tiny));
-        hint.text->setFont(themeFont(TextSize::small));
-        hint.text->setProperty("secondary", true);
         row->addWidget(hint.key, 0, Qt::AlignVCenter);
         row->addWidget(hint.text);
         row->addSpacing(6);

@@ -39,13 +39,12 @@ TargetCard::TargetCard(Selection &selection, QWidget *parent)
     : Translated(parent)
     , m_selection(selection)
     , m_title(made<QLabel>("targetTitle", this))
-    , m_position(new QLabel(this))
+    , m_position(made<QLabel>(trait::secondary, this))
     , m_previous(made<QToolButton>("previousTarget", trait::iconOnly, trait::strongFocus, this))
     , m_next(made<QToolButton>("nextTarget", trait::iconOnly, trait::strongFocus, this))
     , m_strip(new TargetStripView(selection, this))
     , m_statistics(made<TargetStatisticsView>("targetStatistics", this)) {
     setObjectName(QStringLiteral("targetCard"));
-    m_position->setProperty("secondary", true);
     m_previous->setIcon(lineIcon(QStringLiteral("left")));
     m_next->setIcon(lineIcon(QStringLiteral("right")));
     connect(m_previous, &QToolButton::clicked, this, [this] { step(-1); });

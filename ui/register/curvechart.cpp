@@ -218,18 +218,16 @@ void TaggedChart::drawForeground(QPainter *painter, const QRectF &rect) {
 
 CurveComparison::CurveComparison(QWidget *parent)
     : QWidget(parent)
-    , m_title(new QLabel)
+    , m_title(made<QLabel>(TextSize::head))
     , m_list(made<QLabel>("curveList"))
     , m_listArea(new QScrollArea) // limits the list, so that many curves leave height for their chart
     , m_curves(new TaggedChart("curves"))
     , m_differences(new TaggedChart("curveDifference"))
-    , m_differenceTitle(new QLabel)
+    , m_differenceTitle(made<QLabel>(TextSize::head))
     , m_first(made<QComboBox>("firstCurve"))
     , m_second(made<QComboBox>("secondCurve"))
     , m_travel(new QLabel) {
     setObjectName(QStringLiteral("curveComparison"));
-    m_title->setFont(themeFont(TextSize::head));
-    m_differenceTitle->setFont(themeFont(TextSize::head));
     auto *head = inRow(styleSpacing, {m_title, Placed::stretch()});
     auto *choice = new QButtonGroup(this);
     for (const auto &[word, of] :

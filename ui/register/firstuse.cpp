@@ -101,8 +101,7 @@ private:
 };
 
 QLabel *centred(const char *name, TextSize size) {
-    auto *label = made<QLabel>(name);
-    label->setFont(themeFont(size));
+    auto *label = made<QLabel>(name, size);
     label->setAlignment(Qt::AlignCenter);
     return label;
 }
@@ -165,11 +164,8 @@ QWidget *RegisterFirstUse::makeFacts() {
         fact.mark = new QLabel;
         fact.mark->setFixedSize(factMarkSize, factMarkSize + 2);
         fact.title = made<QLabel>(QStringLiteral("fact%1").arg(i + 1), TextSize::base);
-        fact.text = new QLabel;
-        fact.text->setFont(themeFont(TextSize::small));
-        fact.text->setWordWrap(true);
+        fact.text = made<QLabel>(TextSize::small, trait::secondary, trait::wrapped);
         fact.text->setAlignment(Qt::AlignTop);
-        fact.text->setProperty("secondary", true);
         grid->addWidget(fact.mark, 0, column, Qt::AlignTop);
         grid->addWidget(fact.title, 0, column + 1);
         grid->addWidget(fact.text, 1, column + 1);

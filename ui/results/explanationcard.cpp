@@ -30,13 +30,12 @@ ExplanationCard::ExplanationCard(Selection &selection, QWidget *parent)
     , m_selection(selection)
     , m_name(made<ElidedLabel>("explanationName", this))
     , m_source(made<QLabel>("explanationSource", trait::secondary, this))
-    , m_keys(new QLabel(this))
+    , m_keys(made<QLabel>(trait::secondary, this))
     , m_copy(made<QToolButton>("copyExplanation", this))
     , m_close(made<QToolButton>("closeExplanation", this))
     , m_view(made<ExplanationView>("explanation", this))
     , m_bars(new TargetBarsView(selection, this)) {
     setObjectName(QStringLiteral("explanationCard"));
-    m_keys->setProperty("secondary", true);
     m_copy->setIcon(lineIcon(QStringLiteral("copy")));
     m_close->setIcon(lineIcon(QStringLiteral("close")));
     for (QToolButton *button : {m_copy, m_close}) {

@@ -93,10 +93,10 @@ WelcomePage::WelcomePage(QWidget *parent)
     , m_place(new QScrollArea(this))
     , m_page(new QWidget(m_place->viewport()))
     , m_body(new QWidget(m_page))
-    , m_subtitle(new QLabel(m_body))
+    , m_subtitle(made<QLabel>(trait::secondary, m_body))
     , m_dropHint(new DropField(m_body))
     , m_recentTitle(new QLabel(m_body))
-    , m_noRecent(new QLabel(m_body))
+    , m_noRecent(made<QLabel>(trait::secondary, trait::wrapped, m_body))
     , m_examplesTitle(new QLabel(m_body))
     , m_examplesNote(new QLabel(m_body))
     , m_new(made<StartButton>("welcomeNew", QStringLiteral("axis"), m_body, StartButton::Picture::deviation))
@@ -114,7 +114,6 @@ WelcomePage::WelcomePage(QWidget *parent)
     QFont nameFont = themeFont(TextSize::head);
     nameFont.setPointSizeF(nameFont.pointSizeF() * 1.8);
     name->setFont(nameFont);
-    m_subtitle->setProperty("secondary", true);
     auto *names = inColumn(0, {name, m_subtitle});
 
     auto *head = inRow(
@@ -133,9 +132,7 @@ WelcomePage::WelcomePage(QWidget *parent)
     starts->setColumnStretch(1, 1);
     starts->setRowStretch(4, 1);
 
-    m_noRecent->setWordWrap(true);
     m_noRecent->setContentsMargins(12, 0, 12, 8);
-    m_noRecent->setProperty("secondary", true);
     auto *lists = inColumn(
         16, {makeCard(m_body, m_recentTitle, nullptr, {m_noRecent, m_recentList}), Placed::stretch()});
 

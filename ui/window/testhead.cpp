@@ -78,13 +78,11 @@ TestHead::TestHead(QWidget *parent)
     : Translated(parent)
     , m_title(made<QLabel>("testTitle", TextSize::title, this))
     , m_subtitle(made<QLabel>("testSummary", TextSize::small, trait::secondary, this))
-    , m_editionLabel(new QLabel(this))
+    , m_editionLabel(made<QLabel>(TextSize::small, trait::secondary, this))
     , m_set(made<QPushButton>("setEdition", trait::link, this))
     , m_edition(made<QComboBox>("edition", trait::strongFocus, this)) {
     setObjectName(QStringLiteral("testHead"));
     setFixedHeight(usualHeight);
-    m_editionLabel->setFont(themeFont(TextSize::small));
-    m_editionLabel->setProperty("secondary", true);
     m_editionLabel->setBuddy(m_edition);
     m_edition->setFixedHeight(fieldHeight);
     m_edition->setMinimumWidth(136);
