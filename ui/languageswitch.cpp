@@ -12,18 +12,14 @@ namespace palmer::ui {
 
 LanguageSwitch::LanguageSwitch(Names names, QWidget *parent)
     : Translated(parent)
-    , m_french(made<QToolButton>("french", this))
-    , m_english(made<QToolButton>("english", this)) {
-    auto *row = inRow(this, noMargins, 0, {});
+    , m_french(
+          made<QToolButton>("french", trait::checkable, trait::strongFocus, trait::segment("first"), this))
+    , m_english(
+          made<QToolButton>("english", trait::checkable, trait::strongFocus, trait::segment("last"), this)) {
+    inRow(this, noMargins, 0, {m_french, m_english});
     auto *group = new QButtonGroup(this);
-    for (QToolButton *button : {m_french, m_english}) {
-        button->setCheckable(true);
-        button->setFocusPolicy(Qt::StrongFocus);
+    for (QToolButton *button : {m_french, m_english})
         group->addButton(button);
-        row->addWidget(button);
-    }
-    m_french->setProperty("segment", QStringLiteral("first"));
-    m_english->setProperty("segment", QStringLiteral("last"));
     // Language names are not translated.
     m_french->setText(names == Names::codes ? QStringLiteral("FR") : QStringLiteral("Français"));
     m_english->setText(names == Names::codes ? QStringLiteral("EN") : QStringLiteral("English"));

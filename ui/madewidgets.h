@@ -38,6 +38,10 @@ inline constexpr auto plainText = [](auto &label) { label.setTextFormat(Qt::Plai
 inline constexpr auto checkable = [](auto &button) { button.setCheckable(true); };
 inline constexpr auto notDefault = [](auto &button) { button.setAutoDefault(false); };
 inline constexpr auto strongFocus = [](QWidget &widget) { widget.setFocusPolicy(Qt::StrongFocus); };
+/// For a button in a row of joined ones; `place`: first, middle, last or only.
+inline auto segment(const char *place) {
+    return [place](QWidget &button) { button.setProperty("segment", QString::fromLatin1(place)); };
+}
 /// For an area that scrolls its content up and down only, without frame and focus.
 inline constexpr auto scrollsDown = [](QScrollArea &area) {
     area.setWidgetResizable(true);
@@ -68,6 +72,12 @@ template <class Widget, class First, class... Arguments>
 requires(std::invocable<First, Widget &> || std::same_as<First, TextSize>)
     [[nodiscard]] Widget *made(First first, Arguments &&...arguments) {
     return made<Widget>(QAnyStringView(), first, std::forward<Arguments>(arguments)...);
+}
+
+/// Says to the pointer and to screen readers what a widget without words does; `keys`: its shortcut.
+inline void nameWidget(QWidget &widget, const QString &text, const QString &keys = {}) {
+    widget.setAccessibleName(text);
+    widget.setToolTip(keys.isEmpty() ? text : text + QStringLiteral(" (") + keys + u')');
 }
 
 /// What is added to a row or column: a widget or a layout with its stretch factor, a gap in pixels, or a

@@ -22,8 +22,10 @@ PasteBar::PasteBar(QWidget *parent)
     , m_remarks(made<QLabel>("pasteRemarks", TextSize::small, trait::wrapped, trait::plainText, this))
     , m_guess(made<QLabel>(TextSize::small, trait::secondary, this))
     , m_marks(new QButtonGroup(this))
-    , m_comma(made<QToolButton>("pasteComma", this))
-    , m_point(made<QToolButton>("pastePoint", this))
+    , m_comma(made<QToolButton>("pasteComma", trait::checkable, trait::strongFocus, trait::segment("first"),
+                                this))
+    , m_point(
+          made<QToolButton>("pastePoint", trait::checkable, trait::strongFocus, trait::segment("last"), this))
     , m_content(made<QComboBox>("pasteContent", trait::strongFocus, this))
     , m_boxes(new QHBoxLayout)
     , m_questions(made<RemarkList>("pasteQuestions", this))
@@ -32,14 +34,9 @@ PasteBar::PasteBar(QWidget *parent)
     setObjectName(QStringLiteral("pasteBar"));
     setProperty("bar", true);
     m_summary->setWordWrap(true); // in a narrow window the choices leave it little width
-    m_comma->setProperty("segment", QStringLiteral("first"));
-    m_point->setProperty("segment", QStringLiteral("last"));
     int id = 0;
-    for (QToolButton *button : {m_point, m_comma}) { // in the order of DecimalMark
-        button->setCheckable(true);
-        button->setFocusPolicy(Qt::StrongFocus);
+    for (QToolButton *button : {m_point, m_comma}) // in the order of DecimalMark
         m_marks->addButton(button, id++);
-    }
     m_undo->setIcon(lineIcon(QStringLiteral("undo")));
     m_undo->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_close->setIcon(lineIcon(QStringLiteral("close")));
@@ -168,8 +165,7 @@ void PasteBar::retranslate() {
     m_undo->setText(tr("Undo"));
     m_undo->setAccessibleName(tr("Undo the paste"));
     m_undo->setToolTip(tr("Takes back what was pasted, also what it has erased"));
-    m_close->setAccessibleName(tr("Close"));
-    m_close->setToolTip(tr("Close"));
+    nameWidget(*m_close, tr("Close"));
     hide(); // its sentences are in the language before
 }
 

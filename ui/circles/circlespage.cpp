@@ -120,8 +120,8 @@ CirclesPage::~CirclesPage() {
 
 QToolButton *CirclesPage::addUnit(QButtonGroup &group, const char *segment, const char *name,
                                   PointUnit unit) {
-    auto *button = made<QToolButton>(name, trait::checkable, trait::strongFocus, this);
-    button->setProperty("segment", QString::fromLatin1(segment));
+    auto *button =
+        made<QToolButton>(name, trait::checkable, trait::strongFocus, trait::segment(segment), this);
     group.addButton(button, static_cast<int>(unit));
     return button;
 }
@@ -775,8 +775,7 @@ void CirclesPage::retranslate() {
           std::pair(m_later, tr("Move the arc down: it was measured later")),
           std::pair(m_delete, tr("Delete the arc (%1)")
                                   .arg(m_deleteArcAction->shortcut().toString(QKeySequence::NativeText)))}) {
-        button->setToolTip(text);
-        button->setAccessibleName(text);
+        nameWidget(*button, text);
     }
     m_deviations->setText(QStringLiteral("Δr ") + m_language.unit(Quantity::deviation));
     m_coordinates->setText(tr("Coordinates %1", "unit").arg(m_language.unit(Quantity::position)));

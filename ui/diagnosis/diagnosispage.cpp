@@ -53,7 +53,8 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
     : QWidget(parent)
     , m_nature(made<ElidedLabel>("diagnosisNature", TextSize::head, this))
     , m_summary(made<ElidedLabel>("diagnosisSummary", TextSize::small, trait::secondary, this))
-    , m_trace(made<QToolButton>("traceSources", trait::checkable, trait::strongFocus, this))
+    , m_trace(made<QToolButton>("traceSources", trait::checkable, trait::strongFocus, trait::segment("first"),
+                                this))
     , m_empty(made<QLabel>("diagnosisEmpty", trait::secondary, trait::wrapped, this)) {
     setObjectName(QStringLiteral("diagnosisPage"));
     auto *head = inRow(nullptr, {pageMargin, 6, pageMargin, 0}, 12, {m_nature, {m_summary, 1}});
@@ -92,9 +93,7 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
 }
 
 QToolButton *DiagnosisPage::addSegment(const char *segment, const char *name) {
-    auto *button = made<QToolButton>(name, trait::checkable, trait::strongFocus, this);
-    button->setProperty("segment", QString::fromLatin1(segment));
-    return button;
+    return made<QToolButton>(name, trait::checkable, trait::strongFocus, trait::segment(segment), this);
 }
 
 QWidget *DiagnosisPage::makeBar() {
@@ -110,7 +109,6 @@ QWidget *DiagnosisPage::makeBar() {
     views->addButton(m_circle);
     views->addButton(m_feeds);
     m_trace->setChecked(true);
-    m_trace->setProperty("segment", QStringLiteral("first"));
     m_trace->setIcon(lineIcon(QStringLiteral("circle")));
     m_trace->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     row->addWidget(m_circle);

@@ -210,19 +210,16 @@ QWidget *ReportDialog::makeSide() {
 
 void ReportDialog::makeLanguages(QVBoxLayout &column) {
     m_languages = new QButtonGroup(this);
-    auto *segments = new QHBoxLayout;
-    segments->setSpacing(0);
+    auto *segments = inRow(0, {});
     const std::array names{QStringLiteral("Français"), QStringLiteral("English"), QString()};
     const std::array objects{QStringLiteral("reportFrench"), QStringLiteral("reportEnglish"),
                              QStringLiteral("reportBoth")};
-    const std::array places{QStringLiteral("first"), QStringLiteral("middle"), QStringLiteral("last")};
+    constexpr std::array places{"first", "middle", "last"};
     for (std::size_t i = 0; i < names.size(); ++i) {
-        auto *button = made<QToolButton>(objects[i], this);
+        auto *button = made<QToolButton>(objects[i], trait::checkable, trait::strongFocus,
+                                         trait::segment(places.at(i)), this);
         button->setText(names[i]);
         button->setAccessibleName(names[i]);
-        button->setCheckable(true);
-        button->setFocusPolicy(Qt::StrongFocus);
-        button->setProperty("segment", places[i]);
         m_languages->addButton(button, static_cast<int>(i));
         segments->addWidget(button);
         m_both = button;
@@ -594,15 +591,13 @@ void ReportDialog::showEvent(QShowEvent *event) {
 
 void ReportDialog::retranslate() {
     setWindowTitle(tr("Report"));
-    const auto name = [](QToolButton *button, const QString &text) {
-        button->setAccessibleName(text);
-        button->setToolTip(
-            QStringLiteral("%1 (%2)").arg(text, button->shortcut().toString(QKeySequence::NativeText)));
+    const auto name = [](QToolButton &button, const QString &text) {
+        nameWidget(button, text, button.shortcut().toString(QKeySequence::NativeText));
     };
-    name(m_previous, tr("Previous page"));
-    name(m_next, tr("Next page"));
-    name(m_smaller, tr("Smaller"));
-    name(m_larger, tr("Larger"));
+    name(*m_previous, tr("Previous page"));
+    name(*m_next, tr("Next page"));
+    name(*m_smaller, tr("Smaller"));
+    name(*m_larger, tr("Larger"));
     m_width->setText(tr("&Width"));
     m_open->setText(tr("&Open"));
     m_openFolder->setText(tr("Open the &folder"));

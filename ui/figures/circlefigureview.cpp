@@ -285,8 +285,7 @@ void CircleFigureView::retranslate() {
     m_choice->setToolTip(
         tr("All paths in one figure, or the figures of the standard about their own centres"));
     const auto name = [](QToolButton *button, const QString &tip) {
-        button->setAccessibleName(tip);
-        button->setToolTip(tip);
+        nameWidget(*button, tip);
         button->setFont(themeFont(TextSize::small));
     };
     name(m_counterclockwise, tr("Show the path anticlockwise"));

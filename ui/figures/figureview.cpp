@@ -472,16 +472,12 @@ void FigureView::askWhereToSave() {
 void FigureView::retranslate() {
     m_title->setFont(themeFont(TextSize::head));
     m_note->setFont(themeFont(TextSize::small));
-    const auto nameButton = [](QToolButton *button, const QString &text, const QString &keys = {}) {
-        button->setAccessibleName(text);
-        button->setToolTip(keys.isEmpty() ? text : text + QStringLiteral(" (") + keys + u')');
-    };
-    nameButton(m_marks,
+    nameWidget(*m_marks,
                showsCircles() ? tr("Show the points that rule the result") : tr("Show single readings"));
-    nameButton(m_copy, tr("Copy the figure"));
-    nameButton(m_save, tr("Save the figure as PDF, SVG or PNG"));
-    nameButton(m_detach, tr("Open the figure in a window of its own"));
-    nameButton(m_maximise, tr("Maximise the figure"), QStringLiteral("F11"));
+    nameWidget(*m_copy, tr("Copy the figure"));
+    nameWidget(*m_save, tr("Save the figure as PDF, SVG or PNG"));
+    nameWidget(*m_detach, tr("Open the figure in a window of its own"));
+    nameWidget(*m_maximise, tr("Maximise the figure"), QStringLiteral("F11"));
     m_canvas->setToolTip({});
     refresh();
 }

@@ -22,13 +22,9 @@ ZoomButtons::ZoomButtons(QWidget *parent)
 }
 
 void ZoomButtons::retranslate() {
-    const auto name = [](QToolButton *button, const QString &text, const QString &key) {
-        button->setAccessibleName(text);
-        button->setToolTip(text + QStringLiteral(" (") + key + u')');
-    };
-    name(m_out, tr("Zoom out"), QStringLiteral("−"));
-    name(m_in, tr("Zoom in"), QStringLiteral("+"));
-    name(m_fit, tr("Show the whole figure"), QStringLiteral("0"));
+    nameWidget(*m_out, tr("Zoom out"), QStringLiteral("−"));
+    nameWidget(*m_in, tr("Zoom in"), QStringLiteral("+"));
+    nameWidget(*m_fit, tr("Show the whole figure"), QStringLiteral("0"));
 }
 
 } // namespace palmer::ui

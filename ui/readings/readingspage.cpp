@@ -113,8 +113,8 @@ void ReadingsPage::connectParts() {
 }
 
 QToolButton *ReadingsPage::addSegment(QButtonGroup &group, const char *segment, const char *name, int id) {
-    auto *button = made<QToolButton>(name, trait::checkable, trait::strongFocus, this);
-    button->setProperty("segment", QString::fromLatin1(segment));
+    auto *button =
+        made<QToolButton>(name, trait::checkable, trait::strongFocus, trait::segment(segment), this);
     group.addButton(button, id);
     return button;
 }
@@ -406,8 +406,7 @@ void ReadingsPage::retranslate() {
     m_insertRun->setText(tr("&Insert a run before"));
     m_removeRuns->setText(tr("Delete r&uns"));
     m_addRunButton->setText(tr("Run"));
-    m_addRunButton->setToolTip(tr("Add a run each way"));
-    m_addRunButton->setAccessibleName(tr("Add a run each way"));
+    nameWidget(*m_addRunButton, tr("Add a run each way"));
     m_pasteButton->setToolTip(
         tr("Paste a block (%1)").arg(m_paste->shortcut().toString(QKeySequence::NativeText)));
     m_pasteButton->setAccessibleName(tr("Paste a block"));

@@ -129,10 +129,8 @@ void TargetCard::refresh() {
 }
 
 void TargetCard::retranslate() {
-    m_previous->setAccessibleName(tr("Previous target"));
-    m_next->setAccessibleName(tr("Next target"));
-    m_previous->setToolTip(tr("Previous target"));
-    m_next->setToolTip(tr("Next target"));
+    nameWidget(*m_previous, tr("Previous target"));
+    nameWidget(*m_next, tr("Next target"));
     refresh();
 }
 

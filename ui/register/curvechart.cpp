@@ -246,8 +246,7 @@ CurveComparison::CurveComparison(QWidget *parent)
     auto *close = made<QToolButton>("closeComparison");
     close->setIcon(lineIcon(QStringLiteral("close")));
     close->setAutoRaise(true);
-    close->setToolTip(tr("Close"));
-    close->setAccessibleName(tr("Close"));
+    nameWidget(*close, tr("Close"));
     head->addWidget(close);
     connect(close, &QToolButton::clicked, this, &CurveComparison::closed);
     auto *row = inRow(styleSpacing,

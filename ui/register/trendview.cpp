@@ -57,16 +57,14 @@ void TrendView::changeEvent(QEvent *event) {
 
 void TrendView::retranslate() {
     m_under->setText(tr("Evaluate all under…"));
-    m_copy->setToolTip(tr("Copy the chart"));
-    m_copy->setAccessibleName(tr("Copy the chart"));
+    nameWidget(*m_copy, tr("Copy the chart"));
     sayMaximised(m_maximise->isChecked());
     showLegend();
 }
 
 void TrendView::sayMaximised(bool maximised) {
     const QString does = maximised ? tr("Show tests and machines again (Esc)") : tr("Show the trend alone");
-    m_maximise->setToolTip(does);
-    m_maximise->setAccessibleName(does);
+    nameWidget(*m_maximise, does);
 }
 
 /// Shows the legend in the colours of the chart.

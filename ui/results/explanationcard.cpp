@@ -110,8 +110,7 @@ void ExplanationCard::retranslate() {
     m_source->setFont(themeFont(TextSize::small));
     m_keys->setFont(themeFont(TextSize::tiny));
     m_keys->setText(tr("Esc closes · ↑↓ next result"));
-    m_copy->setToolTip(tr("Copy the explanation as text"));
-    m_copy->setAccessibleName(tr("Copy the explanation as text"));
+    nameWidget(*m_copy, tr("Copy the explanation as text"));
     m_close->setToolTip(tr("Close the explanation (Esc)"));
     m_close->setAccessibleName(tr("Close the explanation"));
     refresh();

@@ -153,8 +153,7 @@ void FindingsPanel::retranslate() {
     m_list->setVisible(!m_folded);
     m_fold->setIcon(lineIcon(m_folded ? QStringLiteral("left") : QStringLiteral("down")));
     const QString what = m_folded ? tr("Show the findings") : tr("Fold the findings away");
-    m_fold->setToolTip(what);
-    m_fold->setAccessibleName(what);
+    nameWidget(*m_fold, what);
     m_list->setAccessibleName(tr("Findings"));
     refresh();
 }

@@ -335,8 +335,7 @@ void UncertaintyPage::prepare() {
 }
 
 void UncertaintyPage::makeTypical() {
-    m_typical = made<QToolButton>("typicalValues", trait::strongFocus, this);
-    m_typical->setProperty("segment", QStringLiteral("only"));
+    m_typical = made<QToolButton>("typicalValues", trait::strongFocus, trait::segment("only"), this);
     m_typical->setPopupMode(QToolButton::InstantPopup);
     m_typical->setMenu(new QMenu(m_typical));
     connect(m_typical->menu(), &QMenu::aboutToShow, this, &UncertaintyPage::fillTypical);
@@ -351,10 +350,11 @@ void UncertaintyPage::addMethods() {
     auto *group = new QButtonGroup(bar);
     for (std::size_t i = 0; i < methods.size(); ++i) {
         auto *button = made<QToolButton>(QStringLiteral("method%1").arg(static_cast<int>(methods[i])),
-                                         trait::checkable, trait::strongFocus, bar);
-        button->setProperty("segment", i == 0                    ? QStringLiteral("first")
-                                       : i + 1 == methods.size() ? QStringLiteral("last")
-                                                                 : QStringLiteral("middle"));
+                                         trait::checkable, trait::strongFocus,
+                                         trait::segment(i == 0                    ? "first"
+                                                        : i + 1 == methods.size() ? "last"
+                                                                                  : "middle"),
+                                         bar);
         group->addButton(button, static_cast<int>(i));
         row->addWidget(button);
         m_methods[i] = button;

@@ -881,8 +881,7 @@ void Workplace::keepSizes() const {
 void Workplace::retranslate() {
     setAccessibleName(tr("Test report"));
     m_addTest->setText(tr("Test"));
-    m_addTest->setToolTip(tr("Add a test"));
-    m_addTest->setAccessibleName(tr("Add a test"));
+    nameWidget(*m_addTest, tr("Add a test"));
     m_tabs->setAccessibleName(tr("Pages of the test"));
     m_tabs->setTabText(0, tr("&Readings"));
     m_tabs->setTabText(1, tr("&Conditions"));
