@@ -68,8 +68,8 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     , m_circle(std::move(circle))
     , m_language(language)
     , m_text(made<TableText>("arcTable", this))
-    , m_problem(made<QLabel>("arcProblem", trait::reason, this))
-    , m_paths(made<QLabel>("arcPaths", this))
+    , m_problem(made<QLabel>("arcProblem", trait::reason, trait::wrapped, trait::plainText, this))
+    , m_paths(made<QLabel>("arcPaths", trait::wrapped, trait::plainText, this))
     , m_remarks(made<RemarkList>("arcRemarks", this))
     , m_remarksPlace(new QScrollArea(this)) {
     setObjectName(QStringLiteral("arcDialog"));
@@ -89,10 +89,6 @@ ArcDialog::ArcDialog(CircularMeasurement circle, const Language &language, const
     m_remarksPlace->setWidgetResizable(true);
     m_remarksPlace->setFrameShape(QFrame::NoFrame);
     m_remarksPlace->setFixedHeight(remarksHeight);
-    for (QLabel *each : {m_problem, m_paths}) {
-        each->setWordWrap(true);
-        each->setTextFormat(Qt::PlainText);
-    }
 
     auto *side = new QWidget(this);
     side->setFixedWidth(sideWidth);

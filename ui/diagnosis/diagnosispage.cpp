@@ -67,14 +67,11 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
     m_table = new RowTable("diagnosisTable", TableColumn::columns, m_content);
     m_table->setFocusPolicy(Qt::StrongFocus);
     m_table->installEventFilter(this);
-    m_title = made<QLabel>("sourceTitle", m_content);
-    m_text = made<QLabel>("sourceText", m_content);
-    m_remarks = made<QLabel>("diagnosisRemarks", m_content);
-    for (QLabel *label : {m_title, m_text, m_remarks}) {
-        label->setTextFormat(Qt::PlainText);
-        label->setWordWrap(true);
+    m_title = made<QLabel>("sourceTitle", trait::plainText, trait::wrapped, m_content);
+    m_text = made<QLabel>("sourceText", trait::plainText, trait::wrapped, m_content);
+    m_remarks = made<QLabel>("diagnosisRemarks", trait::plainText, trait::wrapped, m_content);
+    for (QLabel *label : {m_title, m_text, m_remarks})
         label->setProperty("secondary", label != m_title);
-    }
     inColumn(m_content, {pageMargin, 0, pageMargin, 8}, 4,
              {m_table, Placed::gap(6), m_title, m_text, m_remarks, {makeBelow(), 1}});
     m_area->setWidget(m_content);

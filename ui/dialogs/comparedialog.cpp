@@ -229,24 +229,19 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
     , m_tabs(made<QTabWidget>("compareTabs", this))
     , m_editionList(made<QListWidget>("editionList", this))
     , m_editionTable(readOnlyTable(this, "editionTable"))
-    , m_editionNotes(made<QLabel>("editionNotes", this))
+    , m_editionNotes(made<QLabel>("editionNotes", trait::secondary, trait::wrapped, trait::plainText, this))
     , m_testList(made<QListWidget>("testList", this))
     , m_view(new ComparisonView(this))
     , m_testTable(readOnlyTable(this, "testTable"))
-    , m_testNotes(new QLabel(this))
-    , m_addFile(made<QPushButton>("addFile", this))
-    , m_copy(made<QPushButton>("copyComparison", this))
-    , m_close(made<QPushButton>("closeComparison", this)) {
+    , m_testNotes(made<QLabel>(trait::secondary, trait::wrapped, trait::plainText, this))
+    , m_addFile(made<QPushButton>("addFile", trait::notDefault, this))
+    , m_copy(made<QPushButton>("copyComparison", trait::notDefault, this))
+    , m_close(made<QPushButton>("closeComparison", trait::notDefault, this)) {
     setObjectName(QStringLiteral("compareDialog"));
     resize(sizeOnScreen(*this, {1200, 720}));
     for (QListWidget *list : {m_editionList, m_testList}) {
         list->setFixedWidth(listWidth);
         list->setProperty("roomy", true);
-    }
-    for (QLabel *notes : {m_editionNotes, m_testNotes}) {
-        notes->setProperty("secondary", true);
-        notes->setWordWrap(true);
-        notes->setTextFormat(Qt::PlainText);
     }
     auto *editions = new QWidget(m_tabs);
     auto *editionColumn = inColumn(styleSpacing, {{m_editionTable, 1}, m_editionNotes});
@@ -259,8 +254,6 @@ CompareDialog::CompareDialog(const EvaluatedDocument &evaluated, std::size_t tes
     m_tabs->addTab(tests, QString());
     auto *buttons = inRow(styleSpacing, {Placed::stretch(), m_copy, m_close});
     m_copy->setIcon(lineIcon(QStringLiteral("copy")));
-    for (QPushButton *button : {m_addFile, m_copy, m_close})
-        button->setAutoDefault(false);
     inColumn(this, styleMargins, styleSpacing, {{m_tabs, 1}, buttons});
 
     if (test < evaluated.tests.size()) {

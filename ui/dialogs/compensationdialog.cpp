@@ -66,16 +66,16 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     , m_encoder(addChoice("encoder"))
     , m_mark(addChoice("decimalMark"))
     , m_reason(made<QLabel>("compensationReason", trait::reason, trait::wrapped, trait::plainText, this))
-    , m_tableTitle(new QLabel(this))
+    , m_tableTitle(made<QLabel>(TextSize::head, this))
     , m_table(made<QPlainTextEdit>("compensationTable", this))
-    , m_curveTitle(new QLabel(this))
+    , m_curveTitle(made<QLabel>(TextSize::head, this))
     , m_curve(made<LineView>("compensationCurve", this))
-    , m_predictionTitle(new QLabel(this))
+    , m_predictionTitle(made<QLabel>(TextSize::head, this))
     , m_prediction(made<QTableWidget>("prediction", this))
     , m_note(made<QLabel>("compensationNote", trait::secondary, trait::wrapped, trait::plainText, this))
-    , m_compare(made<QPushButton>("compareCompensation", this))
-    , m_save(made<QPushButton>("saveCompensation", trait::primary, this))
-    , m_close(made<QPushButton>("closeCompensation", this)) {
+    , m_compare(made<QPushButton>("compareCompensation", trait::notDefault, this))
+    , m_save(made<QPushButton>("saveCompensation", trait::primary, trait::notDefault, this))
+    , m_close(made<QPushButton>("closeCompensation", trait::notDefault, this)) {
     setObjectName(QStringLiteral("compensationDialog"));
     resize(1040, 680);
     Field *from = addNumber("from", QT_TR_NOOP("From (empty: first target)"), &CompensationOptions::from);
@@ -110,8 +110,6 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     m_prediction->verticalHeader()->setDefaultSectionSize(predictionRowHeight);
     m_prediction->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_prediction->setFixedHeight((predictionRows + 1) * predictionRowHeight + 4);
-    for (QLabel *title : {m_tableTitle, m_curveTitle, m_predictionTitle})
-        title->setFont(themeFont(TextSize::head));
 
     auto *right = inColumn(styleSpacing, {m_curveTitle, {m_curve, 1}});
     auto *prediction = inColumn(styleSpacing, {m_predictionTitle, m_prediction, m_note, Placed::stretch()});
@@ -119,8 +117,6 @@ CompensationDialog::CompensationDialog(EvaluatedDocument evaluated, std::size_t 
     right->addLayout(inRow(pageMargin, {{prediction, 1}, {table, 1}}));
     auto *body = inRow(pageMargin, {left, {right, 1}});
     auto *foot = inRow(styleSpacing, {m_compare, Placed::stretch(), m_close, m_save});
-    for (QPushButton *button : {m_compare, m_save, m_close})
-        button->setAutoDefault(false);
     inColumn(this, {pageMargin, pageMargin, pageMargin, pageMargin}, pageMargin, {{body, 1}, foot});
 
     connect(m_compare, &QPushButton::clicked, this, &CompensationDialog::chooseTable);

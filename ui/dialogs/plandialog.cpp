@@ -104,14 +104,14 @@ PlanDialog::PlanDialog(DocumentModel &model, std::size_t test, QWidget *parent)
     , m_summary(made<QLabel>("planSummary", trait::wrapped, this))
     , m_targets(made<QLabel>("planTargets", trait::wrapped, this))
     , m_reseed(made<QPushButton>("reseed", trait::notDefault, this))
-    , m_fill(made<QPushButton>("fillTest", this))
-    , m_make(made<QPushButton>("makeTest", trait::primary, this))
-    , m_print(made<QPushButton>("printPlan", this))
-    , m_savePlan(made<QPushButton>("savePlan", this))
+    , m_fill(made<QPushButton>("fillTest", trait::notDefault, this))
+    , m_make(made<QPushButton>("makeTest", trait::primary, trait::notDefault, this))
+    , m_print(made<QPushButton>("printPlan", trait::notDefault, this))
+    , m_savePlan(made<QPushButton>("savePlan", trait::notDefault, this))
     , m_dialect(made<QComboBox>("dialect", this))
     , m_programReason(made<QLabel>("programReason", trait::reason, trait::wrapped, trait::plainText, this))
-    , m_saveProgram(made<QPushButton>("saveProgram", this))
-    , m_close(made<QPushButton>("closePlan", this)) {
+    , m_saveProgram(made<QPushButton>("saveProgram", trait::notDefault, this))
+    , m_close(made<QPushButton>("closePlan", trait::notDefault, this)) {
     setObjectName(QStringLiteral("planDialog"));
     resize(sizeOnScreen(*this, {980, 680}));
     m_request.travel = 1000;
@@ -253,8 +253,6 @@ QHBoxLayout *PlanDialog::makeButtons() {
     m_saveProgram->setIcon(lineIcon(QStringLiteral("save")));
     m_print->setIcon(lineIcon(QStringLiteral("print")));
     m_savePlan->setIcon(lineIcon(QStringLiteral("pdf")));
-    for (QPushButton *button : {m_saveProgram, m_print, m_savePlan, m_fill, m_make, m_close})
-        button->setAutoDefault(false);
     return inRow(styleSpacing,
                  {m_dialect, m_saveProgram, Placed::gap(12), m_print, m_savePlan, Placed::stretch()});
 }

@@ -116,15 +116,12 @@ QWidget *ReportDialog::makeHead() {
     head->setFixedHeight(pageBarHeight);
     m_title = made<QLabel>(TextSize::title, head);
     m_summary = made<ElidedLabel>(TextSize::small, trait::secondary, head);
-    m_open = new QPushButton(head);
-    m_openFolder = new QPushButton(head);
+    m_open = made<QPushButton>(trait::link, trait::notDefault, head);
+    m_openFolder = made<QPushButton>(trait::link, trait::notDefault, head);
     m_open->setObjectName(QStringLiteral("openSaved"));
     m_openFolder->setObjectName(QStringLiteral("openFolder"));
-    for (QPushButton *link : {m_open, m_openFolder}) {
-        link->setProperty("link", true);
-        link->setAutoDefault(false);
+    for (QPushButton *link : {m_open, m_openFolder})
         link->hide();
-    }
     connect(m_open, &QPushButton::clicked, this, [this] {
         for (const QString &file : m_saved)
             QDesktopServices::openUrl(QUrl::fromLocalFile(file));

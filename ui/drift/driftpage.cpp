@@ -44,25 +44,21 @@ DriftPage::DriftPage(DocumentModel &model, Selection &selection, QWidget *parent
     , m_model(model)
     , m_selection(selection)
     , m_range(made<ElidedLabel>("driftRange", this))
-    , m_explained(made<QLabel>(trait::wrapped, this))
-    , m_taken(made<QLabel>("driftTakenBy", trait::wrapped, this))
+    , m_explained(made<QLabel>(trait::wrapped, trait::secondary, this))
+    , m_taken(made<QLabel>("driftTakenBy", trait::wrapped, trait::secondary, this))
     , m_reason(made<QLabel>("driftReason", trait::reason, trait::plainText, this))
-    , m_paste(made<QToolButton>("pasteDrift", this))
-    , m_remove(made<QToolButton>("removeDrift", this))
+    , m_paste(made<QToolButton>("pasteDrift", trait::strongFocus, this))
+    , m_remove(made<QToolButton>("removeDrift", trait::strongFocus, this))
     , m_table(made<QTableView>("driftReadings", this))
     , m_pasted(new TablePaste(model, *this)) {
     setObjectName(QStringLiteral("driftPage"));
     setFocusProxy(m_table);
-    for (QLabel *label : {m_explained, m_taken})
-        label->setProperty("secondary", true);
     m_taken->setTextFormat(Qt::RichText);
     m_reason->hide();
     m_paste->setIcon(lineIcon(QStringLiteral("paste")));
     m_remove->setIcon(lineIcon(QStringLiteral("close")));
-    for (QToolButton *button : {m_paste, m_remove}) {
+    for (QToolButton *button : {m_paste, m_remove})
         button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-        button->setFocusPolicy(Qt::StrongFocus);
-    }
     makeTable();
     connectParts();
     arrange();

@@ -131,8 +131,8 @@ ImportAssistant::ImportAssistant(MeasurementFile file, const Document *open, QWi
     , m_file(std::move(file))
     , m_title(made<QLabel>(TextSize::title, trait::plainText, this))
     , m_origin(made<QLabel>(trait::secondary, this))
-    , m_other(made<QPushButton>("importOther", this))
-    , m_paste(made<QPushButton>("importPaste", this))
+    , m_other(made<QPushButton>("importOther", trait::notDefault, this))
+    , m_paste(made<QPushButton>("importPaste", trait::notDefault, this))
     , m_choices(new QGridLayout)
     , m_destinationName(new QLabel(this))
     , m_destination(made<ElidedBox>("import.destination", this))
@@ -156,10 +156,10 @@ ImportAssistant::ImportAssistant(MeasurementFile file, const Document *open, QWi
     , m_confirmAll(made<QPushButton>("confirmAll", trait::notDefault, this))
     , m_remarks(new RemarkList(this))
     , m_keep(made<QCheckBox>("keepBytes", this))
-    , m_saveProfile(made<QPushButton>("saveProfile", this))
+    , m_saveProfile(made<QPushButton>("saveProfile", trait::notDefault, this))
     , m_open(made<QLabel>("importOpen", this))
-    , m_cancel(made<QPushButton>("cancelImport", this))
-    , m_import(made<QPushButton>("acceptImport", trait::primary, this))
+    , m_cancel(made<QPushButton>("cancelImport", trait::notDefault, this))
+    , m_import(made<QPushButton>("acceptImport", trait::primary, trait::notDefault, this))
     , m_work(new WorkBar(this)) {
     if (open)
         m_document = *open;
@@ -192,8 +192,6 @@ void ImportAssistant::makeLayout() {
 
     auto *foot = inRow(styleSpacing, {m_keep, Placed::gap(24), m_saveProfile, Placed::stretch(), m_open,
                                       m_cancel, m_import});
-    for (QPushButton *button : {m_other, m_paste, m_saveProfile, m_cancel, m_import})
-        button->setAutoDefault(false);
 
     inColumn(this, styleMargins, styleSpacing, {head, m_choices, {makeMiddle(), 1}, makeRemarks(), foot});
     connectAll();

@@ -26,7 +26,6 @@ QLayout *MachineSide::makeHead() {
     auto *choice = new QButtonGroup(this);
     auto *switches = inRow(0, {});
     for (QToolButton *button : {m_all, m_toDo}) {
-        button->setCheckable(true);
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         choice->addButton(button);
         switches->addWidget(button);

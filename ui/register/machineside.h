@@ -46,8 +46,8 @@ private:
     MachineModel *m_machines = new MachineModel(this);
     QLabel *m_title = made<QLabel>("machinesTitle", TextSize::head);
     QLineEdit *m_search = made<QLineEdit>("machineSearch");
-    QToolButton *m_all = made<QToolButton>("allMachines");
-    QToolButton *m_toDo = made<QToolButton>("machinesToDo");
+    QToolButton *m_all = made<QToolButton>("allMachines", trait::checkable);
+    QToolButton *m_toDo = made<QToolButton>("machinesToDo", trait::checkable);
     QLabel *m_noMachine = made<QLabel>("noMachine", TextSize::base, trait::wrapped);
     QListView *m_list = made<QListView>("machines");
     GhostRows *m_ghosts = made<GhostRows>("ghostRows");

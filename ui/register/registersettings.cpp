@@ -36,29 +36,22 @@ QString withPassword(const QString &address, const QString &password) {
 RegisterSettings::RegisterSettings(RegisterService &service, QWidget *parent)
     : Translated(parent)
     , m_service(service)
-    , m_foldersTitle(new QLabel)
+    , m_foldersTitle(made<QLabel>(TextSize::head))
     , m_folders(new FolderList(service.folders()))
-    , m_placeTitle(new QLabel)
+    , m_placeTitle(made<QLabel>(TextSize::head))
     , m_place(made<QComboBox>("registerPlace"))
-    , m_index(made<QLabel>("registerIndex"))
+    , m_index(made<QLabel>("registerIndex", trait::secondary, trait::plainText, trait::wrapped))
     , m_server(new QWidget)
     , m_address(made<QLineEdit>("registerServer"))
     , m_password(made<QLineEdit>("registerPassword"))
     , m_connect(made<QPushButton>("registerConnect", trait::notDefault))
-    , m_note(new QLabel)
+    , m_note(made<QLabel>(trait::secondary, trait::plainText, trait::wrapped))
     , m_outcome(made<QLabel>("registerOutcome", trait::wrapped, trait::plainText)) {
     constexpr int listHeight = 84;
     setObjectName(QStringLiteral("registerSettings"));
     m_folders->setMaximumHeight(2 * listHeight);
     m_folders->setMinimumHeight(listHeight);
     m_password->setEchoMode(QLineEdit::Password);
-    for (QLabel *title : {m_foldersTitle, m_placeTitle})
-        title->setFont(themeFont(TextSize::head));
-    for (QLabel *label : {m_index, m_note}) {
-        label->setProperty("secondary", true);
-        label->setTextFormat(Qt::PlainText);
-        label->setWordWrap(true);
-    }
     m_index->setTextInteractionFlags(Qt::TextSelectableByMouse);
     inColumn(m_server, noMargins, styleSpacing,
              {m_address, inRow(styleSpacing, {{m_password, 1}, m_connect}), m_note});

@@ -20,10 +20,8 @@ RegisterStatus::RegisterStatus(RegisterService &service)
     m_progress->setFixedSize(140, 6);
     m_progress->setTextVisible(false);
     m_progress->hide();
-    for (QPushButton *link : {m_unreadable, m_stop}) {
-        link->setProperty("link", true);
+    for (QPushButton *link : {m_unreadable, m_stop})
         link->setFixedHeight(statusHeight - 4);
-    }
     m_stop->hide();
     for (QFrame *rule : m_rules) {
         rule->setProperty("rule", true);

@@ -43,8 +43,8 @@ private:
     QLabel *m_state = made<ElidedLabel>("scanState");        ///< database messages may be long
     std::array<QFrame *, 2> m_rules{new QFrame, new QFrame}; ///< around the state
     QProgressBar *m_progress = made<QProgressBar>("scanProgress");
-    QPushButton *m_stop = made<QPushButton>("stopScan", TextSize::base);
-    QPushButton *m_unreadable = made<QPushButton>("unreadable", TextSize::base);
+    QPushButton *m_stop = made<QPushButton>("stopScan", TextSize::base, trait::link);
+    QPushButton *m_unreadable = made<QPushButton>("unreadable", TextSize::base, trait::link);
     QLabel *m_shown = made<QLabel>("shownAndChosen");
 };
 

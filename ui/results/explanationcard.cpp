@@ -31,17 +31,13 @@ ExplanationCard::ExplanationCard(Selection &selection, QWidget *parent)
     , m_name(made<ElidedLabel>("explanationName", this))
     , m_source(made<QLabel>("explanationSource", trait::secondary, this))
     , m_keys(made<QLabel>(trait::secondary, this))
-    , m_copy(made<QToolButton>("copyExplanation", this))
-    , m_close(made<QToolButton>("closeExplanation", this))
+    , m_copy(made<QToolButton>("copyExplanation", trait::iconOnly, trait::strongFocus, this))
+    , m_close(made<QToolButton>("closeExplanation", trait::iconOnly, trait::strongFocus, this))
     , m_view(made<ExplanationView>("explanation", this))
     , m_bars(new TargetBarsView(selection, this)) {
     setObjectName(QStringLiteral("explanationCard"));
     m_copy->setIcon(lineIcon(QStringLiteral("copy")));
     m_close->setIcon(lineIcon(QStringLiteral("close")));
-    for (QToolButton *button : {m_copy, m_close}) {
-        button->setProperty("iconOnly", true);
-        button->setFocusPolicy(Qt::StrongFocus);
-    }
     m_bars->setFixedWidth(barsWidth);
     connect(m_copy, &QToolButton::clicked, this, &ExplanationCard::copy);
     connect(m_close, &QToolButton::clicked, this, [this] { m_selection.setParameter({}); });

@@ -25,15 +25,13 @@ SimulationRow::SimulationRow(Simulator &simulator, QWidget *parent)
     , m_simulator(simulator)
     , m_text(made<ElidedLabel>("simulationText", this))
     , m_bar(new QProgressBar(this))
-    , m_start(made<QPushButton>("simulate", this))
-    , m_cancel(made<QPushButton>("cancelSimulation", this)) {
+    , m_start(made<QPushButton>("simulate", trait::notDefault, this))
+    , m_cancel(made<QPushButton>("cancelSimulation", trait::notDefault, this)) {
     m_text->setProperty("secondary", true);
     m_text->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_bar->setTextVisible(false);
     m_bar->setFixedSize(barWidth, progressHeight);
     inRow(this, noMargins, styleSpacing, {{m_text, 1}, m_bar, m_start, m_cancel});
-    for (QPushButton *button : {m_start, m_cancel})
-        button->setAutoDefault(false);
     connect(m_start, &QPushButton::clicked, this, [this] { m_simulator.start(m_evaluated, {m_test}); });
     connect(m_cancel, &QPushButton::clicked, &simulator, &Simulator::cancel);
     connect(&simulator, &Simulator::progressed, this, &SimulationRow::refresh);

@@ -76,8 +76,8 @@ QString testSummary(const Test &test) {
 
 TestHead::TestHead(QWidget *parent)
     : Translated(parent)
-    , m_title(made<QLabel>("testTitle", TextSize::title, this))
-    , m_subtitle(made<QLabel>("testSummary", TextSize::small, trait::secondary, this))
+    , m_title(made<QLabel>("testTitle", TextSize::title, trait::plainText, this))
+    , m_subtitle(made<QLabel>("testSummary", TextSize::small, trait::secondary, trait::plainText, this))
     , m_editionLabel(made<QLabel>(TextSize::small, trait::secondary, this))
     , m_set(made<QPushButton>("setEdition", trait::link, this))
     , m_edition(made<QComboBox>("edition", trait::strongFocus, this)) {
@@ -89,7 +89,6 @@ TestHead::TestHead(QWidget *parent)
     m_edition->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     m_set->setFixedHeight(fieldHeight);
     for (QLabel *label : {m_title, m_subtitle}) {
-        label->setTextFormat(Qt::PlainText);
         label->setMinimumWidth(0);
         label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
     }
