@@ -67,11 +67,14 @@ template <class Widget, class... Arguments>
     return widget;
 }
 
-/// The same without a name.
-template <class Widget, class First, class... Arguments>
-requires(std::invocable<First, Widget &> || std::same_as<First, TextSize>)
-    [[nodiscard]] Widget *made(First first, Arguments &&...arguments) {
-    return made<Widget>(QAnyStringView(), first, std::forward<Arguments>(arguments)...);
+/// Returns a new widget with a text size or a trait, without a name.
+template <class Widget, class... Arguments>
+[[nodiscard]] Widget *made(TextSize size, Arguments &&...arguments) {
+    return made<Widget>(QAnyStringView(), size, std::forward<Arguments>(arguments)...);
+}
+template <class Widget, std::invocable<Widget &> Trait, class... Arguments>
+[[nodiscard]] Widget *made(Trait set, Arguments &&...arguments) {
+    return made<Widget>(QAnyStringView(), set, std::forward<Arguments>(arguments)...);
 }
 
 /// Says to the pointer and to screen readers what a widget without words does; `keys`: its shortcut.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/elidedlabel.h"
+#include "ui/madewidgets.h"
 #include "ui/register/registermenus.h"
 #include "ui/register/trendchart.h"
 #include "ui/register/trendfacts.h"
