@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editing/driftreadings.h"
 
-#include "document/documenterror.h"
 #include "editing/pastedtable.h"
+#include "tables/contenterror.h"
 
 #include <algorithm>
 #include <iterator>
@@ -51,8 +51,7 @@ PastedDrift driftReadingsFrom(const std::string &pasted, Motion motion, const Di
     result.remarks = remarksOfPaste(imported);
     const auto &drift = std::get<DriftMeasurement>(imported.test->measurement);
     if (drift.axis.motion != motion)
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the unit of the readings is not one of this axis")});
+        refuseContent(REPORT_TEXT("report", "the unit of the readings is not one of this axis"));
     for (std::size_t i = 0; i < drift.times.size(); ++i)
         result.readings.push_back({drift.times[i], drift.deviations[i]});
     result.taken = result.readings.size();

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/choices.h"
 
-#include "document/documenterror.h"
 #include "import/formats.h"
 #include "import/layouts/columnrole.h"
 #include "import/question.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/words/shortest.h"
+#include "tables/contenterror.h"
 #include "tables/numbercell.h"
 
 #include <algorithm>
@@ -223,24 +223,21 @@ void requireKnownValue(const std::string &key, const std::string &value) {
         std::string list;
         for (const ImportKey &row : keys)
             list += (list.empty() ? "" : ", ") + std::string(row.key);
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "unknown choice %1; known: %2"), {key, list}});
+        refuseContent(REPORT_TEXT("report", "unknown choice %1; known: %2"), key, list);
     }
     const auto same = [&](const ImportWord &word) { return word.word == value; };
     if (value == keepAnswer && isAsked(key))
         return;
     if (known->value == ImportValue::word && std::ranges::none_of(known->words, same))
-        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                                           {known->name, value, listOf(known->words)}});
+        refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), known->name, value,
+                      listOf(known->words));
     if (known->value == ImportValue::number && !numberOf(value))
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "%1 cannot be %2; expected a number"), {known->name, value}});
+        refuseContent(REPORT_TEXT("report", "%1 cannot be %2; expected a number"), known->name, value);
     if (std::string unknownRole; key == "columns" && !columnsOf(value, unknownRole))
-        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                                           {known->name, unknownRole, roleWords()}});
+        refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), known->name, unknownRole,
+                      roleWords());
     if (key == "edition" && !findEdition(value))
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "unknown edition %1; known: %2"), {value, wordsOf(editions())}});
+        refuseContent(REPORT_TEXT("report", "unknown edition %1; known: %2"), value, wordsOf(editions()));
 }
 
 } // namespace
@@ -290,8 +287,8 @@ std::string Choices::resolveEdition(Kind kind) {
     std::string chosen = resolve("edition", defaultEdition(kind).word, Origin::recognised).value;
     const Edition *edition = findEdition(chosen);
     if (!edition || edition->kind != kind) {
-        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                                           {nameOfChoice("edition"), chosen, wordsOf(editionsOf(kind))}});
+        refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), nameOfChoice("edition"), chosen,
+                      wordsOf(editionsOf(kind)));
     }
     return chosen;
 }

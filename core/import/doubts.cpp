@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/question.h"
 
+#include "tables/contenterror.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -16,10 +18,6 @@ constexpr double largestRatio = 100; // of the spread of a run to that of the ot
 
 void doubt(std::vector<Remark> &remarks, Message message, const char *choice) {
     addRemark(remarks, RemarkGrade::problem, std::move(message), 0, choice);
-}
-
-Number counted(std::size_t n) {
-    return {static_cast<double>(n), Quantity::count};
 }
 
 struct ReadingRange {

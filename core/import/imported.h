@@ -2,13 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "document/documenterror.h"
 #include "import/choices.h"
 #include "import/layouts/columnrole.h"
 #include "import/question.h"
 #include "import/remark.h"
 #include "kernel/measurement/machine.h"
 #include "kernel/measurement/test.h"
+#include "tables/contenterror.h"
 #include "tables/table.h"
 
 #include <cstdint>

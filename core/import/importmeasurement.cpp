@@ -121,10 +121,8 @@ bool hasSense(const DriftMeasurement &measurement) {
 /// Throws Error for numbers beyond any machine, as files may hold any number.
 void requireSense(const Test &test) {
     if (!std::visit([](const auto &measurement) { return hasSense(measurement); }, test.measurement))
-        throw Error(
-            Error::Kind::content,
-            {REPORT_TEXT("report",
-                         "there are numbers in it that no machine has; check units and decimal mark")});
+        refuseContent(REPORT_TEXT(
+            "report", "there are numbers in it that no machine has; check units and decimal mark"));
 }
 
 /// Hours of the series before the test; null if one of the two is not dated.
@@ -197,9 +195,8 @@ void requireKind(const Imported &imported, const Choices &choices) {
     if (imported.test)
         kind = fileWord(kindOf(*imported.test));
     if (choices.isChosen("kind") && choices.chosen("kind") != kind)
-        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; known: %3"),
-                                           {nameOfChoice("kind"), nameOfWord("kind", choices.chosen("kind")),
-                                            nameOfWord("kind", kind)}});
+        refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), nameOfChoice("kind"),
+                      nameOfWord("kind", choices.chosen("kind")), nameOfWord("kind", kind));
 }
 
 /// Reads the bytes; on an Error sets `refusal` and keeps what was found before.
@@ -308,11 +305,9 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
             pointer = std::make_shared<const Test>(std::move(test));
         }
         if (!added)
-            throw Error(
-                Error::Kind::content,
-                {REPORT_TEXT(
-                    "report",
-                    "temperatures need a test that they belong to; import the measurement before them")});
+            refuseContent(REPORT_TEXT(
+                "report",
+                "temperatures need a test that they belong to; import the measurement before them"));
         return;
     }
     Test test = std::move(*imported.test);

@@ -56,10 +56,6 @@ private:
     std::string m_text;
 };
 
-std::string lineOf(const TableRow &row) {
-    return std::to_string(row.line) + ":1";
-}
-
 /// Splits the file into statements, headings and rows of readings.
 class Reader {
 public:
@@ -150,9 +146,8 @@ private:
             if (found != statements->end())
                 return found->value;
         }
-        throw Error(
-            Error::Kind::content,
-            {REPORT_TEXT("report", "this CSV does not state its “%1”; export it again"), {std::string(key)}});
+        refuseContent(REPORT_TEXT("report", "this CSV does not state its “%1”; export it again"),
+                      std::string(key));
     }
 
     std::string settled(const char *choice, const std::string &found) {
@@ -166,10 +161,8 @@ private:
         const std::string known = settled("unit", unit ? unit->word : word);
         m_unit = unitOf(known);
         if (!m_heading)
-            throw Error(
-                Error::Kind::content,
-                {REPORT_TEXT("report",
-                             "there are no readings in it; expected target positions and deviations")});
+            refuseContent(REPORT_TEXT(
+                "report", "there are no readings in it; expected target positions and deviations"));
     }
 
     /// The unit in a column heading.
@@ -177,10 +170,9 @@ private:
         const std::string heading = textOf(*m_heading, column);
         const Unit *said = unitIn(heading);
         if (said && said->kind == m_unit->kind && said != m_unit)
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "“%1” contradicts the unit stated above, %2"),
-                         {heading, std::string(m_unit->sign)}},
-                        lineOf(*m_heading));
+            refuseContentAt(placeOfLine(m_heading->line),
+                            REPORT_TEXT("report", "“%1” contradicts the unit stated above, %2"), heading,
+                            std::string(m_unit->sign));
         return said ? said : m_unit;
     }
 
@@ -197,7 +189,7 @@ private:
             if (value.kind == CellKind::number)
                 return unit.toBase(value.value);
         }
-        throw Error(Error::Kind::content, {REPORT_TEXT("report", "“%1” is no number"), {text}}, lineOf(row));
+        refuseContentAt(placeOfLine(row.line), REPORT_TEXT("report", "“%1” is no number"), text);
     }
 
     [[nodiscard]] std::vector<const TableRow *> rows() const {
@@ -221,10 +213,9 @@ private:
             const std::string path = "runs[" + std::to_string(run++) + "].";
             const bool up = stated(path + "approach") == fileWord(Direction::positive);
             if (heading.find(up ? "↑" : "↓") == std::string::npos)
-                throw Error(Error::Kind::content,
-                            {REPORT_TEXT("report", "“%1” contradicts the direction stated above, %2"),
-                             {heading, std::string(up ? "↑" : "↓")}},
-                            lineOf(*m_heading));
+                refuseContentAt(placeOfLine(m_heading->line),
+                                REPORT_TEXT("report", "“%1” contradicts the direction stated above, %2"),
+                                heading, std::string(up ? "↑" : "↓"));
             List deviations;
             for (const TableRow *row : rows()) {
                 const auto value = number(*row, column, *unitOfHeading(column),
@@ -244,9 +235,8 @@ private:
             if (withoutUnit(textOf(*m_heading, column)) == name)
                 return column;
         }
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the heading “%1” is missing"), {std::string(name)}},
-                    lineOf(*m_heading));
+        refuseContentAt(placeOfLine(m_heading->line), REPORT_TEXT("report", "the heading “%1” is missing"),
+                        std::string(name));
     }
 
     [[nodiscard]] List column(const std::vector<const TableRow *> &block, std::size_t column, CellRole role) {

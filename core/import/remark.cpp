@@ -32,7 +32,7 @@ void UnusedLines::remark(std::vector<Remark> &remarks) const {
     if (m_count > 0)
         addRemark(remarks, RemarkGrade::note,
                   {REPORT_TEXT("report", "Lines of text that were not used: %1 (%2)."),
-                   {Number{static_cast<double>(m_count), Quantity::count}, m_quoted}});
+                   {counted(m_count), m_quoted}});
 }
 
 } // namespace palmer

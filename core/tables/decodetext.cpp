@@ -3,6 +3,7 @@
 #include "tables/decodetext.h"
 
 #include "document/hugepages.h"
+#include "tables/contenterror.h"
 #include "tables/numbercell.h"
 
 #include <QStringDecoder>
@@ -146,9 +147,8 @@ bool looksChinese(std::string_view bytes) {
 std::string fromGb18030(std::string_view bytes) {
     QStringDecoder decode("GB18030", QStringConverter::Flag::Stateless);
     if (!decode.isValid())
-        throw Error(
-            Error::Kind::content,
-            {REPORT_TEXT("report", "this Qt does not know the encoding GB18030; save the text as UTF-8")});
+        refuseContent(
+            REPORT_TEXT("report", "this Qt does not know the encoding GB18030; save the text as UTF-8"));
     const QString text = decode(QByteArrayView(bytes.data(), static_cast<qsizetype>(bytes.size())));
     std::string utf8 = text.toStdString();
     if (decode.hasError() || text.contains(QChar::ReplacementCharacter))
@@ -246,9 +246,8 @@ DecodedText decodeText(QByteArrayView bytes, std::optional<Encoding> chosen) {
     }
     requireText(result.text);
     if (withoutBlanks(result.text).empty())
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the file is empty; expected a table of readings "
-                                           "or the file of an instrument")});
+        refuseContent(REPORT_TEXT(
+            "report", "the file is empty; expected a table of readings or the file of an instrument"));
     return result;
 }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tables/table.h"
 
-#include "document/documenterror.h"
 #include "document/hugepages.h"
 #include "tables/cellunits.h"
+#include "tables/contenterror.h"
 #include "tables/dates.h"
 #include "tables/decodetext.h"
 
@@ -64,7 +64,7 @@ std::size_t commentMark(std::string_view line, char delimiter) {
 [[noreturn]] void refuseSize(std::size_t line) {
     throw Error(Error::Kind::tooLarge,
                 {REPORT_TEXT("report", "more rows or cells than a table of readings can have")},
-                std::to_string(line) + ":1");
+                placeOfLine(line));
 }
 
 /// Bytes of a cell to keep, without splitting a character.

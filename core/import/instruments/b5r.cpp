@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
-#include "document/documenterror.h"
 #include "document/place.h"
 #include "import/layouts/arcs.h"
 #include "import/layouts/sections.h"
+#include "tables/contenterror.h"
 #include "tables/decodetext.h"
 #include "tables/numbercell.h"
 #include "tables/units.h"
@@ -237,10 +237,9 @@ private:
         else if (text.compare(QLatin1StringView("CCW"), Qt::CaseInsensitive) == 0)
             m_runs.back().sense = Sense::counterclockwise;
         else
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "“%1” is no direction of a run; expected CW or CCW"),
-                         {excerpt(text.toStdString())}},
-                        place());
+            refuseContentAt(place(),
+                            REPORT_TEXT("report", "“%1” is no direction of a run; expected CW or CCW"),
+                            excerpt(text.toStdString()));
     }
 
     void takeReadings(std::string_view text) {
@@ -252,11 +251,10 @@ private:
             const std::string_view word = rest.substr(0, end);
             const CellValue value = readCell(word, decimalMarkIn(word));
             if (value.kind != CellKind::number)
-                throw Error(
-                    Error::Kind::content,
-                    {REPORT_TEXT("report", "“%1” is no reading; expected numbers separated by blanks"),
-                     {excerpt(word)}},
-                    place());
+                refuseContentAt(
+                    place(),
+                    REPORT_TEXT("report", "“%1” is no reading; expected numbers separated by blanks"),
+                    excerpt(word));
             readings.push_back(value.value);
             if (readings.size() > mostReadings)
                 throw Error(Error::Kind::tooLarge,
@@ -280,17 +278,15 @@ private:
     void compose() {
         std::erase_if(m_runs, [](const BallbarRun &run) { return run.readings.empty(); });
         if (m_runs.empty())
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "there are no readings of a ballbar in it")});
+            refuseContent(REPORT_TEXT("report", "there are no readings of a ballbar in it"));
         const bool lengthChosen = m_choices.isChosen("nominalRadius");
         if (!m_length && !lengthChosen)
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "the nominal length is missing; state it as nominalRadius")});
+            refuseContent(REPORT_TEXT("report", "the nominal length is missing; state it as nominalRadius"));
         CircularMeasurement measurement;
         measurement.nominalRadius =
             m_choices.resolveNumber("nominalRadius", m_length.value_or(0), Origin::recognised).value;
         if (!(measurement.nominalRadius > 0))
-            throw Error(Error::Kind::content, {REPORT_TEXT("report", "the nominal radius is not positive")});
+            refuseContent(REPORT_TEXT("report", "the nominal radius is not positive"));
         Test test;
         resolveCircle(measurement, test.edition, planeWord(), m_feed, m_choices, m.remarks);
         resolveReadings(measurement);
@@ -311,7 +307,7 @@ private:
             remark(RemarkGrade::note,
                    {REPORT_TEXT("report",
                                 "Results of the instrument's own program: %1; they are shown beside ours."),
-                    {Number{static_cast<double>(m_results.size()), Quantity::count}}});
+                    {counted(m_results.size())}});
         }
         if (!m_unknown.isEmpty()) {
             QStringList names(m_unknown.begin(), m_unknown.end());
@@ -357,8 +353,7 @@ private:
         const auto unit = m_choices.resolve("unit", m_absolute || largest < 1 ? "mm" : "um", Origin::guessed);
         m_unit = unitOf(unit.value);
         if (m_unit->kind != UnitKind::length)
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "%1 cannot be %2 for a circular test"), {"unit", unit.value}});
+            refuseContent(REPORT_TEXT("report", "%1 cannot be %2 for a circular test"), "unit", unit.value);
         const auto sign = m_choices.resolve("sign", "actualMinusTarget", Origin::guessed);
         m_inverted = sign.value == "targetMinusActual";
         if (content.origin == Origin::guessed || unit.origin == Origin::guessed)
@@ -392,7 +387,7 @@ private:
         const double span = way.arc + 2 * way.overshoot;
         const std::size_t n = run.readings.size();
         if (n < 2)
-            throw Error(Error::Kind::content, {REPORT_TEXT("report", "a run of one reading is no circle")});
+            refuseContent(REPORT_TEXT("report", "a run of one reading is no circle"));
         for (std::size_t i = 0; i < n; ++i) {
             const double part = static_cast<double>(i) / static_cast<double>(n - 1);
             path.angles.push_back(begin + sign * (span * part - way.overshoot));
@@ -417,8 +412,7 @@ private:
         const Choice<double> overshoot = m_choices.resolveNumber("overshoot", 0, Origin::recognised);
         if (!(arc.value > 0) || arc.value > 36'000 || overshoot.value < 0 || overshoot.value > 3600 ||
             std::abs(start.value) > 36'000)
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "start angle, arc or overshoot is beyond sense")});
+            refuseContent(REPORT_TEXT("report", "start angle, arc or overshoot is beyond sense"));
         if (arc.origin == Origin::guessed)
             remark(RemarkGrade::assumption,
                    {REPORT_TEXT("report", "Arc: the file has no angles; %1 at constant feed are assumed."),
@@ -438,8 +432,7 @@ private:
             points += run.readings.size();
         }
         remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
-                                   {Number{static_cast<double>(m_runs.size()), Quantity::count},
-                                    Number{static_cast<double>(points), Quantity::count}}});
+                                   {counted(m_runs.size()), counted(points)}});
     }
 
     QXmlStreamReader m_xml;

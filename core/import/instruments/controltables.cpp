@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "document/documenterror.h"
 #include "document/place.h"
 #include "import/instruments/compensationtable.h"
+#include "tables/contenterror.h"
 #include "tables/numbercell.h"
 
 #include <algorithm>
@@ -43,15 +43,13 @@ std::vector<Line> linesOf(std::string_view text) {
 }
 
 [[noreturn]] void refuseLine(const Line &line) {
-    throw Error(Error::Kind::content,
-                {REPORT_TEXT("report", "“%1” is no line of a compensation table"),
-                 {excerpt(withoutBlanks(line.text))}},
-                std::to_string(line.number) + ":1");
+    refuseContentAt(placeOfLine(line.number),
+                    REPORT_TEXT("report", "“%1” is no line of a compensation table"),
+                    excerpt(withoutBlanks(line.text)));
 }
 
 [[noreturn]] void refuseTable() {
-    throw Error(Error::Kind::content,
-                {REPORT_TEXT("report", "the compensation table has no values, no step or no begin")});
+    refuseContent(REPORT_TEXT("report", "the compensation table has no values, no step or no begin"));
 }
 
 double numberOf(std::string_view text, const Line &line) {
@@ -65,8 +63,7 @@ void requireAscent(const CompensationTable &table) {
     if (table.positions.empty())
         refuseTable();
     if (std::ranges::adjacent_find(table.positions, std::ranges::greater_equal()) != table.positions.end())
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the positions of a compensation table ascend")});
+        refuseContent(REPORT_TEXT("report", "the positions of a compensation table ascend"));
 }
 
 /// Like sscanf("%lf %lf %lf"): three numbers preceded by blanks, followed by anything.
@@ -188,10 +185,11 @@ CompensationTable correctionsOf(const Stepped &stepped) {
     for (std::size_t i = 0; i < points; ++i) {
         const auto value = stepped.values.find(i);
         if (value == stepped.values.end())
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "point %1 of the compensation table has no value: the control "
-                                               "would keep an older one"),
-                         {Number{static_cast<double>(i), Quantity::count}}});
+            refuseContent(
+                REPORT_TEXT(
+                    "report",
+                    "point %1 of the compensation table has no value: the control would keep an older one"),
+                counted(i));
         table.positions.push_back(
             rounded(*stepped.low + static_cast<double>(i) * *stepped.step, positionFineness));
         table.forward.push_back(rounded(-value->second, valueFineness));
@@ -220,8 +218,8 @@ CompensationTable bothDirections(const CompensationTable &up, const Compensation
 
 void noteOthers(FoundTable &found, std::size_t others) {
     if (others > 0)
-        found.remarks.push_back({REPORT_TEXT("report", "other tables in the file that were not used: %1"),
-                                 {Number{static_cast<double>(others), Quantity::count}}});
+        found.remarks.push_back(
+            {REPORT_TEXT("report", "other tables in the file that were not used: %1"), {counted(others)}});
 }
 
 FoundTable encoderTable(const std::vector<Command> &assignments) {
@@ -268,8 +266,7 @@ FoundTable sagTable(const std::vector<Command> &assignments) {
     };
     const auto first = std::ranges::find_if(tables, onItself);
     if (first == tables.end())
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "no table in it compensates an axis upon itself")});
+        refuseContent(REPORT_TEXT("report", "no table in it compensates an axis upon itself"));
     FoundTable found{"SINUMERIK $AN_CEC", correctionsOf(first->second), {}};
     std::size_t used = 1;
     const int direction = first->second.direction;
@@ -362,13 +359,12 @@ FoundTable readLinuxcncTable(std::string_view text, LinuxcncValues values) {
         const auto numbers = triplet(line.text);
         if (!numbers) {
             if (table.positions.empty())
-                throw Error(Error::Kind::content,
-                            {REPORT_TEXT("report", "“%1” is no three numbers: LinuxCNC stops here and loads "
-                                                   "nothing"),
-                             {excerpt(withoutBlanks(line.text))}},
-                            std::to_string(line.number) + ":1");
-            found.remarks.push_back({REPORT_TEXT("report", "LinuxCNC stops reading at line %1"),
-                                     {Number{static_cast<double>(line.number), Quantity::count}}});
+                refuseContentAt(
+                    placeOfLine(line.number),
+                    REPORT_TEXT("report", "“%1” is no three numbers: LinuxCNC stops here and loads nothing"),
+                    excerpt(withoutBlanks(line.text)));
+            found.remarks.push_back(
+                {REPORT_TEXT("report", "LinuxCNC stops reading at line %1"), {counted(line.number)}});
             break;
         }
         const auto &[nominal, first, second] = *numbers;
@@ -385,7 +381,7 @@ FoundTable readLinuxcncTable(std::string_view text, LinuxcncValues values) {
     if (leftOut > 0)
         found.remarks.push_back(
             {REPORT_TEXT("report", "lines that LinuxCNC does not load, beyond 256 or not ascending: %1"),
-             {Number{static_cast<double>(leftOut), Quantity::count}}});
+             {counted(leftOut)}});
     table.perDirection = table.forward != table.reverse;
     requireAscent(table);
     return found;

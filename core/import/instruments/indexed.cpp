@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
-#include "document/documenterror.h"
 #include "document/place.h"
 #include "import/layouts/passes.h"
 #include "import/layouts/sections.h"
+#include "tables/contenterror.h"
 #include "tables/folded.h"
 
 #include <algorithm>
@@ -59,10 +59,6 @@ std::optional<Assignment> assignmentOf(std::string_view line) {
     for (const char c : left)
         result.name += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
     return result;
-}
-
-std::string place(std::size_t line) {
-    return std::to_string(line) + ":1";
 }
 
 const char *unitWord(std::string_view text) {
@@ -129,12 +125,11 @@ private:
                 unused.add(number, line);
         }
         if (m_targets.empty())
-            throw Error(Error::Kind::content, {REPORT_TEXT("report", "there are no target positions in it")});
+            refuseContent(REPORT_TEXT("report", "there are no target positions in it"));
         if (m_positions && *m_positions != static_cast<double>(m_targets.size()))
             remark(RemarkGrade::problem,
                    {REPORT_TEXT("report", "Targets named in the head: %1, in the list: %2; the list counts."),
-                    {Number{*m_positions, Quantity::count},
-                     Number{static_cast<double>(m_targets.size()), Quantity::count}}});
+                    {counted(*m_positions), counted(m_targets.size())}});
         unused.remark(m.remarks);
     }
 
@@ -184,9 +179,8 @@ private:
     void takeTarget(const Assignment &assignment, std::size_t line) {
         const auto value = numberOf(assignment, line);
         if (!value)
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "“%1” is no target position"), {excerpt(assignment.value)}},
-                        place(line));
+            refuseContentAt(placeOfLine(line), REPORT_TEXT("report", "“%1” is no target position"),
+                            excerpt(assignment.value));
         if (!m_targets.emplace(assignment.indexes[0], *value).second)
             remarkRepetition(assignment.name, line);
     }
@@ -226,8 +220,7 @@ private:
             }
         }
         if (!straight && !swapped)
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "there are readings of targets that are not in the list")});
+            refuseContent(REPORT_TEXT("report", "there are readings of targets that are not in the list"));
         return straight;
     }
 
@@ -266,8 +259,7 @@ private:
             remark(RemarkGrade::problem,
                    {REPORT_TEXT("report",
                                 "Cycles named in the head: %1, in the readings: %2; the readings count."),
-                    {Number{*m_cycles, Quantity::count},
-                     Number{static_cast<double>(cycles.size()), Quantity::count}}});
+                    {counted(*m_cycles), counted(cycles.size())}});
         return passes;
     }
 

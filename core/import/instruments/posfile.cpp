@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
-#include "document/documenterror.h"
 #include "import/layouts/passes.h"
 #include "import/layouts/phrases.h"
 #include "import/layouts/sections.h"
+#include "tables/contenterror.h"
 #include "tables/folded.h"
 #include "tables/numbercell.h"
 
@@ -124,9 +124,8 @@ void readPosText(const ImportSource &source, Choices &choices, Imported &importe
     imported.text = decodedText(source.bytes, choices, imported);
     const std::vector<MeanTable> tables = tablesOf(imported.text, imported.remarks);
     if (tables.empty())
-        throw Error(
-            Error::Kind::content,
-            {REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations")});
+        refuseContent(
+            REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations"));
     std::vector<Pass> passes = passesOf(tables, choices, imported.remarks);
     addRemark(imported.remarks, RemarkGrade::note,
               {REPORT_TEXT("report", "The file holds means of runs, not the runs: R and A say little.")});

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
-#include "document/documenterror.h"
 #include "import/layouts/passes.h"
 #include "import/layouts/sections.h"
+#include "tables/contenterror.h"
 
 #include <algorithm>
 #include <array>
@@ -118,7 +118,7 @@ Pass readTable(Imported &imported, Header &header) {
                 imported.remarks, RemarkGrade::problem,
                 {REPORT_TEXT("report", "The lines are numbered %1 and then %2: some are missing, or one is "
                                        "there twice."),
-                 {Number{*lastNo, Quantity::count}, Number{no, Quantity::count}}},
+                 {counted(*lastNo), counted(no)}},
                 number, "unread");
         lastNo = (*numbers)[0];
         pass.readings.push_back({(*numbers)[1], (*numbers)[2], static_cast<std::uint32_t>(number)});
@@ -153,9 +153,8 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
     Header header;
     const Pass pass = readTable(imported, header);
     if (pass.readings.empty())
-        throw Error(
-            Error::Kind::content,
-            {REPORT_TEXT("report", "there is no table of axis positions and compensation values in it")});
+        refuseContent(
+            REPORT_TEXT("report", "there is no table of axis positions and compensation values in it"));
     const auto [low, high] = std::ranges::minmax(pass.readings, {}, &PassReading::position);
     if (!agrees(header, low.position, high.position))
         addRemark(imported.remarks, RemarkGrade::problem,

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
-#include "document/documenterror.h"
 #include "document/place.h"
 #include "import/layouts/passes.h"
 #include "import/layouts/sections.h"
+#include "tables/contenterror.h"
 #include "tables/dates.h"
 
 #include <algorithm>
@@ -21,14 +21,6 @@ constexpr double mostTargets = 1e6;
 
 constexpr std::array<std::string_view, 7> knownSections{"HEADER",     "TARGET DATA", "USER-TEXT",  "RUNS",
                                                         "DEVIATIONS", "EQUIPMENT",   "ENVIRONMENT"};
-
-std::string placeOfLine(std::size_t line) {
-    return std::to_string(line) + ":1";
-}
-
-Number count(double n) {
-    return {n, Quantity::count};
-}
 
 std::optional<double> numberOf(std::optional<std::string_view> text) {
     if (!text)
@@ -68,15 +60,13 @@ private:
 
     void requireEnd() const {
         if (!findSection(m_sections, "EOF"))
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "the file ends before “%1”: it was cut off"), {"EOF::"}});
+            refuseContent(REPORT_TEXT("report", "the file ends before “%1”: it was cut off"), "EOF::");
     }
 
     [[nodiscard]] const Section &demand(std::string_view name) const {
         const Section *section = findSection(m_sections, name);
         if (!section)
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "the section %1 is missing"), {std::string(name) + "::"}});
+            refuseContent(REPORT_TEXT("report", "the section %1 is missing"), std::string(name) + "::");
         return *section;
     }
 
@@ -94,21 +84,20 @@ private:
             }
         }
         if (m_targets.empty())
-            throw Error(Error::Kind::content, {REPORT_TEXT("report", "there are no target positions in it")},
-                        placeOfLine(section.line));
+            refuseContentAt(placeOfLine(section.line),
+                            REPORT_TEXT("report", "there are no target positions in it"));
         const auto stated = numberOf(section.value("Target-count"));
         const bool disagrees = stated && *stated != static_cast<double>(m_targets.size());
         if (disagrees && !areOrdered()) // a number was split
-            throw Error(
-                Error::Kind::content,
-                {REPORT_TEXT("report", "targets named in the head: %1, in the list, in no order: %2: it is "
-                                       "damaged"),
-                 {count(*stated), count(static_cast<double>(m_targets.size()))}},
-                placeOfLine(section.line));
+            refuseContentAt(
+                placeOfLine(section.line),
+                REPORT_TEXT("report",
+                            "targets named in the head: %1, in the list, in no order: %2: it is damaged"),
+                counted(*stated), counted(m_targets.size()));
         if (disagrees)
             remark(RemarkGrade::problem,
                    {REPORT_TEXT("report", "Targets named in the head: %1, in the list: %2; the list counts."),
-                    {count(*stated), count(static_cast<double>(m_targets.size()))}},
+                    {counted(*stated), counted(m_targets.size())}},
                    section.line);
         const auto flags = section.value("Flags");
         const auto numbers = flags ? numbersIn(*flags) : std::nullopt;
@@ -119,9 +108,8 @@ private:
     void takeTargets(std::string_view text, std::size_t line) {
         const auto numbers = numbersIn(text);
         if (!numbers)
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "“%1” is not a list of target positions"), {excerpt(text)}},
-                        placeOfLine(line));
+            refuseContentAt(placeOfLine(line),
+                            REPORT_TEXT("report", "“%1” is not a list of target positions"), excerpt(text));
         m_targets.insert(m_targets.end(), numbers->begin(), numbers->end());
         if (static_cast<double>(m_targets.size()) > mostTargets)
             throw Error(Error::Kind::tooLarge,
@@ -150,19 +138,18 @@ private:
             lowest = std::min(lowest, (*numbers)[1]);
         }
         if (m_rows.empty())
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "there are no readings in it; expected target "
-                                               "positions and deviations")},
-                        placeOfLine(section.line));
+            refuseContentAt(
+                placeOfLine(section.line),
+                REPORT_TEXT("report",
+                            "there are no readings in it; expected target positions and deviations"));
         const double first = lowest == 0 ? 0 : 1; // some files count from 0
         const bool descend = targetsDescend();
         for (const Row &row : m_rows) {
             const double index = row.target - first;
             if (index < 0 || index >= static_cast<double>(m_targets.size()))
-                throw Error(Error::Kind::content,
-                            {REPORT_TEXT("report", "there is no target %1; the list has %2"),
-                             {count(row.target), count(static_cast<double>(m_targets.size()))}},
-                            placeOfLine(row.line));
+                refuseContentAt(placeOfLine(row.line),
+                                REPORT_TEXT("report", "there is no target %1; the list has %2"),
+                                counted(row.target), counted(m_targets.size()));
             RunRows &run = m_runs[row.run];
             const double along = run.readings.empty() ? 0 : index - run.last;
             const double step = descend ? -along : along;
@@ -177,7 +164,7 @@ private:
         if (stated && *stated != static_cast<double>(m_runs.size()))
             remark(RemarkGrade::problem,
                    {REPORT_TEXT("report", "Runs named in the head: %1, in the rows: %2; the rows count."),
-                    {count(*stated), count(static_cast<double>(m_runs.size()))}});
+                    {counted(*stated), counted(m_runs.size())}});
     }
 
     [[nodiscard]] bool areOrdered() const {
@@ -252,9 +239,8 @@ private:
         const bool rotary = m_choices.isChosen("motion") ? m_choices.chosen("motion") == "rotary" : angular;
         requireRotation(angular, ofRotaryAxis);
         if (rotary && contains(type, "lin") && !m_choices.isChosen("unit"))
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "%1 cannot be %2 here: the file has its numbers in %3"),
-                         {"motion", "rotary", "µm"}});
+            refuseContent(REPORT_TEXT("report", "%1 cannot be %2 here: the file has its numbers in %3"),
+                          "motion", "rotary", "µm");
         askForType();
         PassForm form;
         m_choices.resolve("content", "deviations", Origin::recognised);
@@ -266,9 +252,8 @@ private:
         form.unit = unitOf(m_choices.resolve("unit", rotary ? "mrad" : "um", Origin::recognised).value);
         if (form.unit->kind != form.positionUnit->kind ||
             form.unit->kind != (rotary ? UnitKind::angle : UnitKind::length))
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
-                         {"unit", std::string(form.unit->word)}});
+            refuseContent(REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"), "unit",
+                          std::string(form.unit->word));
         form.sign = m_choices.resolve("sign", "actualMinusTarget", Origin::recognised).value;
         remark(
             RemarkGrade::note,
@@ -288,10 +273,9 @@ private:
         const std::string_view motion = m_choices.chosen("motion");
         const bool isNone = !ofRotaryAxis && (isLinear || isTilt(userText("TITLE")));
         if (angular && (motion == "linear" || (motion.empty() && isNone)))
-            throw Error(
-                Error::Kind::content,
-                {REPORT_TEXT("report", "this is an angular measurement of a linear axis (pitch, yaw), no "
-                                       "positioning test; measure the axis with linear optics")});
+            refuseContent(REPORT_TEXT("report",
+                                      "this is an angular measurement of a linear axis (pitch, yaw), no "
+                                      "positioning test; measure the axis with linear optics"));
         if (angular && !ofRotaryAxis && motion.empty() && axis.find_first_of("ABCabc") != 0)
             remark(
                 RemarkGrade::assumption,

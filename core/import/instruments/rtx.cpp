@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
-#include "document/documenterror.h"
 #include "import/layouts/sections.h"
+#include "tables/contenterror.h"
 #include "tables/dates.h"
 #include "tables/decodetext.h"
 #include "tables/numbercell.h"
@@ -47,13 +47,12 @@ Sampling samplingOf(const Section *header) {
         rate = header ? leadingNumberOf(header->value("Sample rate")) : std::nullopt;
     const double count = samples.value_or(0);
     if (!(count >= 2) || count != std::floor(count))
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the number of samples is missing in the head")});
+        refuseContent(REPORT_TEXT("report", "the number of samples is missing in the head"));
     if (count > mostSamples)
         throw Error(Error::Kind::tooLarge,
                     {REPORT_TEXT("report", "more than 10 000 000 readings or points")});
     if (!rate || !(*rate > 0) || !std::isfinite(*rate))
-        throw Error(Error::Kind::content, {REPORT_TEXT("report", "the sample rate is missing in the head")});
+        refuseContent(REPORT_TEXT("report", "the sample rate is missing in the head"));
     return {static_cast<std::size_t>(count), *rate};
 }
 
@@ -66,10 +65,8 @@ std::string_view samplesBehind(std::string_view all, std::size_t mark, std::size
         at += all.substr(at, 1) == "\n" ? 1 : 0;
     const std::size_t there = (all.size() - at) / sizeof(double);
     if (there < count)
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the file was cut off: samples announced: %1, there: %2"),
-                     {Number{static_cast<double>(count), Quantity::count},
-                      Number{static_cast<double>(there), Quantity::count}}});
+        refuseContent(REPORT_TEXT("report", "the file was cut off: samples announced: %1, there: %2"),
+                      counted(count), counted(there));
     return all.substr(at);
 }
 
@@ -80,9 +77,8 @@ void readSamples(std::string_view samples, const Sampling &sampling, const Unit 
     for (std::size_t i = 0; i < sampling.count; ++i) {
         const auto value = qFromLittleEndian<double>(samples.data() + i * sizeof(double));
         if (!std::isfinite(value) || std::abs(value) > 1e9)
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "sample %1 is no number: the data are damaged"),
-                         {Number{static_cast<double>(i + 1), Quantity::count}}});
+            refuseContent(REPORT_TEXT("report", "sample %1 is no number: the data are damaged"),
+                          counted(i + 1));
         drift.times.push_back(static_cast<double>(i) / sampling.rate);
         drift.deviations.push_back(unit.toBase(value));
     }
@@ -98,8 +94,7 @@ void remarkEnd(std::string_view rest, const Sampling &sampling, std::vector<Rema
         addRemark(remarks, RemarkGrade::problem,
                   {REPORT_TEXT("report", "Samples announced in the head: %1, there: %2; those beyond "
                                          "were not read."),
-                   {Number{static_cast<double>(sampling.count), Quantity::count},
-                    Number{static_cast<double>(sampling.count + further), Quantity::count}}},
+                   {counted(sampling.count), counted(sampling.count + further)}},
                   0, "unread");
 }
 
@@ -116,8 +111,7 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     const std::string_view all(source.bytes.data(), static_cast<std::size_t>(source.bytes.size()));
     const std::size_t mark = all.find("\nData:");
     if (mark == std::string_view::npos)
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the section %1 is missing"), {std::string(dataMark)}});
+        refuseContent(REPORT_TEXT("report", "the section %1 is missing"), std::string(dataMark));
     imported.text = decodedText(source.bytes.first(static_cast<qsizetype>(mark)), choices, imported);
     const std::vector<Section> sections = sectionsOf(imported.text);
     const Section *header = findSection(sections, "HEADER");
@@ -139,8 +133,7 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     };
     remarkEnd(samples.substr(sampling.count * sizeof(double)), sampling, imported.remarks);
     remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
-                               {Number{static_cast<double>(sampling.count), Quantity::count},
-                                Number{drift.times.back(), Quantity::time}}});
+                               {counted(sampling.count), Number{drift.times.back(), Quantity::time}}});
     UnusedLines unused;
     for (const SectionLine &line : header->lines) {
         if (std::ranges::none_of(knownKeys, [&](std::string_view key) { return sameWord(line.key, key); }))

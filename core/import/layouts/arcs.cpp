@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/arcs.h"
 
-#include "document/documenterror.h"
 #include "import/choices.h"
 #include "kernel/measurement/plane.h"
+#include "tables/contenterror.h"
 
 #include <algorithm>
 #include <array>
@@ -23,10 +23,9 @@ void resolveCircle(CircularMeasurement &measurement, std::string &edition, std::
                                          plane.empty() ? Origin::guessed : Origin::recognised);
     const std::optional<Plane> named = planeOf(settled.value);
     if (!named)
-        throw Error(
-            Error::Kind::content,
-            {REPORT_TEXT("report", "the plane cannot be %1; expected two different axes, for example XY"),
-             {settled.value}});
+        refuseContent(
+            REPORT_TEXT("report", "the plane cannot be %1; expected two different axes, for example XY"),
+            settled.value);
     measurement.plane = *named;
     if (settled.origin == Origin::guessed)
         addRemark(remarks, RemarkGrade::assumption,

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/columnsearch.h"
-
-#include "document/documenterror.h"
+#include "tables/contenterror.h"
 
 #include <algorithm>
 
@@ -21,7 +20,7 @@ public:
         if (chosen.size() > m_heads.size())
             throw Error(Error::Kind::content,
                         {REPORT_TEXT_COUNTED("report", "%1 names %n column(s), the table has %2"),
-                         {"columns", Number{static_cast<double>(m_heads.size()), Quantity::count}},
+                         {"columns", counted(m_heads.size())},
                          static_cast<int>(chosen.size())});
         chosen.resize(m_heads.size());
         m_result = {};
@@ -42,9 +41,9 @@ public:
             if (!chosen[c].hasReadings() || isProof)
                 continue;
             if (!m_result.values.empty() && chosen[c].role != content)
-                throw Error(Error::Kind::content,
-                            {REPORT_TEXT("report", "columns of different roles cannot be read as runs of one "
-                                                   "test; ignore one of them")});
+                refuseContent(REPORT_TEXT(
+                    "report",
+                    "columns of different roles cannot be read as runs of one test; ignore one of them"));
             content = chosen[c].role;
             m_result.values.push_back(c);
             if (!m_result.unit.isSaid())

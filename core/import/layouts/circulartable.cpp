@@ -4,10 +4,10 @@
 #include "import/layouts/passes.h"
 #include "import/layouts/tablereading.h"
 
-#include "document/documenterror.h"
 #include "document/place.h"
 #include "kernel/numerics/angles.h"
 #include "kernel/numerics/leastsquarescircle.h"
+#include "tables/contenterror.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,19 +68,17 @@ public:
         else
             convertAngles(measurement, layout == "angleRadius");
         if (measurement.arcs.empty())
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "there are no points of a circle in it")});
+            refuseContent(REPORT_TEXT("report", "there are no points of a circle in it"));
         std::size_t points = 0;
         for (const Arc &arc : measurement.arcs)
             points += arc.angles.size();
         m.remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
-                                     {Number{static_cast<double>(measurement.arcs.size()), Quantity::count},
-                                      Number{static_cast<double>(points), Quantity::count}}});
+                                     {counted(measurement.arcs.size()), counted(points)}});
         if (m_missing > 0)
-            m.remark(RemarkGrade::problem,
-                     {REPORT_TEXT("report", "Points without a number were left out: %1."),
-                      {Number{static_cast<double>(m_missing), Quantity::count}}},
-                     0, "unread");
+            m.remark(
+                RemarkGrade::problem,
+                {REPORT_TEXT("report", "Points without a number were left out: %1."), {counted(m_missing)}},
+                0, "unread");
         test.measurement = std::move(measurement);
         m.result.test = std::move(test);
     }
@@ -100,9 +98,8 @@ private:
     }
 
     [[noreturn]] static void refuseColumns() {
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "these columns do not make a circle; expected x and y, angle and "
-                                           "radius, angle and deviation, or radial deviations alone")});
+        refuseContent(REPORT_TEXT("report", "these columns do not make a circle; expected x and y, angle and "
+                                            "radius, angle and deviation, or radial deviations alone"));
     }
 
     void setRole(std::size_t column, ColumnRole role) { m.result.columns[column].role = role; }
@@ -245,7 +242,7 @@ private:
             m_question = {REPORT_TEXT("report",
                                       "Columns: the headings do not say which hold readings; column %1 "
                                       "and those like it are read."),
-                          {Number{static_cast<double>(columns.front() + 1), Quantity::count}}};
+                          {counted(columns.front() + 1)}};
         return columns;
     }
 
@@ -344,8 +341,8 @@ private:
         const Choice<std::string> found = recognisedLayout();
         const auto choice = m.choices.resolve("layout", found.value, found.origin);
         if (!isLayoutOfCircles(choice.value))
-            throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for a circular test"),
-                                               {nameOfChoice("layout"), nameOfWord("layout", choice.value)}});
+            refuseContent(REPORT_TEXT("report", "%1 cannot be %2 for a circular test"),
+                          nameOfChoice("layout"), nameOfWord("layout", choice.value));
         if ((choice.value == "deviations") == m_first.has_value())
             refuseColumns();
         if (choice.origin == Origin::guessed)
@@ -536,8 +533,8 @@ private:
         const Unit *unit =
             palmer::resolveUnit(key, stated, found, *unitOf(guess), {remark}, m.choices, m.result.remarks);
         if (!unit || unit->kind != kind)
-            throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for a circular test"),
-                                               {nameOfChoice(key), nameOfWord(key, m.choices.chosen(key))}});
+            refuseContent(REPORT_TEXT("report", "%1 cannot be %2 for a circular test"), nameOfChoice(key),
+                          nameOfWord(key, m.choices.chosen(key)));
         return unit;
     }
 
@@ -546,7 +543,7 @@ private:
             m.notes.radius ? m.choices.resolveNumber("nominalRadius", *m.notes.radius, Origin::recognised)
                            : m.choices.resolveNumber("nominalRadius", found, origin);
         if (!(choice.value > 0))
-            throw Error(Error::Kind::content, {REPORT_TEXT("report", "the nominal radius is not positive")});
+            refuseContent(REPORT_TEXT("report", "the nominal radius is not positive"));
         return choice.value;
     }
 
@@ -568,7 +565,7 @@ private:
         }
         const LeastSquaresCircle fit = leastSquaresCircle(points.view());
         if (!fit.valid() || !(fit.radius > 0))
-            throw Error(Error::Kind::content, {REPORT_TEXT("report", "the points do not lie on a circle")});
+            refuseContent(REPORT_TEXT("report", "the points do not lie on a circle"));
         const bool atOrigin = std::hypot(fit.centre.x, fit.centre.y) < 0.2 * fit.radius;
         const Origin origin = atOrigin ? Origin::recognised : Origin::guessed;
         const double cx =
@@ -617,8 +614,8 @@ private:
         m.remark(RemarkGrade::problem,
                  {REPORT_TEXT("report", "Kind: an arc of %2 and radius %3 (points: %1) is hardly a circular "
                                         "test; is it one?"),
-                  {Number{static_cast<double>(points.x.size()), Quantity::count},
-                   Number{span, Quantity::angle, 1}, Number{radius, Quantity::position, 0}}},
+                  {counted(points.x.size()), Number{span, Quantity::angle, 1},
+                   Number{radius, Quantity::position, 0}}},
                  0, "kind");
     }
 

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/passes.h"
 
-#include "document/documenterror.h"
 #include "document/place.h"
 #include "kernel/numerics/runinbackground.h"
+#include "tables/contenterror.h"
 
 #include <algorithm>
 #include <array>
@@ -18,10 +18,6 @@ namespace palmer {
 namespace {
 
 constexpr double finest = 1e10; ///< differences are rounded to this fraction of a mm or degree
-
-Number count(std::size_t n) {
-    return {static_cast<double>(n), Quantity::count};
-}
 
 /// Computes once what is common to all readings, as there are millions.
 struct DeviationForm : PassForm {
@@ -58,22 +54,22 @@ void remarkGaps(const PositioningMeasurement &measurement, std::vector<Remark> &
         addRemark(remarks, RemarkGrade::problem,
                   {REPORT_TEXT("report", "Layout: readings missing: %1 of %2; are these runs and "
                                          "targets those of one test?"),
-                   {count(missing), count(all)}},
+                   {counted(missing), counted(all)}},
                   0, "layout");
     else if (missing > 0)
         addRemark(remarks, RemarkGrade::note,
-                  {REPORT_TEXT("report", "Readings missing: %1."), {count(missing)}});
+                  {REPORT_TEXT("report", "Readings missing: %1."), {counted(missing)}});
     const auto upward =
         static_cast<std::size_t>(std::ranges::count(measurement.runs, Direction::positive, &Run::approach));
     const std::size_t downward = measurement.runs.size() - upward;
     if (upward != downward && upward > 0 && downward > 0)
         addRemark(remarks, RemarkGrade::problem,
                   {REPORT_TEXT("report", "The directions have unequal numbers of runs: %1 ↑ and %2 ↓."),
-                   {count(upward), count(downward)}},
+                   {counted(upward), counted(downward)}},
                   0, "unequalRuns");
     addRemark(remarks, RemarkGrade::note,
               {REPORT_TEXT("report", "Understood: targets: %1; runs ↑: %2; runs ↓: %3."),
-               {count(measurement.targets.size()), count(upward), count(downward)}});
+               {counted(measurement.targets.size()), counted(upward), counted(downward)}});
 }
 
 } // namespace
@@ -150,16 +146,15 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
     PositioningMeasurement result;
     std::vector<double> positions = positionsOf(passes);
     if (positions.empty() || passes.empty())
-        throw Error(
-            Error::Kind::content,
-            {REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations")});
+        refuseContent(
+            REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations"));
     constexpr std::size_t readingLimit = 10'000'000;
     if (positions.size() > readingLimit / passes.size())
         throw Error(
             Error::Kind::tooLarge,
             {REPORT_TEXT("report", "targets: %1, runs: %2: that is no positioning test; look at the kind "
                                    "and the columns"),
-             {count(positions.size()), count(passes.size())}});
+             {counted(positions.size()), counted(passes.size())}});
     const DeviationForm deviations(form);
     SortedPass::Repeated same;
     SortedPass::Repeated other;
@@ -187,13 +182,13 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
         addRemark(remarks, RemarkGrade::problem,
                   {REPORT_TEXT("report",
                                "Readings that stand at a target twice in one run: %1; the first is kept."),
-                   {count(same.times)}},
+                   {counted(same.times)}},
                   same.line);
     if (other.times > 0)
         addRemark(remarks, RemarkGrade::problem,
                   {REPORT_TEXT("report", "Readings that differ from another at the same target in the same "
                                          "run: %1; the first was read."),
-                   {count(other.times)}},
+                   {counted(other.times)}},
                   other.line, "unread");
     remarkGaps(result, remarks);
     return result;
@@ -209,9 +204,8 @@ Test testFrom(PositioningMeasurement measurement, std::string_view axis, Choices
 
 void requireOneMotion(const PassForm &form) {
     if (form.unit->kind != form.positionUnit->kind)
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
-                     {nameOfChoice("positionUnit"), nameOfWord("positionUnit", form.positionUnit->word)}});
+        refuseContent(REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
+                      nameOfChoice("positionUnit"), nameOfWord("positionUnit", form.positionUnit->word));
 }
 
 void addMissing(Pass &pass, std::span<const double> targets) {
@@ -381,9 +375,8 @@ private:
                                 std::pair("unit", &m_stated.unit)};
         for (const auto &[key, said] : stated) {
             if (said->unit && said->unit->kind != kind && !m_choices.isChosen(key))
-                throw Error(Error::Kind::content,
-                            {REPORT_TEXT("report", "%1 cannot be %2 here: the file has its numbers in %3"),
-                             {"motion", std::string(m_choices.chosen("motion")), said->words()}});
+                refuseContent(REPORT_TEXT("report", "%1 cannot be %2 here: the file has its numbers in %3"),
+                              "motion", std::string(m_choices.chosen("motion")), said->words());
         }
     }
 
@@ -394,9 +387,8 @@ private:
 
     const Unit *resolveUnit(std::string_view key, const SaidUnit &said, const Unit *guess, Text question) {
         if (m_choices.isChosen(key) && !fitting(unitOf(m_choices.chosen(key))))
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
-                         {nameOfChoice(key), nameOfWord(key, m_choices.chosen(key))}});
+            refuseContent(REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"),
+                          nameOfChoice(key), nameOfWord(key, m_choices.chosen(key)));
         const bool isUnclear = key == "unit" && !m_positions && !isClearSize();
         return palmer::resolveUnit(
             key, said, fitting(said.unit), *guess,

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/placedpass.h"
 
-#include "document/documenterror.h"
 #include "document/place.h"
+#include "tables/contenterror.h"
 
 #include <algorithm>
 #include <functional>
@@ -113,9 +113,9 @@ void resolveDirections(FoundPasses &found, TableReading &reading) {
     const Origin origin = stated && !found.hasHints ? Origin::recognised : Origin::guessed;
     const auto choice = reading.choices.resolve("directions", stated ? "stated" : guessOf(passes), origin);
     if (choice.value == "stated" && !stated)
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the file does not say which runs are ↑ and which ↓; choose "
-                                           "another word for “directions”")});
+        refuseContent(REPORT_TEXT(
+            "report",
+            "the file does not say which runs are ↑ and which ↓; choose another word for “directions”"));
     if (choice.value != "stated") {
         for (std::size_t j = 0; j < passes.size(); ++j)
             passes[j].direction = directionUnder(choice.value, j, passes.size());

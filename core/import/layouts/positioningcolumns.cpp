@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/columnsearch.h"
 
-#include "document/documenterror.h"
 #include "document/place.h"
+#include "tables/contenterror.h"
 
 #include <algorithm>
 
@@ -105,9 +105,9 @@ void resolve(ColumnSearch &search) {
         m.result.remarks.back().isOwed = true;
     m.result.columns = search.result.columns; // to be shown and changed even if nothing else is known
     if (!search.result.target || search.result.values.empty())
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the columns of the targets and of the readings are not known; "
-                                           "give the columns their roles")});
+        refuseContent(REPORT_TEXT(
+            "report",
+            "the columns of the targets and of the readings are not known; give the columns their roles"));
     placeOwnTargets(search.result);
     remarkIgnored(search);
 }

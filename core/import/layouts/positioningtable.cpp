@@ -3,8 +3,8 @@
 #include "import/layouts/placedpass.h"
 #include "import/layouts/tablereading.h"
 
-#include "document/documenterror.h"
 #include "kernel/evaluation/edition.h"
+#include "tables/contenterror.h"
 #include "tables/folded.h"
 
 #include <algorithm>
@@ -102,8 +102,8 @@ std::string resolveLayout(TableReading &reading) {
     }
     const auto choice = reading.choices.resolve("layout", found, origin);
     if (choice.value != "targetsDown" && choice.value != "runsDown" && choice.value != "list")
-        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for a positioning test"),
-                                           {nameOfChoice("layout"), nameOfWord("layout", choice.value)}});
+        refuseContent(REPORT_TEXT("report", "%1 cannot be %2 for a positioning test"), nameOfChoice("layout"),
+                      nameOfWord("layout", choice.value));
     if (choice.origin == Origin::guessed)
         reading.remark(
             RemarkGrade::assumption,
@@ -199,9 +199,8 @@ void readPositioning(TableReading &reading) {
     const std::string layout = resolveLayout(reading);
     FoundPasses found = layout == "runsDown" ? readRunsDown(reading) : readTargetsDown(reading);
     if (std::ranges::none_of(found.passes, hasReading))
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "there are no readings in it; expected target "
-                                           "positions and deviations")});
+        refuseContent(
+            REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations"));
     askForOtherQuantity(reading);
     resolveDirections(found, reading);
     colour(found.passes, reading);

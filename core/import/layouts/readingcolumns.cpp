@@ -180,7 +180,7 @@ private:
             if (isNumeric(c) && role(c) == ColumnRole::ignored && m_heads[c].heading.empty() &&
                 !isCounter(m, c))
                 ask({REPORT_TEXT("report", "Columns: column %1 has numbers and no heading; it is not read."),
-                     {Number{static_cast<double>(c + 1), Quantity::count}}});
+                     {counted(c + 1)}});
         }
     }
 };

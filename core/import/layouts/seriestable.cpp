@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/tablereading.h"
 
-#include "document/documenterror.h"
 #include "document/place.h"
 #include "import/layouts/passes.h"
+#include "tables/contenterror.h"
 #include "tables/dates.h"
 
 #include <algorithm>
@@ -43,8 +43,8 @@ public:
         chooseColumns();
         const auto layout = m.choices.resolve("layout", "series", Origin::recognised);
         if (layout.value != "series")
-            throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2 for values over time"),
-                                               {nameOfChoice("layout"), nameOfWord("layout", layout.value)}});
+            refuseContent(REPORT_TEXT("report", "%1 cannot be %2 for values over time"),
+                          nameOfChoice("layout"), nameOfWord("layout", layout.value));
         readTimes();
         if (m_temperatures)
             readTemperatures();
@@ -70,9 +70,8 @@ private:
         else if (m_question)
             m.remark(RemarkGrade::problem, *m_question, 0, "columns");
         if (m_values.empty())
-            throw Error(
-                Error::Kind::content,
-                {REPORT_TEXT("report", "one column of numbers is no series; expected times and values")});
+            refuseContent(
+                REPORT_TEXT("report", "one column of numbers is no series; expected times and values"));
         chooseSeries();
     }
 
@@ -178,7 +177,7 @@ private:
                 return;
             Remark remark{RemarkGrade::assumption,
                           {REPORT_TEXT("report", "Process variable: the file has %1; “%2” is read."),
-                           {Number{static_cast<double>(names.size()), Quantity::count}, excerpt(m_series)}},
+                           {counted(names.size()), excerpt(m_series)}},
                           0,
                           0,
                           "series"};
@@ -233,9 +232,8 @@ private:
     void readTimes() {
         collectTimes(m_clock ? 1 : resolveTimeUnit());
         if (m_times.size() < 2 && !m.choices.isChosen("layout"))
-            throw Error(
-                Error::Kind::content,
-                {REPORT_TEXT("report", "one column of numbers is no series; expected times and values")});
+            refuseContent(
+                REPORT_TEXT("report", "one column of numbers is no series; expected times and values"));
         const double first = m_times.front();
         if (m_isDated)
             m.result.seriesStart = first;
@@ -257,9 +255,9 @@ private:
                     turn += secondsPerDay; // past midnight
                 *time = m_clock ? *time + turn : *time * multiplier;
                 if (last && *time < *last)
-                    throw Error(Error::Kind::content,
-                                {REPORT_TEXT("report", "the times do not rise; expected a series over time")},
-                                std::to_string(m.row(row).line) + ":1");
+                    refuseContentAt(
+                        placeOfLine(m.row(row).line),
+                        REPORT_TEXT("report", "the times do not rise; expected a series over time"));
                 last = time;
                 m_rows.push_back(row);
                 m_times.push_back(*time);
@@ -333,13 +331,12 @@ private:
             m.setRole(m_rows[i], m_values.front(), CellRole::positive);
         }
         if (values.empty())
-            throw Error(
-                Error::Kind::content,
-                {REPORT_TEXT("report", "there are no readings in it; expected times and deviations")});
+            refuseContent(
+                REPORT_TEXT("report", "there are no readings in it; expected times and deviations"));
         if (missing > 0)
-            m.remark(RemarkGrade::problem,
-                     {REPORT_TEXT("report", "Points without a number were left out: %1."),
-                      {Number{static_cast<double>(missing), Quantity::count}}});
+            m.remark(
+                RemarkGrade::problem,
+                {REPORT_TEXT("report", "Points without a number were left out: %1."), {counted(missing)}});
         const auto [low, high] = std::ranges::minmax(values);
         const SaidUnit said = column.said().isSaid() ? column.said() : m.notes.unit;
         const Unit *stated = said.unit;
@@ -359,7 +356,7 @@ private:
         drift.axis.name = m.choices.resolve("axis", m.notes.axis, Origin::recognised).value;
         m.remark(RemarkGrade::note,
                  {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
-                  {Number{static_cast<double>(drift.times.size()), Quantity::count},
+                  {counted(drift.times.size()),
                    Number{drift.times.back() - drift.times.front(), Quantity::time}}});
         Test test;
         test.measurement = std::move(drift);

@@ -58,9 +58,8 @@ void TableReading::askForTable() {
     const std::string read = std::to_string(body.table + 1);
     const auto choice = choices.resolve("table", read, Origin::guessed);
     if (choice.origin == Origin::chosen && choice.value != read)
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "%1 cannot be %2; the file has %3 of them"),
-                     {nameOfChoice("table"), choice.value, std::to_string(body.tables.size())}});
+        refuseContent(REPORT_TEXT("report", "%1 cannot be %2; the file has %3 of them"),
+                      nameOfChoice("table"), choice.value, std::to_string(body.tables.size()));
     std::string list;
     Remark question{RemarkGrade::problem, {}, 0, 0, "table"};
     for (std::size_t i = 0; i < body.tables.size(); ++i) {

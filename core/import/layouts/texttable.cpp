@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
-#include "document/documenterror.h"
 #include "import/layouts/tablebody.h"
 #include "import/layouts/tablereading.h"
+#include "tables/contenterror.h"
 #include "tables/decodetext.h"
 
 #include <algorithm>
@@ -232,8 +232,8 @@ void keepLines(CellTable &table, std::string_view lines) {
     const std::size_t first = numberIn(lines.substr(0, dash));
     const std::size_t last = dash == std::string_view::npos ? 0 : numberIn(lines.substr(dash + 1));
     if (first == 0 || last < first)
-        throw Error(Error::Kind::content, {REPORT_TEXT("report", "%1 cannot be %2; expected lines as 38-58"),
-                                           {nameOfChoice("lines"), std::string(lines)}});
+        refuseContent(REPORT_TEXT("report", "%1 cannot be %2; expected lines as 38-58"),
+                      nameOfChoice("lines"), std::string(lines));
     table.keepLines(first, last);
 }
 

@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
-#include "document/documenterror.h"
 #include "document/place.h"
 #include "import/layouts/zipfile.h"
 #include "kernel/measurement/testfacts.h"
 #include "kernel/words/characters.h"
+#include "tables/contenterror.h"
 
 #include <QDate>
 #include <QDir>
@@ -106,7 +106,7 @@ public:
         if (column >= mostColumns)
             throw Error(Error::Kind::tooLarge,
                         {REPORT_TEXT("report", "more rows or cells than a table of readings can have")},
-                        std::to_string(m_line) + ":1");
+                        placeOfLine(m_line));
         if (!m_begun)
             m_builder.beginRow(m_line);
         m_begun = true;
@@ -545,7 +545,7 @@ private:
         if (repeated > mostRepeated / m_rowRepeats)
             throw Error(Error::Kind::tooLarge,
                         {REPORT_TEXT("report", "more rows or cells than a table of readings can have")},
-                        std::to_string(m_line + 1) + ":1");
+                        placeOfLine(m_line + 1));
         for (std::size_t i = 0; i < m_rowRepeats; ++i) {
             m_sheet.beginRow(++m_line, m_rowHidden);
             for (const OdsCell &each : m_cells) {
@@ -597,9 +597,8 @@ int chosenSheet(const std::vector<SheetName> &sheets, const Choices &choices) {
     QStringList names;
     for (const SheetName &sheet : sheets)
         names << sheet.name;
-    throw Error(Error::Kind::content,
-                {REPORT_TEXT("report", "there is no sheet “%1”; there are: %2"),
-                 {wanted.toStdString(), excerpt(names.join(QStringLiteral(", ")).toStdString())}});
+    refuseContent(REPORT_TEXT("report", "there is no sheet “%1”; there are: %2"), wanted.toStdString(),
+                  excerpt(names.join(QStringLiteral(", ")).toStdString()));
 }
 
 constexpr std::size_t mostSheetsTried = 20;
@@ -735,8 +734,7 @@ private:
                  ? REPORT_TEXT("report",
                                "The workbook has %1 sheets, several with a measurement; “%2” is read.")
                  : REPORT_TEXT("report", "The workbook has %1 sheets; “%2” is read."),
-             {Number{static_cast<double>(m_sheets.size()), Quantity::count},
-              excerpt(sheet.name.toStdString())}},
+             {counted(m_sheets.size()), excerpt(sheet.name.toStdString())}},
             0,
             0,
             "sheet"};
@@ -803,10 +801,8 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
             OdsReader(i, names, sheet).read(zip, content);
     });
     if (!chooser.hasTable())
-        throw Error(
-            Error::Kind::content,
-            {REPORT_TEXT("report", "there is no table of numbers in it; expected target positions and "
-                                   "readings, points of a circle, or values over time")});
+        refuseContent(REPORT_TEXT("report", "there is no table of numbers in it; expected target positions "
+                                            "and readings, points of a circle, or values over time"));
     if (imported.table.decimalMark.origin != Origin::recognised) {
         choices.resolve("decimalMark",
                         imported.table.decimalMark.value == DecimalMark::comma ? "comma" : "point",
