@@ -17,7 +17,7 @@ struct ArcTable {
     std::size_t points = 0;
     std::vector<ImportChoice> choices; ///< as they were settled: layout, unit …
     std::vector<Question> questions;   ///< to be answered before the paths are taken, as of an imported file
-    std::vector<Remark> remarks;
+    Remarks remarks;
 };
 
 /// Reads paths typed or copied from a spreadsheet for a circle of that plane and nominal radius, as a file is

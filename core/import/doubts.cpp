@@ -16,10 +16,6 @@ constexpr double largestLength = 1;  // mm
 constexpr double largestAngle = 0.1; // °
 constexpr double largestRatio = 100; // of the spread of a run to that of the others
 
-void doubt(std::vector<Remark> &remarks, Message message, const char *choice) {
-    addRemark(remarks, RemarkGrade::problem, std::move(message), 0, choice);
-}
-
 struct ReadingRange {
     std::size_t readings = 0;
     double low = std::numeric_limits<double>::infinity();
@@ -43,12 +39,11 @@ ReadingRange rangeOf(const Run &run) {
     return range;
 }
 
-void questionSize(double largest, bool angular, std::vector<Remark> &remarks) {
+void questionSize(double largest, bool angular, Remarks &remarks) {
     if (largest > (angular ? largestAngle : largestLength))
-        doubt(remarks,
-              {REPORT_TEXT("report", "Deviations up to %1: are unit, content and decimal mark right?"),
-               {Number{largest, angular ? Quantity::angle : Quantity::position, 2}}},
-              "large");
+        remarks.problem(
+            "large", REPORT_TEXT("report", "Deviations up to %1: are unit, content and decimal mark right?"),
+            Number{largest, angular ? Quantity::angle : Quantity::position, 2});
 }
 
 bool equalTargets(const PositioningMeasurement &measurement, const Run &run) {
@@ -72,7 +67,7 @@ bool equalTargets(const PositioningMeasurement &measurement, const Run &run) {
     return readings > 2 && (same || opposite);
 }
 
-void question(const PositioningMeasurement &measurement, std::vector<Remark> &remarks) {
+void question(const PositioningMeasurement &measurement, Remarks &remarks) {
     std::vector<double> spreads;
     double largest = 0;
     for (std::size_t j = 0; j < measurement.runs.size(); ++j) {
@@ -80,15 +75,14 @@ void question(const PositioningMeasurement &measurement, std::vector<Remark> &re
         largest = std::max(largest, range.farthest());
         spreads.push_back(range.spread());
         if (range.readings > 1 && range.farthest() == 0)
-            doubt(remarks,
-                  {REPORT_TEXT("report", "All readings of run %1 are zero: was it measured at all?"),
-                   {counted(j + 1)}},
-                  "zeros");
+            remarks.problem("zeros",
+                            REPORT_TEXT("report", "All readings of run %1 are zero: was it measured at all?"),
+                            counted(j + 1));
         else if (equalTargets(measurement, measurement.runs[j]))
-            doubt(remarks,
-                  {REPORT_TEXT("report", "The deviations of run %1 equal the targets: is it a run at all?"),
-                   {counted(j + 1)}},
-                  "equalsTargets");
+            remarks.problem(
+                "equalsTargets",
+                REPORT_TEXT("report", "The deviations of run %1 equal the targets: is it a run at all?"),
+                counted(j + 1));
     }
     questionSize(largest, measurement.axis.motion == Motion::rotary, remarks);
     std::vector<double> sorted = spreads;
@@ -96,38 +90,37 @@ void question(const PositioningMeasurement &measurement, std::vector<Remark> &re
     const double usual = sorted.size() > 1 ? sorted[(sorted.size() - 1) / 2] : 0;
     for (std::size_t j = 0; j < spreads.size() && usual > 0; ++j) {
         if (spreads[j] > largestRatio * usual)
-            doubt(remarks,
-                  {REPORT_TEXT("report",
-                               "Run %1 spreads a hundred times as far as the others: is it one of them?"),
-                   {counted(j + 1)}},
-                  "spread");
+            remarks.problem("spread",
+                            REPORT_TEXT("report", "Run %1 spreads a "
+                                                  "hundred times as far as the others: is it one of them?"),
+                            counted(j + 1));
     }
 }
 
-void questionValues(const std::vector<double> &values, bool angular, std::vector<Remark> &remarks) {
+void questionValues(const std::vector<double> &values, bool angular, Remarks &remarks) {
     double largest = 0;
     for (const double value : values)
         largest = std::max(largest, std::abs(value));
     if (values.size() > 1 && largest == 0)
-        doubt(remarks, {REPORT_TEXT("report", "All readings are zero: was anything measured at all?")},
-              "zeros");
+        remarks.problem("zeros",
+                        REPORT_TEXT("report", "All readings are zero: was anything measured at all?"));
     questionSize(largest, angular, remarks);
 }
 
-void question(const CircularMeasurement &measurement, std::vector<Remark> &remarks) {
+void question(const CircularMeasurement &measurement, Remarks &remarks) {
     std::vector<double> values;
     for (const Arc &arc : measurement.arcs)
         values.insert(values.end(), arc.radialDeviations.begin(), arc.radialDeviations.end());
     questionValues(values, false, remarks);
 }
 
-void question(const DriftMeasurement &measurement, std::vector<Remark> &remarks) {
+void question(const DriftMeasurement &measurement, Remarks &remarks) {
     questionValues(measurement.deviations, measurement.axis.motion == Motion::rotary, remarks);
 }
 
 } // namespace
 
-void questionNumbers(const Test &test, std::vector<Remark> &remarks) {
+void questionNumbers(const Test &test, Remarks &remarks) {
     std::visit([&](const auto &measurement) { question(measurement, remarks); }, test.measurement);
 }
 

@@ -35,7 +35,7 @@ struct Imported {
     std::string format;                ///< word of the choice "format"
     std::vector<ImportChoice> choices; ///< all choices relevant to this file, each with its origin
     std::vector<Question> questions;   ///< to be answered before it is accepted; red ones first
-    std::vector<Remark> remarks;       ///< problems, assumptions, then notes; no questions
+    Remarks remarks;                   ///< problems, assumptions, then notes; no questions
     std::vector<ImportSheet> sheets;   ///< of a workbook, the visible ones first
     std::vector<ImportColumn> columns; ///< of the table, each with its role; empty for other files
     std::vector<ListedTable> tables;   ///< of a text or sheet with several tables

@@ -82,11 +82,10 @@ void resolveCorrection(Imported &imported, Choices &choices) {
         choices.resolve("correctionTo20", fileWord(stated),
                         stated == CorrectionTo20::notStated ? Origin::guessed : Origin::recognised);
     if (choice.value == "not stated")
-        addRemark(imported.remarks, couldMatter(imported) ? RemarkGrade::assumption : RemarkGrade::note,
-                  {REPORT_TEXT(
-                      "report",
-                      "Correction to 20 °C: whether the instrument has applied one is not stated; say it.")},
-                  0, "correctionTo20");
+        imported.remarks.add(
+            couldMatter(imported) ? RemarkGrade::assumption : RemarkGrade::note, "correctionTo20",
+            {REPORT_TEXT("report", "Correction to 20 °C: "
+                                   "whether the instrument has applied one is not stated; say it.")});
     conditions->correctionTo20 = correctionOf(choice.value);
 }
 
@@ -305,9 +304,8 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
             pointer = std::make_shared<const Test>(std::move(test));
         }
         if (!added)
-            refuseContent(REPORT_TEXT(
-                "report",
-                "temperatures need a test that they belong to; import the measurement before them"));
+            refuseContent(REPORT_TEXT("report", "temperatures need a test "
+                                                "that they belong to; import the measurement before them"));
         return;
     }
     Test test = std::move(*imported.test);

@@ -46,10 +46,10 @@ bool isAsked(std::string_view choice) {
     return isOneOf(asked, choice);
 }
 
-void joinRemarks(std::vector<Remark> &remarks) {
+void joinRemarks(Remarks &remarks) {
     constexpr std::size_t mostLines = 1000;
     std::map<std::tuple<RemarkGrade, std::string, std::string>, std::size_t> first;
-    std::vector<Remark> joined;
+    Remarks joined;
     for (Remark &remark : remarks) {
         const auto [place, isNew] =
             first.try_emplace({remark.grade, remark.message.text.source, remark.choice}, joined.size());
@@ -65,10 +65,10 @@ void joinRemarks(std::vector<Remark> &remarks) {
     remarks = std::move(joined);
 }
 
-std::vector<Question> takeQuestions(std::vector<Remark> &remarks, const ImportOptions &options,
+std::vector<Question> takeQuestions(Remarks &remarks, const ImportOptions &options,
                                     std::span<const ImportChoice> choices) {
     std::vector<Question> questions;
-    std::vector<Remark> kept;
+    Remarks kept;
     for (Remark &remark : remarks) {
         std::string proposal = proposalFor(remark, choices);
         const auto answer = options.find(remark.choice);

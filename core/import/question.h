@@ -41,17 +41,17 @@ struct Question {
 
 /// Extracts the questions from the remarks: those about a choice that changes numbers and was only guessed,
 /// and those about data that were not read. Repeated ones are merged, with the further lines.
-[[nodiscard]] std::vector<Question> takeQuestions(std::vector<Remark> &remarks, const ImportOptions &options,
+[[nodiscard]] std::vector<Question> takeQuestions(Remarks &remarks, const ImportOptions &options,
                                                   std::span<const ImportChoice> choices);
 
 /// Merges remarks of a kind, with the further lines.
-void joinRemarks(std::vector<Remark> &remarks);
+void joinRemarks(Remarks &remarks);
 
 /// True if a wrong guess of that choice would give a wrong number or direction, so that it is a question.
 [[nodiscard]] bool isAsked(std::string_view choice);
 
 /// Adds red questions about suspicious numbers, each with its run: deviations above 1 mm or 0.1°, runs whose
 /// spread is a hundred times that of the others, deviations equal to the targets, readings that are all 0.
-void questionNumbers(const Test &test, std::vector<Remark> &remarks);
+void questionNumbers(const Test &test, Remarks &remarks);
 
 } // namespace palmer

@@ -28,11 +28,10 @@ void UnusedLines::add(std::size_t line, std::string_view text) {
     m_quoted += std::to_string(line) + ": " + quoted;
 }
 
-void UnusedLines::remark(std::vector<Remark> &remarks) const {
+void UnusedLines::remark(Remarks &remarks) const {
     if (m_count > 0)
-        addRemark(remarks, RemarkGrade::note,
-                  {REPORT_TEXT("report", "Lines of text that were not used: %1 (%2)."),
-                   {counted(m_count), m_quoted}});
+        remarks.note({}, REPORT_TEXT("report", "Lines of text that were not used: %1 (%2)."),
+                     counted(m_count), m_quoted);
 }
 
 } // namespace palmer

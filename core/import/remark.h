@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "kernel/words/message.h"
+#include "tables/contenterror.h"
 
 #include <cstddef>
 #include <string>
@@ -33,18 +33,47 @@ struct Remark {
     bool operator==(const Remark &) const = default;
 };
 
-/// `line` and `choice` as in Remark.
-inline void addRemark(std::vector<Remark> &remarks, RemarkGrade grade, Message message, std::size_t line = 0,
-                      std::string choice = {}) {
-    remarks.push_back({grade, std::move(message), line, 0, std::move(choice)});
-}
+/// What a remark is about: the key of a choice and a line, as in Remark.
+struct About {
+    About() = default;
+    About(const char *key, std::size_t at = 0)
+        : choice(key)
+        , line(at) {}
+    About(std::string_view key)
+        : choice(key) {}
+
+    std::string choice;
+    std::size_t line = 0;
+};
+
+/// The remarks of a reader, in the order they were made.
+class Remarks : public std::vector<Remark> {
+public:
+    using std::vector<Remark>::vector;
+
+    void add(RemarkGrade grade, const About &about, Message message) {
+        push_back({grade, std::move(message), about.line, 0, about.choice});
+    }
+    template <class... Arguments>
+    void problem(const About &about, Text text, Arguments... arguments) {
+        add(RemarkGrade::problem, about, messageOf(text, std::move(arguments)...));
+    }
+    template <class... Arguments>
+    void assumption(const About &about, Text text, Arguments... arguments) {
+        add(RemarkGrade::assumption, about, messageOf(text, std::move(arguments)...));
+    }
+    template <class... Arguments>
+    void note(const About &about, Text text, Arguments... arguments) {
+        add(RemarkGrade::note, about, messageOf(text, std::move(arguments)...));
+    }
+};
 
 /// Counts unused lines of text and quotes the first ones.
 class UnusedLines {
 public:
     void add(std::size_t line, std::string_view text);
     /// Adds a note if there are any.
-    void remark(std::vector<Remark> &remarks) const;
+    void remark(Remarks &remarks) const;
 
 private:
     std::size_t m_count = 0;

@@ -83,10 +83,6 @@ private:
         return std::to_string(m_xml.lineNumber()) + ':' + std::to_string(m_xml.columnNumber() + 1);
     }
 
-    void remark(RemarkGrade grade, Message message, const char *choice = "") {
-        addRemark(m.remarks, grade, std::move(message), 0, choice);
-    }
-
     /// Elements are recognised by name, at any depth.
     void parse() {
         QString text;
@@ -94,12 +90,10 @@ private:
             switch (m_xml.readNext()) {
             case QXmlStreamReader::DTD:
             case QXmlStreamReader::EntityReference:
-                throw Error(
-                    Error::Kind::syntax,
-                    {REPORT_TEXT(
-                        "report",
-                        "document type definitions and entities are refused: no ballbar file has them")},
-                    place());
+                throw Error(Error::Kind::syntax,
+                            {REPORT_TEXT("report", "document type definitions "
+                                                   "and entities are refused: no ballbar file has them")},
+                            place());
             case QXmlStreamReader::StartElement:
                 if (m_path.size() >= deepest)
                     throw Error(Error::Kind::syntax,
@@ -220,8 +214,8 @@ private:
 
     void leaveOut(std::optional<double> &value) {
         value.reset();
-        remark(RemarkGrade::problem,
-               {REPORT_TEXT("report", "The unit “%1” is not known."), {excerpt(m_type.toStdString())}});
+        m.remarks.problem({}, REPORT_TEXT("report", "The unit “%1” is not known."),
+                          excerpt(m_type.toStdString()));
     }
 
     [[nodiscard]] static std::optional<std::string> isoDate(const QString &text) {
@@ -304,10 +298,10 @@ private:
             ImportedFile file;
             file.results = m_results;
             test.imports.push_back(std::move(file));
-            remark(RemarkGrade::note,
-                   {REPORT_TEXT("report",
-                                "Results of the instrument's own program: %1; they are shown beside ours."),
-                    {counted(m_results.size())}});
+            m.remarks.note({},
+                           REPORT_TEXT("report", "Results of the "
+                                                 "instrument's own program: %1; they are shown beside ours."),
+                           counted(m_results.size()));
         }
         if (!m_unknown.isEmpty()) {
             QStringList names(m_unknown.begin(), m_unknown.end());
@@ -315,9 +309,8 @@ private:
             QString list = names.mid(0, mostUnknown).join(QStringLiteral(", "));
             if (names.size() > mostUnknown)
                 list += QStringLiteral(", …");
-            remark(RemarkGrade::note,
-                   {REPORT_TEXT("report", "Elements that are not known and were not read: %1."),
-                    {excerpt(list.toStdString())}});
+            m.remarks.note({}, REPORT_TEXT("report", "Elements that are not known and were not read: %1."),
+                           excerpt(list.toStdString()));
         }
         m_instrument.description = "ballbar";
         m.instruments = {m_instrument};
@@ -357,13 +350,13 @@ private:
         const auto sign = m_choices.resolve("sign", "actualMinusTarget", Origin::guessed);
         m_inverted = sign.value == "targetMinusActual";
         if (content.origin == Origin::guessed || unit.origin == Origin::guessed)
-            remark(RemarkGrade::assumption,
-                   {m_absolute ? REPORT_TEXT("report", "Readings: the file states no unit; about %1 they are "
-                                                       "read as lengths of the bar in %2.")
-                               : REPORT_TEXT("report", "Readings: the file states no unit; up to %1 they are "
-                                                       "read as deviations in %2, positive outwards."),
-                    {Number{m_absolute ? median : largest, Quantity::number, 4}, std::string(m_unit->sign)}},
-                   "unit");
+            m.remarks.assumption(
+                "unit",
+                m_absolute ? REPORT_TEXT("report", "Readings: the file states no unit; about %1 they are "
+                                                   "read as lengths of the bar in %2.")
+                           : REPORT_TEXT("report", "Readings: the file states no unit; up to %1 they are "
+                                                   "read as deviations in %2, positive outwards."),
+                Number{m_absolute ? median : largest, Quantity::number, 4}, std::string(m_unit->sign));
     }
 
     /// Angles of a run, in degrees.
@@ -378,8 +371,8 @@ private:
         path.angleReference = AngleReference::commanded;
         path.sense = run.sense.value_or(Sense::counterclockwise);
         if (!run.sense)
-            remark(RemarkGrade::problem,
-                   {REPORT_TEXT("report", "A run states no direction; taken as counterclockwise.")});
+            m.remarks.problem({},
+                              REPORT_TEXT("report", "A run states no direction; taken as counterclockwise."));
         const bool clockwise = path.sense == Sense::clockwise;
         // On a partial circle the return run begins where the first ended.
         const double begin = clockwise && way.arc < 360 ? way.start + way.arc : way.start;
@@ -414,25 +407,22 @@ private:
             std::abs(start.value) > 36'000)
             refuseContent(REPORT_TEXT("report", "start angle, arc or overshoot is beyond sense"));
         if (arc.origin == Origin::guessed)
-            remark(RemarkGrade::assumption,
-                   {REPORT_TEXT("report", "Arc: the file has no angles; %1 at constant feed are assumed."),
-                    {Number{arc.value, Quantity::angle}}},
-                   "arc");
+            m.remarks.assumption(
+                "arc", REPORT_TEXT("report", "Arc: the file has no angles; %1 at constant feed are assumed."),
+                Number{arc.value, Quantity::angle});
         if (start.origin == Origin::guessed)
-            remark(
-                RemarkGrade::assumption,
-                {REPORT_TEXT("report",
-                             "Start angle: taken as %1. A wrong one turns squareness into scale mismatch."),
-                 {Number{start.value, Quantity::angle}}},
-                "startAngle");
+            m.remarks.assumption("startAngle",
+                                 REPORT_TEXT("report", "Start angle: taken as %1. A "
+                                                       "wrong one turns squareness into scale mismatch."),
+                                 Number{start.value, Quantity::angle});
         std::size_t points = 0;
         for (const BallbarRun &run : m_runs) {
             measurement.arcs.push_back(
                 arcOf(run, {start.value, arc.value, overshoot.value}, measurement.nominalRadius));
             points += run.readings.size();
         }
-        remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
-                                   {counted(m_runs.size()), counted(points)}});
+        m.remarks.note({}, REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
+                       counted(m_runs.size()), counted(points));
     }
 
     QXmlStreamReader m_xml;
@@ -463,9 +453,8 @@ void remarkEncoding(QByteArrayView bytes, Imported &imported) {
     xml.readNext();
     const QStringView encoding = xml.documentEncoding();
     if (!encoding.isEmpty() && encoding.compare(u"UTF-8", Qt::CaseInsensitive) != 0)
-        addRemark(imported.remarks, RemarkGrade::note,
-                  {REPORT_TEXT("report", "Encoding: %1, as the file says."),
-                   {excerpt(encoding.toString().toStdString())}});
+        imported.remarks.note({}, REPORT_TEXT("report", "Encoding: %1, as the file says."),
+                              excerpt(encoding.toString().toStdString()));
 }
 
 bool isBallbarXml(QByteArrayView bytes) {

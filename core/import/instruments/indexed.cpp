@@ -80,10 +80,10 @@ public:
         const auto choice =
             m_choices.resolve("unit", stated ? m_unit : "mm", stated ? Origin::recognised : Origin::guessed);
         if (choice.origin == Origin::guessed && !m_unknownUnit)
-            remark(RemarkGrade::assumption,
-                   {REPORT_TEXT("report", "Unit of the positions: nothing in the file says it; read as %1."),
-                    {std::string(unitOf(choice.value)->sign)}},
-                   0, "unit");
+            m.remarks.assumption(
+                "unit",
+                REPORT_TEXT("report", "Unit of the positions: nothing in the file says it; read as %1."),
+                std::string(unitOf(choice.value)->sign));
         PassForm form;
         form.content = m_choices.isChosen("content") ? std::string(m_choices.chosen("content")) : "positions";
         form.unit = unitOf(choice.value);
@@ -98,10 +98,6 @@ public:
     }
 
 private:
-    void remark(RemarkGrade grade, Message message, std::size_t line = 0, const char *choice = "") {
-        addRemark(m.remarks, grade, std::move(message), line, choice);
-    }
-
     void collect() {
         std::size_t number = 0;
         UnusedLines unused;
@@ -118,18 +114,18 @@ private:
             if (assignment && take(*assignment, number))
                 continue;
             if (isOfData(line))
-                remark(RemarkGrade::problem,
-                       {REPORT_TEXT("report", "This line is not like the others and was not read.")}, number,
-                       "unread");
+                m.remarks.problem(
+                    {"unread", number},
+                    REPORT_TEXT("report", "This line is not like the others and was not read."));
             else
                 unused.add(number, line);
         }
         if (m_targets.empty())
             refuseContent(REPORT_TEXT("report", "there are no target positions in it"));
         if (m_positions && *m_positions != static_cast<double>(m_targets.size()))
-            remark(RemarkGrade::problem,
-                   {REPORT_TEXT("report", "Targets named in the head: %1, in the list: %2; the list counts."),
-                    {counted(*m_positions), counted(m_targets.size())}});
+            m.remarks.problem(
+                {}, REPORT_TEXT("report", "Targets named in the head: %1, in the list: %2; the list counts."),
+                counted(*m_positions), counted(m_targets.size()));
         unused.remark(m.remarks);
     }
 
@@ -169,10 +165,9 @@ private:
         if (value.kind == CellKind::number)
             return value.value;
         if (value.kind != CellKind::missing && value.kind != CellKind::empty)
-            remark(RemarkGrade::problem,
-                   {REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
-                    {excerpt(assignment.value)}},
-                   line, "unread");
+            m.remarks.problem({"unread", line},
+                              REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
+                              excerpt(assignment.value));
         return {};
     }
 
@@ -197,16 +192,14 @@ private:
         m_unit = unitWord(assignment.value);
         m_unknownUnit = !m_unit;
         if (!m_unit) // nothing else in the file states it
-            remark(RemarkGrade::problem,
-                   {REPORT_TEXT("report", "The unit “%1” is not known."), {excerpt(assignment.value)}}, line,
-                   "unit");
+            m.remarks.problem({"unit", line}, REPORT_TEXT("report", "The unit “%1” is not known."),
+                              excerpt(assignment.value));
     }
 
     void remarkRepetition(const std::string &name, std::size_t line) {
-        remark(RemarkGrade::problem,
-               {REPORT_TEXT("report", "%1 has these indexes for the second time; the line was not read."),
-                {name}},
-               line, "unread");
+        m.remarks.problem(
+            {"unread", line},
+            REPORT_TEXT("report", "%1 has these indexes for the second time; the line was not read."), name);
     }
 
     /// True if the first index is the target and the second the cycle; false if only the reverse fits.
@@ -256,10 +249,10 @@ private:
         if (!passes.empty())
             addMissing(passes.front(), targets);
         if (m_cycles && *m_cycles != static_cast<double>(cycles.size()))
-            remark(RemarkGrade::problem,
-                   {REPORT_TEXT("report",
-                                "Cycles named in the head: %1, in the readings: %2; the readings count."),
-                    {counted(*m_cycles), counted(cycles.size())}});
+            m.remarks.problem({},
+                              REPORT_TEXT("report", "Cycles named in the "
+                                                    "head: %1, in the readings: %2; the readings count."),
+                              counted(*m_cycles), counted(cycles.size()));
         return passes;
     }
 

@@ -47,14 +47,13 @@ bool isDamagedRow(std::string_view line) {
 }
 
 /// A position repeated in a table belongs to another table whose heading is missing.
-std::vector<MeanTable> tablesOf(std::string_view text, std::vector<Remark> &remarks) {
+std::vector<MeanTable> tablesOf(std::string_view text, Remarks &remarks) {
     std::vector<MeanTable> tables;
     bool inTable = false;
     std::size_t number = 0;
     const auto leave = [&](std::size_t place) {
-        addRemark(remarks, RemarkGrade::problem,
-                  {REPORT_TEXT("report", "This line is not like the others and was not read.")}, place,
-                  "unread");
+        remarks.problem({"unread", place},
+                        REPORT_TEXT("report", "This line is not like the others and was not read."));
     };
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
@@ -89,8 +88,7 @@ std::vector<MeanTable> tablesOf(std::string_view text, std::vector<Remark> &rema
 }
 
 /// Means of each direction, or if missing those of both, for which the direction is a choice.
-std::vector<Pass> passesOf(const std::vector<MeanTable> &tables, Choices &choices,
-                           std::vector<Remark> &remarks) {
+std::vector<Pass> passesOf(const std::vector<MeanTable> &tables, Choices &choices, Remarks &remarks) {
     std::vector<Pass> passes;
     for (const MeanTable &table : tables) {
         if (table.direction) {
@@ -106,11 +104,8 @@ std::vector<Pass> passesOf(const std::vector<MeanTable> &tables, Choices &choice
         for (Pass &pass : passes)
             pass.direction = Direction::negative;
     if (choice.origin == Origin::guessed)
-        addRemark(
-            remarks, RemarkGrade::assumption,
-            {REPORT_TEXT("report",
-                         "Directions: the file has means of both directions only; they are read as ↑.")},
-            0, "directions");
+        remarks.assumption("directions", REPORT_TEXT("report", "Directions: the file has means of "
+                                                               "both directions only; they are read as ↑."));
     return passes;
 }
 
@@ -127,17 +122,14 @@ void readPosText(const ImportSource &source, Choices &choices, Imported &importe
         refuseContent(
             REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations"));
     std::vector<Pass> passes = passesOf(tables, choices, imported.remarks);
-    addRemark(imported.remarks, RemarkGrade::note,
-              {REPORT_TEXT("report", "The file holds means of runs, not the runs: R and A say little.")});
+    imported.remarks.note(
+        {}, REPORT_TEXT("report", "The file holds means of runs, not the runs: R and A say little."));
     choices.resolve("content", "deviations", Origin::recognised);
     PassForm form;
     form.sign = choices.resolve("sign", "actualMinusTarget", Origin::guessed).value;
     if (!choices.isChosen("sign"))
-        addRemark(
-            imported.remarks, RemarkGrade::assumption,
-            {REPORT_TEXT("report",
-                         "Sign: it changed between the versions of the program; read as actual − target.")},
-            0, "sign");
+        imported.remarks.assumption("sign", REPORT_TEXT("report", "Sign: it changed between the versions of "
+                                                                  "the program; read as actual − target."));
     form.unit = unitOf(choices.resolve("unit", "mm", Origin::recognised).value);
     form.positionUnit = unitOf(choices.resolve("positionUnit", "mm", Origin::recognised).value);
     requireOneMotion(form);

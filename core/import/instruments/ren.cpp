@@ -107,19 +107,17 @@ Pass readTable(Imported &imported, Header &header) {
             continue;
         }
         if (!numbers || numbers->size() != 3) {
-            addRemark(imported.remarks, RemarkGrade::problem,
-                      {REPORT_TEXT("report", "This line is not like the others and was not read.")}, number,
-                      "unread");
+            imported.remarks.problem(
+                {"unread", number},
+                REPORT_TEXT("report", "This line is not like the others and was not read."));
             lastNo.reset(); // reported already
             continue;
         }
         if (const double no = (*numbers)[0]; lastNo && no != *lastNo + 1)
-            addRemark(
-                imported.remarks, RemarkGrade::problem,
-                {REPORT_TEXT("report", "The lines are numbered %1 and then %2: some are missing, or one is "
-                                       "there twice."),
-                 {counted(*lastNo), counted(no)}},
-                number, "unread");
+            imported.remarks.problem({"unread", number},
+                                     REPORT_TEXT("report", "The lines are numbered %1 and then "
+                                                           "%2: some are missing, or one is there twice."),
+                                     counted(*lastNo), counted(no));
         lastNo = (*numbers)[0];
         pass.readings.push_back({(*numbers)[1], (*numbers)[2], static_cast<std::uint32_t>(number)});
     }
@@ -127,7 +125,7 @@ Pass readTable(Imported &imported, Header &header) {
     return pass;
 }
 
-PassForm resolveForm(const Header &header, Choices &choices, std::vector<Remark> &remarks) {
+PassForm resolveForm(const Header &header, Choices &choices, Remarks &remarks) {
     PassForm form;
     form.sign = choices.resolve("sign", "targetMinusActual", Origin::guessed).value;
     const Unit *stated = header.unit.unit;
@@ -157,14 +155,12 @@ void readRenText(const ImportSource &source, Choices &choices, Imported &importe
             REPORT_TEXT("report", "there is no table of axis positions and compensation values in it"));
     const auto [low, high] = std::ranges::minmax(pass.readings, {}, &PassReading::position);
     if (!agrees(header, low.position, high.position))
-        addRemark(imported.remarks, RemarkGrade::problem,
-                  {REPORT_TEXT("report",
-                               "Start and end of the head are not those of the table; the table counts.")});
-    addRemark(
-        imported.remarks, RemarkGrade::assumption,
-        {REPORT_TEXT("report", "This is a compensation table, not a measurement: its values are read with "
-                               "the opposite sign as deviations, to compare.")},
-        0, "sign");
+        imported.remarks.problem(
+            {},
+            REPORT_TEXT("report", "Start and end of the head are not those of the table; the table counts."));
+    imported.remarks.assumption(
+        "sign", REPORT_TEXT("report", "This is a compensation table, not a measurement: its values are read "
+                                      "with the opposite sign as deviations, to compare."));
     const PassForm form = resolveForm(header, choices, imported.remarks);
     imported.test = testFrom(measurementOf({pass}, form, imported.remarks), "", choices);
     choices.resolve("kind", "positioning", Origin::recognised);

@@ -54,10 +54,6 @@ public:
     }
 
 private:
-    void remark(RemarkGrade grade, Message message, std::size_t line = 0, const char *choice = "") {
-        addRemark(m.remarks, grade, std::move(message), line, choice);
-    }
-
     void requireEnd() const {
         if (!findSection(m_sections, "EOF"))
             refuseContent(REPORT_TEXT("report", "the file ends before “%1”: it was cut off"), "EOF::");
@@ -89,16 +85,15 @@ private:
         const auto stated = numberOf(section.value("Target-count"));
         const bool disagrees = stated && *stated != static_cast<double>(m_targets.size());
         if (disagrees && !areOrdered()) // a number was split
-            refuseContentAt(
-                placeOfLine(section.line),
-                REPORT_TEXT("report",
-                            "targets named in the head: %1, in the list, in no order: %2: it is damaged"),
-                counted(*stated), counted(m_targets.size()));
+            refuseContentAt(placeOfLine(section.line),
+                            REPORT_TEXT("report", "targets named in the "
+                                                  "head: %1, in the list, in no order: %2: it is damaged"),
+                            counted(*stated), counted(m_targets.size()));
         if (disagrees)
-            remark(RemarkGrade::problem,
-                   {REPORT_TEXT("report", "Targets named in the head: %1, in the list: %2; the list counts."),
-                    {counted(*stated), counted(m_targets.size())}},
-                   section.line);
+            m.remarks.problem(
+                {"", section.line},
+                REPORT_TEXT("report", "Targets named in the head: %1, in the list: %2; the list counts."),
+                counted(*stated), counted(m_targets.size()));
         const auto flags = section.value("Flags");
         const auto numbers = flags ? numbersIn(*flags) : std::nullopt;
         m_oneDirection = numbers && numbers->size() > 1 && (*numbers)[1] == 1;
@@ -127,21 +122,19 @@ private:
             const bool row =
                 numbers && numbers->size() == 3 && isWhole((*numbers)[0]) && isWhole((*numbers)[1]);
             if (!row) {
-                remark(
-                    RemarkGrade::problem,
-                    {REPORT_TEXT("report", "“%1” is not run, target and deviation; the line was not read."),
-                     {excerpt(line.value)}},
-                    line.line, "unread");
+                m.remarks.problem(
+                    {"unread", line.line},
+                    REPORT_TEXT("report", "“%1” is not run, target and deviation; the line was not read."),
+                    excerpt(line.value));
                 continue;
             }
             m_rows.push_back({(*numbers)[0], (*numbers)[1], (*numbers)[2], line.line});
             lowest = std::min(lowest, (*numbers)[1]);
         }
         if (m_rows.empty())
-            refuseContentAt(
-                placeOfLine(section.line),
-                REPORT_TEXT("report",
-                            "there are no readings in it; expected target positions and deviations"));
+            refuseContentAt(placeOfLine(section.line),
+                            REPORT_TEXT("report", "there are no readings "
+                                                  "in it; expected target positions and deviations"));
         const double first = lowest == 0 ? 0 : 1; // some files count from 0
         const bool descend = targetsDescend();
         for (const Row &row : m_rows) {
@@ -162,9 +155,9 @@ private:
         const Section *runs = findSection(m_sections, "RUNS");
         const auto stated = runs ? numberOf(runs->value("Run-count")) : std::nullopt;
         if (stated && *stated != static_cast<double>(m_runs.size()))
-            remark(RemarkGrade::problem,
-                   {REPORT_TEXT("report", "Runs named in the head: %1, in the rows: %2; the rows count."),
-                    {counted(*stated), counted(m_runs.size())}});
+            m.remarks.problem(
+                {}, REPORT_TEXT("report", "Runs named in the head: %1, in the rows: %2; the rows count."),
+                counted(*stated), counted(m_runs.size()));
     }
 
     [[nodiscard]] bool areOrdered() const {
@@ -209,14 +202,12 @@ private:
         for (auto &[number, run] : m_runs)
             run.direction = directionOf(choice.value, run, j++);
         if (choice.origin == Origin::guessed)
-            remark(
-                RemarkGrade::assumption,
-                {byOrder
-                     ? REPORT_TEXT("report", "Directions: the targets descend along the list; a run in its "
-                                             "order moves in the negative direction and is read as ↓.")
-                     : REPORT_TEXT("report", "Directions: the order of the targets does not say them; odd "
-                                             "runs are read as ↑, even ones as ↓.")},
-                0, "directions");
+            m.remarks.assumption(
+                "directions",
+                byOrder ? REPORT_TEXT("report", "Directions: the targets descend along the list; a run in "
+                                                "its order moves in the negative direction and is read as ↓.")
+                        : REPORT_TEXT("report", "Directions: the order of the targets does not say them; odd "
+                                                "runs are read as ↑, even ones as ↓."));
     }
 
     std::vector<Pass> passesInOrder() {
@@ -255,10 +246,10 @@ private:
             refuseContent(REPORT_TEXT("report", "%1 cannot be %2 here: the axis moves the other way"), "unit",
                           std::string(form.unit->word));
         form.sign = m_choices.resolve("sign", "actualMinusTarget", Origin::recognised).value;
-        remark(
-            RemarkGrade::note,
-            {REPORT_TEXT("report", "Units of this format: targets in %1, deviations in %2, actual − target."),
-             {std::string(form.positionUnit->sign), std::string(form.unit->sign)}});
+        m.remarks.note(
+            {},
+            REPORT_TEXT("report", "Units of this format: targets in %1, deviations in %2, actual − target."),
+            std::string(form.positionUnit->sign), std::string(form.unit->sign));
         return form;
     }
 
@@ -277,12 +268,10 @@ private:
                                       "this is an angular measurement of a linear axis (pitch, yaw), no "
                                       "positioning test; measure the axis with linear optics"));
         if (angular && !ofRotaryAxis && motion.empty() && axis.find_first_of("ABCabc") != 0)
-            remark(
-                RemarkGrade::assumption,
-                {REPORT_TEXT("report", "Motion: the file holds angles and does not say of which axis; read "
-                                       "as those of a rotary axis. Pitch and yaw of a linear axis are no "
-                                       "positioning test.")},
-                0, "motion");
+            m.remarks.assumption(
+                "motion", REPORT_TEXT("report", "Motion: the file holds angles and "
+                                                "does not say of which axis; read as those of a rotary axis. "
+                                                "Pitch and yaw of a linear axis are no positioning test."));
     }
 
     /// True if the text names a rotation that is no positioning deviation.
@@ -303,10 +292,10 @@ private:
                 std::ranges::any_of(type, [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; });
             if (isWord &&
                 std::ranges::none_of(known, [&](std::string_view word) { return contains(type, word); })) {
-                remark(RemarkGrade::assumption,
-                       {REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test."),
-                        {excerpt(type)}},
-                       0, "kind");
+                m.remarks.assumption(
+                    "kind",
+                    REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test."),
+                    excerpt(type));
                 return;
             }
         }
@@ -340,10 +329,10 @@ private:
         if (test.date)
             return;
         test.remarks = date;
-        remark(RemarkGrade::note,
-               {REPORT_TEXT("report",
-                            "The date %1 can be read in several ways; it stays as text in the remarks."),
-                {date}});
+        m.remarks.note({},
+                       REPORT_TEXT("report", "The date %1 can be read "
+                                             "in several ways; it stays as text in the remarks."),
+                       date);
     }
 
     void readEnvironment(PositioningMeasurement &measurement) {
@@ -360,8 +349,8 @@ private:
         const auto addSensor = [&](std::string_view key, SensorMeasures what) {
             const auto value = within(key, -20, 60);
             if (value && *value == 0) {
-                remark(RemarkGrade::note,
-                       {REPORT_TEXT("report", "“%1” is 0 °C: taken as not connected."), {std::string(key)}});
+                m.remarks.note({}, REPORT_TEXT("report", "“%1” is 0 °C: taken as not connected."),
+                               std::string(key));
             } else if (value) {
                 Sensor sensor;
                 sensor.measures = what;
@@ -375,9 +364,8 @@ private:
             addSensor(key, SensorMeasures::machine);
         conditions.common.expansion.machine = within("Exp coeff", 0, 40);
         if (!conditions.common.sensors.empty())
-            remark(RemarkGrade::note,
-                   {REPORT_TEXT("report",
-                                "Temperatures of the file are taken as those at the start of the test.")});
+            m.remarks.note({}, REPORT_TEXT("report", "Temperatures of the "
+                                                     "file are taken as those at the start of the test."));
     }
 
     void remarkIgnored() {
@@ -386,10 +374,9 @@ private:
                 std::ranges::any_of(knownSections,
                                     [&](std::string_view known) { return sameWord(known, section.name); }))
                 continue;
-            remark(RemarkGrade::note,
-                   {REPORT_TEXT("report", "The section %1 is not known and was not read."),
-                    {excerpt(section.name)}},
-                   section.line);
+            m.remarks.note({"", section.line},
+                           REPORT_TEXT("report", "The section %1 is not known and was not read."),
+                           excerpt(section.name));
         }
     }
 

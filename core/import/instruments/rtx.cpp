@@ -85,17 +85,15 @@ void readSamples(std::string_view samples, const Sampling &sampling, const Unit 
 }
 
 /// The end mark follows the samples; if it is farther away, more were measured than announced.
-void remarkEnd(std::string_view rest, const Sampling &sampling, std::vector<Remark> &remarks) {
+void remarkEnd(std::string_view rest, const Sampling &sampling, Remarks &remarks) {
     const std::size_t mark = rest.find("EOF::");
     if (mark == std::string_view::npos)
-        addRemark(remarks, RemarkGrade::problem,
-                  {REPORT_TEXT("report", "The file has no end mark behind its samples.")});
+        remarks.problem({}, REPORT_TEXT("report", "The file has no end mark behind its samples."));
     else if (const std::size_t further = mark / sizeof(double); further > 0)
-        addRemark(remarks, RemarkGrade::problem,
-                  {REPORT_TEXT("report", "Samples announced in the head: %1, there: %2; those beyond "
-                                         "were not read."),
-                   {counted(sampling.count), counted(sampling.count + further)}},
-                  0, "unread");
+        remarks.problem("unread",
+                        REPORT_TEXT("report", "Samples announced in "
+                                              "the head: %1, there: %2; those beyond were not read."),
+                        counted(sampling.count), counted(sampling.count + further));
 }
 
 bool isRtx(QByteArrayView bytes) {
@@ -128,12 +126,9 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     drift.axis.name = choices.resolve("axis", text("Axis"), Origin::recognised).value;
     drift.axis.motion = unit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
     readSamples(samples, sampling, *unit, drift);
-    const auto remark = [&](RemarkGrade grade, Message message) {
-        addRemark(imported.remarks, grade, std::move(message));
-    };
     remarkEnd(samples.substr(sampling.count * sizeof(double)), sampling, imported.remarks);
-    remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
-                               {counted(sampling.count), Number{drift.times.back(), Quantity::time}}});
+    imported.remarks.note({}, REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
+                          counted(sampling.count), Number{drift.times.back(), Quantity::time});
     UnusedLines unused;
     for (const SectionLine &line : header->lines) {
         if (std::ranges::none_of(knownKeys, [&](std::string_view key) { return sameWord(line.key, key); }))
@@ -145,10 +140,10 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
         test.date = isoDate(date);
         if (!test.date) {
             test.remarks = date;
-            remark(RemarkGrade::note,
-                   {REPORT_TEXT("report",
-                                "The date %1 can be read in several ways; it stays as text in the remarks."),
-                    {date}});
+            imported.remarks.note({},
+                                  REPORT_TEXT("report", "The date %1 can be read "
+                                                        "in several ways; it stays as text in the remarks."),
+                                  date);
         }
     }
     test.measurement = std::move(drift);

@@ -18,7 +18,7 @@ bool isLayoutOfCircles(std::string_view word) {
 }
 
 void resolveCircle(CircularMeasurement &measurement, std::string &edition, std::string_view plane,
-                   std::optional<double> feed, Choices &choices, std::vector<Remark> &remarks) {
+                   std::optional<double> feed, Choices &choices, Remarks &remarks) {
     const auto settled = choices.resolve("plane", plane.empty() ? "XY" : plane,
                                          plane.empty() ? Origin::guessed : Origin::recognised);
     const std::optional<Plane> named = planeOf(settled.value);
@@ -28,8 +28,8 @@ void resolveCircle(CircularMeasurement &measurement, std::string &edition, std::
             settled.value);
     measurement.plane = *named;
     if (settled.origin == Origin::guessed)
-        addRemark(remarks, RemarkGrade::assumption,
-                  {REPORT_TEXT("report", "Plane: nothing in the file says it; taken as XY.")}, 0, "plane");
+        remarks.assumption("plane",
+                           REPORT_TEXT("report", "Plane: nothing in the file says it; taken as XY."));
     if (feed || choices.isChosen("feed")) {
         const double value = choices.resolveNumber("feed", feed.value_or(0), Origin::recognised).value;
         if (value > 0)
@@ -39,9 +39,9 @@ void resolveCircle(CircularMeasurement &measurement, std::string &edition, std::
     if (calibrated.value != "not stated")
         measurement.referenceLength.calibrated = calibrated.value == "yes";
     else
-        addRemark(remarks, RemarkGrade::assumption,
-                  {REPORT_TEXT("report", "Whether the length is calibrated is not stated: F and D need it.")},
-                  0, "calibrated");
+        remarks.assumption(
+            "calibrated",
+            REPORT_TEXT("report", "Whether the length is calibrated is not stated: F and D need it."));
     edition = choices.resolveEdition(Kind::circular);
 }
 

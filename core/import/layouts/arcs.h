@@ -15,7 +15,7 @@ namespace palmer {
 /// Settles the common properties of circular tests: plane, feed, calibrated length, correction to 20 °C,
 /// edition. `plane`, `feed`: from the file, or empty.
 void resolveCircle(CircularMeasurement &measurement, std::string &edition, std::string_view plane,
-                   std::optional<double> feed, Choices &choices, std::vector<Remark> &remarks);
+                   std::optional<double> feed, Choices &choices, Remarks &remarks);
 
 /// True for words of the choice "layout" that describe points of a circle.
 [[nodiscard]] bool isLayoutOfCircles(std::string_view word);

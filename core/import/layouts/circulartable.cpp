@@ -72,13 +72,11 @@ public:
         std::size_t points = 0;
         for (const Arc &arc : measurement.arcs)
             points += arc.angles.size();
-        m.remark(RemarkGrade::note, {REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
-                                     {counted(measurement.arcs.size()), counted(points)}});
+        m.remarks.note({}, REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
+                       counted(measurement.arcs.size()), counted(points));
         if (m_missing > 0)
-            m.remark(
-                RemarkGrade::problem,
-                {REPORT_TEXT("report", "Points without a number were left out: %1."), {counted(m_missing)}},
-                0, "unread");
+            m.remarks.problem("unread", REPORT_TEXT("report", "Points without a number were left out: %1."),
+                              counted(m_missing));
         test.measurement = std::move(measurement);
         m.result.test = std::move(test);
     }
@@ -91,7 +89,7 @@ private:
         if (choice.origin == Origin::chosen)
             takeChosen(choice.value);
         else if (m_question)
-            m.remark(RemarkGrade::assumption, *m_question, 0, "columns");
+            m.remarks.add(RemarkGrade::assumption, "columns", *m_question);
         if (m_seconds.empty())
             refuseColumns();
         takeNominal();
@@ -239,9 +237,8 @@ private:
         const std::size_t all = columns.size();
         std::erase_if(columns, [&](std::size_t c) { return areRadii(c) != radii; });
         if (named || columns.size() < all)
-            m_question = {REPORT_TEXT("report",
-                                      "Columns: the headings do not say which hold readings; column %1 "
-                                      "and those like it are read."),
+            m_question = {REPORT_TEXT("report", "Columns: the headings do not say which hold readings; "
+                                                "column %1 and those like it are read."),
                           {counted(columns.front() + 1)}};
         return columns;
     }
@@ -346,7 +343,7 @@ private:
         if ((choice.value == "deviations") == m_first.has_value())
             refuseColumns();
         if (choice.origin == Origin::guessed)
-            m.remark(RemarkGrade::assumption, contentOf(choice.value), 0, "layout");
+            m.remarks.add(RemarkGrade::assumption, "layout", contentOf(choice.value));
         // The layout determines the columns, even if it was chosen against their headings.
         const bool isXy = choice.value == "xy";
         if (m_first)
@@ -370,18 +367,17 @@ private:
     /// Two columns with common angles have the same sense unless a word distinguishes them.
     void askForSenses() {
         if (!m_unknownSense.empty())
-            m.remark(RemarkGrade::problem,
-                     {REPORT_TEXT("report", "Sense: “%1” is neither clockwise nor counterclockwise to the "
-                                            "program; those points are read as their angles run."),
-                      {excerpt(m_unknownSense)}},
-                     0, "columns");
+            m.remarks.problem(
+                "columns",
+                REPORT_TEXT("report", "Sense: “%1” is neither clockwise nor counterclockwise to the program; "
+                                      "those points are read as their angles run."),
+                excerpt(m_unknownSense));
         const auto isSilent = [](const RawPath &path) { return !path.stated; };
         if (m_seconds.size() == 2 && m.body.blocks.size() == 1 && std::ranges::any_of(m_paths, isSilent) &&
             !m_question && !m.choices.isChosen("columns"))
-            m.remark(RemarkGrade::problem,
-                     {REPORT_TEXT("report", "Sense: no word says which column is clockwise; both are read as "
-                                            "the angles run.")},
-                     0, "columns");
+            m.remarks.problem("columns",
+                              REPORT_TEXT("report", "Sense: no word says which "
+                                                    "column is clockwise; both are read as the angles run."));
     }
 
     /// Columns that split the lines of a block into paths.
@@ -510,10 +506,10 @@ private:
                            : way.origin != Origin::chosen ? "arc"
                                                           : "";
         const RawPath &path = m_paths.front();
-        m.remark(*open == '\0' ? RemarkGrade::note : RemarkGrade::assumption,
-                 {REPORT_TEXT("report", "No angles: the points are put at equal steps from %1 to %2."),
-                  {Number{path.first.front(), Quantity::angle}, Number{path.first.back(), Quantity::angle}}},
-                 0, open);
+        m.remarks.add(
+            *open == '\0' ? RemarkGrade::note : RemarkGrade::assumption, open,
+            {REPORT_TEXT("report", "No angles: the points are put at equal steps from %1 to %2."),
+             {Number{path.first.front(), Quantity::angle}, Number{path.first.back(), Quantity::angle}}});
     }
 
     [[nodiscard]] std::string planeOfHeadings() const {
@@ -573,10 +569,9 @@ private:
         const double cy =
             m.choices.resolveNumber("centreSecond", atOrigin ? 0 : rounded(fit.centre.y, 0.1), origin).value;
         if (!atOrigin && !m.choices.isChosen("centreFirst"))
-            m.remark(RemarkGrade::assumption,
-                     {REPORT_TEXT("report", "Centre: nothing in the file says it; taken at %1; %2."),
-                      {Number{cx, Quantity::position}, Number{cy, Quantity::position}}},
-                     0, "centreFirst");
+            m.remarks.assumption(
+                "centreFirst", REPORT_TEXT("report", "Centre: nothing in the file says it; taken at %1; %2."),
+                Number{cx, Quantity::position}, Number{cy, Quantity::position});
         const double radius = resolveRadius(nominalOf(fit.radius), Origin::guessed);
         remarkRadius(radius);
         measurement.nominalRadius = radius;
@@ -611,20 +606,19 @@ private:
         const double extent = std::max(right - left, high - low);
         if (points.x.size() >= fewest && radius <= largest * extent && span >= shortest)
             return;
-        m.remark(RemarkGrade::problem,
-                 {REPORT_TEXT("report", "Kind: an arc of %2 and radius %3 (points: %1) is hardly a circular "
-                                        "test; is it one?"),
-                  {counted(points.x.size()), Number{span, Quantity::angle, 1},
-                   Number{radius, Quantity::position, 0}}},
-                 0, "kind");
+        m.remarks.problem("kind",
+                          REPORT_TEXT("report", "Kind: an arc of %2 and radius "
+                                                "%3 (points: %1) is hardly a circular test; is it one?"),
+                          counted(points.x.size()), Number{span, Quantity::angle, 1},
+                          Number{radius, Quantity::position, 0});
     }
 
     void remarkRadius(double radius) {
         if (!m.choices.isChosen("nominalRadius") && !m.notes.radius)
-            m.remark(RemarkGrade::assumption,
-                     {REPORT_TEXT("report", "Nominal radius: nothing in the file says it; taken as %1."),
-                      {Number{radius, Quantity::position}}},
-                     0, "nominalRadius");
+            m.remarks.assumption(
+                "nominalRadius",
+                REPORT_TEXT("report", "Nominal radius: nothing in the file says it; taken as %1."),
+                Number{radius, Quantity::position});
     }
 
     /// Meaning of the numbers in a list of angles.
@@ -666,10 +660,9 @@ private:
         if (form.radii)
             remarkRadius(form.radius);
         else if (!m.choices.isChosen("nominalRadius") && !m.notes.radius)
-            m.remark(RemarkGrade::problem,
-                     {REPORT_TEXT("report", "Nominal radius: nothing in the file says it, and deviations do "
-                                            "not show it; state it in mm.")},
-                     0, "nominalRadius");
+            m.remarks.problem("nominalRadius",
+                              REPORT_TEXT("report", "Nominal radius: nothing in the file says it, and "
+                                                    "deviations do not show it; state it in mm."));
     }
 
     /// A radial deviation is positive outwards; the other sign is a choice.
@@ -679,21 +672,17 @@ private:
         const auto sign = m.choices.resolve("sign", "actualMinusTarget", Origin::guessed);
         form.inverted = sign.value == "targetMinusActual";
         if (sign.origin == Origin::guessed)
-            m.remark(RemarkGrade::note,
-                     {REPORT_TEXT("report", "Sign: radial deviations are read as positive outwards.")}, 0,
-                     "sign");
+            m.remarks.note("sign",
+                           REPORT_TEXT("report", "Sign: radial deviations are read as positive outwards."));
     }
 
     void resolveReference(AngleForm &form) {
         const auto reference = m.choices.resolve("angleReference", "polar", Origin::guessed);
         form.reference = reference.value == "commanded" ? AngleReference::commanded : AngleReference::polar;
         if (reference.origin == Origin::guessed)
-            m.remark(
-                RemarkGrade::assumption,
-                {REPORT_TEXT(
-                    "report",
-                    "Angles: read as those of the measured point, not of the programmed path (a ballbar).")},
-                0, "angleReference");
+            m.remarks.assumption("angleReference",
+                                 REPORT_TEXT("report", "Angles: read as those of the measured "
+                                                       "point, not of the programmed path (a ballbar)."));
     }
 
     void convertAngles(CircularMeasurement &measurement, bool radii) {
@@ -743,9 +732,9 @@ private:
             std::ranges::reverse(path.radialDeviations);
             path.sense = *stated;
             if (!m_turned)
-                m.remark(RemarkGrade::problem,
-                         {REPORT_TEXT("report", "Sense: the angles run against the sense the file names; the "
-                                                "points are taken in the opposite order.")});
+                m.remarks.problem(
+                    {}, REPORT_TEXT("report", "Sense: the angles run against the sense the file names; the "
+                                              "points are taken in the opposite order."));
             m_turned = true;
         }
         measurement.arcs.push_back(std::move(path));

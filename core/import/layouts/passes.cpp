@@ -44,32 +44,28 @@ double deviation(double position, double value, const DeviationForm &form) {
     return form.isReversed ? 0 - result : result;
 }
 
-void remarkGaps(const PositioningMeasurement &measurement, std::vector<Remark> &remarks) {
+void remarkGaps(const PositioningMeasurement &measurement, Remarks &remarks) {
     std::size_t missing = 0;
     for (const Run &run : measurement.runs)
         missing += static_cast<std::size_t>(
             std::ranges::count_if(run.deviations, [](const auto &value) { return !value; }));
     const std::size_t all = measurement.runs.size() * measurement.targets.size();
     if (2 * missing > all)
-        addRemark(remarks, RemarkGrade::problem,
-                  {REPORT_TEXT("report", "Layout: readings missing: %1 of %2; are these runs and "
-                                         "targets those of one test?"),
-                   {counted(missing), counted(all)}},
-                  0, "layout");
+        remarks.problem("layout",
+                        REPORT_TEXT("report", "Layout: readings missing: "
+                                              "%1 of %2; are these runs and targets those of one test?"),
+                        counted(missing), counted(all));
     else if (missing > 0)
-        addRemark(remarks, RemarkGrade::note,
-                  {REPORT_TEXT("report", "Readings missing: %1."), {counted(missing)}});
+        remarks.note({}, REPORT_TEXT("report", "Readings missing: %1."), counted(missing));
     const auto upward =
         static_cast<std::size_t>(std::ranges::count(measurement.runs, Direction::positive, &Run::approach));
     const std::size_t downward = measurement.runs.size() - upward;
     if (upward != downward && upward > 0 && downward > 0)
-        addRemark(remarks, RemarkGrade::problem,
-                  {REPORT_TEXT("report", "The directions have unequal numbers of runs: %1 ↑ and %2 ↓."),
-                   {counted(upward), counted(downward)}},
-                  0, "unequalRuns");
-    addRemark(remarks, RemarkGrade::note,
-              {REPORT_TEXT("report", "Understood: targets: %1; runs ↑: %2; runs ↓: %3."),
-               {counted(measurement.targets.size()), counted(upward), counted(downward)}});
+        remarks.problem("unequalRuns",
+                        REPORT_TEXT("report", "The directions have unequal numbers of runs: %1 ↑ and %2 ↓."),
+                        counted(upward), counted(downward));
+    remarks.note({}, REPORT_TEXT("report", "Understood: targets: %1; runs ↑: %2; runs ↓: %3."),
+                 counted(measurement.targets.size()), counted(upward), counted(downward));
 }
 
 } // namespace
@@ -141,8 +137,7 @@ SortedPass sortedPass(Pass &pass, const std::vector<double> &positions, const De
 
 } // namespace
 
-PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &form,
-                                     std::vector<Remark> &remarks) {
+PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &form, Remarks &remarks) {
     PositioningMeasurement result;
     std::vector<double> positions = positionsOf(passes);
     if (positions.empty() || passes.empty())
@@ -150,11 +145,10 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
             REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations"));
     constexpr std::size_t readingLimit = 10'000'000;
     if (positions.size() > readingLimit / passes.size())
-        throw Error(
-            Error::Kind::tooLarge,
-            {REPORT_TEXT("report", "targets: %1, runs: %2: that is no positioning test; look at the kind "
-                                   "and the columns"),
-             {counted(positions.size()), counted(passes.size())}});
+        throw Error(Error::Kind::tooLarge,
+                    {REPORT_TEXT("report", "targets: %1, runs: %2: "
+                                           "that is no positioning test; look at the kind and the columns"),
+                     {counted(positions.size()), counted(passes.size())}});
     const DeviationForm deviations(form);
     SortedPass::Repeated same;
     SortedPass::Repeated other;
@@ -179,17 +173,15 @@ PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &f
     result.targets = std::move(positions);
     result.axis.motion = form.positionUnit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
     if (same.times > 0)
-        addRemark(remarks, RemarkGrade::problem,
-                  {REPORT_TEXT("report",
-                               "Readings that stand at a target twice in one run: %1; the first is kept."),
-                   {counted(same.times)}},
-                  same.line);
+        remarks.problem(
+            {"", same.line},
+            REPORT_TEXT("report", "Readings that stand at a target twice in one run: %1; the first is kept."),
+            counted(same.times));
     if (other.times > 0)
-        addRemark(remarks, RemarkGrade::problem,
-                  {REPORT_TEXT("report", "Readings that differ from another at the same target in the same "
-                                         "run: %1; the first was read."),
-                   {counted(other.times)}},
-                  other.line, "unread");
+        remarks.problem({"unread", other.line},
+                        REPORT_TEXT("report", "Readings that differ from another at the same target in the "
+                                              "same run: %1; the first was read."),
+                        counted(other.times));
     remarkGaps(result, remarks);
     return result;
 }
@@ -280,8 +272,7 @@ namespace {
 /// Settles the choices of the form in turn, as each may depend on those before.
 class FormSettler {
 public:
-    FormSettler(const PassRange &range, const StatedForm &stated, Choices &choices,
-                std::vector<Remark> &remarks)
+    FormSettler(const PassRange &range, const StatedForm &stated, Choices &choices, Remarks &remarks)
         : m_stated(stated)
         , m_choices(choices)
         , m_remarks(remarks)
@@ -300,7 +291,7 @@ public:
 
 private:
     void ask(Message message, std::string_view choice) {
-        addRemark(m_remarks, RemarkGrade::assumption, std::move(message), 0, std::string(choice));
+        m_remarks.add(RemarkGrade::assumption, choice, std::move(message));
     }
 
     void resolveContent() {
@@ -324,12 +315,10 @@ private:
         m_positions = m_form.content == "positions";
         if (settled.origin == Origin::guessed)
             ask({m_positions
-                     ? REPORT_TEXT("report",
-                                   "Content: the values run from %1 to %2 as the targets do; they are "
-                                   "read as positions, not as deviations.")
-                     : REPORT_TEXT("report",
-                                   "Content: the values run from %1 to %2; they are read as deviations, not "
-                                   "as positions."),
+                     ? REPORT_TEXT("report", "Content: the values run from %1 to %2 as the targets do; they "
+                                             "are read as positions, not as deviations.")
+                     : REPORT_TEXT("report", "Content: the values run from %1 to %2; they are read as "
+                                             "deviations, not as positions."),
                  {Number{m_low, Quantity::number}, Number{m_high, Quantity::number}}},
                 "content");
     }
@@ -402,11 +391,10 @@ private:
         const bool isAngle = said.unit && said.unit->kind == UnitKind::angle;
         if (key != "unit" || !isAngle || !position || position->kind != UnitKind::length)
             return std::nullopt;
-        return Message{
-            REPORT_TEXT("report", "Unit: the file says %1 for the readings and %2 for the targets. Angles "
-                                  "along a linear axis (pitch, yaw) are no positioning test; where a heading "
-                                  "is wrong, say the unit."),
-            {said.words(), std::string(position->sign)}};
+        return Message{REPORT_TEXT("report", "Unit: the file says %1 for the readings and %2 "
+                                             "for the targets. Angles along a linear axis (pitch, yaw) are "
+                                             "no positioning test; where a heading is wrong, say the unit."),
+                       {said.words(), std::string(position->sign)}};
     }
 
     /// True if deviations of that size fit one unit only: 3 is not mm, 0.003 not µm. In inches targets
@@ -461,19 +449,17 @@ private:
                  {m_stated.said.words}},
                 "sign");
         else if (sign.origin == Origin::guessed && m_stated.isCorrection)
-            addRemark(m_remarks, RemarkGrade::problem,
-                      {REPORT_TEXT("report", "Sign: the file speaks of a correction, whose sign is that of "
-                                             "target − actual; read as actual − target.")},
-                      0, "sign");
+            m_remarks.problem("sign",
+                              REPORT_TEXT("report", "Sign: the file speaks of a correction, whose sign is "
+                                                    "that of target − actual; read as actual − target."));
         else if (sign.origin == Origin::guessed)
-            addRemark(m_remarks, RemarkGrade::note,
-                      {REPORT_TEXT("report", "Sign: nothing in the file says it; read as actual − target.")},
-                      0, "sign");
+            m_remarks.note(
+                "sign", REPORT_TEXT("report", "Sign: nothing in the file says it; read as actual − target."));
     }
 
     const StatedForm &m_stated;
     Choices &m_choices;
-    std::vector<Remark> &m_remarks;
+    Remarks &m_remarks;
     PassForm m_form;
     double m_low;
     double m_high;
@@ -503,23 +489,21 @@ Message unreadable(std::string_view choice, const SaidUnit &said) {
 } // namespace
 
 const Unit *resolveUnit(std::string_view choice, const SaidUnit &said, const Unit *found, const Unit &guess,
-                        const UnitQuestion &question, Choices &choices, std::vector<Remark> &remarks) {
+                        const UnitQuestion &question, Choices &choices, Remarks &remarks) {
     if (!found && !said.isSaid())
         found = unitOf(choices.usual(choice));
     const auto settled = choices.resolve(choice, found ? found->word : guess.word,
                                          found ? Origin::recognised : Origin::guessed);
     const Unit *unit = unitOf(settled.value);
     if (settled.origin == Origin::guessed && said.isSaid())
-        addRemark(remarks, RemarkGrade::problem, question.contradiction.value_or(unreadable(choice, said)), 0,
-                  std::string(choice));
+        remarks.add(RemarkGrade::problem, choice, question.contradiction.value_or(unreadable(choice, said)));
     else if (settled.origin == Origin::guessed)
-        addRemark(remarks, question.grade, {question.guessed, {std::string(unit->sign)}}, 0,
-                  std::string(choice));
+        remarks.add(question.grade, choice, {question.guessed, {std::string(unit->sign)}});
     return unit;
 }
 
 PassForm resolveForm(const std::vector<Pass> &passes, const StatedForm &stated, Choices &choices,
-                     std::vector<Remark> &remarks) {
+                     Remarks &remarks) {
     return FormSettler(passRange(passes), stated, choices, remarks).resolve();
 }
 

@@ -43,7 +43,7 @@ struct PassForm {
 /// any instrument: 150.712 − 150.71 is 0.002. Remarks: two readings at one place (the first is kept;
 /// differing ones are unread data), a run of zeros, gaps, unequal numbers of runs.
 [[nodiscard]] PositioningMeasurement measurementOf(std::vector<Pass> passes, const PassForm &form,
-                                                   std::vector<Remark> &remarks);
+                                                   Remarks &remarks);
 
 /// Makes a test of a measurement; edition and axis name as chosen, otherwise the default and `axis`.
 [[nodiscard]] Test testFrom(PositioningMeasurement measurement, std::string_view axis, Choices &choices);
@@ -81,11 +81,11 @@ struct UnitQuestion {
 /// Settles the unit of a choice: the user's, otherwise `found` (the stated one, if usable), otherwise the
 /// usual one if none is stated, otherwise `guess` with its question. Null if the user's is not a unit.
 const Unit *resolveUnit(std::string_view choice, const SaidUnit &said, const Unit *found, const Unit &guess,
-                        const UnitQuestion &question, Choices &choices, std::vector<Remark> &remarks);
+                        const UnitQuestion &question, Choices &choices, Remarks &remarks);
 
 /// Settles content, unit, positionUnit, sign and motion of passes: as stated in the file, otherwise guessed
 /// with a question.
 [[nodiscard]] PassForm resolveForm(const std::vector<Pass> &passes, const StatedForm &stated,
-                                   Choices &choices, std::vector<Remark> &remarks);
+                                   Choices &choices, Remarks &remarks);
 
 } // namespace palmer

@@ -85,8 +85,8 @@ Message questionFor(std::string_view word, const FoundPasses &found,
         return {REPORT_TEXT(
             "report", "Directions: nothing in the file says them; the runs are read as ↑ and ↓ in turn.")};
     if (word == "sideBySide")
-        return {REPORT_TEXT("report", "Directions: nothing in the file says them; the first half of the "
-                                      "runs is read as ↑, the second as ↓.")};
+        return {REPORT_TEXT("report", "Directions: nothing in the file says them; the first half of the runs "
+                                      "is read as ↑, the second as ↓.")};
     if (word == "positive")
         return {REPORT_TEXT("report", "Directions: nothing in the file says them; all runs are read as ↑.")};
     if (opposite)
@@ -113,16 +113,15 @@ void resolveDirections(FoundPasses &found, TableReading &reading) {
     const Origin origin = stated && !found.hasHints ? Origin::recognised : Origin::guessed;
     const auto choice = reading.choices.resolve("directions", stated ? "stated" : guessOf(passes), origin);
     if (choice.value == "stated" && !stated)
-        refuseContent(REPORT_TEXT(
-            "report",
-            "the file does not say which runs are ↑ and which ↓; choose another word for “directions”"));
+        refuseContent(REPORT_TEXT("report", "the file does not say which "
+                                            "runs are ↑ and which ↓; choose another word for “directions”"));
     if (choice.value != "stated") {
         for (std::size_t j = 0; j < passes.size(); ++j)
             passes[j].direction = directionUnder(choice.value, j, passes.size());
     }
     if (choice.origin == Origin::guessed)
-        reading.remark(isPlain(choice.value, passes) ? RemarkGrade::assumption : RemarkGrade::problem,
-                       questionFor(choice.value, found, reading.body.opposite), 0, "directions");
+        reading.remarks.add(isPlain(choice.value, passes) ? RemarkGrade::assumption : RemarkGrade::problem,
+                            "directions", questionFor(choice.value, found, reading.body.opposite));
 }
 
 std::vector<Pass> inOrder(std::vector<PlacedPass> placed, TableReading &reading) {
@@ -152,9 +151,8 @@ std::vector<Pass> inOrder(std::vector<PlacedPass> placed, TableReading &reading)
         passes.push_back(std::move(each.pass));
     if (isStated || !both || inTurn)
         return passes;
-    reading.remark(RemarkGrade::note,
-                   {REPORT_TEXT("report", "Order of the runs: nothing in the table says it; ↑ and ↓ are put "
-                                          "in turn, the cycle stays not stated.")});
+    reading.remarks.note({}, REPORT_TEXT("report", "Order of the runs: nothing in the table says it; ↑ and ↓ "
+                                                   "are put in turn, the cycle stays not stated."));
     return inCycles(std::move(passes));
 }
 

@@ -70,13 +70,12 @@ void remarkIgnored(ColumnSearch &search) {
             list += (list.empty() ? "" : ", ") + name;
     }
     if (!readings.empty())
-        search.reading.remark(
-            RemarkGrade::problem,
-            {REPORT_TEXT("report", "Columns that look like readings and are not read: %1."), {readings}}, 0,
-            "columns");
+        search.reading.remarks.problem(
+            "columns", REPORT_TEXT("report", "Columns that look like readings and are not read: %1."),
+            readings);
     if (!names.empty())
-        search.reading.remark(RemarkGrade::note,
-                              {REPORT_TEXT("report", "Columns that are not read: %1."), {excerpt(names)}});
+        search.reading.remarks.note({}, REPORT_TEXT("report", "Columns that are not read: %1."),
+                                    excerpt(names));
 }
 
 /// "Target ↑; Dev ↑; Target ↓; Dev ↓": readings belong to the targets on their left.
@@ -99,15 +98,14 @@ void resolve(ColumnSearch &search) {
     if (choice.origin == Origin::chosen)
         takeChosenColumns(search, choice.value);
     else if (search.question)
-        m.remark(search.isDoubtful ? RemarkGrade::problem : RemarkGrade::assumption, *search.question, 0,
-                 "columns");
+        m.remarks.add(search.isDoubtful ? RemarkGrade::problem : RemarkGrade::assumption, "columns",
+                      *search.question);
     if (!search.hasProposal && choice.origin != Origin::chosen)
         m.result.remarks.back().isOwed = true;
     m.result.columns = search.result.columns; // to be shown and changed even if nothing else is known
     if (!search.result.target || search.result.values.empty())
-        refuseContent(REPORT_TEXT(
-            "report",
-            "the columns of the targets and of the readings are not known; give the columns their roles"));
+        refuseContent(REPORT_TEXT("report", "the columns of the targets and "
+                                            "of the readings are not known; give the columns their roles"));
     placeOwnTargets(search.result);
     remarkIgnored(search);
 }
@@ -130,13 +128,11 @@ PositioningColumns positioningColumns(TableReading &reading) {
 TestRole resolveState(TableReading &reading) {
     const auto choice = reading.choices.resolve("state", "asFound", Origin::guessed);
     const bool isLeft = choice.value == "asLeft";
-    reading.remark(
-        RemarkGrade::problem,
-        {isLeft ? REPORT_TEXT("report", "State: the table has readings as found and as left; those as "
-                                        "left are read, the others are a test of their own.")
-                : REPORT_TEXT("report", "State: the table has readings as found and as left; those as "
-                                        "found are read, the others are a test of their own.")},
-        0, "state");
+    reading.remarks.problem(
+        "state", isLeft ? REPORT_TEXT("report", "State: the table has readings as found and as left; those "
+                                                "as left are read, the others are a test of their own.")
+                        : REPORT_TEXT("report", "State: the table has readings as found and as left; those "
+                                                "as found are read, the others are a test of their own."));
     return isLeft ? TestRole::asLeft : TestRole::asFound;
 }
 
@@ -144,14 +140,13 @@ Remark askForAxis(const std::vector<std::string> &axes, const std::string &axis)
     std::string names;
     for (const std::string &each : axes)
         names += (names.empty() ? "" : ", ") + each;
-    Remark remark{
-        RemarkGrade::problem,
-        {REPORT_TEXT("report", "Axis: the table has several (%1); %2 is read, the others are a test of "
-                               "their own."),
-         {names, axis}},
-        0,
-        0,
-        "axis"};
+    Remark remark{RemarkGrade::problem,
+                  {REPORT_TEXT("report", "Axis: the table has "
+                                         "several (%1); %2 is read, the others are a test of their own."),
+                   {names, axis}},
+                  0,
+                  0,
+                  "axis"};
     remark.answers = axes;
     return remark;
 }

@@ -105,11 +105,8 @@ std::string resolveLayout(TableReading &reading) {
         refuseContent(REPORT_TEXT("report", "%1 cannot be %2 for a positioning test"), nameOfChoice("layout"),
                       nameOfWord("layout", choice.value));
     if (choice.origin == Origin::guessed)
-        reading.remark(
-            RemarkGrade::assumption,
-            {REPORT_TEXT("report",
-                         "Layout: the first line is read as the targets, each further one as a run.")},
-            0, "layout");
+        reading.remarks.assumption("layout", REPORT_TEXT("report", "Layout: the first line is read as the "
+                                                                   "targets, each further one as a run."));
     return choice.value;
 }
 
@@ -180,10 +177,9 @@ void askForOtherQuantity(TableReading &reading) {
     rows.insert(rows.end(), reading.body.columnHeads.begin(), reading.body.columnHeads.end());
     for (const std::uint32_t row : rows) {
         if (const std::string word = otherQuantity(reading.textOf(row)); !word.empty()) {
-            reading.remark(
-                RemarkGrade::assumption,
-                {REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test."), {word}},
-                reading.row(row).line, "kind");
+            reading.remarks.assumption(
+                {"kind", reading.row(row).line},
+                REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test."), word);
             return;
         }
     }

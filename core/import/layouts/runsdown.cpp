@@ -57,10 +57,9 @@ private:
             m_found.positionUnit = saidUnit(words);
         for (const TableCell &cell : cells) {
             if (cell.kind == CellKind::grouped || cell.kind == CellKind::broken)
-                m.remark(RemarkGrade::problem,
-                         {REPORT_TEXT("report", "“%1” is no target position; the line was not read."),
-                          {excerpt(m.table().text(cell))}},
-                         m.row(head).line, "unread");
+                m.remarks.problem({"unread", m.row(head).line},
+                                  REPORT_TEXT("report", "“%1” is no target position; the line was not read."),
+                                  excerpt(m.table().text(cell)));
         }
     }
 
@@ -80,10 +79,9 @@ private:
         if (heading.meaning == Meaning::statistic || heading.meaning == Meaning::other ||
             heading.meaning == Meaning::temperature ||
             (unit && unit->kind != UnitKind::length && unit->kind != UnitKind::angle)) {
-            m.remark(
-                RemarkGrade::note,
-                {REPORT_TEXT("report", "The line “%1” is not read: it holds no readings."), {excerpt(label)}},
-                m.row(row).line);
+            m.remarks.note({"", m.row(row).line},
+                           REPORT_TEXT("report", "The line “%1” is not read: it holds no readings."),
+                           excerpt(label));
             return;
         }
         PlacedPass placed;
@@ -119,10 +117,9 @@ private:
         for (std::size_t i = 0; i < m_labels.size(); ++i) {
             const Label &label = m_labels[i];
             if (anyKnown && !isKnown(label) && !label.words.direction && !(label.words.hint && up && down)) {
-                m.remark(RemarkGrade::problem,
-                         {REPORT_TEXT("report", "“%1” names no run; the line was not read."),
-                          {excerpt(label.text)}},
-                         label.line, "unread");
+                m.remarks.problem({"unread", label.line},
+                                  REPORT_TEXT("report", "“%1” names no run; the line was not read."),
+                                  excerpt(label.text));
                 continue;
             }
             if (!m_found.passes[i].direction && label.words.hint && up && down) {
@@ -153,10 +150,9 @@ private:
         if (!m_found.unit.isSaid())
             m_found.unit = label.unit;
         else if (label.unit.isSaid() && label.unit != m_found.unit)
-            m.remark(RemarkGrade::problem,
-                     {REPORT_TEXT("report", "The unit of this line is not that of the others: %1."),
-                      {excerpt(label.unit.words())}},
-                     label.line, "unread");
+            m.remarks.problem({"unread", label.line},
+                              REPORT_TEXT("report", "The unit of this line is not that of the others: %1."),
+                              excerpt(label.unit.words()));
         const char *content = label.words.meaning == Meaning::deviation ? "deviations"
                               : label.words.meaning == Meaning::actual  ? "positions"
                                                                         : "";

@@ -68,7 +68,7 @@ private:
         if (choice.origin == Origin::chosen)
             takeChosen(choice.value);
         else if (m_question)
-            m.remark(RemarkGrade::problem, *m_question, 0, "columns");
+            m.remarks.add(RemarkGrade::problem, "columns", *m_question);
         if (m_values.empty())
             refuseContent(
                 REPORT_TEXT("report", "one column of numbers is no series; expected times and values"));
@@ -84,9 +84,8 @@ private:
         }
         const bool counts = columns.size() > 2 && isCounter(m, columns.front());
         if (counts && m.body.columns[columns.front()].heading.empty())
-            m_question = {REPORT_TEXT("report",
-                                      "Columns: the first counts the lines and is not read; the times "
-                                      "are those of the next.")};
+            m_question = {REPORT_TEXT("report", "Columns: the first counts the "
+                                                "lines and is not read; the times are those of the next.")};
         return columns[counts ? 1 : 0];
     }
 
@@ -115,9 +114,8 @@ private:
         } else {
             m_values = !deviations.empty() ? deviations : others;
             if (m_values.size() > 1) {
-                m_question = {REPORT_TEXT("report",
-                                          "Columns: several hold deviations; “%1” is read, the others are "
-                                          "a test of their own."),
+                m_question = {REPORT_TEXT("report", "Columns: several hold deviations; “%1” is read, the "
+                                                    "others are a test of their own."),
                               {excerpt(m.body.columns[m_values.front()].heading)}};
                 m_values.resize(1);
             }
@@ -133,8 +131,7 @@ private:
         std::string names;
         for (const std::size_t c : temperatures)
             names += (names.empty() ? "" : ", ") + m.body.columns[c].heading;
-        m.remark(RemarkGrade::note,
-                 {REPORT_TEXT("report", "Columns that are not read: %1."), {excerpt(names)}});
+        m.remarks.note({}, REPORT_TEXT("report", "Columns that are not read: %1."), excerpt(names));
     }
 
     void takeChosen(const std::string &text) {
@@ -275,10 +272,9 @@ private:
             sensor.measures = measuredBy(sensor.position);
             if (const SaidUnit said = m.body.columns[column].said();
                 said.isSaid() && !(said.unit && said.unit->kind == UnitKind::temperature)) {
-                m.remark(RemarkGrade::problem,
-                         {REPORT_TEXT("report", "Temperatures in “%1” are not read, only those in °C."),
-                          {excerpt(said.words())}},
-                         0, "unread");
+                m.remarks.problem(
+                    "unread", REPORT_TEXT("report", "Temperatures in “%1” are not read, only those in °C."),
+                    excerpt(said.words()));
                 continue;
             }
             TemperatureSeries series;
@@ -297,22 +293,22 @@ private:
             const auto gradient = ofAir ? gradientPerHour(series) : std::nullopt;
             if (gradient)
                 m.result.gradientPerHour = std::max(m.result.gradientPerHour.value_or(0), *gradient);
-            m.remark(RemarkGrade::assumption,
-                     {REPORT_TEXT("report", "Sensor “%1”: read as the temperature of the %2."),
-                      {excerpt(sensor.position),
-                       sensor.measures == SensorMeasures::air          ? REPORT_TEXT("report", "air")
-                       : sensor.measures == SensorMeasures::instrument ? REPORT_TEXT("report", "instrument")
-                                                                       : REPORT_TEXT("report", "machine")}});
+            m.remarks.assumption({}, REPORT_TEXT("report", "Sensor “%1”: read as the temperature of the %2."),
+                                 excerpt(sensor.position),
+                                 sensor.measures == SensorMeasures::air ? REPORT_TEXT("report", "air")
+                                 : sensor.measures == SensorMeasures::instrument
+                                     ? REPORT_TEXT("report", "instrument")
+                                     : REPORT_TEXT("report", "machine"));
             sensor.series = std::move(series);
             m.result.sensors.push_back(std::move(sensor));
         }
         if (m.result.gradientPerHour)
-            m.remark(RemarkGrade::note, {REPORT_TEXT("report", "Largest change within an hour: %1."),
-                                         {Number{*m.result.gradientPerHour, Quantity::gradient, 2}}});
+            m.remarks.note({}, REPORT_TEXT("report", "Largest change within an hour: %1."),
+                           Number{*m.result.gradientPerHour, Quantity::gradient, 2});
         else
-            m.remark(RemarkGrade::note,
-                     {air ? REPORT_TEXT("report", "The series is shorter than an hour: no gradient per hour.")
-                          : REPORT_TEXT("report", "No sensor is of the air: no gradient per hour.")});
+            m.remarks.note(
+                {}, air ? REPORT_TEXT("report", "The series is shorter than an hour: no gradient per hour.")
+                        : REPORT_TEXT("report", "No sensor is of the air: no gradient per hour."));
     }
 
     void readDrift() {
@@ -334,9 +330,8 @@ private:
             refuseContent(
                 REPORT_TEXT("report", "there are no readings in it; expected times and deviations"));
         if (missing > 0)
-            m.remark(
-                RemarkGrade::problem,
-                {REPORT_TEXT("report", "Points without a number were left out: %1."), {counted(missing)}});
+            m.remarks.problem({}, REPORT_TEXT("report", "Points without a number were left out: %1."),
+                              counted(missing));
         const auto [low, high] = std::ranges::minmax(values);
         const SaidUnit said = column.said().isSaid() ? column.said() : m.notes.unit;
         const Unit *stated = said.unit;
@@ -344,20 +339,17 @@ private:
         const bool rotary = m.choices.isChosen("motion") ? m.choices.chosen("motion") == "rotary"
                                                          : known && stated->kind == UnitKind::angle;
         const char *guess = rotary ? "arcsec" : std::max(std::abs(low), std::abs(high)) < 0.5 ? "mm" : "um";
-        const Unit *unit = resolveUnit(
-            "unit", said, known ? stated : nullptr, *unitOf(guess),
-            {REPORT_TEXT(
-                "report",
-                "Unit of the deviations: nothing in the file says it; read as %1 after their size.")},
-            m.choices, m.result.remarks);
+        const Unit *unit = resolveUnit("unit", said, known ? stated : nullptr, *unitOf(guess),
+                                       {REPORT_TEXT("report", "Unit of the deviations: nothing in the "
+                                                              "file says it; read as %1 after their size.")},
+                                       m.choices, m.result.remarks);
         for (const double value : values)
             drift.deviations.push_back(unit->toBase(value));
         drift.axis.motion = unit->kind == UnitKind::angle ? Motion::rotary : Motion::linear;
         drift.axis.name = m.choices.resolve("axis", m.notes.axis, Origin::recognised).value;
-        m.remark(RemarkGrade::note,
-                 {REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
-                  {counted(drift.times.size()),
-                   Number{drift.times.back() - drift.times.front(), Quantity::time}}});
+        m.remarks.note({}, REPORT_TEXT("report", "Understood: a drift test; points: %1; duration: %2."),
+                       counted(drift.times.size()),
+                       Number{drift.times.back() - drift.times.front(), Quantity::time});
         Test test;
         test.measurement = std::move(drift);
         m.result.test = std::move(test);

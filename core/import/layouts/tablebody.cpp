@@ -398,9 +398,8 @@ private:
     }
 
     void remarkUnread(const TableRow &row) {
-        addRemark(m_body.remarks, RemarkGrade::problem,
-                  {REPORT_TEXT("report", "This line is not like the others and was not read.")}, row.line,
-                  "unread");
+        m_body.remarks.problem({"unread", row.line},
+                               REPORT_TEXT("report", "This line is not like the others and was not read."));
     }
 
     /// Empty lines separate blocks unless they are everywhere.
@@ -539,8 +538,8 @@ TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbe
     const std::size_t width = widthOf(table);
     const Error noNumbers(
         Error::Kind::content,
-        {REPORT_TEXT("report", "there is no table of numbers in it; expected target positions and "
-                               "readings, points of a circle, or values over time")});
+        {REPORT_TEXT("report", "there is no table of numbers in it; expected target positions and readings, "
+                               "points of a circle, or values over time")});
     if (width == 0)
         throw Error(noNumbers);
     if (width > widestTable)

@@ -54,7 +54,7 @@ struct TableBody {
     std::vector<TableBlock> blocks;
     std::vector<std::uint32_t> notes;       ///< comments and lines that are not headings
     std::vector<std::uint32_t> columnHeads; ///< rows of the headings
-    std::vector<Remark> remarks;
+    Remarks remarks;
     std::vector<ListedTable> tables; ///< in file order, including the one read
     std::size_t table = 0;           ///< index of the one read
     std::optional<OppositeWord> opposite;

@@ -287,25 +287,22 @@ void spreadHeadings(std::vector<TableColumn> &columns) {
 }
 
 /// Units in cells take precedence over the heading, but both must be checked.
-void takeUnitOfCells(const CellTable &table, std::size_t c, TableColumn &column,
-                     std::vector<Remark> &remarks) {
+void takeUnitOfCells(const CellTable &table, std::size_t c, TableColumn &column, Remarks &remarks) {
     const ColumnUnit cells = table.unitOfColumn(c);
     if (!cells.unit)
         return;
     const bool isTarget = column.meaning == Meaning::target || column.meaning == Meaning::place;
     const char *choice = isTarget ? "positionUnit" : "unit";
     if ((column.unit && column.unit != cells.unit) || !column.foreignUnit.empty())
-        addRemark(remarks, RemarkGrade::assumption,
-                  {REPORT_TEXT("report", "Unit: the heading “%1” names another unit than the cells of "
-                                         "its column; read in %2, as the cells say."),
-                   {excerpt(column.heading), std::string(cells.unit->sign)}},
-                  0, choice);
+        remarks.assumption(choice,
+                           REPORT_TEXT("report", "Unit: the heading “%1” names another unit than the cells "
+                                                 "of its column; read in %2, as the cells say."),
+                           excerpt(column.heading), std::string(cells.unit->sign));
     if (cells.bareLine > 0)
-        addRemark(remarks, RemarkGrade::assumption,
-                  {REPORT_TEXT("report", "Unit: a number has none, where the others of its column "
-                                         "have one; read in %1."),
-                   {std::string(cells.unit->sign)}},
-                  cells.bareLine, choice);
+        remarks.assumption({choice, cells.bareLine},
+                           REPORT_TEXT("report", "Unit: a number has none, "
+                                                 "where the others of its column have one; read in %1."),
+                           std::string(cells.unit->sign));
     column.unit = cells.unit;
     column.foreignUnit.clear();
 }
@@ -348,7 +345,7 @@ void takeGroup(TableColumn &column) {
     column.words = std::move(words);
 }
 
-void readHeadings(const CellTable &table, std::vector<TableColumn> &columns, std::vector<Remark> &remarks) {
+void readHeadings(const CellTable &table, std::vector<TableColumn> &columns, Remarks &remarks) {
     for (std::size_t c = 0; c < columns.size(); ++c) {
         TableColumn &column = columns[c];
         column.words = readHeading(column.heading);
@@ -387,7 +384,7 @@ bool isNoReading(const HeadingWords &heading) {
 /// headings are not above their columns. A remark after headings that begin with the targets is the former.
 void askForHeadingsBeyond(const CellTable &table, const std::vector<std::uint32_t> &heads,
                           const TableBlock &block, const std::vector<TableColumn> &columns,
-                          std::vector<Remark> &remarks) {
+                          Remarks &remarks) {
     if (table.isPlaced)
         return;
     const auto isAsLong = [&](std::size_t count) {
@@ -404,14 +401,14 @@ void askForHeadingsBeyond(const CellTable &table, const std::vector<std::uint32_
                                        first == Meaning::angle || first == Meaning::time;
         if (beginsWithTargets && isNoReading(readHeading(beyond)))
             continue;
-        remarks.push_back({RemarkGrade::assumption,
-                           {REPORT_TEXT("report", "Columns: the lines end before “%1”; either nothing was "
-                                                  "entered there, or the headings do not stand above their "
-                                                  "columns."),
-                            {excerpt(beyond)}},
-                           table.rows()[head].line,
-                           0,
-                           "columns"});
+        remarks.push_back(
+            {RemarkGrade::assumption,
+             {REPORT_TEXT("report", "Columns: the lines end before “%1”; either nothing was entered there, "
+                                    "or the headings do not stand above their columns."),
+              {excerpt(beyond)}},
+             table.rows()[head].line,
+             0,
+             "columns"});
     }
 }
 

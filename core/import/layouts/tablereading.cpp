@@ -94,28 +94,21 @@ std::optional<double> TableReading::noNumber(std::uint32_t index, std::size_t co
         return {};
     if (found->kind == CellKind::missing) {
         if (++m_missingWords == 1)
-            remark(RemarkGrade::note,
-                   {REPORT_TEXT("report", "“%1” is read as a missing reading."),
-                    {excerpt(table().text(*found))}},
-                   row(index).line);
+            remarks.note({"", row(index).line}, REPORT_TEXT("report", "“%1” is read as a missing reading."),
+                         excerpt(table().text(*found)));
         return {};
     }
     result.remarks.push_back(
         {RemarkGrade::problem,
          {found->kind == CellKind::grouped
-              ? REPORT_TEXT(
-                    "report",
-                    "“%1” has another decimal mark or thousands separators. The reading stays missing.")
+              ? REPORT_TEXT("report", "“%1” has another "
+                                      "decimal mark or thousands separators. The reading stays missing.")
               : REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
           {excerpt(table().text(*found))}},
          row(index).line,
          column + 1,
          "unread"});
     return {};
-}
-
-void TableReading::remark(RemarkGrade grade, Message message, std::size_t line, std::string choice) {
-    addRemark(result.remarks, grade, std::move(message), line, std::move(choice));
 }
 
 std::string TableReading::titleOf(const TableBlock &block) const {

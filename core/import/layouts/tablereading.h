@@ -33,11 +33,11 @@ public:
             result.roles[row(index).first + column] = role;
     }
 
-    void remark(RemarkGrade grade, Message message, std::size_t line = 0, std::string choice = {});
     /// The titles of a block as one text, without column headings.
     [[nodiscard]] std::string titleOf(const TableBlock &block) const;
 
     Imported &result;
+    Remarks &remarks{result.remarks};
     Choices &choices;
     TableBody body;
     FileNotes notes;

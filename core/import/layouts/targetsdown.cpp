@@ -77,10 +77,9 @@ private:
         const TableCell *cell = m.cell(row, column);
         if (cell && cell->isNumber())
             return cell->value;
-        m.remark(RemarkGrade::problem,
-                 {REPORT_TEXT("report", "“%1” is no target position; the line was not read."),
-                  {excerpt(m.cellText(row, column))}},
-                 m.row(row).line, "unread");
+        m.remarks.problem({"unread", m.row(row).line},
+                          REPORT_TEXT("report", "“%1” is no target position; the line was not read."),
+                          excerpt(m.cellText(row, column)));
         return {};
     }
 
@@ -325,8 +324,7 @@ private:
             askForUnnamedBlocks();
         }
         if (shuffled)
-            m.remark(RemarkGrade::note,
-                     {REPORT_TEXT("report", "The targets stand in no order; they were sorted.")});
+            m.remarks.note({}, REPORT_TEXT("report", "The targets stand in no order; they were sorted."));
         m_found.isBlockwise = m_pieces.size() > 1;
         for (const std::size_t column : m_columns.values) {
             for (const Piece &piece : m_pieces) {
@@ -401,19 +399,16 @@ private:
         };
         const auto other = std::ranges::find_if(m_pieces, isOther);
         if (other != m_pieces.end())
-            m.remark(
-                RemarkGrade::problem,
-                {REPORT_TEXT("report", "Layout: the targets of the block that begins here are others than "
-                                       "those of the first block; it is read as runs of its own.")},
-                m.row(other->rows.front()).line, "layout");
+            m.remarks.problem({"layout", m.row(other->rows.front()).line},
+                              REPORT_TEXT("report",
+                                          "Layout: the targets of the block that begins here are others than "
+                                          "those of the first block; it is read as runs of its own."));
     }
 
     void askForRepeated(std::size_t line) {
-        m.remark(
-            RemarkGrade::assumption,
-            {REPORT_TEXT("report", "Layout: targets stand twice in a run; the readings there are read as "
-                                   "runs of their own.")},
-            line, "layout");
+        m.remarks.assumption({"layout", line},
+                             REPORT_TEXT("report", "Layout: targets stand twice in a "
+                                                   "run; the readings there are read as runs of their own."));
     }
 
     /// 0, 100, 100, 200: a repeated reading, not a new run.
@@ -457,11 +452,10 @@ private:
                     isOther |= !known.insert({column, *what.direction, what.number}).second && begins;
             }
             if (isOther) {
-                m.remark(
-                    RemarkGrade::problem,
-                    {REPORT_TEXT("report", "Layout: the block that begins here does not say which runs it "
-                                           "holds; it is read as further runs of the same test.")},
-                    m.row(piece.rows.front()).line, "layout");
+                m.remarks.problem(
+                    {"layout", m.row(piece.rows.front()).line},
+                    REPORT_TEXT("report", "Layout: the block that begins here does not say which runs it "
+                                          "holds; it is read as further runs of the same test."));
                 return;
             }
         }

@@ -243,11 +243,11 @@ std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &import
     DecodedText decoded = decodeText(bytes, chosenOf<Encoding>("encoding", choices));
     resolveWord("encoding", decoded.encoding, choices);
     if (decoded.encoding.origin == Origin::guessed)
-        addRemark(imported.remarks, RemarkGrade::assumption,
-                  {decoded.encoding.value == Encoding::gb18030
-                       ? REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Chinese (GB18030).")
-                       : REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Windows-1252.")},
-                  0, "encoding");
+        imported.remarks.assumption(
+            "encoding",
+            decoded.encoding.value == Encoding::gb18030
+                ? REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Chinese (GB18030).")
+                : REPORT_TEXT("report", "Encoding: the text is not UTF-8; read as Windows-1252."));
     return std::move(decoded.text);
 }
 
@@ -261,14 +261,13 @@ void readMeasurementTable(Choices &choices, Imported &imported) {
     const std::string found = kindOf(reading, origin);
     const auto kind = choices.resolve("kind", found, origin);
     if (kind.origin == Origin::guessed)
-        reading.remark(
-            RemarkGrade::assumption,
-            {kind.value == "circular"
-                 ? REPORT_TEXT("report", "Kind: nothing in the file says it; read as a circular test.")
-             : kind.value == "drift"
-                 ? REPORT_TEXT("report", "Kind: nothing in the file says it; read as a drift test.")
-                 : REPORT_TEXT("report", "Kind: nothing in the file says it; read as a positioning test.")},
-            0, "kind");
+        reading.remarks.assumption(
+            "kind",
+            kind.value == "circular"
+                ? REPORT_TEXT("report", "Kind: nothing in the file says it; read as a circular test.")
+            : kind.value == "drift"
+                ? REPORT_TEXT("report", "Kind: nothing in the file says it; read as a drift test.")
+                : REPORT_TEXT("report", "Kind: nothing in the file says it; read as a positioning test."));
     if (kind.value == "circular")
         readCircles(reading);
     else if (kind.value == "positioning")
@@ -285,11 +284,10 @@ void readMeasurementTable(Choices &choices, Imported &imported) {
         imported.test->date = notes.date;
         if (!notes.dateText.empty() && !notes.date) {
             imported.test->remarks = notes.dateText;
-            reading.remark(
-                RemarkGrade::note,
-                {REPORT_TEXT("report",
-                             "The date %1 can be read in several ways; it stays as text in the remarks."),
-                 {notes.dateText}});
+            reading.remarks.note({},
+                                 REPORT_TEXT("report", "The date %1 can be read "
+                                                       "in several ways; it stays as text in the remarks."),
+                                 notes.dateText);
         }
     }
     notes.unused.remark(imported.remarks);
@@ -311,14 +309,12 @@ void readTextTable(const ImportSource &source, Choices &choices, Imported &impor
     resolveWord("delimiter", table.delimiter, choices);
     resolveWord("decimalMark", table.decimalMark, choices);
     if (table.decimalMark.origin == Origin::guessed || table.delimiter.origin == Origin::guessed)
-        addRemark(
-            imported.remarks, RemarkGrade::assumption,
-            {table.decimalMark.value == DecimalMark::comma
-                 ? REPORT_TEXT("report", "Decimal mark: the numbers can be read in several ways; the comma "
-                                         "is taken as decimal mark.")
-                 : REPORT_TEXT("report", "Decimal mark: the numbers can be read in several ways; the point "
-                                         "is taken as decimal mark.")},
-            0, "decimalMark");
+        imported.remarks.assumption(
+            "decimalMark", table.decimalMark.value == DecimalMark::comma
+                               ? REPORT_TEXT("report", "Decimal mark: the numbers can be read in several "
+                                                       "ways; the comma is taken as decimal mark.")
+                               : REPORT_TEXT("report", "Decimal mark: the numbers can be read in several "
+                                                       "ways; the point is taken as decimal mark."));
     readMeasurementTable(choices, imported);
 }
 

@@ -692,28 +692,23 @@ private:
     void remarkOnCells() {
         if (m_hiddenNumbers > 0) {
             const auto choice = m_choices.resolve("hidden", "read", Origin::guessed);
-            addRemark(
-                m.remarks, choice.origin == Origin::guessed ? RemarkGrade::assumption : RemarkGrade::note,
+            m.remarks.add(
+                choice.origin == Origin::guessed ? RemarkGrade::assumption : RemarkGrade::note, "hidden",
                 {choice.value == "leave"
-                     ? REPORT_TEXT_COUNTED("report",
-                                           "Rows or columns of the sheet are hidden; what stands there is "
-                                           "left out (%n number(s)).")
-                     : REPORT_TEXT_COUNTED("report",
-                                           "Rows or columns of the sheet are hidden; what stands there is "
-                                           "read like the rest (%n number(s))."),
+                     ? REPORT_TEXT_COUNTED("report", "Rows or columns of the sheet are hidden; what stands "
+                                                     "there is left out (%n number(s)).")
+                     : REPORT_TEXT_COUNTED("report", "Rows or columns of the sheet are hidden; what stands "
+                                                     "there is read like the rest (%n number(s))."),
                  {},
-                 static_cast<int>(m_hiddenNumbers)},
-                0, "hidden");
+                 static_cast<int>(m_hiddenNumbers)});
         }
         if (m_emptyFormulas > 0)
-            addRemark(
-                m.remarks, RemarkGrade::problem,
-                {REPORT_TEXT_COUNTED(
-                     "report", "The value(s) of %n formula(s) are not in the file and were not read; open "
-                               "the workbook in a spreadsheet program and save it."),
-                 {},
-                 static_cast<int>(m_emptyFormulas)},
-                m_emptyFormulaLine, "unread");
+            m.remarks.add(RemarkGrade::problem, {"unread", m_emptyFormulaLine},
+                          {REPORT_TEXT_COUNTED(
+                               "report", "The value(s) of %n formula(s) are not in the file and were not "
+                                         "read; open the workbook in a spreadsheet program and save it."),
+                           {},
+                           static_cast<int>(m_emptyFormulas)});
     }
 
     void resolve() {
@@ -747,8 +742,7 @@ private:
                 hidden += (hidden.empty() ? "" : ", ") + each.name;
         }
         if (!hidden.empty())
-            addRemark(m.remarks, RemarkGrade::note,
-                      {REPORT_TEXT("report", "Hidden sheets: %1."), {excerpt(hidden)}});
+            m.remarks.note({}, REPORT_TEXT("report", "Hidden sheets: %1."), excerpt(hidden));
     }
 
     const std::vector<SheetName> &m_sheets;
@@ -808,11 +802,9 @@ void readWorkbook(const ImportSource &source, Choices &choices, Imported &import
                         imported.table.decimalMark.value == DecimalMark::comma ? "comma" : "point",
                         imported.table.decimalMark.origin);
         if (imported.table.decimalMark.origin == Origin::guessed)
-            addRemark(
-                imported.remarks, RemarkGrade::assumption,
-                {REPORT_TEXT("report",
-                             "Decimal mark: numbers that stand there as text can be read in several ways.")},
-                0, "decimalMark");
+            imported.remarks.assumption(
+                "decimalMark", REPORT_TEXT("report", "Decimal mark: numbers that "
+                                                     "stand there as text can be read in several ways."));
     }
     readMeasurementTable(choices, imported);
 }
