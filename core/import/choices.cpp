@@ -4,11 +4,11 @@
 
 #include "import/formats.h"
 #include "import/layouts/columnrole.h"
+#include "import/layouts/sections.h"
 #include "import/question.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/words/shortest.h"
 #include "tables/contenterror.h"
-#include "tables/numbercell.h"
 
 #include <algorithm>
 #include <array>
@@ -181,13 +181,6 @@ std::string listOf(std::span<const ImportWord> words) {
     return list;
 }
 
-/// A typed number with point or comma.
-std::optional<double> numberOf(std::string_view text) {
-    const bool comma = text.find(',') != std::string_view::npos;
-    const CellValue value = readCell(text, comma ? DecimalMark::comma : DecimalMark::point);
-    return value.kind == CellKind::number ? std::optional(value.value) : std::nullopt;
-}
-
 } // namespace
 
 std::span<const ImportKey> importKeys() {
@@ -231,7 +224,7 @@ void requireKnownValue(const std::string &key, const std::string &value) {
     if (known->value == ImportValue::word && std::ranges::none_of(known->words, same))
         refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), known->name, value,
                       listOf(known->words));
-    if (known->value == ImportValue::number && !numberOf(value))
+    if (known->value == ImportValue::number && !numberIn(value))
         refuseContent(REPORT_TEXT("report", "%1 cannot be %2; expected a number"), known->name, value);
     if (std::string unknownRole; key == "columns" && !columnsOf(value, unknownRole))
         refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), known->name, unknownRole,
@@ -266,7 +259,7 @@ std::optional<double> Choices::usualNumber(std::string_view key) const {
 }
 
 std::optional<double> Choices::chosenNumber(std::string_view key) const {
-    return isChosen(key) ? numberOf(chosen(key)) : std::nullopt;
+    return isChosen(key) ? numberIn(chosen(key)) : std::nullopt;
 }
 
 Choice<std::string> Choices::resolve(std::string_view key, std::string_view found, Origin origin) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/filenotes.h"
 
+#include "import/layouts/sections.h"
 #include "tables/dates.h"
 #include "tables/folded.h"
 
@@ -28,12 +29,8 @@ std::optional<QString> captured(const char *text, const QString &line) {
 }
 
 std::optional<double> positiveNumber(const std::optional<QString> &text) {
-    if (!text)
-        return {};
-    const std::string number = text->toStdString();
-    const CellValue value =
-        readCell(number, number.find(',') == std::string::npos ? DecimalMark::point : DecimalMark::comma);
-    return value.kind == CellKind::number && value.value > 0 ? std::optional(value.value) : std::nullopt;
+    const auto value = text ? numberIn(text->toStdString()) : std::nullopt;
+    return value && *value > 0 ? value : std::nullopt;
 }
 
 /// The unit in "Unit: mm"; letters that are units only in brackets may also follow the colon.

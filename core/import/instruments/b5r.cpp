@@ -56,9 +56,7 @@ const TypeUnit *typeUnit(QStringView type) {
 }
 
 std::optional<double> numberOf(const QString &text) {
-    const std::string plain = text.trimmed().toStdString();
-    const CellValue value = readCell(plain, decimalMarkIn(plain));
-    return value.kind == CellKind::number ? std::optional(value.value) : std::nullopt;
+    return numberIn(text.trimmed().toStdString());
 }
 
 struct BallbarRun {
@@ -243,13 +241,13 @@ private:
         for (std::string_view rest = withoutBlanks(text); !rest.empty(); rest = withoutBlanks(rest)) {
             const std::size_t end = std::min(rest.find_first_of(" \t\r\n"), rest.size());
             const std::string_view word = rest.substr(0, end);
-            const CellValue value = readCell(word, decimalMarkIn(word));
-            if (value.kind != CellKind::number)
+            const auto value = numberIn(word);
+            if (!value)
                 refuseContentAt(
                     place(),
                     REPORT_TEXT("report", "“%1” is no reading; expected numbers separated by blanks"),
                     excerpt(word));
-            readings.push_back(value.value);
+            readings.push_back(*value);
             if (readings.size() > mostReadings)
                 throw Error(Error::Kind::tooLarge,
                             {REPORT_TEXT("report", "more than 10 000 000 readings or points")}, place());

@@ -3,6 +3,7 @@
 #include "import/instruments/compensationtable.h"
 
 #include "document/documenterror.h"
+#include "import/layouts/sections.h"
 #include "import/readers.h"
 #include "tables/decodetext.h"
 #include "tables/numbercell.h"
@@ -30,11 +31,9 @@ double interpolated(const std::vector<double> &x, const std::vector<double> &y, 
 std::vector<std::string_view> firstLines(std::string_view text) {
     constexpr std::size_t enough = 200; // skips comments at the beginning
     std::vector<std::string_view> lines;
-    for (std::size_t at = 0; at < text.size() && lines.size() < enough;) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-        if (const auto line = withoutBlanks(text.substr(at, end - at)); !line.empty())
+    for (const TextLine &each : linesOf(text)) {
+        if (const auto line = withoutBlanks(each.text); !line.empty() && lines.size() < enough)
             lines.push_back(line);
-        at = end + 1;
     }
     return lines;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "document/place.h"
 #include "import/instruments/compensationtable.h"
+#include "import/layouts/sections.h"
 #include "tables/contenterror.h"
 #include "tables/numbercell.h"
 
@@ -26,23 +27,7 @@ double rounded(double value, double parts) {
     return std::round(value * parts) / parts + 0.0; // never −0
 }
 
-struct Line {
-    std::string_view text;
-    std::size_t number = 0;
-};
-
-std::vector<Line> linesOf(std::string_view text) {
-    std::vector<Line> lines;
-    std::size_t number = 0;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-        lines.push_back({text.substr(at, end - at), ++number});
-        at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
-    }
-    return lines;
-}
-
-[[noreturn]] void refuseLine(const Line &line) {
+[[noreturn]] void refuseLine(const TextLine &line) {
     refuseContentAt(placeOfLine(line.number),
                     REPORT_TEXT("report", "“%1” is no line of a compensation table"),
                     excerpt(withoutBlanks(line.text)));
@@ -52,7 +37,7 @@ std::vector<Line> linesOf(std::string_view text) {
     refuseContent(REPORT_TEXT("report", "the compensation table has no values, no step or no begin"));
 }
 
-double numberOf(std::string_view text, const Line &line) {
+double numberOf(std::string_view text, const TextLine &line) {
     const CellValue value = readCell(text, DecimalMark::point);
     if (value.kind != CellKind::number)
         refuseLine(line);
@@ -91,7 +76,7 @@ struct Command {
     std::string name;
     std::vector<std::string> indexes;
     std::string value;
-    Line line;
+    TextLine line;
 };
 
 std::string capitals(std::string_view text) {
@@ -105,7 +90,7 @@ std::string capitals(std::string_view text) {
 
 std::vector<Command> assignmentsOf(std::string_view text) {
     std::vector<Command> result;
-    for (const Line &line : linesOf(text)) {
+    for (const TextLine &line : linesOf(text)) {
         const std::string code = capitals(line.text.substr(0, line.text.find(';')));
         if (!code.starts_with("$AA_ENC_COMP") && !code.starts_with("$AN_CEC"))
             continue;
@@ -139,7 +124,7 @@ struct Stepped {
     std::string output;
 };
 
-std::size_t pointIndex(const std::string &text, const Line &line) {
+std::size_t pointIndex(const std::string &text, const TextLine &line) {
     std::size_t index = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), index);
     if (error != std::errc() || end != text.data() + text.size() || index > mostTableRows)
@@ -355,7 +340,7 @@ FoundTable readLinuxcncTable(std::string_view text, LinuxcncValues values) {
     FoundTable found{"LinuxCNC", {}, {}};
     CompensationTable &table = found.table;
     std::size_t leftOut = 0;
-    for (const Line &line : linesOf(text)) {
+    for (const TextLine &line : linesOf(text)) {
         const auto numbers = triplet(line.text);
         if (!numbers) {
             if (table.positions.empty())
@@ -404,7 +389,7 @@ FoundTable readWeihongTable(std::string_view text, bool deviations) {
     FoundTable found{"Weihong", {}, {}};
     std::string axis;
     std::size_t others = 0;
-    for (const Line &line : linesOf(text)) {
+    for (const TextLine &line : linesOf(text)) {
         const std::string code = capitals(line.text);
         if (code.empty() || code.starts_with(';') || code.starts_with("UNIT="))
             continue;
@@ -447,7 +432,7 @@ FoundTable readHeidenhainTable(std::string_view text) {
     CompensationTable &table = found.table;
     std::optional<ComColumns> columns;
     double unit = 1;
-    for (const Line &line : linesOf(text)) {
+    for (const TextLine &line : linesOf(text)) {
         const std::string code = capitals(line.text);
         if (code.starts_with("BEGIN"))
             unit = code.ends_with("INCH") ? inch : 1;

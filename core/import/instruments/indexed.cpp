@@ -99,14 +99,9 @@ public:
 
 private:
     void collect() {
-        std::size_t number = 0;
         UnusedLines unused;
-        const std::string_view text = m.text;
-        for (std::size_t at = 0; at < text.size();) {
-            const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-            const std::string_view line = withoutBlanks(text.substr(at, end - at));
-            ++number;
-            at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+        for (const auto &[whole, number] : linesOf(m.text)) {
+            const std::string_view line = withoutBlanks(whole);
             if (line.empty() || line.front() == ';' || line.front() == '#' || line.starts_with("//") ||
                 line.front() == '[')
                 continue;

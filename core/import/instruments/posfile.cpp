@@ -50,16 +50,12 @@ bool isDamagedRow(std::string_view line) {
 std::vector<MeanTable> tablesOf(std::string_view text, Remarks &remarks) {
     std::vector<MeanTable> tables;
     bool inTable = false;
-    std::size_t number = 0;
     const auto leave = [&](std::size_t place) {
         remarks.problem({"unread", place},
                         REPORT_TEXT("report", "This line is not like the others and was not read."));
     };
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-        const std::string_view line = withoutBlanks(text.substr(at, end - at));
-        ++number;
-        at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+    for (const auto &[whole, number] : linesOf(text)) {
+        const std::string_view line = withoutBlanks(whole);
         if (line.find(headingMark) != std::string_view::npos) {
             tables.push_back({directionOfTitle(line), number});
             inTable = true;

@@ -87,16 +87,11 @@ bool agrees(const Header &header, double low, double high) {
 
 /// Reads the table, and the lines above it into `header`. Remarks: damaged and missing lines, unknown texts.
 Pass readTable(Imported &imported, Header &header) {
-    const std::string_view text = imported.text;
     Pass pass;
     std::optional<double> lastNo;
-    std::size_t number = 0;
     UnusedLines unused;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-        const std::string_view line = withoutBlanks(text.substr(at, end - at));
-        ++number;
-        at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+    for (const auto &[whole, number] : linesOf(imported.text)) {
+        const std::string_view line = withoutBlanks(whole);
         if (line.empty())
             continue;
         readHead(line, header);

@@ -25,9 +25,7 @@ constexpr std::array<std::string_view, 7> knownSections{"HEADER",     "TARGET DA
 std::optional<double> numberOf(std::optional<std::string_view> text) {
     if (!text)
         return {};
-    const std::string_view first = text->substr(0, text->find_first_of(" \t"));
-    const CellValue value = readCell(first, decimalMarkIn(first));
-    return value.kind == CellKind::number ? std::optional(value.value) : std::nullopt;
+    return numberIn(text->substr(0, text->find_first_of(" \t")));
 }
 
 class RtlReader {

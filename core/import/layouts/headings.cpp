@@ -3,6 +3,7 @@
 #include "import/layouts/headings.h"
 
 #include "document/place.h"
+#include "import/layouts/sections.h"
 #include "tables/folded.h"
 #include "tables/numbercell.h"
 
@@ -106,9 +107,7 @@ std::optional<double> clockTime(std::string_view text) {
     while (parts < 3) {
         const std::size_t colon = clock.find(':');
         const std::string_view part = clock.substr(0, colon);
-        const DecimalMark mark =
-            part.find(',') == std::string_view::npos ? DecimalMark::point : DecimalMark::comma;
-        const LeadingNumber number = leadingNumber(part, mark);
+        const LeadingNumber number = leadingNumber(part, decimalMarkIn(part));
         const double most = parts == 0 ? 48 : 60;
         if (part.empty() || part.front() == '-' || part.front() == '+' || number.size != part.size() ||
             number.value >= most)

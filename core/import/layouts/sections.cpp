@@ -6,6 +6,16 @@
 
 namespace palmer {
 
+std::vector<TextLine> linesOf(std::string_view text) {
+    std::vector<TextLine> lines;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
+        lines.push_back({text.substr(at, end - at), lines.size() + 1});
+        at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+    }
+    return lines;
+}
+
 std::optional<std::string_view> Section::value(std::string_view key) const {
     const auto found =
         std::ranges::find_if(lines, [&](const SectionLine &each) { return sameWord(each.key, key); });
@@ -14,12 +24,8 @@ std::optional<std::string_view> Section::value(std::string_view key) const {
 
 std::vector<Section> sectionsOf(std::string_view text) {
     std::vector<Section> sections;
-    std::size_t line = 0;
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t end = std::min(text.find_first_of("\r\n", at), text.size());
-        const std::string_view content = withoutBlanks(text.substr(at, end - at));
-        ++line;
-        at = end + (text.substr(end, 2) == "\r\n" ? 2 : 1);
+    for (const auto &[whole, line] : linesOf(text)) {
+        const std::string_view content = withoutBlanks(whole);
         if (content.empty())
             continue;
         if (content.size() > 2 && content.ends_with("::")) {
@@ -44,14 +50,19 @@ const Section *findSection(const std::vector<Section> &sections, std::string_vie
     return found == sections.end() ? nullptr : &*found;
 }
 
+std::optional<double> numberIn(std::string_view text) {
+    const CellValue value = readCell(text, decimalMarkIn(text));
+    return value.kind == CellKind::number ? std::optional(value.value) : std::nullopt;
+}
+
 std::optional<std::vector<double>> numbersIn(std::string_view text) {
     std::vector<double> numbers;
     for (text = withoutBlanks(text); !text.empty(); text = withoutBlanks(text)) {
         const std::size_t end = std::min(text.find_first_of(" \t"), text.size());
-        const CellValue value = readCell(text.substr(0, end), decimalMarkIn(text.substr(0, end)));
-        if (value.kind != CellKind::number)
+        const auto number = numberIn(text.substr(0, end));
+        if (!number)
             return {};
-        numbers.push_back(value.value);
+        numbers.push_back(*number);
         text.remove_prefix(end);
     }
     return numbers;

@@ -12,6 +12,15 @@
 
 namespace palmer {
 
+/// A line of a text, and its number from 1.
+struct TextLine {
+    std::string_view text;
+    std::size_t number = 1;
+};
+
+/// All lines of a text, also empty ones; they end with CR, LF or both. The text must outlive them.
+[[nodiscard]] std::vector<TextLine> linesOf(std::string_view text);
+
 /// A line "Key : value" of an instrument's text file; without a colon the key is empty.
 struct SectionLine {
     std::size_t line = 1;
@@ -29,7 +38,7 @@ struct Section {
     [[nodiscard]] std::optional<std::string_view> value(std::string_view key) const;
 };
 
-/// The sections of a text; lines end with CR, LF or both. The text must outlive them.
+/// The sections of a text, which must outlive them.
 [[nodiscard]] std::vector<Section> sectionsOf(std::string_view text);
 
 /// The section of that name; null if there is none.
@@ -40,6 +49,9 @@ struct Section {
 [[nodiscard]] inline DecimalMark decimalMarkIn(std::string_view number) {
     return number.find(',') != std::string_view::npos ? DecimalMark::comma : DecimalMark::point;
 }
+
+/// The number that a text is, with decimal point or comma; null for any other text.
+[[nodiscard]] std::optional<double> numberIn(std::string_view text);
 
 /// The numbers of a line, separated by blanks; decimal point or comma. Null if it contains anything else.
 [[nodiscard]] std::optional<std::vector<double>> numbersIn(std::string_view text);

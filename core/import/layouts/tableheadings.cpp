@@ -3,6 +3,7 @@
 #include "import/layouts/tablebody.h"
 
 #include "document/place.h"
+#include "import/layouts/sections.h"
 #include "kernel/words/characters.h"
 #include "tables/dates.h"
 #include "tables/folded.h"
@@ -35,9 +36,7 @@ bool isLabelWithValue(const CellTable &table, const TableRow &row) {
         return false;
     if (texts.size() == 2 && isDate(texts[1]))
         return true;
-    const DecimalMark mark =
-        texts[1].find(',') == std::string_view::npos ? DecimalMark::point : DecimalMark::comma;
-    const LeadingNumber number = leadingNumber(texts[1], mark);
+    const LeadingNumber number = leadingNumber(texts[1], decimalMarkIn(texts[1]));
     const std::string_view rest = withoutBlanks(texts[1].substr(number.size));
     const std::string_view unit = texts.size() == 2 ? rest : texts[2];
     constexpr std::array<std::string_view, 14> others{"hPa", "mbar", "Pa",  "kPa", "bar", "mmHg",   "%rH",
