@@ -82,7 +82,7 @@ private:
                             REPORT_TEXT("report", "there are no target positions in it"));
         const auto stated = numberOf(section.value("Target-count"));
         const bool disagrees = stated && *stated != static_cast<double>(m_targets.size());
-        if (disagrees && !areOrdered()) // a number was split
+        if (disagrees && !isStrictlyMonotone(m_targets)) // a number was split
             refuseContentAt(placeOfLine(section.line),
                             REPORT_TEXT("report", "targets named in the "
                                                   "head: %1, in the list, in no order: %2: it is damaged"),
@@ -156,11 +156,6 @@ private:
             m.remarks.problem(
                 {}, REPORT_TEXT("report", "Runs named in the head: %1, in the rows: %2; the rows count."),
                 counted(*stated), counted(m_runs.size()));
-    }
-
-    [[nodiscard]] bool areOrdered() const {
-        return std::ranges::adjacent_find(m_targets, std::ranges::greater_equal()) == m_targets.end() ||
-               std::ranges::adjacent_find(m_targets, std::ranges::less_equal()) == m_targets.end();
     }
 
     /// True if a run in target order moves the axis in the negative direction.

@@ -243,23 +243,8 @@ private:
         return columns;
     }
 
-    [[nodiscard]] std::pair<double, double> rangeOf(std::size_t column) const {
-        double low = INFINITY;
-        double high = -INFINITY;
-        for (const TableBlock &block : m.body.blocks) {
-            for (const std::uint32_t row : block.rows) {
-                const TableCell *cell = m.cell(row, column);
-                if (cell && cell->isNumber()) {
-                    low = std::min(low, cell->value);
-                    high = std::max(high, cell->value);
-                }
-            }
-        }
-        return {low, high};
-    }
-
     [[nodiscard]] bool areRadii(std::size_t column) const {
-        const auto [low, high] = rangeOf(column);
+        const auto [low, high] = m.rangeOf(column);
         return low > 0 && high - low < 0.1 * high;
     }
 
@@ -303,7 +288,7 @@ private:
         for (std::size_t c = 0; c < m.result.columns.size(); ++c) {
             if (m.result.columns[c].role != ColumnRole::nominal || m.notes.radius)
                 continue;
-            const auto [low, high] = rangeOf(c);
+            const auto [low, high] = m.rangeOf(c);
             const Unit *unit = m.result.columns[c].unit;
             if (low == high && low > 0)
                 m.notes.radius = unit && unit->kind == UnitKind::length ? unit->toBase(low) : low;
@@ -776,11 +761,11 @@ bool areOnCircle(const TableReading &reading, std::size_t xColumn, std::size_t y
         for (const std::uint32_t row : block.rows) {
             if (rows++ % step != 0)
                 continue;
-            const TableCell *x = reading.cell(row, xColumn);
-            const TableCell *y = reading.cell(row, yColumn);
-            if (x && y && x->isNumber() && y->isNumber()) {
-                points.x.push_back(x->value);
-                points.y.push_back(y->value);
+            const auto x = reading.numberAt(row, xColumn);
+            const auto y = reading.numberAt(row, yColumn);
+            if (x && y) {
+                points.x.push_back(*x);
+                points.y.push_back(*y);
             }
         }
     }

@@ -8,18 +8,8 @@
 namespace palmer {
 
 std::vector<double> ColumnStep::valuesOf(std::size_t column) const {
-    std::vector<double> values;
     constexpr std::size_t enough = 5000;
-    for (const TableBlock &block : m.body.blocks) {
-        for (const std::uint32_t row : block.rows) {
-            const TableCell *cell = m.cell(row, column);
-            if (cell && cell->isNumber())
-                values.push_back(cell->value);
-            if (values.size() == enough)
-                return values;
-        }
-    }
-    return values;
+    return m.valuesOf(column, enough);
 }
 
 bool ColumnStep::followsTarget(std::size_t column) const {

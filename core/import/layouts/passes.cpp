@@ -211,6 +211,11 @@ void addMissing(Pass &pass, std::span<const double> targets) {
     }
 }
 
+bool isStrictlyMonotone(std::span<const double> values) {
+    return std::ranges::adjacent_find(values, std::ranges::greater_equal()) == values.end() ||
+           std::ranges::adjacent_find(values, std::ranges::less_equal()) == values.end();
+}
+
 std::vector<Pass> inCycles(std::vector<Pass> passes) {
     std::vector<Pass> upward;
     std::vector<Pass> downward;

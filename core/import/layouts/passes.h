@@ -54,6 +54,9 @@ void requireOneMotion(const PassForm &form);
 /// Adds targets of a list that a pass lacks as missing readings, so that targets without reading are kept.
 void addMissing(Pass &pass, std::span<const double> targets);
 
+/// True if each number is above the one before, or each is below it.
+[[nodiscard]] bool isStrictlyMonotone(std::span<const double> values);
+
 /// Alternates the passes of both directions, ↑1 ↓1 ↑2 ↓2 …, as measured in the standard cycle.
 [[nodiscard]] std::vector<Pass> inCycles(std::vector<Pass> passes);
 

@@ -158,15 +158,15 @@ std::vector<Pass> inOrder(std::vector<PlacedPass> placed, TableReading &reading)
 
 BlockDirection directionOfBlock(const TableReading &reading, const TableBlock &block) {
     BlockDirection result;
-    for (auto head = block.heads.rbegin(); head != block.heads.rend() && !result.stated; ++head) {
-        if (std::ranges::binary_search(reading.body.columnHeads, *head))
-            continue;
-        const HeadingWords heading = readHeading(reading.textOf(*head));
+    for (const std::uint32_t head : reading.titlesOf(block)) {
+        const HeadingWords heading = readHeading(reading.textOf(head));
         if (heading.direction && heading.hint && heading.direction != heading.hint)
             continue; // "avance 1; retroceso 1": column headings, not a title
-        if (heading.isDirectionOnly())
+        if (heading.isDirectionOnly()) {
             result.stated = heading.direction;
-        else if (!result.hint)
+            break;
+        }
+        if (!result.hint)
             result.hint = heading.direction ? heading.direction : heading.hint;
     }
     return result;

@@ -14,11 +14,6 @@ namespace palmer {
 
 namespace {
 
-bool isStrictlyMonotone(std::span<const double> values) {
-    return std::ranges::adjacent_find(values, std::ranges::greater_equal()) == values.end() ||
-           std::ranges::adjacent_find(values, std::ranges::less_equal()) == values.end();
-}
-
 /// True for 1, 2, 3 … or 1, 1, 2, 2 …: run numbers, not positions.
 bool areNumbersOfRuns(std::span<const double> values) {
     double last = 0;
@@ -74,12 +69,7 @@ bool looksLikeRunsDown(const TableReading &reading) {
     const TableBody &body = reading.body;
     if (body.blocks.size() != 1 || !body.columnHeads.empty() || body.blocks.front().rows.size() < 2)
         return false;
-    std::vector<double> column;
-    for (const std::uint32_t row : body.blocks.front().rows) {
-        const TableCell *cell = reading.cell(row, body.numberColumns().front());
-        if (cell && cell->isNumber())
-            column.push_back(cell->value);
-    }
+    const std::vector<double> column = reading.valuesOf(body.numberColumns().front());
     const std::vector<double> first = numbersOf(reading, body.blocks.front().rows.front());
     return first.size() > 2 && isStrictlyMonotone(first) && !isStrictlyMonotone(column);
 }

@@ -68,14 +68,14 @@ public:
                 return;
             for (const TableBlock &block : m.body.blocks) {
                 for (const std::uint32_t row : block.rows) {
-                    const TableCell *t = m.cell(row, *m_result.target);
-                    const TableCell *a = m.cell(row, m_search.positions[k]);
-                    const TableCell *d = m.cell(row, m_result.values[k]);
-                    if (!t || !a || !d || !t->isNumber() || !a->isNumber() || !d->isNumber())
+                    const auto t = m.numberAt(row, *m_result.target);
+                    const auto a = m.numberAt(row, m_search.positions[k]);
+                    const auto d = m.numberAt(row, m_result.values[k]);
+                    if (!t || !a || !d)
                         continue;
-                    const double difference = base->toBase(a->value) - base->toBase(t->value);
-                    same = std::max(same, std::abs(unit->toBase(d->value) - difference));
-                    opposite = std::max(opposite, std::abs(unit->toBase(d->value) + difference));
+                    const double difference = base->toBase(*a) - base->toBase(*t);
+                    same = std::max(same, std::abs(unit->toBase(*d) - difference));
+                    opposite = std::max(opposite, std::abs(unit->toBase(*d) + difference));
                     size = std::max(size, std::abs(difference));
                 }
             }

@@ -5,6 +5,7 @@
 #include "document/place.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace palmer {
 
@@ -113,15 +114,38 @@ std::optional<double> TableReading::noNumber(std::uint32_t index, std::size_t co
 
 std::string TableReading::titleOf(const TableBlock &block) const {
     std::string title;
-    for (const std::uint32_t head : block.heads) {
-        if (std::ranges::binary_search(body.columnHeads, head))
-            continue;
-        for (const TableCell &each : table().cells(row(head))) {
+    const std::vector<std::uint32_t> titles = titlesOf(block);
+    for (auto head = titles.rbegin(); head != titles.rend(); ++head) {
+        for (const TableCell &each : table().cells(row(*head))) {
             if (each.size > 0)
                 title += (title.empty() ? "" : " ") + std::string(table().text(each));
         }
     }
     return title;
+}
+
+std::vector<std::uint32_t> TableReading::titlesOf(const TableBlock &block) const {
+    std::vector<std::uint32_t> titles(block.heads.rbegin(), block.heads.rend());
+    std::erase_if(titles, [&](auto head) { return std::ranges::binary_search(body.columnHeads, head); });
+    return titles;
+}
+
+std::vector<double> TableReading::valuesOf(std::size_t column, std::size_t most) const {
+    std::vector<double> values;
+    for (const TableBlock &block : body.blocks) {
+        for (std::size_t i = 0; i < block.rows.size() && values.size() < most; ++i) {
+            if (const auto value = numberAt(block.rows[i], column))
+                values.push_back(*value);
+        }
+    }
+    return values;
+}
+
+std::pair<double, double> TableReading::rangeOf(std::size_t column) const {
+    std::pair<double, double> range{INFINITY, -INFINITY};
+    for (const double value : valuesOf(column))
+        range = {std::min(range.first, value), std::max(range.second, value)};
+    return range;
 }
 
 bool isCounter(const TableReading &reading, std::size_t column) {
@@ -130,17 +154,16 @@ bool isCounter(const TableReading &reading, std::size_t column) {
     for (const TableBlock &block : reading.body.blocks) {
         std::optional<double> last;
         for (const std::uint32_t row : block.rows) {
-            const TableCell *cell = reading.cell(row, column);
-            if (!cell || !cell->isNumber())
+            const auto value = reading.numberAt(row, column);
+            if (!value)
                 return false;
-            const bool begins =
-                !last && cell->value >= 0 &&
-                cell->value == static_cast<double>(static_cast<long long>(std::min(cell->value, 1e9)));
-            if (!(begins || (last && cell->value == *last + 1)))
+            const bool begins = !last && *value >= 0 &&
+                                *value == static_cast<double>(static_cast<long long>(std::min(*value, 1e9)));
+            if (!(begins || (last && *value == *last + 1)))
                 return false;
-            if (rows == 0 && cell->value > 1)
+            if (rows == 0 && *value > 1)
                 return false;
-            last = cell->value;
+            last = value;
             ++rows;
         }
     }

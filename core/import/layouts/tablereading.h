@@ -28,12 +28,23 @@ public:
         const TableCell *found = cell(index, column);
         return found && found->isNumber() ? found->value : noNumber(index, column);
     }
+    /// The number of a cell as it is; null for anything else.
+    [[nodiscard]] std::optional<double> numberAt(std::uint32_t index, std::size_t column) const {
+        const TableCell *found = cell(index, column);
+        return found && found->isNumber() ? std::optional(found->value) : std::nullopt;
+    }
+    /// The numbers of a column in all blocks, no more than `most`.
+    [[nodiscard]] std::vector<double> valuesOf(std::size_t column, std::size_t most = SIZE_MAX) const;
+    /// The lowest and the highest number of a column; ∞ and −∞ if it has none.
+    [[nodiscard]] std::pair<double, double> rangeOf(std::size_t column) const;
     void setRole(std::uint32_t index, std::size_t column, CellRole role) {
         if (column < row(index).count)
             result.roles[row(index).first + column] = role;
     }
 
-    /// The titles of a block as one text, without column headings.
+    /// The rows above a block that are no column headings, from the nearest one up.
+    [[nodiscard]] std::vector<std::uint32_t> titlesOf(const TableBlock &block) const;
+    /// The titles of a block as one text.
     [[nodiscard]] std::string titleOf(const TableBlock &block) const;
 
     Imported &result;

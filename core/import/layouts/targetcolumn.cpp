@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/columnsearch.h"
+#include "import/layouts/passes.h"
 
 #include "document/place.h"
 
@@ -11,12 +12,6 @@
 namespace palmer {
 
 namespace {
-
-bool isStrictlyMonotone(const std::vector<double> &values) {
-    return values.size() > 1 &&
-           (std::ranges::adjacent_find(values, std::ranges::greater_equal()) == values.end() ||
-            std::ranges::adjacent_find(values, std::ranges::less_equal()) == values.end());
-}
 
 class TargetColumn : ColumnStep {
 public:
@@ -47,7 +42,7 @@ public:
             const std::vector<double> values = valuesOf(c);
             // A list goes there and back.
             const bool isList = m_result.direction || m_result.number;
-            if (values == first || !(isList || isStrictlyMonotone(values)))
+            if (values == first || !(isList || (values.size() > 1 && isStrictlyMonotone(values))))
                 continue;
             role(c) = ColumnRole::target;
             if (m_heads[c].meaning != Meaning::target && !isCalledAsTarget(c))
@@ -172,7 +167,7 @@ private:
     [[nodiscard]] bool isAxisLike(std::size_t column, std::size_t beside) const {
         const std::vector<double> values = valuesOf(column);
         const std::vector<double> others = valuesOf(beside);
-        if (!isStrictlyMonotone(values) || others.empty())
+        if (values.size() < 2 || !isStrictlyMonotone(values) || others.empty())
             return false;
         const auto [low, high] = std::ranges::minmax(others);
         const double length = std::abs(values.back() - values.front());

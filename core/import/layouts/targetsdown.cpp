@@ -24,17 +24,6 @@ struct Piece {
     const TableBlock *block = nullptr;
 };
 
-bool isOneWay(std::span<const double> values) {
-    if (values.size() < 2)
-        return true;
-    const bool up = values[1] > values[0];
-    for (std::size_t i = 1; i < values.size(); ++i) {
-        if (up ? values[i] <= values[i - 1] : values[i] >= values[i - 1])
-            return false;
-    }
-    return true;
-}
-
 class TargetsDownReader {
 public:
     explicit TargetsDownReader(TableReading &reading)
@@ -74,9 +63,8 @@ private:
     /// The target of a row; a row without one is remarked as unread data.
     std::optional<double> targetOf(std::uint32_t row) { return targetOf(row, m_target); }
     std::optional<double> targetOf(std::uint32_t row, std::size_t column) {
-        const TableCell *cell = m.cell(row, column);
-        if (cell && cell->isNumber())
-            return cell->value;
+        if (const auto target = m.numberAt(row, column))
+            return target;
         m.remarks.problem({"unread", m.row(row).line},
                           REPORT_TEXT("report", "“%1” is no target position; the line was not read."),
                           excerpt(m.cellText(row, column)));
@@ -132,10 +120,8 @@ private:
     }
 
     [[nodiscard]] std::string axisOfBlock(const TableBlock &block) const {
-        for (auto head = block.heads.rbegin(); head != block.heads.rend(); ++head) {
-            if (std::ranges::binary_search(m.body.columnHeads, *head))
-                continue;
-            const HeadingWords heading = readHeading(m.textOf(*head));
+        for (const std::uint32_t head : m.titlesOf(block)) {
+            const HeadingWords heading = readHeading(m.textOf(head));
             const bool says = heading.meaning == Meaning::axis || heading.words == 1;
             std::string name(1, heading.axis); // braces would make it two characters
             if (says && heading.axis != 0)
@@ -160,10 +146,8 @@ private:
     }
 
     [[nodiscard]] TestRole stateOfBlock(const TableBlock &block) const {
-        for (auto head = block.heads.rbegin(); head != block.heads.rend(); ++head) {
-            if (std::ranges::binary_search(m.body.columnHeads, *head))
-                continue;
-            const HeadingWords heading = readHeading(m.textOf(*head));
+        for (const std::uint32_t head : m.titlesOf(block)) {
+            const HeadingWords heading = readHeading(m.textOf(head));
             if (heading.state != TestRole::notStated && heading.unknownWords < 3) // a title, not prose
                 return heading.state;
         }
@@ -257,15 +241,15 @@ private:
     [[nodiscard]] std::optional<Direction> directionOfRow(std::uint32_t row) {
         if (!m_columns.direction)
             return {};
-        const TableCell *cell = m.cell(row, *m_columns.direction);
-        if (!cell || !cell->isNumber())
+        const auto code = m.numberAt(row, *m_columns.direction);
+        if (!code)
             return directionOrSense(m.cellText(row, *m_columns.direction));
         if (m_codes.empty())
             m_codes = codesOfDirection();
         m_codesAreGuessed |= !m_codes.contains(-1);
-        return m_codes.rbegin()->first == cell->value && m_codes.contains(-1)  ? Direction::positive
-               : m_codes.contains(-1) || m_codes.begin()->first != cell->value ? Direction::negative
-                                                                               : Direction::positive;
+        return m_codes.rbegin()->first == *code && m_codes.contains(-1)  ? Direction::positive
+               : m_codes.contains(-1) || m_codes.begin()->first != *code ? Direction::negative
+                                                                         : Direction::positive;
     }
 
     [[nodiscard]] std::optional<Direction> directionOrSense(std::string_view text) {
@@ -282,13 +266,8 @@ private:
     /// Direction codes: +1 and −1 are clear; of 0 and 1, or 1 and 2, the first is taken as ↑, which is asked.
     [[nodiscard]] std::map<double, int> codesOfDirection() const {
         std::map<double, int> codes;
-        for (const TableBlock &block : m.body.blocks) {
-            for (const std::uint32_t row : block.rows) {
-                const TableCell *cell = m.cell(row, *m_columns.direction);
-                if (cell && cell->isNumber())
-                    ++codes[cell->value];
-            }
-        }
+        for (const double code : m.valuesOf(*m_columns.direction))
+            ++codes[code];
         return codes;
     }
 
@@ -428,11 +407,8 @@ private:
 
     /// The title directly above a block that is not a column heading.
     [[nodiscard]] HeadingWords titleOf(const TableBlock &block) const {
-        for (auto head = block.heads.rbegin(); head != block.heads.rend(); ++head) {
-            if (!std::ranges::binary_search(m.body.columnHeads, *head))
-                return readHeading(m.textOf(*head));
-        }
-        return {};
+        const std::vector<std::uint32_t> titles = m.titlesOf(block);
+        return titles.empty() ? HeadingWords() : readHeading(m.textOf(titles.front()));
     }
 
     /// "After compensation" or "Machine 2" above a block, or run numbers of the former block: perhaps another
@@ -452,10 +428,10 @@ private:
                     isOther |= !known.insert({column, *what.direction, what.number}).second && begins;
             }
             if (isOther) {
-                m.remarks.problem(
-                    {"layout", m.row(piece.rows.front()).line},
-                    REPORT_TEXT("report", "Layout: the block that begins here does not say which runs it "
-                                          "holds; it is read as further runs of the same test."));
+                m.remarks.problem({"layout", m.row(piece.rows.front()).line},
+                                  REPORT_TEXT("report",
+                                              "Layout: the block that begins here does not say which runs it "
+                                              "holds; it is read as further runs of the same test."));
                 return;
             }
         }
@@ -527,7 +503,7 @@ private:
         }
         if (rows.empty())
             return pieces;
-        const bool isOrdered = isOneWay(positions);
+        const bool isOrdered = isStrictlyMonotone(positions);
         std::vector<double> sorted;
         if (!isOrdered) {
             sorted = positions;

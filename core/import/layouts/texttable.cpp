@@ -130,17 +130,7 @@ bool isCircular(const TableBody &body) {
 
 /// True if the numbers could be angles in degrees of a circle or a large part of one.
 bool couldBeAngles(const TableReading &reading, std::size_t column) {
-    double low = INFINITY;
-    double high = -INFINITY;
-    for (const TableBlock &block : reading.body.blocks) {
-        for (const std::uint32_t row : block.rows) {
-            const TableCell *cell = reading.cell(row, column);
-            if (cell && cell->isNumber()) {
-                low = std::min(low, cell->value);
-                high = std::max(high, cell->value);
-            }
-        }
-    }
+    const auto [low, high] = reading.rangeOf(column);
     return high - low >= 85 && high - low <= 800 && high <= 800 && low >= -800;
 }
 
@@ -149,10 +139,10 @@ bool moves(const TableReading &reading, std::size_t column) {
     std::optional<double> last;
     for (const TableBlock &block : reading.body.blocks) {
         for (const std::uint32_t row : block.rows) {
-            const TableCell *cell = reading.cell(row, column);
-            if (!cell || !cell->isNumber() || cell->value == last)
+            const auto value = reading.numberAt(row, column);
+            if (!value || value == last)
                 return false;
-            last = cell->value;
+            last = value;
         }
     }
     return true;
