@@ -226,7 +226,7 @@ void requireKnownValue(const std::string &key, const std::string &value) {
                       listOf(known->words));
     if (known->value == ImportValue::number && !numberIn(value))
         refuseContent(REPORT_TEXT("report", "%1 cannot be %2; expected a number"), known->name, value);
-    if (std::string unknownRole; key == "columns" && !columnsOf(value, unknownRole))
+    if (std::string unknownRole; key == "columns" && !columnsOf(value, &unknownRole))
         refuseContent(REPORT_TEXT("report", "%1 cannot be %2; known: %3"), known->name, unknownRole,
                       roleWords());
     if (key == "edition" && !findEdition(value))

@@ -51,20 +51,20 @@ class Remarks : public std::vector<Remark> {
 public:
     using std::vector<Remark>::vector;
 
-    void add(RemarkGrade grade, const About &about, Message message) {
-        push_back({grade, std::move(message), about.line, 0, about.choice});
+    Remark &add(RemarkGrade grade, const About &about, Message message) {
+        return emplace_back(Remark{grade, std::move(message), about.line, 0, about.choice});
     }
     template <class... Arguments>
-    void problem(const About &about, Text text, Arguments... arguments) {
-        add(RemarkGrade::problem, about, messageOf(text, std::move(arguments)...));
+    Remark &problem(const About &about, Text text, Arguments... arguments) {
+        return add(RemarkGrade::problem, about, messageOf(text, std::move(arguments)...));
     }
     template <class... Arguments>
-    void assumption(const About &about, Text text, Arguments... arguments) {
-        add(RemarkGrade::assumption, about, messageOf(text, std::move(arguments)...));
+    Remark &assumption(const About &about, Text text, Arguments... arguments) {
+        return add(RemarkGrade::assumption, about, messageOf(text, std::move(arguments)...));
     }
     template <class... Arguments>
-    void note(const About &about, Text text, Arguments... arguments) {
-        add(RemarkGrade::note, about, messageOf(text, std::move(arguments)...));
+    Remark &note(const About &about, Text text, Arguments... arguments) {
+        return add(RemarkGrade::note, about, messageOf(text, std::move(arguments)...));
     }
 };
 

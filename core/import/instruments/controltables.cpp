@@ -281,7 +281,7 @@ struct HeidenhainColumn {
     std::size_t begin = 0;
 };
 
-std::vector<HeidenhainColumn> columnsOf(std::string_view line) {
+std::vector<HeidenhainColumn> headingColumns(std::string_view line) {
     std::vector<HeidenhainColumn> columns;
     for (std::size_t at = 0;;) {
         at = line.find_first_not_of(" \t", at);
@@ -311,7 +311,7 @@ struct ComColumns {
 };
 
 ComColumns comColumns(std::string_view headings) {
-    ComColumns columns{columnsOf(headings), 0, 0, {}};
+    ComColumns columns{headingColumns(headings), 0, 0, {}};
     bool hasPosition = false;
     bool hasAxis = false;
     for (std::size_t i = 0; i < columns.all.size(); ++i) {

@@ -15,21 +15,17 @@ public:
         : ColumnStep(search) {}
 
     void takeChosen(const std::string &text) {
-        std::string unknown;
-        std::vector<ImportColumn> chosen = columnsOf(text, unknown).value_or(std::vector<ImportColumn>());
-        if (chosen.size() > m_heads.size())
+        const auto named = columnsOf(text);
+        if (named && named->size() > m_heads.size())
             throw Error(Error::Kind::content,
                         {REPORT_TEXT_COUNTED("report", "%1 names %n column(s), the table has %2"),
                          {"columns", counted(m_heads.size())},
-                         static_cast<int>(chosen.size())});
-        chosen.resize(m_heads.size());
+                         static_cast<int>(named->size())});
+        std::vector<ImportColumn> chosen = m.columnsAs(text);
         m_result = {};
-        const bool hasDeviations =
-            std::ranges::find(chosen, ColumnRole::deviation, &ImportColumn::role) != chosen.end();
+        const bool hasDeviations = columnOf(chosen, ColumnRole::deviation).has_value();
         ColumnRole content = ColumnRole::run;
         for (std::size_t c = 0; c < chosen.size(); ++c) {
-            chosen[c].heading = m_heads[c].heading;
-            chosen[c].unit = m_heads[c].unit;
             const auto take = [&](ColumnRole wanted, std::optional<std::size_t> &place) {
                 if (chosen[c].role == wanted && !place)
                     place = c;

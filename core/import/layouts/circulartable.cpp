@@ -151,9 +151,7 @@ private:
     /// Sets the roles of columns by their headings; columns of different roles are never paths of one test.
     void takeRoles() {
         const TableBody &body = m.body;
-        m.result.columns.clear();
-        for (const TableColumn &column : body.columns)
-            m.result.columns.push_back({ColumnRole::ignored, {}, 0, column.unit, column.heading});
+        m.result.columns = m.columnsAs({});
         const auto of = [&](Meaning meaning) { return numbersOf(meaning); };
         const std::vector<std::size_t> angle = angleColumns();
         const auto coordinates = coordinateColumns();
@@ -249,15 +247,11 @@ private:
     }
 
     void takeChosen(const std::string &text) {
-        std::string unknown;
-        std::vector<ImportColumn> chosen = columnsOf(text, unknown).value_or(std::vector<ImportColumn>());
-        chosen.resize(m.body.columns.size());
+        std::vector<ImportColumn> chosen = m.columnsAs(text);
         m_seconds.clear();
         m_named = true;
         std::optional<std::size_t> first;
         for (std::size_t c = 0; c < chosen.size(); ++c) {
-            chosen[c].heading = m.body.columns[c].heading;
-            chosen[c].unit = m.body.columns[c].unit;
             const ColumnRole role = chosen[c].role;
             if (!first && (role == ColumnRole::angle || role == ColumnRole::x))
                 first = c;
@@ -271,8 +265,7 @@ private:
             refuseColumns();
         m_first = first;
         m.result.columns = std::move(chosen);
-        if (std::ranges::find(m.result.columns, ColumnRole::direction, &ImportColumn::role) ==
-            m.result.columns.end())
+        if (!columnOf(m.result.columns, ColumnRole::direction))
             takeSenses();
     }
 
@@ -375,11 +368,7 @@ private:
 
     /// Collects the paths of a block and column: a new one where another sense or run is named.
     void collectPaths(const TableBlock &block, std::size_t second, std::optional<Sense> stated) {
-        const auto direction =
-            std::ranges::find(m.result.columns, ColumnRole::direction, &ImportColumn::role);
-        Parting parting{std::nullopt, columnOfRuns()};
-        if (direction != m.result.columns.end())
-            parting.senses = static_cast<std::size_t>(direction - m.result.columns.begin());
+        Parting parting{columnOf(m.result.columns, ColumnRole::direction), columnOfRuns()};
         RawPath path;
         path.stated = stated;
         path.first.reserve(block.rows.size());

@@ -17,7 +17,7 @@ constexpr std::array<std::string_view, 15> columnRoleWords{
     "ignored", "target", "actual", "deviation", "run",         "direction", "number",   "angle",
     "radius",  "x",      "y",      "time",      "temperature", "nominal",   "statistic"};
 
-std::optional<ImportColumn> columnOf(std::string_view word) {
+std::optional<ImportColumn> columnNamed(std::string_view word) {
     const std::size_t bare = std::min(word.find_first_of("+-0123456789"), word.size());
     const auto *const found = std::ranges::find_if(
         columnRoleWords, [&](std::string_view role) { return sameWord(role, word.substr(0, bare)); });
@@ -53,20 +53,27 @@ std::string wordOf(const std::vector<ImportColumn> &columns) {
     return text;
 }
 
-std::optional<std::vector<ImportColumn>> columnsOf(std::string_view text, std::string &unknown) {
+std::optional<std::vector<ImportColumn>> columnsOf(std::string_view text, std::string *unknown) {
     std::vector<ImportColumn> columns;
     for (std::size_t begin = 0; begin <= text.size();) {
         const std::size_t end = std::min(text.find(',', begin), text.size());
         const std::string_view word = withoutBlanks(text.substr(begin, end - begin));
-        const auto column = columnOf(word);
+        const auto column = columnNamed(word);
         if (!column) {
-            unknown = word;
+            if (unknown)
+                *unknown = word;
             return {};
         }
         columns.push_back(*column);
         begin = end + 1;
     }
     return columns;
+}
+
+std::optional<std::size_t> columnOf(const std::vector<ImportColumn> &columns, ColumnRole role) {
+    const auto found = std::ranges::find(columns, role, &ImportColumn::role);
+    return found == columns.end() ? std::nullopt
+                                  : std::optional(static_cast<std::size_t>(found - columns.begin()));
 }
 
 std::string roleWords() {

@@ -64,7 +64,11 @@ struct ListedTable {
 [[nodiscard]] std::string wordOf(const std::vector<ImportColumn> &columns);
 
 /// The roles named by such a text; null for an unknown word, which is stored in `unknown`.
-[[nodiscard]] std::optional<std::vector<ImportColumn>> columnsOf(std::string_view text, std::string &unknown);
+[[nodiscard]] std::optional<std::vector<ImportColumn>> columnsOf(std::string_view text,
+                                                                 std::string *unknown = nullptr);
+
+/// The first column of that role; null if there is none.
+[[nodiscard]] std::optional<std::size_t> columnOf(const std::vector<ImportColumn> &columns, ColumnRole role);
 
 /// The words for roles, for help and errors.
 [[nodiscard]] std::string roleWords();

@@ -26,9 +26,9 @@ public:
         : ColumnStep(search) {}
 
     void takeHeadings() {
+        m_result.columns = m.columnsAs({});
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             const TableColumn &head = m_heads[c];
-            m_result.columns.push_back({ColumnRole::ignored, {}, 0, head.unit, head.heading});
             const bool saysWay =
                 head.kind == ColumnKind::directions || head.kind == ColumnKind::senses; // of rotation
             if (saysWay && !m_result.direction) {

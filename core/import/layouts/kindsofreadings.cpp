@@ -49,10 +49,7 @@ private:
         }
         if (axes.size() < 2)
             return;
-        const std::string chosen(m.choices.chosen("axis"));
-        const std::string axis = std::ranges::find(axes, chosen) != axes.end() ? chosen : axes.front();
-        m.axisFound = axis;
-        m.result.remarks.push_back(askForAxis(axes, axis));
+        const std::string axis = resolveAxis(m, axes);
         setAside([&](std::size_t c) { return words(c).axis == axis[0]; });
         for (const std::size_t c : m_search.targets) {
             if (words(c).axis == axis[0]) {

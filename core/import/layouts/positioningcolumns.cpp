@@ -136,19 +136,19 @@ TestRole resolveState(TableReading &reading) {
     return isLeft ? TestRole::asLeft : TestRole::asFound;
 }
 
-Remark askForAxis(const std::vector<std::string> &axes, const std::string &axis) {
+std::string resolveAxis(TableReading &reading, const std::vector<std::string> &axes) {
+    const std::string chosen(reading.choices.chosen("axis"));
+    reading.axisFound = std::ranges::find(axes, chosen) != axes.end() ? chosen : axes.front();
     std::string names;
     for (const std::string &each : axes)
         names += (names.empty() ? "" : ", ") + each;
-    Remark remark{RemarkGrade::problem,
-                  {REPORT_TEXT("report", "Axis: the table has "
-                                         "several (%1); %2 is read, the others are a test of their own."),
-                   {names, axis}},
-                  0,
-                  0,
-                  "axis"};
-    remark.answers = axes;
-    return remark;
+    reading.remarks
+        .problem("axis",
+                 REPORT_TEXT("report", "Axis: the table has several (%1); %2 is read, the others are a test "
+                                       "of their own."),
+                 names, reading.axisFound)
+        .answers = axes;
+    return reading.axisFound;
 }
 
 } // namespace palmer

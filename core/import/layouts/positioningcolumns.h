@@ -35,7 +35,7 @@ struct PositioningColumns {
 /// Settles which readings to read if a table has some before and some after an adjustment, with its question.
 [[nodiscard]] TestRole resolveState(TableReading &reading);
 
-/// The question which of several axes in a table to read.
-[[nodiscard]] Remark askForAxis(const std::vector<std::string> &axes, const std::string &axis);
+/// Settles which of several axes in a table to read, with its question.
+std::string resolveAxis(TableReading &reading, const std::vector<std::string> &axes);
 
 } // namespace palmer

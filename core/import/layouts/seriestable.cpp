@@ -57,9 +57,7 @@ private:
         const TableBody &body = m.body;
         m_clock = body.columnOf(ColumnKind::clock);
         m_date = body.columnOf(ColumnKind::dates);
-        m.result.columns.clear();
-        for (const TableColumn &column : body.columns)
-            m.result.columns.push_back({ColumnRole::ignored, {}, 0, column.unit, column.heading});
+        m.result.columns = m.columnsAs({});
         m_time = m_clock ? *m_clock : timeColumn();
         m.result.columns[m_time].role = ColumnRole::time;
         chooseValues();
@@ -135,13 +133,9 @@ private:
     }
 
     void takeChosen(const std::string &text) {
-        std::string unknown;
-        std::vector<ImportColumn> chosen = columnsOf(text, unknown).value_or(std::vector<ImportColumn>());
-        chosen.resize(m.body.columns.size());
+        std::vector<ImportColumn> chosen = m.columnsAs(text);
         m_values.clear();
         for (std::size_t c = 0; c < chosen.size(); ++c) {
-            chosen[c].heading = m.body.columns[c].heading;
-            chosen[c].unit = m.body.columns[c].unit;
             if (chosen[c].role == ColumnRole::time && !m_clock)
                 m_time = c;
             if (chosen[c].role == (m_temperatures ? ColumnRole::temperature : ColumnRole::deviation) ||
@@ -172,14 +166,11 @@ private:
             m.choices.resolve("series", m_series, names.size() > 1 ? Origin::guessed : Origin::recognised);
             if (names.size() < 2)
                 return;
-            Remark remark{RemarkGrade::assumption,
-                          {REPORT_TEXT("report", "Process variable: the file has %1; “%2” is read."),
-                           {counted(names.size()), excerpt(m_series)}},
-                          0,
-                          0,
-                          "series"};
-            remark.answers = names;
-            m.result.remarks.push_back(std::move(remark));
+            m.remarks
+                .assumption("series",
+                            REPORT_TEXT("report", "Process variable: the file has %1; “%2” is read."),
+                            counted(names.size()), excerpt(m_series))
+                .answers = names;
             return;
         }
     }

@@ -14,8 +14,7 @@ namespace {
 /// Columns to which the user assigned a role of numbers.
 std::vector<std::size_t> chosenNumbers(const Choices &choices) {
     std::vector<std::size_t> numbers;
-    std::string unknown;
-    const auto columns = palmer::columnsOf(choices.chosen("columns"), unknown);
+    const auto columns = palmer::columnsOf(choices.chosen("columns"));
     if (!choices.isChosen("columns") || !columns)
         return numbers;
     for (std::size_t c = 0; c < columns->size(); ++c) {
@@ -75,6 +74,16 @@ void TableReading::askForTable() {
         REPORT_TEXT("report", "Table: the file has several, in the lines %1; number %2 is read."),
         {list, read}};
     result.remarks.push_back(std::move(question));
+}
+
+std::vector<ImportColumn> TableReading::columnsAs(std::string_view roles) const {
+    std::vector<ImportColumn> columns = columnsOf(roles).value_or(std::vector<ImportColumn>());
+    columns.resize(body.columns.size());
+    for (std::size_t c = 0; c < columns.size(); ++c) {
+        columns[c].heading = body.columns[c].heading;
+        columns[c].unit = body.columns[c].unit;
+    }
+    return columns;
 }
 
 std::string_view TableReading::cellText(std::uint32_t index, std::size_t column) const {

@@ -19,6 +19,9 @@ public:
         const auto cells = table().cells(row(index));
         return column < cells.size() ? &cells[column] : nullptr;
     }
+    /// The columns of the table in the roles that such a text names, as for the choice "columns"; the others
+    /// are ignored.
+    [[nodiscard]] std::vector<ImportColumn> columnsAs(std::string_view roles) const;
     [[nodiscard]] std::string_view cellText(std::uint32_t index, std::size_t column) const;
     /// All cells of a row, each preceded by a blank.
     [[nodiscard]] std::string textOf(std::uint32_t index) const;

@@ -113,10 +113,7 @@ private:
             m_axisColumn.reset();
             return;
         }
-        const std::string chosen(m.choices.chosen("axis"));
-        m_axis = std::ranges::find(axes, chosen) != axes.end() ? chosen : axes.front();
-        m.axisFound = m_axis;
-        m.result.remarks.push_back(askForAxis(axes, m_axis));
+        m_axis = resolveAxis(m, axes);
     }
 
     [[nodiscard]] std::string axisOfBlock(const TableBlock &block) const {

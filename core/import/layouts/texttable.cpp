@@ -160,9 +160,8 @@ bool saysCircle(const TableReading &reading) {
 
 /// True if the user chose the target column.
 bool choosesTargets(const Choices &choices) {
-    std::string unknown;
-    const auto columns = palmer::columnsOf(choices.chosen("columns"), unknown);
-    return columns && std::ranges::find(*columns, ColumnRole::target, &ImportColumn::role) != columns->end();
+    const auto columns = palmer::columnsOf(choices.chosen("columns"));
+    return columns && columnOf(*columns, ColumnRole::target);
 }
 
 /// Two columns without words, or three with a counter: points of a circle, if there are many.
