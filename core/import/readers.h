@@ -29,6 +29,9 @@ inline constexpr std::array formatsInOrder{&palmerCsvFormat, &workbookFormat, &r
 /// The decoded text of a file, with a remark if its encoding is a guess.
 [[nodiscard]] std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &imported);
 
+/// Sets the date of a test. A text that can be read in several ways becomes its remarks, with a note.
+void takeDate(const std::optional<std::string> &date, const std::string &text, Test &test, Remarks &remarks);
+
 /// Reads a measurement from the table of a text or sheet.
 void readMeasurementTable(Choices &choices, Imported &imported);
 

@@ -15,14 +15,6 @@ namespace palmer {
 
 namespace {
 
-bool contains(std::string_view text, std::string_view word) {
-    for (std::size_t i = 0; i + word.size() <= text.size(); ++i) {
-        if (sameWord(text.substr(i, word.size()), word))
-            return true;
-    }
-    return false;
-}
-
 /// The last number of a line, used for spacing, start or end.
 std::optional<double> lastNumber(std::string_view line) {
     std::optional<double> found;
@@ -46,15 +38,15 @@ struct Header {
 };
 
 void readHead(std::string_view line, Header &header) {
-    if (contains(line, "Compensation spacing"))
+    if (containsWord(line, "Compensation spacing"))
         header.spacing = lastNumber(line);
-    else if (contains(line, "Compensation start"))
+    else if (containsWord(line, "Compensation start"))
         header.start = lastNumber(line);
-    else if (contains(line, "Compensation end"))
+    else if (containsWord(line, "Compensation end"))
         header.end = lastNumber(line);
-    else if (contains(line, "Axis position"))
+    else if (containsWord(line, "Axis position"))
         header.ended = true;
-    if (!header.ended && contains(line, "unit")) {
+    if (!header.ended && containsWord(line, "unit")) {
         if (SaidUnit said = saidUnit(line); said.isSaid())
             header.unit = std::move(said);
     }
@@ -74,7 +66,8 @@ bool isDamagedLine(std::string_view line) {
 }
 
 bool isUnknown(std::string_view line) {
-    return !contains(line, "Compensation") && !contains(line, "unit") && !contains(line, "Axis position");
+    return !containsWord(line, "Compensation") && !containsWord(line, "unit") &&
+           !containsWord(line, "Axis position");
 }
 
 /// True if start and end are those of the table, in either order.
@@ -138,7 +131,7 @@ PassForm resolveForm(const Header &header, Choices &choices, Remarks &remarks) {
 bool isRenText(QByteArrayView bytes) {
     const std::string_view text(bytes.data(),
                                 static_cast<std::size_t>(std::min<qsizetype>(bytes.size(), 8192)));
-    return contains(text, "Compensation spacing") || contains(text, "Compensation start");
+    return containsWord(text, "Compensation spacing") || containsWord(text, "Compensation start");
 }
 
 void readRenText(const ImportSource &source, Choices &choices, Imported &imported) {

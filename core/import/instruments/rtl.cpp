@@ -150,8 +150,7 @@ private:
             run.readings.push_back({m_targets[static_cast<std::size_t>(index)], row.value,
                                     static_cast<std::uint32_t>(row.line)});
         }
-        const Section *runs = findSection(m_sections, "RUNS");
-        const auto stated = runs ? numberOf(runs->value("Run-count")) : std::nullopt;
+        const auto stated = numberOf(valueIn(m_sections, "RUNS", "Run-count"));
         if (stated && *stated != static_cast<double>(m_runs.size()))
             m.remarks.problem(
                 {}, REPORT_TEXT("report", "Runs named in the head: %1, in the rows: %2; the rows count."),
@@ -212,17 +211,15 @@ private:
     }
 
     PassForm resolveForms() {
-        const Section *header = findSection(m_sections, "HEADER");
         const std::string type =
-            std::string(m_type) + ' ' +
-            std::string(header ? header->value("File type").value_or("") : std::string_view());
-        const std::string_view owner =
-            header ? header->value("Owner").value_or(std::string_view()) : std::string_view();
-        const bool ofRotaryAxis = contains(type, "rta") || contains(type, "rot") || contains(owner, "rot");
-        const bool angular = contains(type, "ang") || ofRotaryAxis;
+            std::string(m_type) + ' ' + std::string(valueIn(m_sections, "HEADER", "File type"));
+        const std::string_view owner = valueIn(m_sections, "HEADER", "Owner");
+        const bool ofRotaryAxis =
+            containsWord(type, "rta") || containsWord(type, "rot") || containsWord(owner, "rot");
+        const bool angular = containsWord(type, "ang") || ofRotaryAxis;
         const bool rotary = m_choices.isChosen("motion") ? m_choices.chosen("motion") == "rotary" : angular;
         requireRotation(angular, ofRotaryAxis);
-        if (rotary && contains(type, "lin") && !m_choices.isChosen("unit"))
+        if (rotary && containsWord(type, "lin") && !m_choices.isChosen("unit"))
             refuseContent(REPORT_TEXT("report", "%1 cannot be %2 here: the file has its numbers in %3"),
                           "motion", "rotary", "µm");
         askForType();
@@ -248,8 +245,7 @@ private:
 
     /// Throws for pitch and yaw: angles at positions in millimetres.
     void requireRotation(bool angular, bool ofRotaryAxis) {
-        const Section *header = findSection(m_sections, "HEADER");
-        const std::string_view owner = header ? header->value("Owner").value_or("") : std::string_view();
+        const std::string_view owner = valueIn(m_sections, "HEADER", "Owner");
         const bool isOwned = sameWord(owner.substr(0, 3), "ang");
         angular |= isOwned;
         const std::string axis = userText("Axis").substr(0, 1);
@@ -272,19 +268,17 @@ private:
         constexpr std::array<std::string_view, 14> words{
             "pitch",   "yaw",    "roll",      "nick",       "gier",    "wank",    "lacet",
             "tangage", "roulis", "imbardata", "beccheggio", "cabeceo", "guinada", "alabeo"};
-        return std::ranges::any_of(words, [&](std::string_view word) { return contains(text, word); });
+        return std::ranges::any_of(words, [&](std::string_view word) { return containsWord(text, word); });
     }
 
     /// Straightness, squareness, flatness are measured along an axis, too.
     void askForType() {
         constexpr std::array<std::string_view, 5> known{"lin", "pos", "ang", "rot", "rta"};
-        const Section *header = findSection(m_sections, "HEADER");
-        for (const std::string_view type :
-             {m_type, header ? header->value("File type").value_or("") : std::string_view()}) {
+        for (const std::string_view type : {m_type, valueIn(m_sections, "HEADER", "File type")}) {
             const bool isWord =
                 std::ranges::any_of(type, [](char c) { return (c | 0x20) >= 'a' && (c | 0x20) <= 'z'; });
-            if (isWord &&
-                std::ranges::none_of(known, [&](std::string_view word) { return contains(type, word); })) {
+            if (isWord && std::ranges::none_of(
+                              known, [&](std::string_view word) { return containsWord(type, word); })) {
                 m.remarks.assumption(
                     "kind",
                     REPORT_TEXT("report", "Kind: the file speaks of “%1”; read as a positioning test."),
@@ -295,16 +289,7 @@ private:
     }
 
     [[nodiscard]] std::string userText(std::string_view key) const {
-        const Section *user = findSection(m_sections, "USER-TEXT");
-        return user ? std::string(user->value(key).value_or("")) : std::string();
-    }
-
-    [[nodiscard]] static bool contains(std::string_view text, std::string_view word) {
-        for (std::size_t i = 0; i + word.size() <= text.size(); ++i) {
-            if (sameWord(text.substr(i, word.size()), word))
-                return true;
-        }
-        return false;
+        return std::string(valueIn(m_sections, "USER-TEXT", key));
     }
 
     void readUserText(Test &test, PositioningMeasurement &measurement) {
@@ -316,16 +301,7 @@ private:
         test.title = text("TITLE");
         measurement.axis.name = m_choices.resolve("axis", text("Axis"), Origin::recognised).value;
         const std::string date = text("Date");
-        if (date.empty())
-            return;
-        test.date = isoDate(date);
-        if (test.date)
-            return;
-        test.remarks = date;
-        m.remarks.note({},
-                       REPORT_TEXT("report", "The date %1 can be read "
-                                             "in several ways; it stays as text in the remarks."),
-                       date);
+        takeDate(isoDate(date), date, test, m.remarks);
     }
 
     void readEnvironment(PositioningMeasurement &measurement) {

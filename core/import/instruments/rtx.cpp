@@ -113,9 +113,7 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     imported.text = decodedText(source.bytes.first(static_cast<qsizetype>(mark)), choices, imported);
     const std::vector<Section> sections = sectionsOf(imported.text);
     const Section *header = findSection(sections, "HEADER");
-    const auto text = [&](std::string_view key) {
-        return header ? std::string(header->value(key).value_or("")) : std::string();
-    };
+    const auto text = [&](std::string_view key) { return std::string(valueIn(sections, "HEADER", key)); };
     const Sampling sampling = samplingOf(header);
     const std::string_view samples = samplesBehind(all, mark, sampling.count);
     const std::string type = text("File Type");
@@ -136,16 +134,8 @@ void readRtx(const ImportSource &source, Choices &choices, Imported &imported) {
     }
     unused.remark(imported.remarks);
     Test test;
-    if (const std::string date = text("Date"); !date.empty()) {
-        test.date = isoDate(date);
-        if (!test.date) {
-            test.remarks = date;
-            imported.remarks.note({},
-                                  REPORT_TEXT("report", "The date %1 can be read "
-                                                        "in several ways; it stays as text in the remarks."),
-                                  date);
-        }
-    }
+    const std::string date = text("Date");
+    takeDate(isoDate(date), date, test, imported.remarks);
     test.measurement = std::move(drift);
     imported.test = std::move(test);
     imported.machine.name = text("Machine");

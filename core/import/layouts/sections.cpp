@@ -50,6 +50,19 @@ const Section *findSection(const std::vector<Section> &sections, std::string_vie
     return found == sections.end() ? nullptr : &*found;
 }
 
+std::string_view valueIn(const std::vector<Section> &sections, std::string_view name, std::string_view key) {
+    const Section *section = findSection(sections, name);
+    return section ? section->value(key).value_or(std::string_view()) : std::string_view();
+}
+
+bool containsWord(std::string_view text, std::string_view word) {
+    for (std::size_t i = 0; i + word.size() <= text.size(); ++i) {
+        if (sameWord(text.substr(i, word.size()), word))
+            return true;
+    }
+    return false;
+}
+
 std::optional<double> numberIn(std::string_view text) {
     const CellValue value = readCell(text, decimalMarkIn(text));
     return value.kind == CellKind::number ? std::optional(value.value) : std::nullopt;

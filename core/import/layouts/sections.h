@@ -44,6 +44,13 @@ struct Section {
 /// The section of that name; null if there is none.
 [[nodiscard]] const Section *findSection(const std::vector<Section> &sections, std::string_view name);
 
+/// The value of a key in the section of that name; empty if there is none.
+[[nodiscard]] std::string_view valueIn(const std::vector<Section> &sections, std::string_view name,
+                                       std::string_view key);
+
+/// True if a text contains a word, also within another, in any case of ASCII letters.
+[[nodiscard]] bool containsWord(std::string_view text, std::string_view word);
+
 /// The decimal mark of a single number: instruments write no thousands separators, so a comma is a decimal
 /// comma, as in the regional settings of many countries.
 [[nodiscard]] inline DecimalMark decimalMarkIn(std::string_view number) {

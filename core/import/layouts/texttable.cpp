@@ -240,6 +240,17 @@ std::string decodedText(QByteArrayView bytes, Choices &choices, Imported &import
     return std::move(decoded.text);
 }
 
+void takeDate(const std::optional<std::string> &date, const std::string &text, Test &test, Remarks &remarks) {
+    test.date = date;
+    if (date || text.empty())
+        return;
+    test.remarks = text;
+    remarks.note({},
+                 REPORT_TEXT("report", "The date %1 can be read in several ways; it stays as text in "
+                                       "the remarks."),
+                 text);
+}
+
 void readMeasurementTable(Choices &choices, Imported &imported) {
     if (choices.isChosen("lines"))
         keepLines(imported.table, choices.resolve("lines", {}, Origin::chosen).value);
@@ -269,16 +280,8 @@ void readMeasurementTable(Choices &choices, Imported &imported) {
     imported.operatorName = notes.operatorName;
     if (imported.test)
         imported.sensors.insert(imported.sensors.end(), notes.sensors.begin(), notes.sensors.end());
-    if (imported.test) {
-        imported.test->date = notes.date;
-        if (!notes.dateText.empty() && !notes.date) {
-            imported.test->remarks = notes.dateText;
-            reading.remarks.note({},
-                                 REPORT_TEXT("report", "The date %1 can be read "
-                                                       "in several ways; it stays as text in the remarks."),
-                                 notes.dateText);
-        }
-    }
+    if (imported.test)
+        takeDate(notes.date, notes.dateText, *imported.test, imported.remarks);
     notes.unused.remark(imported.remarks);
 }
 
