@@ -169,9 +169,7 @@ std::string wishedId(const Test &test) {
     std::string name = isJudged(test) ? axesOf(test) : fileWord(kindOf(test));
     if (name.empty() && axisOf(test))
         name = "axis";
-    for (char &c : name)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    return name;
+    return lowerCase(name);
 }
 
 /// Throws Error if a test file cannot store the data: texts and readings have bounds.

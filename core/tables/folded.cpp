@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tables/folded.h"
 
+#include "tables/numbercell.h"
+
 #include <QString>
 #include <algorithm>
 
@@ -60,10 +62,7 @@ std::string folded(std::string_view text) {
     const auto isAscii = [](char c) { return static_cast<unsigned char>(c) < 0x80; };
     if (!std::ranges::all_of(text, isAscii))
         return foldedBeyondAscii(text);
-    std::string result(text);
-    for (char &c : result)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    return result;
+    return lowerCase(text);
 }
 
 } // namespace palmer

@@ -117,6 +117,19 @@ bool isGrouped(std::string_view text, DecimalMark mark) {
 
 } // namespace
 
+std::string lowerCase(std::string_view text) {
+    std::string result(text);
+    std::ranges::transform(result, result.begin(), lower);
+    return result;
+}
+
+std::string upperCase(std::string_view text) {
+    std::string result(text);
+    for (char &c : result)
+        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+    return result;
+}
+
 bool sameWord(std::string_view a, std::string_view b) {
     return a.size() == b.size() &&
            std::equal(a.begin(), a.end(), b.begin(), [](char x, char y) { return lower(x) == lower(y); });

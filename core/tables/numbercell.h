@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 
 namespace palmer {
@@ -39,6 +40,10 @@ struct LeadingNumber {
 
 /// Removes blanks (including no-break ones) at both ends.
 [[nodiscard]] std::string_view withoutBlanks(std::string_view text);
+
+/// The text with its ASCII letters in lower or upper case.
+[[nodiscard]] std::string lowerCase(std::string_view text);
+[[nodiscard]] std::string upperCase(std::string_view text);
 
 /// True if both are equal ignoring the case of ASCII letters.
 [[nodiscard]] bool sameWord(std::string_view a, std::string_view b);

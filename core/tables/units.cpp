@@ -58,10 +58,7 @@ bool isForeignUnit(std::string_view text, bool inBrackets) {
     constexpr std::size_t longest = 14;
     if (text.empty() || text.size() > longest)
         return false;
-    std::string low(text);
-    for (char &c : low)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    const auto found = dictionaryOfForeignUnits().find(low);
+    const auto found = dictionaryOfForeignUnits().find(lowerCase(text));
     return found != dictionaryOfForeignUnits().end() && (inBrackets || !found->second);
 }
 
@@ -163,10 +160,7 @@ const Unit *spelled(std::string_view text, bool inBrackets) {
         text.remove_suffix(1);
     if (text.empty() || text.size() > longest)
         return nullptr;
-    std::string low(text);
-    for (char &c : low)
-        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
-    const auto found = dictionaryOfUnits().find(low);
+    const auto found = dictionaryOfUnits().find(lowerCase(text));
     return found != dictionaryOfUnits().end() && (inBrackets || !found->second.bracketsOnly)
                ? found->second.unit
                : nullptr;

@@ -38,13 +38,6 @@ std::vector<std::string_view> firstLines(std::string_view text) {
     return lines;
 }
 
-std::string upperCase(std::string_view text) {
-    std::string upper(text);
-    std::ranges::transform(upper, upper.begin(),
-                           [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
-    return upper;
-}
-
 bool anyLine(std::string_view text, bool (*is)(std::string_view upperCaseLine)) {
     return std::ranges::any_of(firstLines(text), [is](std::string_view line) { return is(upperCase(line)); });
 }

@@ -80,11 +80,8 @@ struct Command {
 };
 
 std::string capitals(std::string_view text) {
-    std::string result;
-    for (const char c : text) {
-        if (c != ' ' && c != '\t')
-            result += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-    }
+    std::string result = upperCase(text);
+    std::erase_if(result, [](char c) { return c == ' ' || c == '\t'; });
     return result;
 }
 

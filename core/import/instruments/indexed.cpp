@@ -56,8 +56,7 @@ std::optional<Assignment> assignmentOf(std::string_view line) {
             list.remove_prefix(comma + 1);
         }
     }
-    for (const char c : left)
-        result.name += c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
+    result.name = upperCase(left);
     return result;
 }
 

@@ -33,12 +33,6 @@ double nominalOf(double radius) {
     return rounded(radius, 0.01);
 }
 
-std::string upper(std::string text) {
-    for (char &c : text)
-        c = c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c;
-    return text;
-}
-
 /// A path as the file gives it: two numbers a point, or one.
 struct RawPath {
     std::vector<double> first;  ///< angle or x; empty of deviations alone
@@ -193,7 +187,7 @@ private:
         if (found.size() < 2)
             return {};
         const std::string plane =
-            upper(m.choices.isChosen("plane") ? std::string(m.choices.chosen("plane")) : m.notes.plane);
+            upperCase(m.choices.isChosen("plane") ? m.choices.chosen("plane") : m.notes.plane);
         if (plane.size() == 2) {
             const auto first = std::ranges::find(found, plane[0], letter);
             const auto second = std::ranges::find(found, plane[1], letter);
@@ -489,7 +483,7 @@ private:
     [[nodiscard]] std::string planeOfHeadings() const {
         const std::string a = withoutUnit(m.body.columns[*m_first].heading);
         const std::string b = withoutUnit(m.body.columns[m_seconds.front()].heading);
-        return a.size() == 1 && b.size() == 1 ? upper(a + b) : std::string();
+        return a.size() == 1 && b.size() == 1 ? upperCase(a + b) : std::string();
     }
 
     /// The unit in the heading, otherwise in the lines above.

@@ -18,9 +18,7 @@ namespace {
 constexpr double secondsPerDay = 86'400;
 
 bool hasWord(std::string_view text, std::span<const std::string_view> words) {
-    std::string low;
-    for (const char c : text)
-        low += c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c;
+    const std::string low = lowerCase(text);
     return std::ranges::any_of(words,
                                [&](std::string_view word) { return low.find(word) != std::string::npos; });
 }
