@@ -44,13 +44,9 @@ public:
         , m_choices(choices)
         , m_position(positionQuantity(measurement.axis)) {
         m_result.measurement = std::move(measurement);
-        TableOptions options;
-        options.comments = false;
-        options.decimalMark = choices.decimalMark;
-        options.delimiter = choices.delimiter;
-        if (text.find('\t') != std::string::npos)
-            options.delimiter = Delimiter::tab;
-        m_table = readTable(std::move(text), options);
+        const bool hasTabs = text.find('\t') != std::string::npos;
+        m_table = readTable(std::move(text), {hasTabs ? std::optional(Delimiter::tab) : choices.delimiter,
+                                              choices.decimalMark, false});
         m_result.decimalMark = m_table.decimalMark;
         m_result.delimiter = m_table.delimiter.value;
         takeLines();

@@ -101,9 +101,7 @@ private:
 
 std::optional<PastedTargets> targetsFrom(const std::string &text, const Axis &axis, const DisplayUnits &units,
                                          const ImportOptions &answers) {
-    TableOptions options;
-    options.comments = false;
-    const CellTable table = readTable(text, options);
+    const CellTable table = readTable(text, {{}, {}, false});
     TargetList list(table, axis, units);
     if (const auto answer = answers.find("positionUnit"); answer != answers.end())
         list.choose(unitOf(answer->second));

@@ -280,13 +280,10 @@ bool isPalmerCsv(QByteArrayView bytes) {
 
 void readPalmerCsv(const ImportSource &source, Choices &choices, Imported &imported) {
     std::string text = decodedText(source.bytes, choices, imported);
-    TableOptions options;
-    options.comments = false;
-    options.decimalMark = DecimalMark::point; // a decimal comma is recognised when a number is read
-    const auto delimiter = delimiterOf(text).value_or(std::pair{',', Delimiter::comma});
-    options.delimiter = delimiter.second;
-    imported.table = readTable(std::move(text), options);
-    Reader(choices, imported, delimiter.first).read();
+    const auto [sign, delimiter] = delimiterOf(text).value_or(std::pair{',', Delimiter::comma});
+    // A decimal comma is recognised when a number is read.
+    imported.table = readTable(std::move(text), {delimiter, DecimalMark::point, false});
+    Reader(choices, imported, sign).read();
 }
 
 } // namespace

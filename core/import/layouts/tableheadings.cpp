@@ -129,10 +129,7 @@ bool addsToHeadings(const CellTable &table, const TableRow &row) {
 /// "# angle; x; y": takes as many words as there are columns.
 void takeFromComment(const CellTable &table, const TableRow &row, std::vector<TableColumn> &columns) {
     const std::string_view text = table.text(table.cells(row).front());
-    TableOptions options;
-    options.delimiter = table.delimiter.value;
-    options.decimalMark = table.decimalMark.value;
-    const CellTable line = readTable(std::string(text), options);
+    const CellTable line = readTable(std::string(text), {table.delimiter.value, table.decimalMark.value});
     if (line.rows().empty() || columns.size() < 2)
         return;
     const auto cells = line.cells(line.rows().front());

@@ -293,10 +293,8 @@ bool isAnything(QByteArrayView) {
 
 void readTextTable(const ImportSource &source, Choices &choices, Imported &imported) {
     std::string text = decodedText(source.bytes, choices, imported);
-    TableOptions options;
-    options.delimiter = chosenOf<Delimiter>("delimiter", choices);
-    options.decimalMark = chosenOf<DecimalMark>("decimalMark", choices);
-    imported.table = readTable(std::move(text), options);
+    imported.table = readTable(std::move(text), {chosenOf<Delimiter>("delimiter", choices),
+                                                 chosenOf<DecimalMark>("decimalMark", choices)});
     const CellTable &table = imported.table;
     resolveWord("delimiter", table.delimiter, choices);
     resolveWord("decimalMark", table.decimalMark, choices);
