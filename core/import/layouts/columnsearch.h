@@ -31,11 +31,21 @@ protected:
     [[nodiscard]] const HeadingWords &words(std::size_t c) const { return m_heads[c].words; }
     [[nodiscard]] bool isNumeric(std::size_t c) const { return m_heads[c].kind == ColumnKind::numbers; }
     [[nodiscard]] ColumnRole &role(std::size_t c) { return m_result.columns[c].role; }
-    [[nodiscard]] std::vector<double> valuesOf(std::size_t column) const; ///< of the first rows
+    /// Of the first rows.
+    [[nodiscard]] std::vector<double> valuesOf(std::size_t column) const { return m.valuesOf(column, 5000); }
     /// True if the values stay close to the targets, line by line.
     [[nodiscard]] bool followsTarget(std::size_t column) const;
-    void ask(Message message);    ///< a doubt; only the first is kept
-    void assume(Message message); ///< a guess; doubts take precedence
+    /// A doubt; only the first is kept.
+    void ask(Message message) {
+        if (!m_search.isDoubtful)
+            m_search.question = std::move(message);
+        m_search.isDoubtful = true;
+    }
+    /// A guess; doubts take precedence.
+    void assume(Message message) {
+        if (!m_search.question)
+            m_search.question = std::move(message);
+    }
 
     TableReading &m;
     const std::vector<TableColumn> &m_heads;
@@ -51,7 +61,5 @@ void keepReadingsOfOneKind(ColumnSearch &search);
 void takeDirectionsOfHeadings(ColumnSearch &search);
 void findOwnTargets(ColumnSearch &search);
 void proveSign(ColumnSearch &search);
-/// Replaces what was found by the user's choice. Throws Error for roles that make no test.
-void takeChosenColumns(ColumnSearch &search, const std::string &text);
 
 } // namespace palmer

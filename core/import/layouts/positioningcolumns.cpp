@@ -6,6 +6,7 @@
 #include "tables/contenterror.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace palmer {
 
@@ -89,6 +90,42 @@ void placeOwnTargets(PositioningColumns &columns) {
     }
 }
 
+/// Replaces what was found by the user's choice. Throws Error for roles that make no test.
+void takeChosenColumns(ColumnSearch &search, const std::string &text) {
+    const std::vector<TableColumn> &heads = search.reading.body.columns;
+    const auto named = palmer::columnsOf(text);
+    if (named && named->size() > heads.size())
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT_COUNTED("report", "%1 names %n column(s), the table has %2"),
+                     {"columns", counted(heads.size())},
+                     static_cast<int>(named->size())});
+    PositioningColumns result;
+    result.columns = search.reading.columnsAs(text);
+    result.target = columnOf(result.columns, ColumnRole::target);
+    result.direction = columnOf(result.columns, ColumnRole::direction);
+    result.number = columnOf(result.columns, ColumnRole::number);
+    const bool hasDeviations = columnOf(result.columns, ColumnRole::deviation).has_value();
+    ColumnRole content = ColumnRole::run;
+    for (std::size_t c = 0; c < result.columns.size(); ++c) {
+        const ImportColumn &column = result.columns[c];
+        const bool isProof = hasDeviations && column.role == ColumnRole::actual;
+        if (!column.hasReadings() || isProof)
+            continue;
+        if (!result.values.empty() && column.role != content)
+            refuseContent(REPORT_TEXT(
+                "report",
+                "columns of different roles cannot be read as runs of one test; ignore one of them"));
+        content = column.role;
+        result.values.push_back(c);
+        if (!result.unit.isSaid())
+            result.unit = heads[c].said();
+    }
+    result.content = content == ColumnRole::deviation ? "deviations"
+                     : content == ColumnRole::actual  ? "positions"
+                                                      : "";
+    search.result = std::move(result);
+}
+
 /// Settles the columns: the user's choice, otherwise what was found, with its question.
 void resolve(ColumnSearch &search) {
     TableReading &m = search.reading;
@@ -111,6 +148,19 @@ void resolve(ColumnSearch &search) {
 }
 
 } // namespace
+
+bool ColumnStep::followsTarget(std::size_t column) const {
+    const std::vector<double> targets = valuesOf(*m_result.target);
+    const std::vector<double> values = valuesOf(column);
+    if (targets.size() != values.size() || targets.size() < 2)
+        return false;
+    const auto [low, high] = std::ranges::minmax(targets);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        if (std::abs(values[i] - targets[i]) > 0.1 * (high - low))
+            return false;
+    }
+    return high > low;
+}
 
 PositioningColumns positioningColumns(TableReading &reading) {
     ColumnSearch search{reading};
