@@ -255,7 +255,7 @@ std::string_view Choices::usual(std::string_view key) const {
 }
 
 std::optional<double> Choices::usualNumber(std::string_view key) const {
-    return numberOf(usual(key));
+    return numberIn(usual(key));
 }
 
 std::optional<double> Choices::chosenNumber(std::string_view key) const {

@@ -34,7 +34,7 @@ using namespace iso230_2;
 ///   [^id] its largest value      [Σid]  its sum over all targets          [=]  the result with its unit
 /// A step that only chooses between numbers ("max([…") prints them with the decimals of the result.
 struct Recipe {
-    Outcome (*function)(Targets, double) = nullptr;
+    const ParameterFormula *function = nullptr;
     const char *formula = nullptr;
     std::array<const char *, 3> steps{};
     const char *bars = ""; ///< quantity per target
@@ -45,34 +45,34 @@ struct Recipe {
 
 // clang-format off
 constexpr std::array recipes{
-    Recipe{accuracyUp,   "%s = max(x̄_i↑ + %cs_i↑) − min(x̄_i↑ − %cs_i↑)",
+    Recipe{&accuracyUp,   "%s = max(x̄_i↑ + %cs_i↑) − min(x̄_i↑ − %cs_i↑)",
            {"%s = (x̄_%1%a + %cs_%1%a) − (x̄_%2%b − %cs_%2%b)", "= ([mean*] + %c·[s*]) − ([mean*'] − %c·[s*'])", "= [upper*] − [lower*'] = [=]"},
            "", "", {"mean+", "s+"}},
-    Recipe{accuracyDown, "%s = max(x̄_i↓ + %cs_i↓) − min(x̄_i↓ − %cs_i↓)",
+    Recipe{&accuracyDown, "%s = max(x̄_i↓ + %cs_i↓) − min(x̄_i↓ − %cs_i↓)",
            {"%s = (x̄_%1%a + %cs_%1%a) − (x̄_%2%b − %cs_%2%b)", "= ([mean*] + %c·[s*]) − ([mean*'] − %c·[s*'])", "= [upper*] − [lower*'] = [=]"},
            "", "", {"mean-", "s-"}},
-    Recipe{accuracy,     "%s = max(x̄_i↑ + %cs_i↑; x̄_i↓ + %cs_i↓) − min(x̄_i↑ − %cs_i↑; x̄_i↓ − %cs_i↓)",
+    Recipe{&accuracy,     "%s = max(x̄_i↑ + %cs_i↑; x̄_i↓ + %cs_i↓) − min(x̄_i↑ − %cs_i↑; x̄_i↓ − %cs_i↓)",
            {"%s = (x̄_%1%a + %cs_%1%a) − (x̄_%2%b − %cs_%2%b)", "= ([mean*] + %c·[s*]) − ([mean*'] − %c·[s*'])", "= [upper*] − [lower*'] = [=]"},
            "", "", {"mean+", "s+"}},
-    Recipe{systematicUp,   "%s = max x̄_i↑ − min x̄_i↑",               {"%s = x̄_%1%a − x̄_%2%b = [mean*] − [mean*'] = [=]"}, "", "", {"mean+"}},
-    Recipe{systematicDown, "%s = max x̄_i↓ − min x̄_i↓",               {"%s = x̄_%1%a − x̄_%2%b = [mean*] − [mean*'] = [=]"}, "", "", {"mean-"}},
-    Recipe{systematic,     "%s = max(x̄_i↑; x̄_i↓) − min(x̄_i↑; x̄_i↓)", {"%s = x̄_%1%a − x̄_%2%b = [mean*] − [mean*'] = [=]"}, "", "", {"mean+"}},
-    Recipe{meanRange,      "%s = max x̄_i − min x̄_i; x̄_i = (x̄_i↑ + x̄_i↓)/2", {"%s = x̄_%1 − x̄_%2 = [mean] − [mean'] = [=]"}, "", "", {"mean"}},
-    Recipe{repeatabilityUp,     "%s = max R_i↑; R_i↑ = %ds_i↑", {"%s = R_%1↑ = %d·[s+] = [=]"}, "R+", "R_i↑", {"R+", "s+"}},
-    Recipe{repeatabilityDown,   "%s = max R_i↓; R_i↓ = %ds_i↓", {"%s = R_%1↓ = %d·[s-] = [=]"}, "R-", "R_i↓", {"R-", "s-"}},
-    Recipe{repeatabilityOfAxis, "%s = max R_i; R_i = max(%cs_i↑ + %cs_i↓ + |B_i|; %ds_i↑; %ds_i↓)",
+    Recipe{&systematicUp,   "%s = max x̄_i↑ − min x̄_i↑",               {"%s = x̄_%1%a − x̄_%2%b = [mean*] − [mean*'] = [=]"}, "", "", {"mean+"}},
+    Recipe{&systematicDown, "%s = max x̄_i↓ − min x̄_i↓",               {"%s = x̄_%1%a − x̄_%2%b = [mean*] − [mean*'] = [=]"}, "", "", {"mean-"}},
+    Recipe{&systematic,     "%s = max(x̄_i↑; x̄_i↓) − min(x̄_i↑; x̄_i↓)", {"%s = x̄_%1%a − x̄_%2%b = [mean*] − [mean*'] = [=]"}, "", "", {"mean+"}},
+    Recipe{&meanRange,      "%s = max x̄_i − min x̄_i; x̄_i = (x̄_i↑ + x̄_i↓)/2", {"%s = x̄_%1 − x̄_%2 = [mean] − [mean'] = [=]"}, "", "", {"mean"}},
+    Recipe{&repeatabilityUp,     "%s = max R_i↑; R_i↑ = %ds_i↑", {"%s = R_%1↑ = %d·[s+] = [=]"}, "R+", "R_i↑", {"R+", "s+"}},
+    Recipe{&repeatabilityDown,   "%s = max R_i↓; R_i↓ = %ds_i↓", {"%s = R_%1↓ = %d·[s-] = [=]"}, "R-", "R_i↓", {"R-", "s-"}},
+    Recipe{&repeatabilityOfAxis, "%s = max R_i; R_i = max(%cs_i↑ + %cs_i↓ + |B_i|; %ds_i↑; %ds_i↓)",
            {"R_%1 = max(%c·[s+] + %c·[s-] + |[reversal]|; %d·[s+]; %d·[s-])", "= max([sum]; [R+]; [R-]) = [=]"},
            "R", "R_i", {"R"}, true},
-    Recipe{smallerRepeatability, "%s = min(R↑; R↓); R↑ = max R_i↑; R↓ = max R_i↓", {"%s = min([^R+]; [^R-]) = [=]"}, "", "", {"R+"}},
-    Recipe{meanRepeatabilityUp,   "%s = Σ R_i↑ / m; R_i↑ = %ds_i↑", {"%s = [ΣR+] / %m = [=]"}, "R+", "R_i↑", {"R+"}},
-    Recipe{meanRepeatabilityDown, "%s = Σ R_i↓ / m; R_i↓ = %ds_i↓", {"%s = [ΣR-] / %m = [=]"}, "R-", "R_i↓", {"R-"}},
-    Recipe{meanRepeatability,     "%s = Σ R_i / m; R_i = max(%cs_i↑ + %cs_i↓ + |B_i|; %ds_i↑; %ds_i↓)", {"%s = [ΣR] / %m = [=]"}, "R", "R_i", {"R"}},
-    Recipe{reversal,     "%s = max |B_i|; B_i = x̄_i↑ − x̄_i↓", {"%s = |B_%1| = |[mean+] − [mean-]| = [=]"}, "size", "|B_i|", {"reversal"}},
-    Recipe{meanReversal, "%s = Σ B_i / m; B_i = x̄_i↑ − x̄_i↓",  {"%s = [Σreversal] / %m = [=]"}, "reversal", "B_i", {"reversal"}},
-    Recipe{vdiMeanReversal, "%s = Σ U_i / m; U_i = |x̄_i↑ − x̄_i↓|", {"%s = [Σsize] / %m = [=]"}, "size", "U_i"},
-    Recipe{vdiScatter,      "%s = max Ps_i; Ps_i = %c(s_i↑ + s_i↓)", {"%s = %c·([s+] + [s-]) = [=]"}, "scatter", "Ps_i"},
-    Recipe{vdiMeanScatter,  "%s = Σ Ps_i / m; Ps_i = %c(s_i↑ + s_i↓)", {"%s = [Σscatter] / %m = [=]"}, "scatter", "Ps_i"},
-    Recipe{vdiUncertainty,  "%s = max(x̄_i + (U_i + Ps_i)/2) − min(x̄_i − (U_i + Ps_i)/2)",
+    Recipe{&smallerRepeatability, "%s = min(R↑; R↓); R↑ = max R_i↑; R↓ = max R_i↓", {"%s = min([^R+]; [^R-]) = [=]"}, "", "", {"R+"}},
+    Recipe{&meanRepeatabilityUp,   "%s = Σ R_i↑ / m; R_i↑ = %ds_i↑", {"%s = [ΣR+] / %m = [=]"}, "R+", "R_i↑", {"R+"}},
+    Recipe{&meanRepeatabilityDown, "%s = Σ R_i↓ / m; R_i↓ = %ds_i↓", {"%s = [ΣR-] / %m = [=]"}, "R-", "R_i↓", {"R-"}},
+    Recipe{&meanRepeatability,     "%s = Σ R_i / m; R_i = max(%cs_i↑ + %cs_i↓ + |B_i|; %ds_i↑; %ds_i↓)", {"%s = [ΣR] / %m = [=]"}, "R", "R_i", {"R"}},
+    Recipe{&reversal,     "%s = max |B_i|; B_i = x̄_i↑ − x̄_i↓", {"%s = |B_%1| = |[mean+] − [mean-]| = [=]"}, "size", "|B_i|", {"reversal"}},
+    Recipe{&meanReversal, "%s = Σ B_i / m; B_i = x̄_i↑ − x̄_i↓",  {"%s = [Σreversal] / %m = [=]"}, "reversal", "B_i", {"reversal"}},
+    Recipe{&vdiMeanReversal, "%s = Σ U_i / m; U_i = |x̄_i↑ − x̄_i↓|", {"%s = [Σsize] / %m = [=]"}, "size", "U_i"},
+    Recipe{&vdiScatter,      "%s = max Ps_i; Ps_i = %c(s_i↑ + s_i↓)", {"%s = %c·([s+] + [s-]) = [=]"}, "scatter", "Ps_i"},
+    Recipe{&vdiMeanScatter,  "%s = Σ Ps_i / m; Ps_i = %c(s_i↑ + s_i↓)", {"%s = [Σscatter] / %m = [=]"}, "scatter", "Ps_i"},
+    Recipe{&vdiUncertainty,  "%s = max(x̄_i + (U_i + Ps_i)/2) − min(x̄_i − (U_i + Ps_i)/2)",
            {"%s = ([mean] + ([size] + [scatter])/2) − ([mean'] − ([size'] + [scatter'])/2)", "= [vdiUpper] − [vdiLower'] = [=]"}},
 };
 // clang-format on
