@@ -24,7 +24,7 @@ template <class Object, class... Arguments>
     return object;
 }
 
-/// What made() gives a widget besides its name and text size.
+/// Properties that made() gives a widget besides its name and text size.
 namespace trait {
 inline constexpr auto secondary = [](QWidget &widget) { widget.setProperty("secondary", true); }; ///< dimmed
 /// Says why something is refused.
@@ -83,7 +83,7 @@ inline void nameWidget(QWidget &widget, const QString &text, const QString &keys
     widget.setToolTip(keys.isEmpty() ? text : text + QStringLiteral(" (") + keys + u')');
 }
 
-/// What is added to a row or column: a widget or a layout with its stretch factor, a gap in pixels, or a
+/// Item of a row or column: a widget or a layout with its stretch factor, a gap in pixels, or a
 /// stretch.
 class Placed {
 public:
