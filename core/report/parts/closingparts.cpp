@@ -61,7 +61,7 @@ QString authorisedText(const ReportHead &head) {
         {QString::fromStdString(head.authorisedBy.name), QString::fromStdString(head.authorisedBy.function)});
 }
 
-/// Of suppliers and customers the head names the company, not the signer.
+/// The head names the company of a supplier or customer, not the signer.
 QString knownName(Signer signer, const ReportHead &head) {
     return signer == Signer::operatorSigns ? bounded(QString::fromStdString(head.operatorName))
            : signer == Signer::laboratory  ? bounded(authorisedText(head))
