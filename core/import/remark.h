@@ -33,7 +33,7 @@ struct Remark {
     bool operator==(const Remark &) const = default;
 };
 
-/// What a remark is about: the key of a choice and a line, as in Remark.
+/// Subject of a remark: the key of a choice and a line, as in Remark.
 struct About {
     About() = default;
     About(const char *key, std::size_t at = 0)

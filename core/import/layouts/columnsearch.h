@@ -31,7 +31,7 @@ protected:
     [[nodiscard]] const HeadingWords &words(std::size_t c) const { return m_heads[c].words; }
     [[nodiscard]] bool isNumeric(std::size_t c) const { return m_heads[c].kind == ColumnKind::numbers; }
     [[nodiscard]] ColumnRole &role(std::size_t c) { return m_result.columns[c].role; }
-    /// Of the first rows.
+    /// Values of the first rows.
     [[nodiscard]] std::vector<double> valuesOf(std::size_t column) const { return m.valuesOf(column, 5000); }
     /// True if the values stay close to the targets, line by line.
     [[nodiscard]] bool followsTarget(std::size_t column) const;

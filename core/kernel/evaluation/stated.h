@@ -33,13 +33,13 @@ bool ofMeasurement(const Case &test) {
     return isStated(test.measurement.*member);
 }
 
-/// Of the conditions that all kinds of tests have.
+/// Rule of the conditions that all kinds of tests have.
 template <auto member, class Case>
 bool common(const Case &test) {
     return isStated(test.common().*member);
 }
 
-/// Of the conditions of one kind.
+/// The same for the conditions of one kind.
 template <auto member, class Case>
 bool condition(const Case &test) {
     return isStated(test.conditions().*member);

@@ -6,7 +6,7 @@
 
 namespace palmer {
 
-// What drawFigure does for each kind of figure; `area` in points.
+// Painters of drawFigure, one per kind of figure; `area` in points.
 
 /// Means, limits, readings and dimensions.
 FigureTransform drawKind(QPainter &painter, const QRectF &area, const CurveFigure &figure, Medium medium);
