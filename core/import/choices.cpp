@@ -31,56 +31,46 @@ std::span<const ImportWord> formatWords() {
     }();
     return words;
 }
-constexpr std::array encodingWords{
-    ImportWord{"UTF-8", REPORT_TEXT("report", "UTF-8")},
-    ImportWord{"UTF-16LE", REPORT_TEXT("report", "UTF-16, little end first")},
-    ImportWord{"UTF-16BE", REPORT_TEXT("report", "UTF-16, big end first")},
-    ImportWord{"Windows-1252", REPORT_TEXT("report", "Western Europe (Windows-1252)")},
-    ImportWord{"GB18030", REPORT_TEXT("report", "Chinese (GB18030, GBK)")},
-};
-constexpr std::array delimiterWords{
-    ImportWord{"tab", REPORT_TEXT("report", "tab")},
-    ImportWord{"semicolon", REPORT_TEXT("report", "semicolon ;")},
-    ImportWord{"comma", REPORT_TEXT("report", "comma ,")},
-    ImportWord{"bar", REPORT_TEXT("report", "vertical bar |")},
-    ImportWord{"colon", REPORT_TEXT("report", "colon between blanks")},
-    ImportWord{"blanks", REPORT_TEXT("report", "blanks")},
-};
-constexpr std::array markWords{
-    ImportWord{"point", REPORT_TEXT("report", "point .")},
-    ImportWord{"comma", REPORT_TEXT("report", "comma ,")},
-};
-constexpr std::array kindWords{
-    ImportWord{"positioning", REPORT_TEXT("report", "positioning test")},
-    ImportWord{"circular", REPORT_TEXT("report", "circular test")},
-    ImportWord{"drift", REPORT_TEXT("report", "drift test")},
-    ImportWord{"temperatures", REPORT_TEXT("report", "temperatures over time")},
-};
-constexpr std::array layoutWords{
-    ImportWord{"targetsDown", REPORT_TEXT("report", "targets down, runs across")},
-    ImportWord{"runsDown", REPORT_TEXT("report", "runs down, targets across")},
-    ImportWord{"list", REPORT_TEXT("report", "one reading a line")},
-    ImportWord{"xy", REPORT_TEXT("report", "x and y")},
-    ImportWord{"angleRadius", REPORT_TEXT("report", "angle and radius")},
-    ImportWord{"angleDeviation", REPORT_TEXT("report", "angle and radial deviation")},
-    ImportWord{"deviations", REPORT_TEXT("report", "radial deviations alone")},
-    ImportWord{"series", REPORT_TEXT("report", "values over time")},
-};
-constexpr std::array directionWords{
-    ImportWord{"stated", REPORT_TEXT("report", "as the file says")},
-    ImportWord{"alternating", REPORT_TEXT("report", "alternating ↑ ↓")},
-    ImportWord{"sideBySide", REPORT_TEXT("report", "all ↑, then all ↓")},
-    ImportWord{"positive", REPORT_TEXT("report", "all ↑")},
-    ImportWord{"negative", REPORT_TEXT("report", "all ↓")},
-};
-constexpr std::array contentWords{
-    ImportWord{"deviations", REPORT_TEXT("report", "deviations")},
-    ImportWord{"positions", REPORT_TEXT("report", "positions")},
-};
-constexpr std::array signWords{
-    ImportWord{"actualMinusTarget", REPORT_TEXT("report", "actual − target (ISO)")},
-    ImportWord{"targetMinusActual", REPORT_TEXT("report", "target − actual")},
-};
+constexpr auto encodingWords =
+    std::to_array<ImportWord>({{"UTF-8", REPORT_TEXT("report", "UTF-8")},
+                               {"UTF-16LE", REPORT_TEXT("report", "UTF-16, little end first")},
+                               {"UTF-16BE", REPORT_TEXT("report", "UTF-16, big end first")},
+                               {"Windows-1252", REPORT_TEXT("report", "Western Europe (Windows-1252)")},
+                               {"GB18030", REPORT_TEXT("report", "Chinese (GB18030, GBK)")}});
+constexpr auto delimiterWords =
+    std::to_array<ImportWord>({{"tab", REPORT_TEXT("report", "tab")},
+                               {"semicolon", REPORT_TEXT("report", "semicolon ;")},
+                               {"comma", REPORT_TEXT("report", "comma ,")},
+                               {"bar", REPORT_TEXT("report", "vertical bar |")},
+                               {"colon", REPORT_TEXT("report", "colon between blanks")},
+                               {"blanks", REPORT_TEXT("report", "blanks")}});
+constexpr auto markWords = std::to_array<ImportWord>(
+    {{"point", REPORT_TEXT("report", "point .")}, {"comma", REPORT_TEXT("report", "comma ,")}});
+constexpr auto kindWords =
+    std::to_array<ImportWord>({{"positioning", REPORT_TEXT("report", "positioning test")},
+                               {"circular", REPORT_TEXT("report", "circular test")},
+                               {"drift", REPORT_TEXT("report", "drift test")},
+                               {"temperatures", REPORT_TEXT("report", "temperatures over time")}});
+constexpr auto layoutWords =
+    std::to_array<ImportWord>({{"targetsDown", REPORT_TEXT("report", "targets down, runs across")},
+                               {"runsDown", REPORT_TEXT("report", "runs down, targets across")},
+                               {"list", REPORT_TEXT("report", "one reading a line")},
+                               {"xy", REPORT_TEXT("report", "x and y")},
+                               {"angleRadius", REPORT_TEXT("report", "angle and radius")},
+                               {"angleDeviation", REPORT_TEXT("report", "angle and radial deviation")},
+                               {"deviations", REPORT_TEXT("report", "radial deviations alone")},
+                               {"series", REPORT_TEXT("report", "values over time")}});
+constexpr auto directionWords =
+    std::to_array<ImportWord>({{"stated", REPORT_TEXT("report", "as the file says")},
+                               {"alternating", REPORT_TEXT("report", "alternating ↑ ↓")},
+                               {"sideBySide", REPORT_TEXT("report", "all ↑, then all ↓")},
+                               {"positive", REPORT_TEXT("report", "all ↑")},
+                               {"negative", REPORT_TEXT("report", "all ↓")}});
+constexpr auto contentWords = std::to_array<ImportWord>(
+    {{"deviations", REPORT_TEXT("report", "deviations")}, {"positions", REPORT_TEXT("report", "positions")}});
+constexpr auto signWords =
+    std::to_array<ImportWord>({{"actualMinusTarget", REPORT_TEXT("report", "actual − target (ISO)")},
+                               {"targetMinusActual", REPORT_TEXT("report", "target − actual")}});
 constexpr std::array unitWords{
     ImportWord{"mm", REPORT_TEXT("report", "mm")},     ImportWord{"um", REPORT_TEXT("report", "µm")},
     ImportWord{"nm", REPORT_TEXT("report", "nm")},     ImportWord{"cm", REPORT_TEXT("report", "cm")},
@@ -91,88 +81,77 @@ constexpr std::array unitWords{
     ImportWord{"mrad", REPORT_TEXT("report", "mrad")}, ImportWord{"urad", REPORT_TEXT("report", "µrad")},
     ImportWord{"gon", REPORT_TEXT("report", "gon")},
 };
-constexpr std::array timeWords{
-    ImportWord{"s", REPORT_TEXT("report", "s")},
-    ImportWord{"min", REPORT_TEXT("report", "min")},
-    ImportWord{"h", REPORT_TEXT("report", "h")},
-};
-constexpr std::array motionWords{
-    ImportWord{"linear", REPORT_TEXT("report", "linear")},
-    ImportWord{"rotary", REPORT_TEXT("report", "rotary")},
-};
-constexpr std::array correctionWords{
-    ImportWord{"not stated", REPORT_TEXT("report", "not stated")},
-    ImportWord{"not applied", REPORT_TEXT("report", "not applied")},
-    ImportWord{"applied by the instrument", REPORT_TEXT("report", "applied by the instrument")},
-    ImportWord{"applied here", REPORT_TEXT("report", "applied here")},
-};
-constexpr std::array referenceWords{
-    ImportWord{"polar", REPORT_TEXT("report", "of the measured point")},
-    ImportWord{"commanded", REPORT_TEXT("report", "of the programmed path")},
-};
-constexpr std::array calibratedWords{
-    ImportWord{"not stated", REPORT_TEXT("report", "not stated")},
-    ImportWord{"yes", REPORT_TEXT("report", "yes")},
-    ImportWord{"no", REPORT_TEXT("report", "no")},
-};
-constexpr std::array keepWords{
-    ImportWord{"keep", REPORT_TEXT("report", "the numbers are right")},
-};
-constexpr std::array hiddenWords{
-    ImportWord{"read", REPORT_TEXT("report", "read like the others")},
-    ImportWord{"leave", REPORT_TEXT("report", "leave out")},
-};
-constexpr std::array stateWords{
-    ImportWord{"asFound", REPORT_TEXT("report", "as found")},
-    ImportWord{"asLeft", REPORT_TEXT("report", "as left")},
-};
-constexpr std::array leaveWords{
-    ImportWord{"leave", REPORT_TEXT("report", "leave out")},
-};
+constexpr auto timeWords = std::to_array<ImportWord>({{"s", REPORT_TEXT("report", "s")},
+                                                      {"min", REPORT_TEXT("report", "min")},
+                                                      {"h", REPORT_TEXT("report", "h")}});
+constexpr auto motionWords = std::to_array<ImportWord>(
+    {{"linear", REPORT_TEXT("report", "linear")}, {"rotary", REPORT_TEXT("report", "rotary")}});
+constexpr auto correctionWords = std::to_array<ImportWord>(
+    {{"not stated", REPORT_TEXT("report", "not stated")},
+     {"not applied", REPORT_TEXT("report", "not applied")},
+     {"applied by the instrument", REPORT_TEXT("report", "applied by the instrument")},
+     {"applied here", REPORT_TEXT("report", "applied here")}});
+constexpr auto referenceWords =
+    std::to_array<ImportWord>({{"polar", REPORT_TEXT("report", "of the measured point")},
+                               {"commanded", REPORT_TEXT("report", "of the programmed path")}});
+constexpr auto calibratedWords =
+    std::to_array<ImportWord>({{"not stated", REPORT_TEXT("report", "not stated")},
+                               {"yes", REPORT_TEXT("report", "yes")},
+                               {"no", REPORT_TEXT("report", "no")}});
+constexpr auto keepWords =
+    std::to_array<ImportWord>({{"keep", REPORT_TEXT("report", "the numbers are right")}});
+constexpr auto hiddenWords = std::to_array<ImportWord>(
+    {{"read", REPORT_TEXT("report", "read like the others")}, {"leave", REPORT_TEXT("report", "leave out")}});
+constexpr auto stateWords = std::to_array<ImportWord>(
+    {{"asFound", REPORT_TEXT("report", "as found")}, {"asLeft", REPORT_TEXT("report", "as left")}});
+constexpr auto leaveWords = std::to_array<ImportWord>({{"leave", REPORT_TEXT("report", "leave out")}});
 
-const std::array keys{
-    ImportKey{"format", REPORT_TEXT("report", "Format"), ImportValue::word, formatWords()},
-    ImportKey{"encoding", REPORT_TEXT("report", "Encoding"), ImportValue::word, encodingWords},
-    ImportKey{"delimiter", REPORT_TEXT("report", "Delimiter"), ImportValue::word, delimiterWords},
-    ImportKey{"decimalMark", REPORT_TEXT("report", "Decimal mark"), ImportValue::word, markWords},
-    ImportKey{"sheet", REPORT_TEXT("report", "Sheet"), ImportValue::text},
-    ImportKey{"hidden", REPORT_TEXT("report", "Hidden rows and columns"), ImportValue::word, hiddenWords},
-    ImportKey{"table", REPORT_TEXT("report", "Table"), ImportValue::number},
-    ImportKey{"lines", REPORT_TEXT("report", "Lines"), ImportValue::text},
-    ImportKey{"kind", REPORT_TEXT("report", "Kind"), ImportValue::word, kindWords},
-    ImportKey{"columns", REPORT_TEXT("report", "Columns"), ImportValue::text},
-    ImportKey{"series", REPORT_TEXT("report", "Process variable"), ImportValue::text},
-    ImportKey{"layout", REPORT_TEXT("report", "Layout"), ImportValue::word, layoutWords},
-    ImportKey{"directions", REPORT_TEXT("report", "Directions"), ImportValue::word, directionWords},
-    ImportKey{"content", REPORT_TEXT("report", "Content"), ImportValue::word, contentWords},
-    ImportKey{"unit", REPORT_TEXT("report", "Unit"), ImportValue::word, unitWords},
-    ImportKey{"positionUnit", REPORT_TEXT("report", "Unit of positions"), ImportValue::word, unitWords},
-    ImportKey{"timeUnit", REPORT_TEXT("report", "Unit of times"), ImportValue::word, timeWords},
-    ImportKey{"sign", REPORT_TEXT("report", "Sign"), ImportValue::word, signWords},
-    ImportKey{"axis", REPORT_TEXT("report", "Axis"), ImportValue::text},
-    ImportKey{"state", REPORT_TEXT("report", "As found or as left"), ImportValue::word, stateWords},
-    ImportKey{"motion", REPORT_TEXT("report", "Motion"), ImportValue::word, motionWords},
-    ImportKey{"plane", REPORT_TEXT("report", "Plane"), ImportValue::text},
-    ImportKey{"nominalRadius", REPORT_TEXT("report", "Nominal radius (mm)"), ImportValue::number},
-    ImportKey{"centreFirst", REPORT_TEXT("report", "Centre, first axis (mm)"), ImportValue::number},
-    ImportKey{"centreSecond", REPORT_TEXT("report", "Centre, second axis (mm)"), ImportValue::number},
-    ImportKey{"feed", REPORT_TEXT("report", "Feed (mm/min)"), ImportValue::number},
-    ImportKey{"startAngle", REPORT_TEXT("report", "Start angle (°)"), ImportValue::number},
-    ImportKey{"arc", REPORT_TEXT("report", "Arc (°)"), ImportValue::number},
-    ImportKey{"overshoot", REPORT_TEXT("report", "Angular overshoot (°)"), ImportValue::number},
-    ImportKey{"angleReference", REPORT_TEXT("report", "Angles"), ImportValue::word, referenceWords},
-    ImportKey{"calibrated", REPORT_TEXT("report", "Length calibrated"), ImportValue::word, calibratedWords},
-    ImportKey{"correctionTo20", REPORT_TEXT("report", "Correction to 20 °C"), ImportValue::word,
-              correctionWords},
-    ImportKey{"edition", REPORT_TEXT("report", "Edition"), ImportValue::text},
-    ImportKey{"unread", REPORT_TEXT("report", "Data not read"), ImportValue::word, leaveWords},
-    ImportKey{"large", REPORT_TEXT("report", "Large deviations"), ImportValue::word, keepWords},
-    ImportKey{"spread", REPORT_TEXT("report", "Spread between runs"), ImportValue::word, keepWords},
-    ImportKey{"equalsTargets", REPORT_TEXT("report", "Deviations equal to targets"), ImportValue::word,
-              keepWords},
-    ImportKey{"zeros", REPORT_TEXT("report", "Readings that are all equal"), ImportValue::word, keepWords},
-    ImportKey{"unequalRuns", REPORT_TEXT("report", "Unequal numbers of runs"), ImportValue::word, keepWords},
-};
+const auto keys = std::to_array<ImportKey>({
+    {"format", REPORT_TEXT("report", "Format"), ImportValue::word, formatWords()},
+    {"encoding", REPORT_TEXT("report", "Encoding"), ImportValue::word, encodingWords},
+    {"delimiter", REPORT_TEXT("report", "Delimiter"), ImportValue::word, delimiterWords},
+    {"decimalMark", REPORT_TEXT("report", "Decimal mark"), ImportValue::word, markWords, Asked::guess},
+    {"sheet", REPORT_TEXT("report", "Sheet"), ImportValue::text, {}, Asked::guess},
+    {"hidden", REPORT_TEXT("report", "Hidden rows and columns"), ImportValue::word, hiddenWords,
+     Asked::guess},
+    {"table", REPORT_TEXT("report", "Table"), ImportValue::number, {}, Asked::guess},
+    {"lines", REPORT_TEXT("report", "Lines"), ImportValue::text},
+    {"kind", REPORT_TEXT("report", "Kind"), ImportValue::word, kindWords, Asked::guess},
+    {"columns", REPORT_TEXT("report", "Columns"), ImportValue::text, {}, Asked::guess},
+    {"series", REPORT_TEXT("report", "Process variable"), ImportValue::text, {}, Asked::guess},
+    {"layout", REPORT_TEXT("report", "Layout"), ImportValue::word, layoutWords, Asked::guess},
+    {"directions", REPORT_TEXT("report", "Directions"), ImportValue::word, directionWords, Asked::guess},
+    {"content", REPORT_TEXT("report", "Content"), ImportValue::word, contentWords, Asked::guess},
+    {"unit", REPORT_TEXT("report", "Unit"), ImportValue::word, unitWords, Asked::owed},
+    {"positionUnit", REPORT_TEXT("report", "Unit of positions"), ImportValue::word, unitWords, Asked::owed},
+    {"timeUnit", REPORT_TEXT("report", "Unit of times"), ImportValue::word, timeWords, Asked::owed},
+    {"sign", REPORT_TEXT("report", "Sign"), ImportValue::word, signWords, Asked::guess},
+    {"axis", REPORT_TEXT("report", "Axis"), ImportValue::text, {}, Asked::guess},
+    {"state", REPORT_TEXT("report", "As found or as left"), ImportValue::word, stateWords, Asked::guess},
+    {"motion", REPORT_TEXT("report", "Motion"), ImportValue::word, motionWords, Asked::guess},
+    {"plane", REPORT_TEXT("report", "Plane"), ImportValue::text},
+    {"nominalRadius", REPORT_TEXT("report", "Nominal radius (mm)"), ImportValue::number, {}, Asked::owed},
+    {"centreFirst", REPORT_TEXT("report", "Centre, first axis (mm)"), ImportValue::number},
+    {"centreSecond", REPORT_TEXT("report", "Centre, second axis (mm)"), ImportValue::number},
+    {"feed", REPORT_TEXT("report", "Feed (mm/min)"), ImportValue::number},
+    {"startAngle", REPORT_TEXT("report", "Start angle (°)"), ImportValue::number, {}, Asked::guess},
+    {"arc", REPORT_TEXT("report", "Arc (°)"), ImportValue::number, {}, Asked::guess},
+    {"overshoot", REPORT_TEXT("report", "Angular overshoot (°)"), ImportValue::number},
+    {"angleReference", REPORT_TEXT("report", "Angles"), ImportValue::word, referenceWords},
+    {"calibrated", REPORT_TEXT("report", "Length calibrated"), ImportValue::word, calibratedWords},
+    {"correctionTo20", REPORT_TEXT("report", "Correction to 20 °C"), ImportValue::word, correctionWords,
+     Asked::guess},
+    {"edition", REPORT_TEXT("report", "Edition"), ImportValue::text},
+    {"unread", REPORT_TEXT("report", "Data not read"), ImportValue::word, leaveWords, Asked::guess},
+    {"large", REPORT_TEXT("report", "Large deviations"), ImportValue::word, keepWords, Asked::doubt},
+    {"spread", REPORT_TEXT("report", "Spread between runs"), ImportValue::word, keepWords, Asked::doubt},
+    {"equalsTargets", REPORT_TEXT("report", "Deviations equal to targets"), ImportValue::word, keepWords,
+     Asked::doubt},
+    {"zeros", REPORT_TEXT("report", "Readings that are all equal"), ImportValue::word, keepWords,
+     Asked::doubt},
+    {"unequalRuns", REPORT_TEXT("report", "Unequal numbers of runs"), ImportValue::word, keepWords,
+     Asked::doubt},
+});
 
 std::string listOf(std::span<const ImportWord> words) {
     std::string list;

@@ -28,12 +28,21 @@ struct ImportWord {
 
 enum class ImportValue { word, number, text };
 
+/// Whether a guess of a choice is a question.
+enum class Asked {
+    never, ///< a wrong one changes no number and no direction
+    guess,
+    owed,  ///< not stated, or stated as a unit that cannot be used: then only the user can answer
+    doubt, ///< about the numbers, answered by confirming them
+};
+
 /// A choice known to importers.
 struct ImportKey {
     const char *key = nullptr;
     Text name;
     ImportValue value = ImportValue::word;
     std::span<const ImportWord> words = {}; ///< if `value` is `word`
+    Asked asked = Asked::never;
 };
 
 /// All keys, in display order.

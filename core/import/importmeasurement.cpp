@@ -243,9 +243,9 @@ Imported showMeasurement(QByteArrayView bytes, const QString &fileName, const Im
     requireKnown(options);
     requireReadable(bytes.size());
     if (isTestFile(bytes, fileName))
-        throw Error(
-            Error::Kind::format,
-            {REPORT_TEXT("report", "this is a test file or a report, not a measurement; open it instead")});
+        refuseAs(Error::Kind::format,
+                 REPORT_TEXT("report", "this is a test file or a report, not a measurement; "
+                                       "open it instead"));
     const ImportFormat &format = formatOf(bytes, options);
     if (std::string_view(format.word) == "table" && !options.contains("format")) {
         refuseUndocumented(bytes, fileName);
@@ -309,7 +309,9 @@ void addImported(Document &document, Imported imported, QByteArrayView bytes, co
     Test test = std::move(*imported.test);
     // Only remarked, not asked, as the file does not state it.
     if (std::holds_alternative<PositioningMeasurement>(test.measurement) &&
-        std::ranges::find(imported.remarks, "sign", &Remark::choice) != imported.remarks.end())
+        std::ranges::any_of(imported.remarks, [](const Remark &remark) {
+            return remark.choice == "sign" && remark.grade == RemarkGrade::note;
+        }))
         file.signAssumed = true;
     test.id = freeId(wishedId(test), document.tests);
     test.imports = {file};

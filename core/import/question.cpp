@@ -3,7 +3,6 @@
 #include "import/question.h"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <tuple>
 
@@ -11,30 +10,23 @@ namespace palmer {
 
 namespace {
 
-/// Choices for which a wrong guess would give a wrong number or direction.
-constexpr std::array<std::string_view, 27> asked{
-    "kind",       "layout",        "columns",     "directions", "content", "unit",           "positionUnit",
-    "timeUnit",   "sign",          "decimalMark", "axis",       "series",  "nominalRadius",  "sheet",
-    "startAngle", "arc",           "motion",      "unread",     "large",   "correctionTo20", "spread",
-    "zeros",      "equalsTargets", "unequalRuns", "hidden",     "state",   "table"};
+Asked askedAs(std::string_view choice) {
+    const ImportKey *key = findImportKey(choice);
+    return key ? key->asked : Asked::never;
+}
 
-/// Doubts about the numbers, answered by confirming them.
-constexpr std::array<std::string_view, 5> doubts{"large", "spread", "equalsTargets", "zeros", "unequalRuns"};
-
-/// Numbers not stated in the file, and stated units that cannot be used: only the user can answer.
-constexpr std::array<std::string_view, 4> owed{"nominalRadius", "unit", "positionUnit", "timeUnit"};
-
-template <std::size_t size>
-bool isOneOf(const std::array<std::string_view, size> &words, std::string_view word) {
-    return std::ranges::find(words, word) != words.end();
+bool isGuessed(const Remark &remark, std::span<const ImportChoice> choices) {
+    return std::ranges::any_of(choices, [&](const ImportChoice &choice) {
+        return choice.key == remark.choice && choice.origin == Origin::guessed;
+    });
 }
 
 std::string proposalFor(const Remark &remark, std::span<const ImportChoice> choices) {
-    if (isOneOf(doubts, remark.choice))
+    if (askedAs(remark.choice) == Asked::doubt)
         return std::string(keepAnswer);
     if (remark.isOwed)
         return {};
-    if (isOneOf(owed, remark.choice) && remark.grade == RemarkGrade::problem)
+    if (askedAs(remark.choice) == Asked::owed && remark.grade == RemarkGrade::problem)
         return {}; // a placeholder to continue reading is not an answer
     const auto choice = std::ranges::find(choices, remark.choice, &ImportChoice::key);
     return choice == choices.end() ? std::string() : choice->value;
@@ -43,7 +35,7 @@ std::string proposalFor(const Remark &remark, std::span<const ImportChoice> choi
 } // namespace
 
 bool isAsked(std::string_view choice) {
-    return isOneOf(asked, choice);
+    return askedAs(choice) != Asked::never;
 }
 
 void joinRemarks(Remarks &remarks) {
@@ -72,9 +64,11 @@ std::vector<Question> takeQuestions(Remarks &remarks, const ImportOptions &optio
     for (Remark &remark : remarks) {
         std::string proposal = proposalFor(remark, choices);
         const auto answer = options.find(remark.choice);
-        const bool isAnswered =
-            answer != options.end() && (answer->second != keepAnswer || !proposal.empty());
-        if (!isOneOf(asked, remark.choice) || remark.grade == RemarkGrade::note || isAnswered) {
+        const bool isKept = answer != options.end() && answer->second == keepAnswer;
+        if (isKept && remark.grade == RemarkGrade::note && isGuessed(remark, choices))
+            continue; // only remarked, and confirmed
+        const bool isAnswered = answer != options.end() && (!isKept || !proposal.empty());
+        if (!isAsked(remark.choice) || remark.grade == RemarkGrade::note || isAnswered) {
             kept.push_back(std::move(remark));
             continue;
         }

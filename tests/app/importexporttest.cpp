@@ -277,12 +277,13 @@ void ImportExportTest::asksForASignThatWasAssumed() {
         QVERIFY(QFile::remove(at("none")));
     }
     for (const QString word :
-         {"actualMinusTarget", "targetMinusActual"}) { // an answer at the import is enough
+         {"actualMinusTarget", "targetMinusActual", "keep"}) { // an answer at the import is enough
         const Result told = run({"export", silent.fileName(), "--accept", "--set", "sign=" + word, "--as",
                                  "linuxcnc", "-o", "-"});
         QVERIFY2(told.code == 0, qPrintable(told.err));
-        QVERIFY2(told.out.startsWith(word == "actualMinusTarget" ? "0 0.0015" : "0 -0.0015"),
+        QVERIFY2(told.out.startsWith(word == "targetMinusActual" ? "0 -0.0015" : "0 0.0015"),
                  qPrintable(told.out));
+        QVERIFY(!told.err.contains("Sign: "));
     }
     QVERIFY(contents(kept).contains("\"signAssumed\": true"));
 }
