@@ -34,14 +34,12 @@ PasteBar::PasteBar(QWidget *parent)
     setObjectName(QStringLiteral("pasteBar"));
     setProperty("bar", true);
     m_summary->setWordWrap(true); // in a narrow window the choices leave it little width
-    int id = 0;
-    for (QToolButton *button : {m_point, m_comma}) // in the order of DecimalMark
-        m_marks->addButton(button, id++);
+    for (QToolButton *button : {m_point, m_comma})
+        m_marks->addButton(button);
     m_undo->setIcon(lineIcon(QStringLiteral("undo")));
     m_undo->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_close->setIcon(lineIcon(QStringLiteral("close")));
-    for (int i = 0; i < 3; ++i)
-        m_content->addItem(QString(), i); // BlockContent
+    m_content->addItems({{}, {}, {}}); // BlockContent
 
     auto *marks = inRow(0, {m_comma, m_point});
     auto *row = inRow(8, {{m_summary, 1}, m_guess, marks, m_content, m_boxes, m_undo, m_close});
@@ -49,17 +47,18 @@ PasteBar::PasteBar(QWidget *parent)
 
     connect(m_questions, &RemarkList::answered, this, &PasteBar::answered);
     connect(m_questions, &RemarkList::answerWanted, this, &PasteBar::askFor);
-    connect(m_marks, &QButtonGroup::idClicked, this,
-            [this](int mark) { emit decimalMarkChosen(static_cast<DecimalMark>(mark)); });
+    connect(m_marks, &QButtonGroup::buttonClicked, this, [this](const QAbstractButton *mark) {
+        emit answered(QStringLiteral("decimalMark"),
+                      mark == m_comma ? QStringLiteral("comma") : QStringLiteral("point"));
+    });
     connect(m_content, &QComboBox::activated, this,
-            [this](int content) { emit contentChosen(static_cast<BlockContent>(content)); });
+            [this](int number) { emit answered(QString::fromLatin1(content), QString::number(number)); });
     connect(m_undo, &QToolButton::clicked, this, &PasteBar::undoWanted);
     connect(m_close, &QToolButton::clicked, this, &QWidget::hide);
     retranslate();
 }
 
-void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, const Language &language,
-                    bool canUndo) {
+QString PasteBar::summaryOf(const PastedBlock &pasted) {
     QString summary = tr("%n reading(s) pasted", nullptr, static_cast<int>(pasted.readings));
     if (pasted.targets > 0)
         summary = tr("%1 and %n target(s)", "readings pasted", static_cast<int>(pasted.targets)).arg(summary);
@@ -70,46 +69,55 @@ void PasteBar::show(const PastedBlock &pasted, const BlockChoices &choices, cons
         summary = tr("%1, %n erased by cells that are no numbers", "readings pasted",
                      static_cast<int>(pasted.erasedByWords))
                       .arg(summary);
-    summarise(summary, pasted.questions);
-    QStringList remarks;
-    for (const Message &remark : pasted.remarks)
-        remarks << language.sentence(remark);
-    showRemarks(remarks, pasted.questions, canUndo);
-    m_content->show();
-    m_guess->setVisible(pasted.hasMarks && pasted.decimalMark.origin == Origin::guessed);
-    for (QToolButton *button : {m_comma, m_point})
-        button->setVisible(pasted.hasMarks);
-    m_marks->button(static_cast<int>(pasted.decimalMark.value))->setChecked(true);
-    const Axis &axis = pasted.measurement.axis;
-    const bool linear = axis.motion == Motion::linear;
-    const QString small = language.unit(linear ? Quantity::deviation : Quantity::angularDeviation);
-    const QString large = language.unit(linear ? Quantity::position : Quantity::angle);
-    m_content->setItemText(0, tr("Deviations %1", "unit").arg(small));
-    m_content->setItemText(1, tr("Deviations %1", "unit").arg(large));
-    m_content->setItemText(2, tr("Positions %1", "unit").arg(large));
-    auto content = static_cast<qsizetype>(choices.content);
-    if (pasted.unit && choices.content != BlockContent::positions)
-        content = QStringList{small, large}.indexOf(QString::fromUtf8(pasted.unit->sign));
-    m_content->setCurrentIndex(static_cast<int>(content)); // −1: a unit that is none of the choices
+    return summary;
 }
 
-void PasteBar::summarise(const QString &pasted, const std::vector<Question> &questions) {
-    m_summary->setText(questions.empty() ? pasted : tr("Nothing is put before the questions are answered."));
-}
-
-void PasteBar::say(const QString &pasted, const QStringList &remarks,
-                   const std::vector<ImportChoice> &choices, const std::vector<Question> &questions,
-                   bool canUndo) {
-    summarise(pasted, questions);
-    for (QWidget *part : std::initializer_list<QWidget *>{m_guess, m_comma, m_point, m_content})
+void PasteBar::say(const QString &summary, const Pasted &pasted, bool canUndo, std::optional<Motion> motion) {
+    m_summary->setText(pasted.questions.empty() ? summary
+                                                : tr("Nothing is put before the questions are answered."));
+    for (QWidget *part : std::initializer_list<QWidget *>{m_guess, m_comma, m_point})
         part->hide();
     while (QLayoutItem *item = m_boxes->takeAt(0)) {
         item->widget()->deleteLater(); // the sender may be one of them
         delete item;
     }
-    for (const ImportChoice &choice : choices)
+    m_content->setVisible(motion.has_value());
+    if (motion)
+        nameContents(*motion);
+    for (const ImportChoice &choice : pasted.units)
+        showChoice(choice);
+    QStringList remarks;
+    for (const Message &remark : pasted.remarks)
+        remarks << windowLanguage().sentence(remark);
+    m_undo->setVisible(canUndo);
+    m_remarks->setText(remarks.join(QStringLiteral(" · ")));
+    m_remarks->setVisible(!remarks.isEmpty());
+    m_questions->showQuestions(pasted.questions);
+    m_questions->setVisible(!pasted.questions.empty());
+    setAccessibleDescription(m_summary->text() + QStringLiteral(". ") + m_remarks->text());
+    show();
+}
+
+void PasteBar::nameContents(Motion motion) {
+    const bool linear = motion == Motion::linear;
+    const QString small = windowLanguage().unit(linear ? Quantity::deviation : Quantity::angularDeviation);
+    const QString large = windowLanguage().unit(linear ? Quantity::position : Quantity::angle);
+    m_content->setItemText(0, tr("Deviations %1", "unit").arg(small));
+    m_content->setItemText(1, tr("Deviations %1", "unit").arg(large));
+    m_content->setItemText(2, tr("Positions %1", "unit").arg(large));
+}
+
+void PasteBar::showChoice(const ImportChoice &choice) {
+    if (choice.key == content) {
+        m_content->setCurrentIndex(std::stoi(choice.value)); // −1: a unit that is none of the choices
+    } else if (choice.key == "decimalMark") {
+        m_guess->setVisible(choice.origin == Origin::guessed);
+        m_comma->show();
+        m_point->show();
+        (choice.value == "comma" ? m_comma : m_point)->setChecked(true);
+    } else {
         addBox(choice);
-    showRemarks(remarks, questions, canUndo);
+    }
 }
 
 /// A box with the units of one kind.
@@ -141,16 +149,6 @@ void PasteBar::askFor(const QString &key) {
     connect(dialog, &QInputDialog::textValueSelected, this,
             [this, key](const QString &word) { emit answered(key, word.trimmed()); });
     dialog->open();
-}
-
-void PasteBar::showRemarks(const QStringList &remarks, const std::vector<Question> &questions, bool canUndo) {
-    m_undo->setVisible(canUndo);
-    m_remarks->setText(remarks.join(QStringLiteral(" · ")));
-    m_remarks->setVisible(!remarks.isEmpty());
-    m_questions->showQuestions(questions);
-    m_questions->setVisible(!questions.empty());
-    setAccessibleDescription(m_summary->text() + QStringLiteral(". ") + m_remarks->text());
-    QFrame::show();
 }
 
 void PasteBar::retranslate() {

@@ -3,13 +3,11 @@
 #pragma once
 
 #include "editing/readingblock.h"
-#include "import/choices.h"
-#include "import/question.h"
-#include "language/language.h"
 #include "ui/qtforward.h"
 #include "ui/translated.h"
 
 #include <QFrame>
+#include <optional>
 
 namespace palmer::ui {
 
@@ -23,24 +21,25 @@ class PasteBar : public Translated<QFrame> {
 public:
     explicit PasteBar(QWidget *parent = nullptr);
 
-    void show(const PastedBlock &pasted, const BlockChoices &choices, const Language &language, bool canUndo);
-    /// The same for another table: `pasted` says what; `choices` can be changed (units); `questions` are to
-    /// be answered before anything is put.
-    void say(const QString &pasted, const QStringList &remarks, const std::vector<ImportChoice> &choices,
-             const std::vector<Question> &questions, bool canUndo);
+    /// `summary` says what was pasted; its units can be changed, its questions are to be answered before
+    /// anything is put. `motion`: of readings, whose content can be chosen.
+    void say(const QString &summary, const Pasted &pasted, bool canUndo, std::optional<Motion> motion = {});
+
+    /// What was pasted into readings.
+    [[nodiscard]] static QString summaryOf(const PastedBlock &pasted);
+    /// The key of the choice of their content; its words are the numbers of BlockContent.
+    static constexpr const char *content = "pasteContent";
 
 signals:
     /// Another value for a choice, or the answer to a question.
     void answered(const QString &key, const QString &word);
-    void decimalMarkChosen(palmer::DecimalMark mark);
-    void contentChosen(palmer::BlockContent content);
     void undoWanted();
 
 private:
     void retranslate() final;
-    void summarise(const QString &pasted, const std::vector<Question> &questions);
     void askFor(const QString &key);
-    void showRemarks(const QStringList &remarks, const std::vector<Question> &questions, bool canUndo);
+    void nameContents(Motion motion);
+    void showChoice(const ImportChoice &choice);
     void addBox(const ImportChoice &choice);
 
     QLabel *m_summary;

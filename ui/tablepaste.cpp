@@ -8,6 +8,7 @@
 #include "ui/windowlanguage.h"
 
 #include <QLayout>
+#include <QScopedValueRollback>
 #include <QUndoStack>
 #include <utility>
 
@@ -18,7 +19,7 @@ TablePaste::TablePaste(DocumentModel &model, QWidget &page)
     , m_model(model)
     , m_page(page) {
     connect(m_model.undoStack(), &QUndoStack::indexChanged, this, [this](int index) {
-        if (m_index > 0 && index != m_index)
+        if (!m_isReading && index != m_index)
             end(); // its choices would paste once more
     });
 }
@@ -42,9 +43,8 @@ PasteBar &TablePaste::bar() {
     return *m_bar;
 }
 
-void TablePaste::take(Put put, QString (*counted)(int)) {
+void TablePaste::take(Put put) {
     m_put = std::move(put);
-    m_counted = counted;
     m_answers.clear();
     read();
 }
@@ -54,17 +54,14 @@ void TablePaste::read() {
     QUndoStack &stack = *m_model.undoStack();
     const bool isAgain = m_index == stack.index() && !m_answers.empty();
     m_index = -1;
+    const QScopedValueRollback reading(m_isReading, true);
     if (isAgain)
         stack.undo();
     try {
         const int before = stack.index();
-        const Pasted pasted = m_put(m_answers);
+        const SaidPaste pasted = m_put(m_answers);
         m_index = stack.index() == before ? -1 : stack.index(); // what changes nothing is no step
-        QStringList remarks;
-        for (const Message &remark : pasted.remarks)
-            remarks << windowLanguage().sentence(remark);
-        bar().say(m_counted(static_cast<int>(pasted.taken)), remarks, pasted.units, pasted.questions,
-                  m_index > 0);
+        bar().say(pasted.summary, pasted, m_index > 0, pasted.motion);
     } catch (const Error &error) {
         end();
         emit refused(windowLanguage().sentence(error.message));

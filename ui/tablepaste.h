@@ -6,6 +6,7 @@
 
 #include <QObject>
 #include <functional>
+#include <optional>
 
 class QWidget;
 
@@ -14,6 +15,12 @@ namespace palmer::ui {
 class DocumentModel;
 class PasteBar;
 
+/// What was pasted, in words: "3 limits pasted".
+struct SaidPaste : Pasted {
+    QString summary;
+    std::optional<Motion> motion; ///< of readings, whose content can be chosen
+};
+
 /// A table pasted into a page: read and put by one edit. Each answer in the bar below the page undoes that
 /// edit and puts the table again. The next edit hides the bar.
 class TablePaste : public QObject {
@@ -21,12 +28,11 @@ class TablePaste : public QObject {
 
 public:
     /// Reads what was pasted and edits the document, unless there are questions; throws Error.
-    using Put = std::function<Pasted(const ImportOptions &answers)>;
+    using Put = std::function<SaidPaste(const ImportOptions &answers)>;
 
     TablePaste(DocumentModel &model, QWidget &page);
 
-    /// `counted`: what was pasted, in words: "3 limits pasted".
-    void take(Put put, QString (*counted)(int taken));
+    void take(Put put);
     /// Hides the bar; what was put stays.
     void end();
 
@@ -43,9 +49,9 @@ private:
     QWidget &m_page;
     PasteBar *m_bar = nullptr;
     Put m_put;
-    QString (*m_counted)(int) = nullptr;
     ImportOptions m_answers;
     int m_index = -1; ///< of the stack of edits, behind the paste
+    bool m_isReading = false;
 };
 
 } // namespace palmer::ui

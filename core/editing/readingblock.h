@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "import/question.h"
+#include "editing/pastedtable.h"
 #include "kernel/measurement/positioning.h"
 #include "kernel/measurement/readingplace.h"
 #include "kernel/words/message.h"
@@ -46,8 +46,8 @@ struct BlockPlace {
     std::vector<std::size_t> runs; ///< run indices by column, from firstRunOfBlock on
 };
 
-/// A measurement including a block, with remarks.
-struct PastedBlock {
+/// A measurement including a block.
+struct PastedBlock : Pasted {
     PositioningMeasurement measurement;
     std::size_t readings = 0;      ///< numbers accepted as readings
     std::size_t targets = 0;       ///< numbers accepted as target positions
@@ -58,10 +58,8 @@ struct PastedBlock {
     std::size_t left = 0;          ///< cells outside the table, ignored
     Choice<DecimalMark> decimalMark;
     Delimiter delimiter = Delimiter::tab;
-    bool hasMarks = false;           ///< the block contains a decimal mark
-    const Unit *unit = nullptr;      ///< of the readings, from a heading; null: as chosen, or several
-    std::vector<Question> questions; ///< to be answered first; then nothing was pasted
-    std::vector<Message> remarks;
+    bool hasMarks = false;      ///< the block contains a decimal mark
+    const Unit *unit = nullptr; ///< of the readings, from a heading; null: as chosen, or several
 };
 
 /// Pastes a block into a measurement: lines of cells separated by tabs, as every spreadsheet copies them, or

@@ -292,8 +292,8 @@ std::optional<std::vector<double>> NewTestDialog::targets() const {
 void NewTestDialog::showRead() {
     const auto read = m_listed && m_list->document()->blockCount() > 1 ? readTargets() : std::nullopt;
     if (read)
-        m_read->say(PasteBar::tr("%n target(s) read", nullptr, static_cast<int>(read->taken)), {},
-                    read->units, {}, false);
+        m_read->say(PasteBar::tr("%n target(s) read", nullptr, static_cast<int>(read->taken)),
+                    {read->taken, read->units, {}, {}}, false);
     m_read->setVisible(read.has_value());
 }
 

@@ -206,16 +206,16 @@ void DriftPage::paste() {
         current.isValid() ? static_cast<std::size_t>(current.row()) : m_readings.readings();
     m_reason->hide();
     m_pasted->take(
-        [this, row, text = clipboardText().toStdString()](const ImportOptions &answers) -> Pasted {
+        [this, row, text = clipboardText().toStdString()](const ImportOptions &answers) -> SaidPaste {
             const Test *shown = test();
             if (!shown)
                 return {};
             PastedDrift pasted = driftReadingsFrom(text, motionOf(*shown), m_language.units(), answers);
             if (pasted.questions.empty())
                 write(row, pasted.readings, QT_TRANSLATE_NOOP("edits", "paste readings"));
-            return static_cast<const Pasted &>(pasted);
-        },
-        [](int taken) { return PasteBar::tr("%n reading(s) pasted", nullptr, taken); });
+            const int taken = static_cast<int>(pasted.taken);
+            return {std::move(pasted), PasteBar::tr("%n reading(s) pasted", nullptr, taken), {}};
+        });
 }
 
 void DriftPage::removeRows() {

@@ -251,20 +251,19 @@ bool LimitsPage::eventFilter(QObject *watched, QEvent *event) {
 }
 
 void LimitsPage::pasteLimits(std::size_t row) {
-    m_pasted->take(
-        [this, row, text = clipboardText()](const ImportOptions &answers) -> Pasted {
-            const Test *shown = shownTest();
-            if (!shown)
-                return {};
-            PastedLimits pasted =
-                palmer::pasteLimits(shown->limits, m_ids, row, text, m_quantity, language().units(), answers);
-            if (!(pasted.limits == shown->limits))
-                edit(QT_TRANSLATE_NOOP("edits", "paste limits"), [&](Document &document) {
-                    editTest(document, test(), [&](Test &test) { test.limits = pasted.limits; });
-                });
-            return static_cast<const Pasted &>(pasted);
-        },
-        [](int taken) { return PasteBar::tr("%n limit(s) pasted", nullptr, taken); });
+    m_pasted->take([this, row, text = clipboardText()](const ImportOptions &answers) -> SaidPaste {
+        const Test *shown = shownTest();
+        if (!shown)
+            return {};
+        PastedLimits pasted =
+            palmer::pasteLimits(shown->limits, m_ids, row, text, m_quantity, language().units(), answers);
+        if (!(pasted.limits == shown->limits))
+            edit(QT_TRANSLATE_NOOP("edits", "paste limits"), [&](Document &document) {
+                editTest(document, test(), [&](Test &test) { test.limits = pasted.limits; });
+            });
+        const int taken = static_cast<int>(pasted.taken);
+        return {std::move(pasted), PasteBar::tr("%n limit(s) pasted", nullptr, taken), {}};
+    });
 }
 
 void LimitsPage::refreshOthers() {

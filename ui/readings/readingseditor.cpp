@@ -6,7 +6,6 @@
 #include "kernel/measurement/readingsaside.h"
 #include "ui/model/editname.h"
 
-#include <QUndoStack>
 #include <algorithm>
 #include <iterator>
 
@@ -14,9 +13,7 @@ namespace palmer::ui {
 
 ReadingsEditor::ReadingsEditor(DocumentModel &model, QObject *parent)
     : QObject(parent)
-    , m_model(model) {
-    connect(m_model.undoStack(), &QUndoStack::indexChanged, this, &ReadingsEditor::stepped);
-}
+    , m_model(model) {}
 
 const PositioningMeasurement *ReadingsEditor::measurement() const {
     return measured<PositioningMeasurement>(*m_model.document(), m_test);
@@ -116,33 +113,16 @@ bool ReadingsEditor::fill(const std::vector<std::vector<ReadingPlace>> &lists) {
 }
 
 std::optional<PastedBlock> ReadingsEditor::paste(const QString &text, const BlockPlace &place,
-                                                 const BlockChoices &choices, bool instead) {
-    QUndoStack &stack = *m_model.undoStack();
-    if (instead)
-        undoPaste();
-    m_pasteIndex = -1;
+                                                 const BlockChoices &choices) {
     if (!measurement())
         return std::nullopt;
     PastedBlock pasted = pasteBlock(*measurement(), text.toStdString(), place, choices);
-    const int before = stack.index();
     const QByteArray name = pasted.readings > 0
                                 ? countedEdit(QT_TRANSLATE_N_NOOP("edits", "paste of %n reading(s)"),
                                               static_cast<int>(pasted.readings))
                                 : QByteArray(QT_TRANSLATE_NOOP("edits", "paste a block"));
     edit(name.constData(), [&](PositioningMeasurement &m) { m = pasted.measurement; });
-    if (stack.index() != before)
-        m_pasteIndex = stack.index();
     return pasted;
-}
-
-bool ReadingsEditor::isPasteLast() const {
-    const QUndoStack &stack = *m_model.undoStack();
-    return m_pasteIndex > 0 && stack.index() == m_pasteIndex;
-}
-
-void ReadingsEditor::undoPaste() {
-    if (isPasteLast())
-        m_model.undoStack()->undo();
 }
 
 void ReadingsEditor::insertTarget(std::size_t before) {

@@ -43,24 +43,15 @@ public:
     /// Copies the reading at the first place of each list to the others. False if there is none in any list.
     bool fill(const std::vector<std::vector<ReadingPlace>> &lists);
 
-    /// Pastes a block as one step; with `instead`, first undoes the former paste if that was the last step.
-    /// Throws what pasteBlock throws. Null if there is no positioning test.
+    /// Pastes a block as one step. Throws what pasteBlock throws. Null if there is no positioning test.
     std::optional<PastedBlock> paste(const QString &text, const BlockPlace &place,
-                                     const BlockChoices &choices, bool instead = false);
-
-    /// True if the paste was the last step and can be undone.
-    [[nodiscard]] bool isPasteLast() const;
-    void undoPaste();
+                                     const BlockChoices &choices);
 
     void insertTarget(std::size_t before);
     void removeTargets(const std::vector<std::size_t> &targets);
     void addRuns();
     void insertRun(std::size_t before, Direction approach);
     void removeRuns(const std::vector<std::size_t> &runs);
-
-signals:
-    /// A step was made, undone or redone anywhere in the window.
-    void stepped();
 
 private:
     [[nodiscard]] std::vector<ReadingPlace> notAside(const std::vector<ReadingPlace> &places) const;
@@ -69,7 +60,6 @@ private:
 
     DocumentModel &m_model;
     std::size_t m_test = 0;
-    int m_pasteIndex = -1; ///< of the undo stack, after the last paste
 };
 
 } // namespace palmer::ui

@@ -4,6 +4,7 @@
 
 #include "document/documenterror.h"
 #include "kernel/measurement/readingsaside.h"
+#include "language/decimals.h"
 #include "ui/currentcell.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
@@ -11,6 +12,7 @@
 #include "ui/pastebar.h"
 #include "ui/readings/readingsview.h"
 #include "ui/ruling.h"
+#include "ui/tablepaste.h"
 #include "ui/theme.h"
 #include "ui/typingguard.h"
 
@@ -20,7 +22,6 @@
 #include <QEvent>
 #include <QGuiApplication>
 #include <QInputDialog>
-#include <QScopedValueRollback>
 #include <QToolButton>
 
 namespace palmer::ui {
@@ -30,7 +31,7 @@ ReadingsPage::ReadingsPage(DocumentModel &model, Selection &selection, QWidget *
     , m_selection(selection)
     , m_editor(model)
     , m_view(new ReadingsView(m_model, m_editor, selection, this))
-    , m_pasteBar(new PasteBar(this))
+    , m_pasted(new TablePaste(model, *this))
     , m_leaveOut(made<QToolButton>("leaveOutTargets", this))
     , m_pasteButton(made<QToolButton>("pasteButton", trait::iconOnly, this))
     , m_addRunButton(made<QToolButton>("addRunButton", this)) {
@@ -76,40 +77,15 @@ void ReadingsPage::arrange() {
     barArea->setFixedHeight(pageBarHeight);
     barArea->setLayout(bar);
 
-    inColumn(this, {pageMargin, 0, pageMargin, 8}, 0,
-             {barArea,
-              {m_view, 1},
-              {m_leaveOut, 0, Qt::AlignLeft},
-              m_pasteBar}); // below the table, so that pasted readings do not move
+    inColumn(this, {pageMargin, 0, pageMargin, 8}, 0, {barArea, {m_view, 1}, {m_leaveOut, 0, Qt::AlignLeft}});
 }
 
 void ReadingsPage::connectParts() {
     connect(m_view, &ReadingsView::summaryChanged, this, &ReadingsPage::summaryChanged);
     connect(m_view, &ReadingsView::summaryChanged, this, &ReadingsPage::enableActions);
-    connect(m_view, &ReadingsView::typed, m_pasteBar, &QWidget::hide);
-    connect(&m_editor, &ReadingsEditor::stepped, this, [this] {
-        if (!m_editor.isPasteLast() && !m_pastingAgain)
-            m_pasteBar->hide(); // its choices would paste again
-    });
+    connect(m_view, &ReadingsView::typed, m_pasted, &TablePaste::end);
+    connect(m_pasted, &TablePaste::undone, m_view, [this] { m_view->setFocus(); });
     connect(&m_selection, &Selection::parameterChanged, this, &ReadingsPage::markRuling);
-    connect(m_pasteBar, &PasteBar::decimalMarkChosen, this, [this](DecimalMark mark) {
-        m_blockChoices.decimalMark = mark;
-        pasteAgain();
-    });
-    connect(m_pasteBar, &PasteBar::contentChosen, this, [this](BlockContent content) {
-        m_blockChoices.content = content;
-        m_blockChoices.unitsOfHeading = false;
-        pasteAgain();
-    });
-    connect(m_pasteBar, &PasteBar::answered, this, [this](const QString &key, const QString &word) {
-        m_blockChoices.answers[key.toStdString()] = word.toStdString();
-        pasteAgain();
-    });
-    connect(m_pasteBar, &PasteBar::undoWanted, this, [this] {
-        m_editor.undoPaste();
-        m_pasteBar->hide();
-        m_view->setFocus();
-    });
 }
 
 QToolButton *ReadingsPage::addSegment(QButtonGroup &group, const char *segment, const char *name, int id) {
@@ -270,45 +246,58 @@ void ReadingsPage::showTarget(std::size_t target) {
 }
 
 void ReadingsPage::paste() {
-    m_block = clipboardText();
+    if (!m_editor.measurement())
+        return;
     const QModelIndex current = m_view->currentIndex();
-    m_blockPlace = {static_cast<std::size_t>(std::max(0, current.row())),
-                    static_cast<std::size_t>(current.isValid() ? current.column()
-                                                               : int{ReadingsModel::firstReadingColumn}),
-                    m_model.runs()};
+    BlockPlace place{static_cast<std::size_t>(std::max(0, current.row())),
+                     static_cast<std::size_t>(current.isValid() ? current.column()
+                                                                : int{ReadingsModel::firstReadingColumn}),
+                     m_model.runs()};
     // A block is pasted at the upper left corner of the selection.
     const auto rows = m_view->selectedRows();
     const auto columns = m_view->selectedColumns();
     if (!rows.empty()) {
-        m_blockPlace.row = static_cast<std::size_t>(rows.front());
-        m_blockPlace.column = static_cast<std::size_t>(columns.front());
+        place.row = static_cast<std::size_t>(rows.front());
+        place.column = static_cast<std::size_t>(columns.front());
     }
-    m_blockChoices = {m_model.unit() == ReadingUnit::positions ? BlockContent::positions
-                                                               : BlockContent::deviations,
-                      std::nullopt, std::nullopt, m_model.language().units()};
-    pasteBlock(false);
+    BlockChoices choices{m_model.unit() == ReadingUnit::positions ? BlockContent::positions
+                                                                  : BlockContent::deviations,
+                         std::nullopt, std::nullopt, m_model.language().units()};
+    m_pasted->take([this, block = clipboardText(), place = std::move(place),
+                    choices = std::move(choices)](const ImportOptions &answers) mutable -> SaidPaste {
+        choices.answers = answers;
+        return pasteBlock(block, place, choices);
+    });
 }
 
-void ReadingsPage::pasteAgain() {
-    const QScopedValueRollback again(m_pastingAgain, true);
-    pasteBlock(true);
-}
-
-void ReadingsPage::pasteBlock(bool instead) {
+/// Pastes with the answers that were given. What cannot be read is said in the bar, too.
+SaidPaste ReadingsPage::pasteBlock(const QString &block, const BlockPlace &place, BlockChoices &choices) {
+    if (const auto content = choices.answers.extract(PasteBar::content)) {
+        choices.content = static_cast<BlockContent>(std::stoi(content.mapped()));
+        choices.unitsOfHeading = false;
+    }
+    if (const auto mark = choices.answers.find("decimalMark"); mark != choices.answers.end())
+        choices.decimalMark = mark->second == "comma" ? DecimalMark::comma : DecimalMark::point;
+    PastedBlock pasted;
     try {
-        if (const auto pasted = m_editor.paste(m_block, m_blockPlace, m_blockChoices, instead)) {
-            m_blockChoices.delimiter = pasted->delimiter; // another decimal mark must keep the cells
-            showPasted(*pasted);
-        }
+        pasted = m_editor.paste(block, place, choices).value_or(PastedBlock());
+        choices.delimiter = pasted.delimiter; // another decimal mark must keep the cells
     } catch (const Error &error) {
-        PastedBlock nothing;
-        nothing.remarks.push_back(error.message);
-        showPasted(nothing);
+        pasted.remarks.push_back(error.message);
     }
-}
-
-void ReadingsPage::showPasted(const PastedBlock &pasted) {
-    m_pasteBar->show(pasted, m_blockChoices, m_model.language(), m_editor.isPasteLast());
+    const Axis &axis = pasted.measurement.axis;
+    auto content = static_cast<qsizetype>(choices.content);
+    if (pasted.unit && choices.content != BlockContent::positions)
+        content = QStringList{m_model.language().unit(deviationQuantity(axis)),
+                              m_model.language().unit(positionQuantity(axis))}
+                      .indexOf(QString::fromUtf8(pasted.unit->sign));
+    pasted.units.push_back({PasteBar::content, std::to_string(content)});
+    if (pasted.hasMarks)
+        pasted.units.push_back({"decimalMark",
+                                pasted.decimalMark.value == DecimalMark::comma ? "comma" : "point",
+                                pasted.decimalMark.origin});
+    const QString summary = PasteBar::summaryOf(pasted);
+    return {std::move(pasted), summary, axis.motion};
 }
 
 void ReadingsPage::fill(bool down) {
@@ -351,8 +340,8 @@ void ReadingsPage::askReason() {
 }
 
 void ReadingsPage::show(const EvaluatedDocument &evaluated, std::size_t test) {
-    if (test != m_test || !m_editor.isPasteLast())
-        m_pasteBar->hide();
+    if (test != m_test)
+        m_pasted->end();
     m_evaluated = evaluated;
     m_test = test;
     m_editor.setTest(test);

@@ -14,8 +14,9 @@
 
 namespace palmer::ui {
 
-class PasteBar;
 class ReadingsView;
+class TablePaste;
+struct SaidPaste;
 
 /// The page "Readings" of a positioning test: choice of unit and grouping, and the table in which readings
 /// are typed, pasted and excluded, and targets and runs added and removed.
@@ -66,9 +67,7 @@ private:
     void nameUnits();
     void markRuling();
     void enableActions();
-    void pasteAgain();
-    void pasteBlock(bool instead);
-    void showPasted(const PastedBlock &pasted);
+    SaidPaste pasteBlock(const QString &block, const BlockPlace &place, BlockChoices &choices);
     void fill(bool down);
     void askReason();
     QToolButton *addSegment(QButtonGroup &group, const char *segment, const char *name, int id);
@@ -77,13 +76,9 @@ private:
     ReadingsEditor m_editor;
     ReadingsModel m_model;
     ReadingsView *m_view = nullptr;
-    PasteBar *m_pasteBar = nullptr;
+    TablePaste *m_pasted; ///< what was pasted last
     EvaluatedDocument m_evaluated;
     std::size_t m_test = 0;
-    QString m_block; ///< last pasted text
-    BlockPlace m_blockPlace;
-    BlockChoices m_blockChoices;
-    bool m_pastingAgain = false; ///< the paste is undone to be repeated with other choices
     QToolButton *m_deviations = nullptr;
     QToolButton *m_positions = nullptr;
     QToolButton *m_byRun = nullptr;
