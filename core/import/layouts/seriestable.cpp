@@ -59,12 +59,8 @@ private:
         m_time = m_clock ? *m_clock : timeColumn();
         m.result.columns[m_time].role = ColumnRole::time;
         chooseValues();
-        const auto choice = m.choices.resolve("columns", wordOf(m.result.columns),
-                                              m_question ? Origin::guessed : Origin::recognised);
-        if (choice.origin == Origin::chosen)
-            takeChosen(choice.value);
-        else if (m_question)
-            m.remarks.add(RemarkGrade::problem, "columns", *m_question);
+        if (auto chosen = m.resolveColumns(m.result.columns, m_question, RemarkGrade::problem))
+            takeChosen(std::move(*chosen));
         if (m_values.empty())
             refuseContent(
                 REPORT_TEXT("report", "one column of numbers is no series; expected times and values"));
@@ -75,7 +71,7 @@ private:
         const std::vector<std::size_t> columns = m.body.numberColumns();
         for (const std::size_t c : columns) {
             const TableColumn &column = m.body.columns[c];
-            if (column.meaning == Meaning::time || (column.unit && column.unit->kind == UnitKind::time))
+            if (column.isTime())
                 return c;
         }
         const bool counts = columns.size() > 2 && isCounter(m, columns.front());
@@ -94,8 +90,7 @@ private:
             const TableColumn &column = m.body.columns[c];
             if (c == m_time || column.meaning == Meaning::index || column.meaning == Meaning::time)
                 continue;
-            if (column.meaning == Meaning::temperature ||
-                (column.unit && column.unit->kind == UnitKind::temperature))
+            if (column.isTemperature())
                 temperatures.push_back(c);
             else if (column.meaning == Meaning::deviation)
                 deviations.push_back(c);
@@ -130,8 +125,7 @@ private:
         m.remarks.note({}, REPORT_TEXT("report", "Columns that are not read: %1."), excerpt(names));
     }
 
-    void takeChosen(const std::string &text) {
-        std::vector<ImportColumn> chosen = m.columnsAs(text);
+    void takeChosen(std::vector<ImportColumn> chosen) {
         m_values.clear();
         for (std::size_t c = 0; c < chosen.size(); ++c) {
             if (chosen[c].role == ColumnRole::time && !m_clock)
@@ -217,7 +211,7 @@ private:
 
     void readTimes() {
         collectTimes(m_clock ? 1 : resolveTimeUnit());
-        if (m_times.size() < 2 && !m.choices.isChosen("layout"))
+        if (m_times.empty() || (m_times.size() < 2 && !m.choices.isChosen("layout")))
             refuseContent(
                 REPORT_TEXT("report", "one column of numbers is no series; expected times and values"));
         const double first = m_times.front();

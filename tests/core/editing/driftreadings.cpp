@@ -81,6 +81,7 @@ private slots:
         QTest::newRow("words further down") << u"0\t0\nend\tof file"_s << 1;
         QTest::newRow("half a reading first") << u"0\tnone\n1\t1"_s << 1;
         QTest::newRow("infinite") << u"0\t0\n1\t1e999"_s << -1;
+        QTest::newRow("no times") << u"Time (s)\tE (µm)\tF\n?\t1\t2\n?\t2\t3"_s << -1;
         QTest::newRow("nothing") << QString() << -1;
     }
 
