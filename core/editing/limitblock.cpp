@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "editing/limitblock.h"
 
-#include "document/documenterror.h"
 #include "editing/typedreading.h"
 #include "kernel/evaluation/edition.h"
 #include "kernel/words/unit.h"
 #include "language/entry.h"
+#include "tables/contenterror.h"
 #include "tables/table.h"
 #include "tables/units.h"
 
@@ -71,8 +71,7 @@ struct LimitLine {
 };
 
 [[noreturn]] void refuse(Text sentence, const LimitLine &line) {
-    throw Error(Error::Kind::content,
-                {sentence, {Number{static_cast<double>(line.number), Quantity::count, 0}}, {}});
+    refuseContent(sentence, counted(line.number));
 }
 
 class LimitBlock {

@@ -3,10 +3,10 @@
 #include "editing/typedreading.h"
 
 #include "document/bounds.h"
-#include "document/documenterror.h"
 #include "editing/editreadings.h"
 #include "import/layouts/phrases.h"
 #include "language/decimals.h"
+#include "tables/contenterror.h"
 #include "tables/table.h"
 
 #include <QString>
@@ -19,10 +19,8 @@ namespace palmer {
 
 const Unit &unitOfHeading(const SaidUnit &said, UnitKind kind) {
     if (!said.unit || said.unit->kind != kind)
-        throw Error(Error::Kind::content,
-                    {REPORT_TEXT("report", "the heading says “%1”, which these numbers are not read in"),
-                     {said.words()},
-                     {}});
+        refuseContent(REPORT_TEXT("report", "the heading says “%1”, which these numbers are not read in"),
+                      said.words());
     return *said.unit;
 }
 

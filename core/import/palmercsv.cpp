@@ -161,8 +161,7 @@ private:
         const std::string known = settled("unit", unit ? unit->word : word);
         m_unit = unitOf(known);
         if (!m_heading)
-            refuseContent(REPORT_TEXT(
-                "report", "there are no readings in it; expected target positions and deviations"));
+            refuseWithoutReadings();
     }
 
     /// The unit in a column heading.

@@ -21,9 +21,8 @@ constexpr auto versionKey = QLatin1StringView("version");
 constexpr int version = 1;
 
 [[noreturn]] void refuse() {
-    throw Error(
-        Error::Kind::format,
-        {REPORT_TEXT("report", "this is no file of import profiles; expected names with their choices")});
+    refuseAs(Error::Kind::format,
+             REPORT_TEXT("report", "this is no file of import profiles; expected names with their choices"));
 }
 
 } // namespace

@@ -62,6 +62,11 @@ public:
     Remark &assumption(const About &about, Text text, Arguments... arguments) {
         return add(RemarkGrade::assumption, about, messageOf(text, std::move(arguments)...));
     }
+    /// A line of data that was not read.
+    void unlike(std::size_t line) {
+        problem({"unread", line},
+                REPORT_TEXT("report", "This line is not like the others and was not read."));
+    }
     template <class... Arguments>
     Remark &note(const About &about, Text text, Arguments... arguments) {
         return add(RemarkGrade::note, about, messageOf(text, std::move(arguments)...));

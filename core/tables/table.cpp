@@ -61,12 +61,6 @@ std::size_t commentMark(std::string_view line, char delimiter) {
     return 1;
 }
 
-[[noreturn]] void refuseSize(std::size_t line) {
-    throw Error(Error::Kind::tooLarge,
-                {REPORT_TEXT("report", "more rows or cells than a table of readings can have")},
-                placeOfLine(line));
-}
-
 /// Bytes of a cell to keep, without splitting a character.
 std::uint16_t keptSize(std::string_view cell) {
     std::size_t size = std::min(cell.size(), longestCell);
@@ -142,7 +136,7 @@ private:
         }
         rows.push_back(row);
         if (rows.size() > rowLimit || cells.size() > cellLimit)
-            refuseSize(row.line);
+            refuseTableSize(placeOfLine(row.line));
     }
 
     void skipLineEnd() {
@@ -476,9 +470,8 @@ void requireLines(std::string_view text) {
         // The last line end within reach; all lines before it are short enough.
         const std::size_t end = text.substr(begin, longestLine + 1).find_last_of("\r\n");
         if (end == std::string_view::npos)
-            throw Error(Error::Kind::tooLarge,
-                        {REPORT_TEXT("report", "a line is longer than 1 MiB; expected a table of readings")},
-                        lineAndColumn(text, begin));
+            refuseAsAt(Error::Kind::tooLarge, lineAndColumn(text, begin),
+                       REPORT_TEXT("report", "a line is longer than 1 MiB; expected a table of readings"));
         begin += end + 1;
     }
 }
@@ -651,7 +644,7 @@ std::size_t CellTable::column(const TableCell &cell) const {
 
 void TableBuilder::beginRow(std::size_t line) {
     if (m_table.m_rows.size() >= rowLimit)
-        refuseSize(line);
+        refuseTableSize(placeOfLine(line));
     if (!m_table.m_rows.empty())
         m_table.m_text += '\n';
     m_table.m_rows.push_back(
@@ -663,7 +656,7 @@ TableCell &TableBuilder::append(std::string_view cell) {
     constexpr std::size_t textLimit = std::size_t(1) << 28U;
     constexpr std::size_t builtLimit = 10'000'000; // cells, including those of nearly empty sheets
     if (m_table.m_cells.size() >= builtLimit || m_table.m_text.size() > textLimit)
-        refuseSize(row.line);
+        refuseTableSize(placeOfLine(row.line));
     if (row.count++ > 0)
         m_table.m_text += '\t';
     cell = withoutBlanks(cell);

@@ -88,23 +88,20 @@ private:
             switch (m_xml.readNext()) {
             case QXmlStreamReader::DTD:
             case QXmlStreamReader::EntityReference:
-                throw Error(Error::Kind::syntax,
-                            {REPORT_TEXT("report", "document type definitions "
-                                                   "and entities are refused: no ballbar file has them")},
-                            place());
+                refuseAsAt(Error::Kind::syntax, place(),
+                           REPORT_TEXT("report", "document type definitions "
+                                                 "and entities are refused: no ballbar file has them"));
             case QXmlStreamReader::StartElement:
                 if (m_path.size() >= deepest)
-                    throw Error(Error::Kind::syntax,
-                                {REPORT_TEXT("report", "nested deeper than a file of this kind can be")},
-                                place());
+                    refuseAsAt(Error::Kind::syntax, place(),
+                               REPORT_TEXT("report", "nested deeper than a file of this kind can be"));
                 begin();
                 text.clear();
                 break;
             case QXmlStreamReader::Characters:
                 if (text.size() + m_xml.text().size() > longestText)
-                    throw Error(Error::Kind::tooLarge,
-                                {REPORT_TEXT("report", "a text longer than a file of this kind can have")},
-                                place());
+                    refuseAsAt(Error::Kind::tooLarge, place(),
+                               REPORT_TEXT("report", "a text longer than a file of this kind can have"));
                 text += m_xml.text();
                 break;
             case QXmlStreamReader::EndElement:
@@ -116,10 +113,9 @@ private:
             }
         }
         if (m_xml.hasError())
-            throw Error(Error::Kind::syntax,
-                        {REPORT_TEXT("report", "this is no whole XML (%1); the file was cut off or damaged"),
-                         {m_xml.errorString().toStdString()}},
-                        place());
+            refuseAsAt(Error::Kind::syntax, place(),
+                       REPORT_TEXT("report", "this is no whole XML (%1); the file was cut off or damaged"),
+                       m_xml.errorString().toStdString());
     }
 
     void begin() {
@@ -249,8 +245,7 @@ private:
                     excerpt(word));
             readings.push_back(*value);
             if (readings.size() > mostReadings)
-                throw Error(Error::Kind::tooLarge,
-                            {REPORT_TEXT("report", "more than 10 000 000 readings or points")}, place());
+                refuseReadings(place());
             rest.remove_prefix(end);
         }
     }
@@ -413,14 +408,10 @@ private:
                                  REPORT_TEXT("report", "Start angle: taken as %1. A "
                                                        "wrong one turns squareness into scale mismatch."),
                                  Number{start.value, Quantity::angle});
-        std::size_t points = 0;
-        for (const BallbarRun &run : m_runs) {
+        for (const BallbarRun &run : m_runs)
             measurement.arcs.push_back(
                 arcOf(run, {start.value, arc.value, overshoot.value}, measurement.nominalRadius));
-            points += run.readings.size();
-        }
-        m.remarks.note({}, REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
-                       counted(m_runs.size()), counted(points));
+        remarkPaths(measurement, m.remarks);
     }
 
     QXmlStreamReader m_xml;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/instruments/compensationtable.h"
 
-#include "document/documenterror.h"
 #include "import/layouts/sections.h"
 #include "import/readers.h"
+#include "tables/contenterror.h"
 #include "tables/decodetext.h"
 #include "tables/numbercell.h"
 
@@ -137,23 +137,30 @@ bool isOwn(std::string_view text) {
     return text.starts_with("# Palmer compensation") || text.starts_with("# Palmer LinuxCNC compensation");
 }
 
-constexpr const char *aerotech = "Aerotech";
-constexpr const char *linuxcnc = "LinuxCNC";
-constexpr const char *nd287 = "ND 287";
-constexpr const char *fanuc = "FANUC";
-constexpr const char *kmotion = "KMotion";
-
 struct Control {
     const char *name = nullptr;
     bool (*recognises)(std::string_view text) = nullptr;
+    FoundTable (*read)(std::string_view text) = nullptr; ///< null: its rules are not read here
 };
 
 constexpr std::array controls{
-    Control{"SINUMERIK", isSinumerik}, Control{"Heidenhain", isHeidenhain},
-    Control{"Weihong", isWeihong},     Control{aerotech, isAerotech},
-    Control{"Palmer", isOwn},          Control{nd287, isNd287},
-    Control{fanuc, isFanuc},           Control{kmotion, isKMotion},
+    Control{"SINUMERIK", isSinumerik, readSinumerikTable},
+    Control{"Heidenhain", isHeidenhain, readHeidenhainTable},
+    Control{"Weihong", isWeihong, [](std::string_view text) { return readWeihongTable(text, false); }},
+    Control{"Aerotech", isAerotech},
+    // Written for LinuxCNC with a comment on top.
+    Control{"Palmer", isOwn,
+            [](std::string_view text) { return readLinuxcncTable(text, LinuxcncValues::positions); }},
+    Control{"ND 287", isNd287},
+    Control{"FANUC", isFanuc},
+    Control{"KMotion", isKMotion},
 };
+
+const Control *controlOf(std::string_view text) {
+    const auto *const found =
+        std::ranges::find_if(controls, [text](const Control &each) { return each.recognises(text); });
+    return found == controls.end() ? nullptr : found;
+}
 
 /// True if every line has three numbers separated by blanks.
 bool isTriplets(std::string_view text) {
@@ -188,6 +195,11 @@ std::string textOf(QByteArrayView bytes) {
     return std::string(text.starts_with("\xEF\xBB\xBF") ? text.substr(3, enough) : text.substr(0, enough));
 }
 
+[[noreturn]] void refuseUnknownTable() {
+    refuseAs(Error::Kind::format,
+             REPORT_TEXT("report", "this is no compensation table of a control that is known here"));
+}
+
 /// Decides whether the second and third numbers are positions near the first, or small trims.
 LinuxcncValues valuesOf(std::string_view text) {
     const FoundTable positions = readLinuxcncTable(text, LinuxcncValues::positions);
@@ -214,54 +226,43 @@ double CompensationTable::correction(double position, Direction direction) const
 
 const char *controlOfTable(QByteArrayView bytes, QStringView fileName) {
     const std::string text = textOf(bytes);
-    for (const Control &control : controls) {
-        if (control.recognises(text))
-            return control.name;
-    }
-    return !endingOfTable(fileName).isEmpty() && isTriplets(text) ? linuxcnc : nullptr;
+    if (const Control *control = controlOf(text))
+        return control->name;
+    return !endingOfTable(fileName).isEmpty() && isTriplets(text) ? "LinuxCNC" : nullptr;
 }
 
 FoundTable readControlTable(QByteArrayView bytes, QStringView fileName) {
-    const char *const control = controlOfTable(bytes, fileName);
     const std::string text = decodeText(bytes).text;
-    const std::string_view name(control ? control : "");
-    if (name == "SINUMERIK")
-        return readSinumerikTable(text);
-    if (name == "Heidenhain")
-        return readHeidenhainTable(text);
-    if (name == "Weihong")
-        return readWeihongTable(text, false);
-    if (name == "Palmer") // written for LinuxCNC with a comment on top
-        return readLinuxcncTable(text, LinuxcncValues::positions);
-    if (name == linuxcnc || (!control && isTriplets(text))) { // a file given for comparison is a table
-        const LinuxcncValues values = valuesOf(text);
-        FoundTable found = readLinuxcncTable(text, values);
-        found.remarks.push_back(
-            {REPORT_TEXT("report", "its values are taken for COMP_FILE_TYPE %1; the file does not say it"),
-             {std::string(values == LinuxcncValues::positions ? "0" : "1")}});
-        return found;
+    if (const Control *control = controlOf(textOf(bytes))) {
+        if (control->read)
+            return control->read(text);
+        refuseAs(Error::Kind::format,
+                 REPORT_TEXT("report", "the rules of this compensation table (%1) are not read here"),
+                 std::string(control->name));
     }
-    if (name == aerotech || name == nd287 || name == fanuc || name == kmotion)
-        throw Error(Error::Kind::format,
-                    {REPORT_TEXT("report", "the rules of this compensation table (%1) are not read here"),
-                     {std::string(name)}});
-    throw Error(Error::Kind::format,
-                {REPORT_TEXT("report", "this is no compensation table of a control that is known here")});
+    if (!controlOfTable(bytes, fileName) && !isTriplets(text)) // a file given for comparison is a table
+        refuseUnknownTable();
+    const LinuxcncValues values = valuesOf(text);
+    FoundTable found = readLinuxcncTable(text, values);
+    found.remarks.push_back(
+        {REPORT_TEXT("report", "its values are taken for COMP_FILE_TYPE %1; the file does not say it"),
+         {std::string(values == LinuxcncValues::positions ? "0" : "1")}});
+    return found;
 }
 
 void refuseCompensationTable(QByteArrayView bytes, const QString &fileName) {
     if (const char *const control = controlOfTable(bytes, fileName))
-        throw Error(
-            Error::Kind::format,
-            {REPORT_TEXT("report", "this is a compensation table (%1), not a measurement; compare it with a "
-                                   "test: export --compare, or “Compensation table…” in the window"),
-             {std::string(control)}});
+        refuseAs(Error::Kind::format,
+                 REPORT_TEXT("report",
+                             "this is a compensation table (%1), not a measurement; compare it with a "
+                             "test: export --compare, or “Compensation table…” in the window"),
+                 std::string(control));
     if (const QLatin1StringView ending = endingOfTable(fileName); !ending.isEmpty())
-        throw Error(
-            Error::Kind::format,
-            {REPORT_TEXT("report", "a file of this name (%1) is a compensation table, perhaps cut off, and "
-                                   "no measurement; if it is one, rename it, for example to .txt"),
-             {std::string(ending.data(), static_cast<std::size_t>(ending.size()))}});
+        refuseAs(Error::Kind::format,
+                 REPORT_TEXT("report",
+                             "a file of this name (%1) is a compensation table, perhaps cut off, and "
+                             "no measurement; if it is one, rename it, for example to .txt"),
+                 std::string(ending.data(), static_cast<std::size_t>(ending.size())));
 }
 
 namespace {
@@ -273,8 +274,7 @@ bool isCompensationTable(QByteArrayView bytes) {
 /// Always throws: a compensation table is no measurement; the message says how to compare it with one.
 void readCompensationTable(const ImportSource &source, Choices & /*choices*/, Imported & /*imported*/) {
     refuseCompensationTable(source.bytes, {});
-    throw Error(Error::Kind::format,
-                {REPORT_TEXT("report", "this is no compensation table of a control that is known here")});
+    refuseUnknownTable();
 }
 
 } // namespace

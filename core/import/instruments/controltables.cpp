@@ -51,6 +51,11 @@ void requireAscent(const CompensationTable &table) {
         refuseContent(REPORT_TEXT("report", "the positions of a compensation table ascend"));
 }
 
+void finish(CompensationTable &table) {
+    table.perDirection = table.forward != table.reverse;
+    requireAscent(table);
+}
+
 /// Like sscanf("%lf %lf %lf"): three numbers preceded by blanks, followed by anything.
 std::optional<std::array<double, 3>> triplet(std::string_view line) {
     std::array<double, 3> numbers{};
@@ -136,7 +141,9 @@ std::string withoutBrackets(std::string text) {
 
 void take(Stepped &table, const Command &each, std::string_view what) {
     const auto number = [&] { return numberOf(each.value, each.line); };
-    if (what == "_STEP")
+    if (what.empty())
+        table.values[pointIndex(each.indexes[1], each.line)] = number();
+    else if (what == "_STEP")
         table.step = number();
     else if (what == "_MIN")
         table.low = number();
@@ -219,11 +226,7 @@ FoundTable encoderTable(const std::vector<Command> &assignments) {
             first = key;
             axis = each.indexes.back();
         }
-        Stepped &table = tables[key];
-        if (what.empty())
-            table.values[pointIndex(each.indexes[1], each.line)] = numberOf(each.value, each.line);
-        else
-            take(table, each, what);
+        take(tables[key], each, what);
     }
     FoundTable found{"SINUMERIK $AA_ENC_COMP", correctionsOf(tables[first]), {}};
     found.table.axis = axis;
@@ -237,11 +240,7 @@ FoundTable sagTable(const std::vector<Command> &assignments) {
         const std::string what = each.name.substr(std::string_view("$AN_CEC").size());
         if (each.indexes.size() != (what.empty() ? 2U : 1U))
             refuseLine(each.line);
-        Stepped &table = tables[each.indexes.front()];
-        if (what.empty())
-            table.values[pointIndex(each.indexes[1], each.line)] = numberOf(each.value, each.line);
-        else
-            take(table, each, what);
+        take(tables[each.indexes.front()], each, what);
     }
     const auto onItself = [](const auto &table) {
         return !table.second.input.empty() && table.second.input == table.second.output;
@@ -324,9 +323,9 @@ ComColumns comColumns(std::string_view headings) {
         }
     }
     if (!hasPosition || !hasAxis)
-        throw Error(Error::Kind::format,
-                    {REPORT_TEXT("report", "the rules of this compensation table (%1) are not read here"),
-                     {std::string("Heidenhain")}});
+        refuseAs(Error::Kind::format,
+                 REPORT_TEXT("report", "the rules of this compensation table (%1) are not read here"),
+                 std::string("Heidenhain"));
     return columns;
 }
 
@@ -364,8 +363,7 @@ FoundTable readLinuxcncTable(std::string_view text, LinuxcncValues values) {
         found.remarks.push_back(
             {REPORT_TEXT("report", "lines that LinuxCNC does not load, beyond 256 or not ascending: %1"),
              {counted(leftOut)}});
-    table.perDirection = table.forward != table.reverse;
-    requireAscent(table);
+    finish(table);
     return found;
 }
 
@@ -414,8 +412,7 @@ FoundTable readWeihongTable(std::string_view text, bool deviations) {
             rounded(sign * numberOf(code.substr(first + 1, second - first - 1), line), valueFineness));
         found.table.reverse.push_back(rounded(sign * numberOf(code.substr(second + 1), line), valueFineness));
     }
-    found.table.perDirection = found.table.forward != found.table.reverse;
-    requireAscent(found.table);
+    finish(found.table);
     if (!deviations)
         found.remarks.push_back({REPORT_TEXT(
             "report", "its values are taken as nominal − actual, the formula of the maker's manual")});
@@ -452,8 +449,7 @@ FoundTable readHeidenhainTable(std::string_view text) {
         // NOLINTNEXTLINE(readability-suspicious-call-argument): they stand as they should
         table.reverse.push_back(rounded(down, valueFineness));
     }
-    table.perDirection = table.forward != table.reverse;
-    requireAscent(table);
+    finish(table);
     found.remarks.push_back({REPORT_TEXT(
         "report", "its values are taken as corrections, added to the command: their sign is not public")});
     return found;

@@ -108,9 +108,7 @@ private:
             if (assignment && take(*assignment, number))
                 continue;
             if (isOfData(line))
-                m.remarks.problem(
-                    {"unread", number},
-                    REPORT_TEXT("report", "This line is not like the others and was not read."));
+                m.remarks.unlike(number);
             else
                 unused.add(number, line);
         }

@@ -50,10 +50,7 @@ bool isDamagedRow(std::string_view line) {
 std::vector<MeanTable> tablesOf(std::string_view text, Remarks &remarks) {
     std::vector<MeanTable> tables;
     bool inTable = false;
-    const auto leave = [&](std::size_t place) {
-        remarks.problem({"unread", place},
-                        REPORT_TEXT("report", "This line is not like the others and was not read."));
-    };
+    const auto leave = [&](std::size_t place) { remarks.unlike(place); };
     for (const auto &[whole, number] : linesOf(text)) {
         const std::string_view line = withoutBlanks(whole);
         if (line.find(headingMark) != std::string_view::npos) {
@@ -115,8 +112,7 @@ void readPosText(const ImportSource &source, Choices &choices, Imported &importe
     imported.text = decodedText(source.bytes, choices, imported);
     const std::vector<MeanTable> tables = tablesOf(imported.text, imported.remarks);
     if (tables.empty())
-        refuseContent(
-            REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations"));
+        refuseWithoutReadings();
     std::vector<Pass> passes = passesOf(tables, choices, imported.remarks);
     imported.remarks.note(
         {}, REPORT_TEXT("report", "The file holds means of runs, not the runs: R and A say little."));

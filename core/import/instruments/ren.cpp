@@ -95,9 +95,7 @@ Pass readTable(Imported &imported, Header &header) {
             continue;
         }
         if (!numbers || numbers->size() != 3) {
-            imported.remarks.problem(
-                {"unread", number},
-                REPORT_TEXT("report", "This line is not like the others and was not read."));
+            imported.remarks.unlike(number);
             lastNo.reset(); // reported already
             continue;
         }

@@ -105,9 +105,7 @@ private:
                             REPORT_TEXT("report", "“%1” is not a list of target positions"), excerpt(text));
         m_targets.insert(m_targets.end(), numbers->begin(), numbers->end());
         if (static_cast<double>(m_targets.size()) > mostTargets)
-            throw Error(Error::Kind::tooLarge,
-                        {REPORT_TEXT("report", "more than 10 000 000 readings or points")},
-                        placeOfLine(line));
+            refuseReadings(placeOfLine(line));
     }
 
     void readDeviations() {
@@ -130,9 +128,7 @@ private:
             lowest = std::min(lowest, (*numbers)[1]);
         }
         if (m_rows.empty())
-            refuseContentAt(placeOfLine(section.line),
-                            REPORT_TEXT("report", "there are no readings "
-                                                  "in it; expected target positions and deviations"));
+            refuseWithoutReadings(placeOfLine(section.line));
         const double first = lowest == 0 ? 0 : 1; // some files count from 0
         const bool descend = targetsDescend();
         for (const Row &row : m_rows) {

@@ -49,8 +49,7 @@ Sampling samplingOf(const Section *header) {
     if (!(count >= 2) || count != std::floor(count))
         refuseContent(REPORT_TEXT("report", "the number of samples is missing in the head"));
     if (count > mostSamples)
-        throw Error(Error::Kind::tooLarge,
-                    {REPORT_TEXT("report", "more than 10 000 000 readings or points")});
+        refuseReadings();
     if (!rate || !(*rate > 0) || !std::isfinite(*rate))
         refuseContent(REPORT_TEXT("report", "the sample rate is missing in the head"));
     return {static_cast<std::size_t>(count), *rate};

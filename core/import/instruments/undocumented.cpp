@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/readers.h"
 
-#include "document/documenterror.h"
+#include "tables/contenterror.h"
 
 #include <algorithm>
 #include <array>
@@ -51,10 +51,9 @@ bool isBinary(QByteArrayView bytes) {
 }
 
 [[noreturn]] void refuseOldWorkbook() {
-    throw Error(
-        Error::Kind::format,
-        {REPORT_TEXT("report",
-                     "workbooks of Excel 97 (.xls) cannot be read; save this one as .xlsx, .ods or CSV")});
+    refuseAs(Error::Kind::format,
+             REPORT_TEXT("report",
+                         "workbooks of Excel 97 (.xls) cannot be read; save this one as .xlsx, .ods or CSV"));
 }
 
 } // namespace
@@ -68,8 +67,8 @@ void refuseUndocumented(QByteArrayView bytes, const QString &fileName) {
     // An encrypted workbook uses the old container format.
     constexpr QByteArrayView encrypted("E\0n\0c\0r\0y\0p\0t\0e\0d\0P\0a\0c\0k\0a\0g\0e", 31);
     if (compound && bytes.indexOf(encrypted) >= 0)
-        throw Error(Error::Kind::format,
-                    {REPORT_TEXT("report", "the workbook is locked with a password; save it without one")});
+        refuseAs(Error::Kind::format,
+                 REPORT_TEXT("report", "the workbook is locked with a password; save it without one"));
     if (compound && (name.endsWith(QLatin1StringView(".xls")) || name.endsWith(QLatin1StringView(".xlsx"))))
         refuseOldWorkbook();
     for (const Undocumented &format : undocumentedFormats) {
@@ -78,10 +77,9 @@ void refuseUndocumented(QByteArrayView bytes, const QString &fileName) {
         });
         if (named || (sqlite && std::string_view(format.name) == "Renishaw CARTO" &&
                       !name.endsWith(QLatin1StringView(".sqlite"))))
-            throw Error(
-                Error::Kind::format,
-                {REPORT_TEXT("report", "the format %1 is not documented publicly and cannot be read; %2"),
-                 {std::string(format.name), format.advice}});
+            refuseAs(Error::Kind::format,
+                     REPORT_TEXT("report", "the format %1 is not documented publicly and cannot be read; %2"),
+                     std::string(format.name), format.advice);
     }
     if (compound || name.endsWith(QLatin1StringView(".xls")))
         refuseOldWorkbook();

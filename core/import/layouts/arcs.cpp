@@ -6,16 +6,9 @@
 #include "kernel/measurement/plane.h"
 #include "tables/contenterror.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace palmer {
-
-bool isLayoutOfCircles(std::string_view word) {
-    constexpr std::array<std::string_view, 4> words{"xy", "angleRadius", "angleDeviation", "deviations"};
-    return std::ranges::find(words, word) != words.end();
-}
 
 void resolveCircle(CircularMeasurement &measurement, std::string &edition, std::string_view plane,
                    std::optional<double> feed, Choices &choices, Remarks &remarks) {
@@ -43,6 +36,14 @@ void resolveCircle(CircularMeasurement &measurement, std::string &edition, std::
             "calibrated",
             REPORT_TEXT("report", "Whether the length is calibrated is not stated: F and D need it."));
     edition = choices.resolveEdition(Kind::circular);
+}
+
+void remarkPaths(const CircularMeasurement &measurement, Remarks &remarks) {
+    std::size_t points = 0;
+    for (const Arc &arc : measurement.arcs)
+        points += arc.angles.size();
+    remarks.note({}, REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
+                 counted(measurement.arcs.size()), counted(points));
 }
 
 void unwrap(std::vector<double> &degrees) {

@@ -12,6 +12,8 @@
 
 namespace palmer {
 
+class TableReading;
+
 /// Settles the common properties of circular tests: plane, feed, calibrated length, correction to 20 °C,
 /// edition. `plane`, `feed`: from the file, or empty.
 void resolveCircle(CircularMeasurement &measurement, std::string &edition, std::string_view plane,
@@ -19,6 +21,24 @@ void resolveCircle(CircularMeasurement &measurement, std::string &edition, std::
 
 /// True for words of the choice "layout" that describe points of a circle.
 [[nodiscard]] bool isLayoutOfCircles(std::string_view word);
+
+/// The columns of a table of circles.
+struct CircleColumns {
+    std::optional<std::size_t> first;  ///< angles or x; null: radial deviations alone
+    std::vector<std::size_t> seconds;  ///< radii, radial deviations or y
+    std::optional<std::size_t> senses; ///< the sense of each line
+    std::optional<std::size_t> runs;   ///< the number of the path of each line
+    std::string layout;                ///< a word of the choice
+    bool isSure = false;               ///< neither asked nor chosen
+};
+
+/// Settles the roles of the columns and the layout, each with its question. Throws Error for columns that
+/// make no circle.
+[[nodiscard]] CircleColumns circleColumns(TableReading &reading);
+[[noreturn]] void refuseCircleColumns();
+
+/// Notes the number of paths and points.
+void remarkPaths(const CircularMeasurement &measurement, Remarks &remarks);
 
 /// Angles made continuous: no step beyond 180°.
 void unwrap(std::vector<double> &degrees);

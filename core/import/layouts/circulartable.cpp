@@ -43,31 +43,26 @@ struct RawPath {
 class CircleReader {
 public:
     explicit CircleReader(TableReading &reading)
-        : m(reading) {}
+        : m(reading)
+        , m_columns(circleColumns(reading)) {}
 
     void read() {
-        chooseColumns();
-        const std::string layout = resolveLayout();
         collectPaths();
         CircularMeasurement measurement;
         Test test;
-        std::string plane = m.notes.plane;
-        if (plane.empty() && layout == "xy")
-            plane = planeOfHeadings();
-        resolveCircle(measurement, test.edition, plane, m.notes.feed, m.choices, m.result.remarks);
-        if (layout == "deviations")
+        const bool isXy = m_columns.layout == "xy";
+        resolveCircle(measurement, test.edition,
+                      m.notes.plane.empty() && isXy ? planeOfHeadings() : m.notes.plane, m.notes.feed,
+                      m.choices, m.remarks);
+        if (!m_columns.first)
             putAtEqualSteps();
-        if (layout == "xy")
+        if (isXy)
             convertXy(measurement);
         else
-            convertAngles(measurement, layout == "angleRadius");
+            convertAngles(measurement);
         if (measurement.arcs.empty())
             refuseContent(REPORT_TEXT("report", "there are no points of a circle in it"));
-        std::size_t points = 0;
-        for (const Arc &arc : measurement.arcs)
-            points += arc.angles.size();
-        m.remarks.note({}, REPORT_TEXT("report", "Understood: paths: %1; points: %2."),
-                       counted(measurement.arcs.size()), counted(points));
+        remarkPaths(measurement, m.remarks);
         if (m_missing > 0)
             m.remarks.problem("unread", REPORT_TEXT("report", "Points without a number were left out: %1."),
                               counted(m_missing));
@@ -76,259 +71,8 @@ public:
     }
 
 private:
-    void chooseColumns() {
-        takeRoles();
-        const auto choice = m.choices.resolve("columns", wordOf(m.result.columns),
-                                              m_question ? Origin::guessed : Origin::recognised);
-        if (choice.origin == Origin::chosen)
-            takeChosen(choice.value);
-        else if (m_question)
-            m.remarks.add(RemarkGrade::assumption, "columns", *m_question);
-        if (m_seconds.empty())
-            refuseColumns();
-        takeNominal();
-    }
-
-    [[noreturn]] static void refuseColumns() {
-        refuseContent(REPORT_TEXT("report", "these columns do not make a circle; expected x and y, angle and "
-                                            "radius, angle and deviation, or radial deviations alone"));
-    }
-
-    void setRole(std::size_t column, ColumnRole role) { m.result.columns[column].role = role; }
-
-    [[nodiscard]] std::vector<std::size_t> numbersOf(Meaning meaning) const {
-        std::vector<std::size_t> found;
-        for (const std::size_t c : m.body.numberColumns()) {
-            if (m.body.columns[c].meaning == meaning)
-                found.push_back(c);
-        }
-        return found;
-    }
-
-    /// Columns named as angles, otherwise those with an angle's unit: "Angular position (°)".
-    [[nodiscard]] std::vector<std::size_t> angleColumns() const {
-        std::vector<std::size_t> angles = numbersOf(Meaning::angle);
-        if (!angles.empty())
-            return angles;
-        for (const Meaning meaning : {Meaning::place, Meaning::target, Meaning::unknown}) {
-            std::ranges::copy_if(numbersOf(meaning), std::back_inserter(angles), [&](std::size_t c) {
-                const Unit *unit = m.body.columns[c].unit;
-                return unit && unit->kind == UnitKind::angle;
-            });
-        }
-        return angles;
-    }
-
-    /// Columns of radial deviations without angles: named so, otherwise by a sense, otherwise the first.
-    [[nodiscard]] std::vector<std::size_t> deviationsAlone() const {
-        std::vector<std::size_t> found = numbersOf(Meaning::deviation);
-        const std::vector<std::size_t> columns = m.body.numberColumns();
-        if (found.empty())
-            std::ranges::copy_if(columns, std::back_inserter(found), [&](std::size_t c) {
-                return senseIn(m.body.columns[c].heading).has_value();
-            });
-        if (found.empty() && !columns.empty())
-            found = {columns.front()};
-        return found;
-    }
-
-    /// Columns of radii, otherwise of deviations, otherwise those the headings do not name. Precondition: the
-    /// column of angles is known.
-    [[nodiscard]] std::vector<std::size_t> readingsByAngle() {
-        for (const Meaning meaning : {Meaning::radius, Meaning::deviation}) {
-            if (std::vector<std::size_t> found = numbersOf(meaning); !found.empty())
-                return found;
-        }
-        return unnamed();
-    }
-
-    /// Sets the roles of columns by their headings; columns of different roles are never paths of one test.
-    void takeRoles() {
-        const TableBody &body = m.body;
-        m.result.columns = m.columnsAs({});
-        const auto of = [&](Meaning meaning) { return numbersOf(meaning); };
-        const std::vector<std::size_t> angle = angleColumns();
-        const auto coordinates = coordinateColumns();
-        m_named = coordinates || !angle.empty();
-        // "angle, x, y": points, and the angles at which they were taken.
-        const bool isXy =
-            coordinates && (angle.empty() || (of(Meaning::radius).empty() && of(Meaning::deviation).empty()));
-        if (body.numberColumns().size() == 1 || m.choices.chosen("layout") == "deviations") {
-            m_first.reset();
-            m_seconds = deviationsAlone();
-        } else if (isXy) {
-            m_first = coordinates->first;
-            m_seconds = {coordinates->second};
-        } else {
-            m_first = angle.empty() ? firstUnnamed() : angle.front();
-            m_seconds = readingsByAngle();
-        }
-        if (m_first)
-            setRole(*m_first, isXy ? ColumnRole::x : ColumnRole::angle);
-        for (const std::size_t c : m_seconds)
-            setRole(c, !m_first ? ColumnRole::deviation : isXy ? ColumnRole::y : roleOf(c));
-        for (const std::size_t c : of(Meaning::nominal))
-            setRole(c, ColumnRole::nominal);
-        takeSenses();
-        if (const auto runs = columnOfRuns())
-            setRole(*runs, ColumnRole::number);
-    }
-
-    /// Two columns named after axes, in the order of the plane: the stated one, otherwise the table's.
-    [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> coordinateColumns() const {
-        std::vector<std::size_t> found;
-        const auto letter = [&](std::size_t c) { return m.body.columns[c].words.axis; };
-        for (const std::size_t c : m.body.numberColumns()) {
-            const Meaning meaning = m.body.columns[c].meaning;
-            if ((meaning == Meaning::x || meaning == Meaning::y) &&
-                std::ranges::find(found, letter(c), letter) == found.end())
-                found.push_back(c);
-        }
-        if (found.size() < 2)
-            return {};
-        const std::string plane =
-            upperCase(m.choices.isChosen("plane") ? m.choices.chosen("plane") : m.notes.plane);
-        if (plane.size() == 2) {
-            const auto first = std::ranges::find(found, plane[0], letter);
-            const auto second = std::ranges::find(found, plane[1], letter);
-            if (first != found.end() && second != found.end() && first != second)
-                return std::pair(*first, *second);
-        }
-        const bool isYx = letter(found[0]) == 'Y' && letter(found[1]) == 'X';
-        return isYx ? std::pair(found[1], found[0]) : std::pair(found[0], found[1]);
-    }
-
-    [[nodiscard]] ColumnRole roleOf(std::size_t c) const {
-        return m.body.columns[c].meaning == Meaning::radius ? ColumnRole::radius : ColumnRole::deviation;
-    }
-
-    [[nodiscard]] std::size_t firstUnnamed() const {
-        const std::vector<std::size_t> columns = m.body.numberColumns();
-        const bool counts = columns.size() > 2 && isCounter(m, columns.front());
-        return columns[counts ? 1 : 0];
-    }
-
-    /// Columns with undefined headings: those that name a sense, otherwise all of similar size.
-    [[nodiscard]] std::vector<std::size_t> unnamed() {
-        std::vector<std::size_t> columns;
-        std::vector<std::size_t> sensed;
-        for (const std::size_t c : m.body.numberColumns()) {
-            const Meaning meaning = m.body.columns[c].meaning;
-            if (c <= *m_first || !(meaning == Meaning::unknown || meaning == Meaning::run ||
-                                   meaning == Meaning::reading || meaning == Meaning::actual))
-                continue;
-            columns.push_back(c);
-            if (senseIn(m.body.columns[c].heading))
-                sensed.push_back(c);
-        }
-        if (!sensed.empty() || columns.size() < 2)
-            return sensed.empty() ? columns : sensed;
-        const bool named =
-            std::ranges::any_of(columns, [&](std::size_t c) { return !m.body.columns[c].heading.empty(); });
-        const bool radii = areRadii(columns.front());
-        const std::size_t all = columns.size();
-        std::erase_if(columns, [&](std::size_t c) { return areRadii(c) != radii; });
-        if (named || columns.size() < all)
-            m_question = {REPORT_TEXT("report", "Columns: the headings do not say which hold readings; "
-                                                "column %1 and those like it are read."),
-                          {counted(columns.front() + 1)}};
-        return columns;
-    }
-
-    [[nodiscard]] bool areRadii(std::size_t column) const {
-        const auto [low, high] = m.rangeOf(column);
-        return low > 0 && high - low < 0.1 * high;
-    }
-
-    void takeChosen(const std::string &text) {
-        std::vector<ImportColumn> chosen = m.columnsAs(text);
-        m_seconds.clear();
-        m_named = true;
-        std::optional<std::size_t> first;
-        for (std::size_t c = 0; c < chosen.size(); ++c) {
-            const ColumnRole role = chosen[c].role;
-            if (!first && (role == ColumnRole::angle || role == ColumnRole::x))
-                first = c;
-            if (role == ColumnRole::radius || role == ColumnRole::y || role == ColumnRole::deviation)
-                m_seconds.push_back(c);
-        }
-        const bool pooled = std::ranges::any_of(
-            m_seconds, [&](std::size_t c) { return chosen[c].role != chosen[m_seconds.front()].role; });
-        if (m_seconds.empty() || pooled ||
-            (!first && chosen[m_seconds.front()].role != ColumnRole::deviation))
-            refuseColumns();
-        m_first = first;
-        m.result.columns = std::move(chosen);
-        if (!columnOf(m.result.columns, ColumnRole::direction))
-            takeSenses();
-    }
-
-    /// Reads a column of senses even if its role is not among those chosen.
-    void takeSenses() {
-        const auto senses = columnOfSenses();
-        if (senses && m.result.columns[*senses].role == ColumnRole::ignored)
-            setRole(*senses, ColumnRole::direction);
-    }
-
-    /// Takes the nominal radius from a column with the same value in every line.
-    void takeNominal() {
-        for (std::size_t c = 0; c < m.result.columns.size(); ++c) {
-            if (m.result.columns[c].role != ColumnRole::nominal || m.notes.radius)
-                continue;
-            const auto [low, high] = m.rangeOf(c);
-            const Unit *unit = m.result.columns[c].unit;
-            if (low == high && low > 0)
-                m.notes.radius = unit && unit->kind == UnitKind::length ? unit->toBase(low) : low;
-        }
-    }
-
-    [[nodiscard]] static Message contentOf(std::string_view layout) {
-        if (layout == "xy")
-            return {REPORT_TEXT("report", "Content: the columns are read as x and y of points of a circle.")};
-        if (layout == "angleRadius")
-            return {REPORT_TEXT("report", "Content: the columns are read as angle and radius.")};
-        return {REPORT_TEXT("report", "Content: the columns are read as angle and radial deviation.")};
-    }
-
-    /// The layout that the headings name, otherwise a guess from the numbers.
-    [[nodiscard]] Choice<std::string> recognisedLayout() const {
-        const Meaning meaning = m.body.columns[m_seconds.front()].meaning;
-        if (!m_first)
-            return {"deviations", Origin::recognised};
-        if (m.result.columns[*m_first].role == ColumnRole::x)
-            return {"xy", Origin::recognised};
-        if (!m_named && areOnCircle(m, *m_first, m_seconds.front()))
-            return {"xy", Origin::guessed};
-        if (m.choices.isChosen("columns") || meaning == Meaning::radius || meaning == Meaning::deviation)
-            return {m.result.columns[m_seconds.front()].role == ColumnRole::radius ? "angleRadius"
-                                                                                   : "angleDeviation",
-                    Origin::recognised};
-        return {areRadii(m_seconds.front()) ? "angleRadius" : "angleDeviation", Origin::guessed};
-    }
-
-    std::string resolveLayout() {
-        const Choice<std::string> found = recognisedLayout();
-        const auto choice = m.choices.resolve("layout", found.value, found.origin);
-        if (!isLayoutOfCircles(choice.value))
-            refuseContent(REPORT_TEXT("report", "%1 cannot be %2 for a circular test"),
-                          nameOfChoice("layout"), nameOfWord("layout", choice.value));
-        if ((choice.value == "deviations") == m_first.has_value())
-            refuseColumns();
-        if (choice.origin == Origin::guessed)
-            m.remarks.add(RemarkGrade::assumption, "layout", contentOf(choice.value));
-        // The layout determines the columns, even if it was chosen against their headings.
-        const bool isXy = choice.value == "xy";
-        if (m_first)
-            setRole(*m_first, isXy ? ColumnRole::x : ColumnRole::angle);
-        for (const std::size_t second : m_seconds)
-            setRole(second, isXy                            ? ColumnRole::y
-                            : choice.value == "angleRadius" ? ColumnRole::radius
-                                                            : ColumnRole::deviation);
-        return choice.value;
-    }
-
     void collectPaths() {
-        for (const std::size_t second : m_seconds) {
+        for (const std::size_t second : m_columns.seconds) {
             const std::optional<Sense> ofColumn = senseIn(m.body.columns[second].heading);
             for (const TableBlock &block : m.body.blocks)
                 collectPaths(block, second, ofColumn ? ofColumn : senseIn(m.titleOf(block)));
@@ -345,40 +89,38 @@ private:
                                       "those points are read as their angles run."),
                 excerpt(m_unknownSense));
         const auto isSilent = [](const RawPath &path) { return !path.stated; };
-        if (m_seconds.size() == 2 && m.body.blocks.size() == 1 && std::ranges::any_of(m_paths, isSilent) &&
-            !m_question && !m.choices.isChosen("columns"))
+        if (m_columns.seconds.size() == 2 && m.body.blocks.size() == 1 &&
+            std::ranges::any_of(m_paths, isSilent) && m_columns.isSure)
             m.remarks.problem("columns",
                               REPORT_TEXT("report", "Sense: no word says which "
                                                     "column is clockwise; both are read as the angles run."));
     }
 
-    /// Columns that split the lines of a block into paths.
+    /// What the line before says.
     struct Parting {
-        std::optional<std::size_t> senses;
-        std::optional<std::size_t> runs;
-        std::string_view lastSense = {};
-        std::string_view lastRun = {};
+        std::string_view sense = {};
+        std::string_view run = {};
     };
 
     /// Collects the paths of a block and column: a new one where another sense or run is named.
     void collectPaths(const TableBlock &block, std::size_t second, std::optional<Sense> stated) {
-        Parting parting{columnOf(m.result.columns, ColumnRole::direction), columnOfRuns()};
+        Parting last;
         RawPath path;
         path.stated = stated;
         path.first.reserve(block.rows.size());
         path.second.reserve(block.rows.size());
         for (const std::uint32_t row : block.rows) {
-            part(parting, row, path);
-            const auto a = m_first ? m.number(row, *m_first) : std::nullopt;
+            part(last, row, path);
+            const auto a = m_columns.first ? m.number(row, *m_columns.first) : std::nullopt;
             const auto b = m.number(row, second);
-            if (!b || (m_first && !a)) {
+            if (!b || (m_columns.first && !a)) {
                 ++m_missing;
                 continue;
             }
             path.second.push_back(*b);
-            if (m_first) {
+            if (m_columns.first) {
                 path.first.push_back(*a);
-                m.setRole(row, *m_first, CellRole::position);
+                m.setRole(row, *m_columns.first, CellRole::position);
             }
             m.setRole(row, second, path.stated == Sense::clockwise ? CellRole::negative : CellRole::positive);
         }
@@ -386,48 +128,27 @@ private:
     }
 
     /// Ends the path if the line belongs to another one.
-    void part(Parting &parting, std::uint32_t row, RawPath &path) {
+    void part(Parting &last, std::uint32_t row, RawPath &path) {
         auto sense = path.stated;
         bool ends = false;
-        if (parting.senses) {
-            const std::string_view word = m.cellText(row, *parting.senses);
-            if (word != parting.lastSense) {
+        if (m_columns.senses) {
+            const std::string_view word = m.cellText(row, *m_columns.senses);
+            if (word != last.sense) {
                 sense = senseIn(word);
                 ends = !sense || sense != path.stated;
             }
-            parting.lastSense = word;
+            last.sense = word;
             if (!sense && m_unknownSense.empty())
                 m_unknownSense = word;
         }
-        if (parting.runs) {
-            const std::string_view run = m.cellText(row, *parting.runs);
-            ends |= run != parting.lastRun;
-            parting.lastRun = run;
+        if (m_columns.runs) {
+            const std::string_view run = m.cellText(row, *m_columns.runs);
+            ends |= run != last.run;
+            last.run = run;
         }
         if (ends)
             finish(path);
         path.stated = sense;
-    }
-
-    /// The column of path numbers: each path has its own arc.
-    [[nodiscard]] std::optional<std::size_t> columnOfRuns() const {
-        const std::vector<std::size_t> found = numbersOf(Meaning::run);
-        return found.size() == 1 && m_first != found.front() &&
-                       std::ranges::find(m_seconds, found.front()) == m_seconds.end()
-                   ? std::optional(found.front())
-                   : std::nullopt;
-    }
-
-    /// The column of words that name the sense, otherwise of words below a heading that names it.
-    [[nodiscard]] std::optional<std::size_t> columnOfSenses() const {
-        if (const auto known = m.body.columnOf(ColumnKind::senses))
-            return known;
-        for (std::size_t c = 0; c < m.body.columns.size(); ++c) {
-            if (m.body.columns[c].kind == ColumnKind::words &&
-                m.body.columns[c].meaning == Meaning::direction)
-                return c;
-        }
-        return {};
     }
 
     void finish(RawPath &path) {
@@ -445,7 +166,7 @@ private:
                          {},
                          static_cast<int>(m_missing)});
         if (m_paths.empty())
-            refuseColumns();
+            refuseCircleColumns();
         const auto runs = [](Sense sense) {
             return [sense](const RawPath &path) { return path.stated == sense; };
         };
@@ -459,8 +180,7 @@ private:
             m.choices.resolveNumber("arc", isClockwise ? -std::abs(usual) : usual, Origin::guessed);
         constexpr double mostAngle = 36'000;
         if (way.value == 0 || std::abs(way.value) > mostAngle || std::abs(start.value) > mostAngle)
-            throw Error(Error::Kind::content,
-                        {REPORT_TEXT("report", "start angle, arc or overshoot is beyond sense")});
+            refuseContent(REPORT_TEXT("report", "start angle, arc or overshoot is beyond sense"));
         for (RawPath &path : m_paths) {
             const double extent = !areMixed || !path.stated          ? way.value
                                   : *path.stated == Sense::clockwise ? -std::abs(way.value)
@@ -481,8 +201,8 @@ private:
     }
 
     [[nodiscard]] std::string planeOfHeadings() const {
-        const std::string a = withoutUnit(m.body.columns[*m_first].heading);
-        const std::string b = withoutUnit(m.body.columns[m_seconds.front()].heading);
+        const std::string a = withoutUnit(m.body.columns[*m_columns.first].heading);
+        const std::string b = withoutUnit(m.body.columns[m_columns.seconds.front()].heading);
         return a.size() == 1 && b.size() == 1 ? upperCase(a + b) : std::string();
     }
 
@@ -495,7 +215,7 @@ private:
                             Text remark) {
         const Unit *found = stated.unit && stated.unit->kind == kind ? stated.unit : nullptr;
         const Unit *unit =
-            palmer::resolveUnit(key, stated, found, *unitOf(guess), {remark}, m.choices, m.result.remarks);
+            palmer::resolveUnit(key, stated, found, *unitOf(guess), {remark}, m.choices, m.remarks);
         if (!unit || unit->kind != kind)
             refuseContent(REPORT_TEXT("report", "%1 cannot be %2 for a circular test"), nameOfChoice(key),
                           nameOfWord(key, m.choices.chosen(key)));
@@ -513,7 +233,7 @@ private:
 
     void convertXy(CircularMeasurement &measurement) {
         const Unit *unit =
-            resolveUnit("unit", saidFor(m.body.columns[*m_first]), UnitKind::length, "mm",
+            resolveUnit("unit", saidFor(m.body.columns[*m_columns.first]), UnitKind::length, "mm",
                         REPORT_TEXT("report", "Unit of x and y: nothing in the file says it; read as %1."));
         Points points;
         std::size_t count = 0;
@@ -545,8 +265,6 @@ private:
         measurement.nominalRadius = radius;
         for (const RawPath &path : m_paths) {
             Arc arc;
-            arc.angles.reserve(path.first.size());
-            arc.radialDeviations.reserve(path.first.size());
             for (std::size_t i = 0; i < path.first.size(); ++i) {
                 const double x = path.first[i] - cx;
                 const double y = path.second[i] - cy;
@@ -613,12 +331,12 @@ private:
         }
         mean /= static_cast<double>(std::max<std::size_t>(n, 1));
         form.angle = unitOf("deg");
-        if (m_first)
+        if (m_columns.first)
             form.angle = resolveUnit(
-                "positionUnit", m.body.columns[*m_first].said(), UnitKind::angle,
+                "positionUnit", m.body.columns[*m_columns.first].said(), UnitKind::angle,
                 largest < 7 && n > 20 ? "rad" : "deg",
                 REPORT_TEXT("report", "Unit of the angles: nothing in the file says it; read as %1."));
-        const TableColumn &second = m.body.columns[m_seconds.front()];
+        const TableColumn &second = m.body.columns[m_columns.seconds.front()];
         form.reading = resolveUnit(
             "unit", saidFor(second), UnitKind::length, form.radii || size < 0.5 ? "mm" : "um",
             REPORT_TEXT("report", "Unit of the radial deviations: nothing in the file says it; read as %1."));
@@ -653,8 +371,8 @@ private:
                                                        "point, not of the programmed path (a ballbar)."));
     }
 
-    void convertAngles(CircularMeasurement &measurement, bool radii) {
-        AngleForm form{radii};
+    void convertAngles(CircularMeasurement &measurement) {
+        AngleForm form{m_columns.layout == "angleRadius"};
         resolveAngleUnits(form);
         resolveRadialSign(form);
         resolveReference(form);
@@ -662,12 +380,10 @@ private:
         for (RawPath &path : m_paths) {
             Arc arc;
             arc.angleReference = form.reference;
-            arc.angles.reserve(path.first.size());
-            arc.radialDeviations.reserve(path.first.size());
             for (std::size_t i = 0; i < path.first.size(); ++i) {
                 arc.angles.push_back(form.angle->toBase(path.first[i]));
                 const double value = form.reading->toBase(path.second[i]);
-                arc.radialDeviations.push_back(radii           ? value - form.radius
+                arc.radialDeviations.push_back(form.radii      ? value - form.radius
                                                : form.inverted ? 0 - value
                                                                : value);
             }
@@ -724,13 +440,10 @@ private:
     }
 
     TableReading &m;
-    std::optional<std::size_t> m_first; ///< angles or x; null: radial deviations alone
-    std::vector<std::size_t> m_seconds;
+    CircleColumns m_columns;
     std::vector<RawPath> m_paths;
     std::size_t m_missing = 0;
-    std::optional<Message> m_question;
     std::string_view m_unknownSense; ///< the first word of a column of senses that names none
-    bool m_named = false;
     bool m_turned = false;
 };
 

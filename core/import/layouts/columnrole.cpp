@@ -70,12 +70,6 @@ std::optional<std::vector<ImportColumn>> columnsOf(std::string_view text, std::s
     return columns;
 }
 
-std::optional<std::size_t> columnOf(const std::vector<ImportColumn> &columns, ColumnRole role) {
-    const auto found = std::ranges::find(columns, role, &ImportColumn::role);
-    return found == columns.end() ? std::nullopt
-                                  : std::optional(static_cast<std::size_t>(found - columns.begin()));
-}
-
 std::string roleWords() {
     std::string list;
     for (const std::string_view word : columnRoleWords)

@@ -6,6 +6,7 @@
 #include "tables/choice.h"
 #include "tables/units.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -67,8 +68,20 @@ struct ListedTable {
 [[nodiscard]] std::optional<std::vector<ImportColumn>> columnsOf(std::string_view text,
                                                                  std::string *unknown = nullptr);
 
+/// The index of the first item of that value; null if there is none.
+template <class Items, class Value, class Projection>
+[[nodiscard]] std::optional<std::size_t> indexOf(const Items &items, const Value &value,
+                                                 Projection projection) {
+    const auto found = std::ranges::find(items, value, projection);
+    return found == items.end() ? std::nullopt
+                                : std::optional(static_cast<std::size_t>(found - items.begin()));
+}
+
 /// The first column of that role; null if there is none.
-[[nodiscard]] std::optional<std::size_t> columnOf(const std::vector<ImportColumn> &columns, ColumnRole role);
+[[nodiscard]] inline std::optional<std::size_t> columnOf(const std::vector<ImportColumn> &columns,
+                                                         ColumnRole role) {
+    return indexOf(columns, role, &ImportColumn::role);
+}
 
 /// The words for roles, for help and errors.
 [[nodiscard]] std::string roleWords();

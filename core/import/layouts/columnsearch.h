@@ -3,6 +3,7 @@
 #pragma once
 
 #include "import/layouts/positioningcolumns.h"
+#include "tables/contenterror.h"
 
 #include <functional>
 
@@ -21,13 +22,14 @@ struct ColumnSearch {
 
 /// Shared by the steps.
 class ColumnStep {
-protected:
+public:
     explicit ColumnStep(ColumnSearch &search)
         : m(search.reading)
         , m_heads(search.reading.body.columns)
         , m_search(search)
         , m_result(search.result) {}
 
+protected:
     [[nodiscard]] const HeadingWords &words(std::size_t c) const { return m_heads[c].words; }
     [[nodiscard]] bool isNumeric(std::size_t c) const { return m_heads[c].kind == ColumnKind::numbers; }
     [[nodiscard]] ColumnRole &role(std::size_t c) { return m_result.columns[c].role; }
@@ -36,15 +38,17 @@ protected:
     /// True if the values stay close to the targets, line by line.
     [[nodiscard]] bool followsTarget(std::size_t column) const;
     /// A doubt; only the first is kept.
-    void ask(Message message) {
+    template <class... Arguments>
+    void ask(Text text, Arguments... arguments) {
         if (!m_search.isDoubtful)
-            m_search.question = std::move(message);
+            m_search.question = messageOf(text, std::move(arguments)...);
         m_search.isDoubtful = true;
     }
     /// A guess; doubts take precedence.
-    void assume(Message message) {
+    template <class... Arguments>
+    void assume(Text text, Arguments... arguments) {
         if (!m_search.question)
-            m_search.question = std::move(message);
+            m_search.question = messageOf(text, std::move(arguments)...);
     }
 
     TableReading &m;

@@ -13,6 +13,8 @@
 #include <span>
 #include <unordered_map>
 
+// Above 500 lines: much of it is the dictionary.
+
 namespace palmer {
 
 namespace {
@@ -30,257 +32,130 @@ enum class Sign {
     left,   ///< after an adjustment
 };
 
-/// A row of the dictionary: whole words, folded; phrases separated by bars, their words by blanks.
-/// `languages` is for readers of this table.
+/// A row of the dictionary: whole words, folded; phrases separated by bars, their words by blanks; the first
+/// of a language behind its name, which is for readers of this table.
 struct Phrases {
     Meaning meaning;
     Sign sign;
-    std::string_view languages;
     std::string_view list;
 };
 
 constexpr std::array phrases{
-    Phrases{Meaning::unknown, Sign::up, "*", "+|↑|⇑|↗|→|->|-->|>>|=>|»"},
-    Phrases{Meaning::unknown, Sign::up, "en", "forward|forwards|fwd|up|upward|upwards|ascending|increasing"},
-    Phrases{Meaning::unknown, Sign::up, "en fr", "positive"},
-    Phrases{Meaning::unknown, Sign::up, "fr",
-            "aller|positif|montee|montant|croissant|croissante|avant|ascendant"},
-    Phrases{Meaning::unknown, Sign::up, "fr de", "plus"},
-    Phrases{Meaning::unknown, Sign::up, "de",
-            "hin|hinfahrt|hinweg|hinlauf|vorwarts|vorwaerts|vorlauf|vor|positiv|aufwarts|"
-            "aufwaerts|steigend"},
-    Phrases{Meaning::unknown, Sign::up, "it", "andata|avanti|salita|crescente"},
-    Phrases{Meaning::unknown, Sign::up, "it es", "positivo|positiva"},
-    Phrases{Meaning::unknown, Sign::up, "es", "ida|adelante|subida|creciente"},
-    Phrases{Meaning::unknown, Sign::up, "es it", "ascendente"},
-    Phrases{Meaning::unknown, Sign::down, "*", "-|↓|⇓|↘|←|<-|<--|<<|<=|«"},
-    Phrases{Meaning::unknown, Sign::down, "en",
-            "backward|backwards|bwd|back|reverse|down|downward|downwards|descending|decreasing"},
-    Phrases{Meaning::unknown, Sign::down, "en fr", "negative"},
-    Phrases{Meaning::unknown, Sign::down, "fr",
-            "retour|negatif|descente|descendant|decroissant|decroissante|arriere|moins"},
-    Phrases{Meaning::unknown, Sign::down, "de",
-            "minus|ruck|rueck|zuruck|zurueck|ruckfahrt|rueckfahrt|ruckweg|rueckweg|rucklauf|"
-            "ruecklauf|ruckwarts|rueckwaerts|her|negativ|abwarts|abwaerts|fallend"},
-    Phrases{Meaning::unknown, Sign::down, "it", "ritorno|indietro|discesa|decrescente|discendente"},
-    Phrases{Meaning::unknown, Sign::down, "it es", "negativo|negativa"},
-    Phrases{Meaning::unknown, Sign::down, "es",
-            "vuelta|regreso|retorno|atras|retroceso|bajada|descendente|decreciente"},
-    // "pos" alone may also be a place.
-    Phrases{Meaning::direction, Sign::up, "en", "pos direction|pos dir"},
-    Phrases{Meaning::direction, Sign::down, "en", "neg direction|neg dir"},
-    Phrases{Meaning::direction, Sign::up, "de", "pos richtung"},
-    Phrases{Meaning::direction, Sign::down, "de", "neg richtung"},
-    Phrases{Meaning::unknown, Sign::hintUp, "*", "pos"},
-    Phrases{Meaning::unknown, Sign::hintDown, "*", "neg"},
-    Phrases{Meaning::unknown, Sign::hintDown, "en", "rev|dec|desc|backw|return|inward|inbound"},
-    Phrases{Meaning::unknown, Sign::hintUp, "en", "inc|asc|forw|out|outward|outbound"},
-    Phrases{Meaning::unknown, Sign::hintUp, "es", "avance"},
-    Phrases{Meaning::unknown, Sign::hintUp, "de", "auf"},
-    Phrases{Meaning::unknown, Sign::hintDown, "de", "ab"},
-    Phrases{Meaning::unknown, Sign::hintDown, "fr", "ret"},
-    Phrases{Meaning::unknown, Sign::hintUp, "fr", "all"},
-    Phrases{Meaning::statistic, Sign::none, "en",
-            "mean|average|avg|avg error|std dev|standard deviation|range|reversal|reversal value|"
-            "reversal error|backlash|repeatability|accuracy|bidirectional avg error|spread|sum"},
-    Phrases{Meaning::statistic, Sign::none, "*",
-            "std|stdev|stddev|sigma|σ|min|max|minimum|maximum|median|x\u0304|ø|Ø|⌀"},
-    Phrases{Meaning::statistic, Sign::none, "en de", "hysteresis"},
-    Phrases{Meaning::statistic, Sign::none, "fr",
-            "moyenne|moyennes|moyen|moy|ecart type|ecart moyen|etendue|reversibilite|jeu|repetabilite|"
-            "mini|maxi|somme"},
-    Phrases{Meaning::statistic, Sign::none, "de",
-            "mittelwert|mittel|mittlere|std abw|standardabweichung|streuung|spannweite|"
-            "umkehrspanne|positionsstreubreite|mw|durchschnitt|summe"},
-    Phrases{Meaning::statistic, Sign::none, "it es", "media|medie|medio|minimo"},
-    Phrases{Meaning::statistic, Sign::none, "it",
-            "dev std|scarto tipo|deviazione standard|inversione|gioco|ripetibilita|massimo|somma"},
-    Phrases{Meaning::statistic, Sign::none, "es",
-            "desv tipica|desviacion tipica|desviacion estandar|inversion|holgura|rango|"
-            "repetibilidad|maximo|promedio|suma"},
-    Phrases{Meaning::temperature, Sign::none, "*", "temp|°c"},
-    Phrases{Meaning::temperature, Sign::none, "en fr", "temperature|temperatures"},
-    Phrases{Meaning::temperature, Sign::none, "de", "temperatur|temperaturen"},
-    Phrases{Meaning::temperature, Sign::none, "it es", "temperatura"},
-    Phrases{Meaning::other, Sign::none, "en fr", "tolerance|compensation|correction"},
-    Phrases{Meaning::other, Sign::none, "de",
-            "toleranz|grenzwert|grenze|kompensation|korrektur|vorschub|messunsicherheit|"
-            "unsicherheit|bemerkung|druck|feuchte"},
-    Phrases{Meaning::other, Sign::none, "it",
-            "tolleranza|compensazione|correzione|avanzamento|velocita|incertezza|pressione|"
-            "umidita"},
-    Phrases{Meaning::other, Sign::none, "es",
-            "tolerancia|compensacion|correccion|velocidad|incertidumbre|observacion|presion|"
-            "humedad"},
-    Phrases{Meaning::other, Sign::none, "*", "tol|offset|status"},
-    Phrases{Meaning::other, Sign::none, "en",
-            "limit|limits|feed|feedrate|speed|velocity|uncertainty|remark|remarks|comment|"
-            "pressure|humidity|batch"},
-    Phrases{Meaning::other, Sign::none, "fr it es", "limite"},
-    Phrases{Meaning::other, Sign::none, "fr", "vitesse|incertitude|remarque|pression|humidite"},
-    Phrases{Meaning::other, Sign::none, "it es", "nota"},
-    Phrases{Meaning::other, Sign::none, "en fr it", "note"},
-    Phrases{Meaning::deviation, Sign::none, "en", "deviation|deviations|errors"},
-    Phrases{Meaning::deviation, Sign::none, "*", "dev|err|diff|δ|δr|δx|dr|dx"},
-    Phrases{Meaning::deviation, Sign::none, "en es", "error"},
-    Phrases{Meaning::deviation, Sign::none, "en fr", "difference"},
-    Phrases{Meaning::deviation, Sign::none, "fr", "ecart|ecarts|erreur|erreurs|defaut|defauts"},
-    Phrases{Meaning::deviation, Sign::none, "de",
-            "abweichung|abweichungen|abw|fehler|positionsabweichung|positionsfehler|"
-            "radialabweichung|differenz|messabweichung|messabweichungen|positionierabweichung|"
-            "positionierfehler|wegabweichung|wegfehler|istabweichung|linearabweichung|"
-            "winkelabweichung|winkelfehler|drehwinkelabweichung|drehwinkelfehler"},
-    Phrases{Meaning::deviation, Sign::none, "it",
-            "scostamento|scostamenti|scost|scarto|scarti|errore|errori|deviazione|deviazioni|differenza"},
-    Phrases{Meaning::deviation, Sign::none, "es", "desviacion|desviaciones|desv|diferencia|desvio|desvios"},
-    Phrases{Meaning::actual, Sign::none, "en", "actual|measured|meas"},
-    Phrases{Meaning::actual, Sign::none, "fr", "reel|reelle|mesuree|atteinte"},
-    Phrases{Meaning::actual, Sign::none, "de",
-            "ist|istposition|istwert|istpos|istwinkel|gemessen|gemessene|gemessener"},
-    Phrases{Meaning::actual, Sign::none, "it", "misurata|misurato|reale|effettiva|rilevata|rilevato"},
-    Phrases{Meaning::actual, Sign::none, "es", "medida|medido|real"},
-    Phrases{Meaning::reading, Sign::none, "fr", "mesure|mesures|releve|lecture"},
-    Phrases{Meaning::reading, Sign::none, "en", "reading|readings|measurement"},
-    Phrases{Meaning::reading, Sign::none, "de", "messwert|messwerte"},
-    Phrases{Meaning::run, Sign::none, "de",
-            "messung|lauf|laufe|messlauf|messreihe|zyklus|durchgang|reihe|fahrt"},
-    Phrases{Meaning::reading, Sign::none, "it", "misura|lettura"},
-    Phrases{Meaning::reading, Sign::none, "es", "lectura|medicion"},
-    Phrases{Meaning::direction, Sign::none, "en fr", "direction"},
-    Phrases{Meaning::direction, Sign::none, "*", "dir"},
-    Phrases{Meaning::direction, Sign::none, "en", "approach|sense"},
-    Phrases{Meaning::direction, Sign::none, "fr", "sens|approche"},
-    Phrases{Meaning::direction, Sign::none, "de", "richtung|anfahrrichtung|fahrtrichtung|anfahrt"},
-    Phrases{Meaning::direction, Sign::none, "it", "direzione|senso|verso"},
-    Phrases{Meaning::direction, Sign::none, "es", "sentido|direccion"},
-    Phrases{Meaning::time, Sign::none, "en", "time|elapsed|timestamp"},
-    Phrases{Meaning::time, Sign::none, "fr", "temps|heure|duree|horodatage"},
-    Phrases{Meaning::time, Sign::none, "de", "zeit|uhrzeit|zeitstempel"},
-    Phrases{Meaning::time, Sign::none, "it", "tempo|ora"},
-    Phrases{Meaning::time, Sign::none, "es", "tiempo|hora"},
-    Phrases{Meaning::angle, Sign::none, "en fr", "angle|angles"},
-    Phrases{Meaning::angle, Sign::none, "de", "winkel"},
-    Phrases{Meaning::angle, Sign::none, "it", "angolo"},
-    Phrases{Meaning::angle, Sign::none, "es", "angulo"},
-    Phrases{Meaning::angle, Sign::none, "*", "theta|θ|phi|φ"},
-    Phrases{Meaning::angle, Sign::none, "en fr de", "phase"},
-    Phrases{Meaning::radius, Sign::none, "en de", "radius"},
-    Phrases{Meaning::radius, Sign::none, "fr", "rayon"},
-    Phrases{Meaning::radius, Sign::none, "it", "raggio"},
-    Phrases{Meaning::radius, Sign::none, "es", "radio"},
-    Phrases{Meaning::radius, Sign::none, "*", "ρ"},
-    Phrases{Meaning::nominal, Sign::none, "en", "nominal radius|radius nominal"},
-    Phrases{Meaning::nominal, Sign::none, "fr", "rayon nominal"},
-    Phrases{Meaning::nominal, Sign::none, "de", "nennradius|sollradius"},
-    Phrases{Meaning::nominal, Sign::none, "it", "raggio nominale"},
-    Phrases{Meaning::nominal, Sign::none, "es", "radio nominal"},
-    Phrases{Meaning::target, Sign::none, "en it", "target"},
-    Phrases{Meaning::target, Sign::none, "en",
-            "targets|commanded|command|programmed|demanded|set point|setpoint"},
-    Phrases{Meaning::target, Sign::none, "en fr es", "nominal"},
-    Phrases{Meaning::target, Sign::none, "fr it", "nominale"},
-    Phrases{Meaning::target, Sign::none, "fr", "cible|visee|vise|consigne|theorique|programmee|commandee"},
-    Phrases{Meaning::target, Sign::none, "de",
-            "soll|sollposition|sollwert|sollpos|sollwinkel|zielposition|zielpos|zielwinkel|ziel|"
-            "nennposition|nennwinkel"},
-    Phrases{Meaning::target, Sign::none, "it", "obiettivo|bersaglio|comandata|programmata"},
-    Phrases{Meaning::target, Sign::none, "it es", "teorica"},
-    Phrases{Meaning::target, Sign::none, "es", "objetivo|consigna|programada|comandada"},
-    Phrases{Meaning::place, Sign::none, "en fr de", "position"},
-    Phrases{Meaning::place, Sign::none, "en fr", "positions"},
-    Phrases{Meaning::place, Sign::none, "*", "pos|p"},
-    Phrases{Meaning::place, Sign::none, "it", "posizione|quota"},
-    Phrases{Meaning::place, Sign::none, "es", "posicion|cota"},
-    Phrases{Meaning::place, Sign::none, "fr", "cote|abscisse"},
-    Phrases{Meaning::place, Sign::none, "en", "coordinate"},
-    Phrases{Meaning::place, Sign::none, "de",
-            "messposition|messpunkt|achsposition|prufposition|prufpunkt|winkelposition|winkelstellung|"
-            "drehwinkel"},
-    Phrases{Meaning::run, Sign::none, "en", "run|runs|pass|trial|series|traverse|rep|repeat|repetition|test"},
-    Phrases{Meaning::run, Sign::none, "en fr", "cycle"},
-    Phrases{Meaning::run, Sign::none, "fr", "passe|passage|essai|course"},
-    Phrases{Meaning::run, Sign::none, "fr en", "passes"},
-    Phrases{Meaning::run, Sign::none, "fr es it", "serie"},
-    Phrases{Meaning::run, Sign::none, "it", "corsa|passata|prova"},
-    Phrases{Meaning::run, Sign::none, "it es", "ciclo"},
-    Phrases{Meaning::run, Sign::none, "es", "pasada|recorrido|ensayo"},
-    Phrases{Meaning::run, Sign::none, "*", "j"},
-    Phrases{Meaning::index, Sign::none, "*", "index|idx|i|n|no|nr|#|n°|nº|pt|id"},
-    Phrases{Meaning::index, Sign::none, "de", "lfd|nummer|punkt"},
-    Phrases{Meaning::index, Sign::none, "fr it es", "numero"},
-    Phrases{Meaning::index, Sign::none, "en", "number|sample|row|line"},
-    Phrases{Meaning::index, Sign::none, "en fr", "point|points"},
-    Phrases{Meaning::index, Sign::none, "it es", "punto"},
-    Phrases{Meaning::axis, Sign::none, "en", "axis"},
-    Phrases{Meaning::axis, Sign::none, "fr", "axe"},
-    Phrases{Meaning::axis, Sign::none, "de", "achse"},
-    Phrases{Meaning::axis, Sign::none, "it", "asse"},
-    Phrases{Meaning::axis, Sign::none, "es", "eje"},
-    Phrases{Meaning::process, Sign::none, "*", "pv"},
-    Phrases{Meaning::unknown, Sign::filler, "en",
-            "value|values|data|positioning|positional|of|the|to|travel|movement|ve"},
-    Phrases{Meaning::unknown, Sign::filler, "en es", "angular"},
-    Phrases{Meaning::unknown, Sign::filler, "fr", "angulaire|angulaires"},
-    Phrases{Meaning::unknown, Sign::filler, "it", "angolare|angolari"},
-    Phrases{Meaning::unknown, Sign::filler, "fr", "valeur|d|du|positionnement|lineaire"},
-    Phrases{Meaning::unknown, Sign::filler, "de", "wert|der|die|lineare"},
-    Phrases{Meaning::unknown, Sign::filler, "it", "valore|di|posizionamento|lineare"},
-    Phrases{Meaning::unknown, Sign::filler, "es", "valor|º|posicionamiento|lineal"},
-    Phrases{Meaning::unknown, Sign::filler, "*", "laser|linear|radial|radiale|in"},
-    Phrases{Meaning::unknown, Sign::filler, "fr es", "de|en"},
-    Phrases{Meaning::unknown, Sign::filler, "fr it", "l"},
-    Phrases{Meaning::unknown, Sign::filler, "fr it es", "la"},
-    Phrases{Meaning::unknown, Sign::filler, "it es", "del"},
-    Phrases{Meaning::unknown, Sign::found, "en",
-            "as found|before|before adjustment|before compensation|before correction"},
-    Phrases{Meaning::unknown, Sign::left, "en",
-            "as left|after|after adjustment|after compensation|after correction"},
-    Phrases{Meaning::unknown, Sign::found, "fr",
-            "etat initial|tel que trouve|avant reglage|avant compensation|avant correction"},
-    Phrases{Meaning::unknown, Sign::left, "fr",
-            "etat final|tel que laisse|apres|apres reglage|apres compensation|apres correction"},
-    Phrases{Meaning::unknown, Sign::found, "de",
-            "vorgefunden|wie vorgefunden|vor justage|vor justierung|vor einstellung|vor kompensation|vor "
-            "korrektur"},
-    Phrases{Meaning::unknown, Sign::left, "de",
-            "hinterlassen|wie hinterlassen|nach justage|nach justierung|nach einstellung|nach "
-            "kompensation|nach korrektur"},
-    Phrases{Meaning::unknown, Sign::found, "it es", "prima|antes"},
-    Phrases{Meaning::unknown, Sign::left, "it es", "dopo|despues"},
-    Phrases{Meaning::unknown, Sign::up, "cs", "tam|vpřed|nahoru|kladný|kladná"},
-    Phrases{Meaning::unknown, Sign::down, "cs", "zpět|vzad|dolů|záporný|záporná"},
-    Phrases{Meaning::unknown, Sign::up, "pl", "naprzód|w przód|do przodu|dodatni|dodatnia"},
-    Phrases{Meaning::unknown, Sign::down, "pl", "wstecz|do tyłu|z powrotem|powrót|ujemny|ujemna"},
-    Phrases{Meaning::unknown, Sign::up, "ru",
-            "вперёд|вперед|прямо|прямой|прямое|положительный|положительное"},
-    Phrases{Meaning::unknown, Sign::down, "ru",
-            "назад|обратно|обратный|обратное|отрицательный|отрицательное"},
-    Phrases{Meaning::unknown, Sign::up, "zh ja", "正向|正方向|前进|去程|往路|前進"},
-    Phrases{Meaning::unknown, Sign::down, "zh ja",
-            "负向|反向|负方向|反方向|后退|回程|返程|復路|負方向|逆方向|後退"},
-    Phrases{Meaning::place, Sign::none, "cs pl ru",
-            "poloha|pozice|poz|pozycja|położenie|позиция|положение|координата"},
-    Phrases{Meaning::place, Sign::none, "zh ja", "位置|坐标|座標"},
-    Phrases{Meaning::target, Sign::none, "cs pl", "cíl|cílová|zadaná|zadana|docelowa|nominalna|nominální"},
-    Phrases{Meaning::target, Sign::none, "ru", "цель|целевая|заданная|заданное|номинал|номинальное"},
-    Phrases{Meaning::target, Sign::none, "zh ja", "目标|目标位置|指令位置|理论位置|目標|目標位置"},
-    Phrases{Meaning::target, Sign::none, "*", "tgt|trgt|pi|p i"},
-    Phrases{Meaning::actual, Sign::none, "en", "ref pos|reference position"},
-    Phrases{Meaning::deviation, Sign::none, "cs pl",
-            "odchylka|odchylky|chyba|odchyłka|odchyłki|odchylenie|błąd|błędy"},
-    Phrases{Meaning::deviation, Sign::none, "ru", "отклонение|отклонения|ошибка|ошибки|погрешность"},
-    Phrases{Meaning::deviation, Sign::none, "zh ja", "偏差|误差|誤差"},
-    Phrases{Meaning::actual, Sign::none, "cs pl ru",
-            "skutečná|naměřená|rzeczywista|zmierzona|фактическая|фактическое|измеренная|измеренное|"
-            "действительная"},
-    Phrases{Meaning::actual, Sign::none, "zh ja", "实际|实际位置|实测|测量值|実測|実際位置|測定値"},
-    Phrases{Meaning::run, Sign::none, "cs pl ru", "měření|běh|pomiar|przebieg|измерение|проход|прогон|цикл"},
-    Phrases{Meaning::run, Sign::none, "zh ja", "测量|次|循环|測定|回"},
-    Phrases{Meaning::direction, Sign::none, "cs pl ru zh ja", "směr|kierunek|направление|方向"},
-    Phrases{Meaning::statistic, Sign::none, "cs pl ru zh ja", "průměr|średnia|среднее|平均|平均值|平均値"},
-    Phrases{Meaning::temperature, Sign::none, "cs ru zh ja", "teplota|температура|温度"},
-    Phrases{Meaning::time, Sign::none, "cs pl ru zh ja", "čas|czas|время|时间|時間"},
-    Phrases{Meaning::unknown, Sign::from, "en de fr es it", "from|von|depuis|desde|da|dal|dalla"},
+    Phrases{Meaning::unknown, Sign::up,
+            "*: +|↑|⇑|↗|→|->|-->|>>|=>|»|en: forward|forwards|fwd|up|upward|upwards|ascending|increasing|en "
+            "fr: positive|fr: aller|positif|montee|montant|croissant|croissante|avant|ascendant|fr de: plus|"
+            "de: hin|hinfahrt|hinweg|hinlauf|vorwarts|vorwaerts|vorlauf|vor|positiv|aufwarts|aufwaerts|"
+            "steigend|it: andata|avanti|salita|crescente|it es: positivo|positiva|es: ida|adelante|subida|"
+            "creciente|es it: ascendente|cs: tam|vpřed|nahoru|kladný|kladná|pl: naprzód|w przód|do przodu|"
+            "dodatni|dodatnia|ru: вперёд|вперед|прямо|прямой|прямое|положительный|положительное|zh ja: 正向|"
+            "正方向|前进|去程|往路|前進"},
+    Phrases{Meaning::unknown, Sign::down,
+            "*: -|↓|⇓|↘|←|<-|<--|<<|<=|«|en: backward|backwards|bwd|back|reverse|down|downward|downwards|"
+            "descending|decreasing|en fr: negative|fr: retour|negatif|descente|descendant|decroissant|"
+            "decroissante|arriere|moins|de: minus|ruck|rueck|zuruck|zurueck|ruckfahrt|rueckfahrt|ruckweg|"
+            "rueckweg|rucklauf|ruecklauf|ruckwarts|rueckwaerts|her|negativ|abwarts|abwaerts|fallend|it: "
+            "ritorno|indietro|discesa|decrescente|discendente|it es: negativo|negativa|es: vuelta|regreso|"
+            "retorno|atras|retroceso|bajada|descendente|decreciente|cs: zpět|vzad|dolů|záporný|záporná|pl: "
+            "wstecz|do tyłu|z powrotem|powrót|ujemny|ujemna|ru: назад|обратно|обратный|обратное|"
+            "отрицательный|отрицательное|zh ja: 负向|反向|负方向|反方向|后退|回程|返程|復路|負方向|逆方向|"
+            "後退"},
+    Phrases{Meaning::direction, Sign::up, "en: pos direction|pos dir|de: pos richtung"},
+    Phrases{Meaning::direction, Sign::down, "en: neg direction|neg dir|de: neg richtung"},
+    Phrases{Meaning::unknown, Sign::hintUp,
+            "*: pos|en: inc|asc|forw|out|outward|outbound|es: avance|de: auf|fr: all"},
+    Phrases{Meaning::unknown, Sign::hintDown,
+            "*: neg|en: rev|dec|desc|backw|return|inward|inbound|de: ab|fr: ret"},
+    Phrases{Meaning::statistic, Sign::none,
+            "en: mean|average|avg|avg error|std dev|standard deviation|range|reversal|reversal value|"
+            "reversal error|backlash|repeatability|accuracy|bidirectional avg error|spread|sum|*: std|stdev|"
+            "stddev|sigma|σ|min|max|minimum|maximum|median|x\u0304|ø|Ø|⌀|en de: hysteresis|fr: moyenne|"
+            "moyennes|moyen|moy|ecart type|ecart moyen|etendue|reversibilite|jeu|repetabilite|mini|maxi|"
+            "somme|de: mittelwert|mittel|mittlere|std abw|standardabweichung|streuung|spannweite|"
+            "umkehrspanne|positionsstreubreite|mw|durchschnitt|summe|it es: media|medie|medio|minimo|it: "
+            "dev std|scarto tipo|deviazione standard|inversione|gioco|ripetibilita|massimo|somma|es: desv "
+            "tipica|desviacion tipica|desviacion estandar|inversion|holgura|rango|repetibilidad|maximo|"
+            "promedio|suma|cs pl ru zh ja: průměr|średnia|среднее|平均|平均值|平均値"},
+    Phrases{Meaning::temperature, Sign::none,
+            "*: temp|°c|en fr: temperature|temperatures|de: temperatur|temperaturen|it es: temperatura|cs "
+            "ru zh ja: teplota|температура|温度"},
+    Phrases{Meaning::other, Sign::none,
+            "en fr: tolerance|compensation|correction|de: toleranz|grenzwert|grenze|kompensation|korrektur|"
+            "vorschub|messunsicherheit|unsicherheit|bemerkung|druck|feuchte|it: tolleranza|compensazione|"
+            "correzione|avanzamento|velocita|incertezza|pressione|umidita|es: tolerancia|compensacion|"
+            "correccion|velocidad|incertidumbre|observacion|presion|humedad|*: tol|offset|status|en: limit|"
+            "limits|feed|feedrate|speed|velocity|uncertainty|remark|remarks|comment|pressure|humidity|batch|"
+            "fr it es: limite|fr: vitesse|incertitude|remarque|pression|humidite|it es: nota|en fr it: note"},
+    Phrases{
+        Meaning::deviation, Sign::none,
+        "en: deviation|deviations|errors|*: dev|err|diff|δ|δr|δx|dr|dx|en es: error|en fr: difference|"
+        "fr: ecart|ecarts|erreur|erreurs|defaut|defauts|de: abweichung|abweichungen|abw|fehler|"
+        "positionsabweichung|positionsfehler|radialabweichung|differenz|messabweichung|messabweichungen|"
+        "positionierabweichung|positionierfehler|wegabweichung|wegfehler|istabweichung|linearabweichung|"
+        "winkelabweichung|winkelfehler|drehwinkelabweichung|drehwinkelfehler|it: scostamento|"
+        "scostamenti|scost|scarto|scarti|errore|errori|deviazione|deviazioni|differenza|es: desviacion|"
+        "desviaciones|desv|diferencia|desvio|desvios|cs pl: odchylka|odchylky|chyba|odchyłka|odchyłki|"
+        "odchylenie|błąd|błędy|ru: отклонение|отклонения|ошибка|ошибки|погрешность|zh ja: 偏差|误差|誤差"},
+    Phrases{Meaning::actual, Sign::none,
+            "en: actual|measured|meas|ref pos|reference position|fr: reel|reelle|mesuree|atteinte|de: ist|"
+            "istposition|istwert|istpos|istwinkel|gemessen|gemessene|gemessener|it: misurata|misurato|reale|"
+            "effettiva|rilevata|rilevato|es: medida|medido|real|cs pl ru: skutečná|naměřená|rzeczywista|"
+            "zmierzona|фактическая|фактическое|измеренная|измеренное|действительная|zh ja: 实际|实际位置|"
+            "实测|测量值|実測|実際位置|測定値"},
+    Phrases{Meaning::reading, Sign::none,
+            "fr: mesure|mesures|releve|lecture|en: reading|readings|measurement|de: messwert|messwerte|it: "
+            "misura|lettura|es: lectura|medicion"},
+    Phrases{Meaning::run, Sign::none,
+            "de: messung|lauf|laufe|messlauf|messreihe|zyklus|durchgang|reihe|fahrt|en: run|runs|pass|trial|"
+            "series|traverse|rep|repeat|repetition|test|en fr: cycle|fr: passe|passage|essai|course|fr en: "
+            "passes|fr es it: serie|it: corsa|passata|prova|it es: ciclo|es: pasada|recorrido|ensayo|*: j|"
+            "cs pl ru: měření|běh|pomiar|przebieg|измерение|проход|прогон|цикл|zh ja: 测量|次|循环|測定|回"},
+    Phrases{Meaning::direction, Sign::none,
+            "en fr: direction|*: dir|en: approach|sense|fr: sens|approche|de: richtung|anfahrrichtung|"
+            "fahrtrichtung|anfahrt|it: direzione|senso|verso|es: sentido|direccion|cs pl ru zh ja: směr|"
+            "kierunek|направление|方向"},
+    Phrases{Meaning::time, Sign::none,
+            "en: time|elapsed|timestamp|fr: temps|heure|duree|horodatage|de: zeit|uhrzeit|zeitstempel|it: "
+            "tempo|ora|es: tiempo|hora|cs pl ru zh ja: čas|czas|время|时间|時間"},
+    Phrases{Meaning::angle, Sign::none,
+            "en fr: angle|angles|de: winkel|it: angolo|es: angulo|*: theta|θ|phi|φ|en fr de: phase"},
+    Phrases{Meaning::radius, Sign::none, "en de: radius|fr: rayon|it: raggio|es: radio|*: ρ"},
+    Phrases{Meaning::nominal, Sign::none,
+            "en: nominal radius|radius nominal|fr: rayon nominal|de: nennradius|sollradius|it: raggio "
+            "nominale|es: radio nominal"},
+    Phrases{Meaning::target, Sign::none,
+            "en it: target|en: targets|commanded|command|programmed|demanded|set point|setpoint|en fr es: "
+            "nominal|fr it: nominale|fr: cible|visee|vise|consigne|theorique|programmee|commandee|de: soll|"
+            "sollposition|sollwert|sollpos|sollwinkel|zielposition|zielpos|zielwinkel|ziel|nennposition|"
+            "nennwinkel|it: obiettivo|bersaglio|comandata|programmata|it es: teorica|es: objetivo|consigna|"
+            "programada|comandada|cs pl: cíl|cílová|zadaná|zadana|docelowa|nominalna|nominální|ru: цель|"
+            "целевая|заданная|заданное|номинал|номинальное|zh ja: 目标|目标位置|指令位置|理论位置|目標|"
+            "目標位置|*: tgt|trgt|pi|p i"},
+    Phrases{Meaning::place, Sign::none,
+            "en fr de: position|en fr: positions|*: pos|p|it: posizione|quota|es: posicion|cota|fr: cote|"
+            "abscisse|en: coordinate|de: messposition|messpunkt|achsposition|prufposition|prufpunkt|"
+            "winkelposition|winkelstellung|drehwinkel|cs pl ru: poloha|pozice|poz|pozycja|położenie|позиция|"
+            "положение|координата|zh ja: 位置|坐标|座標"},
+    Phrases{Meaning::index, Sign::none,
+            "*: index|idx|i|n|no|nr|#|n°|nº|pt|id|de: lfd|nummer|punkt|fr it es: numero|en: number|sample|"
+            "row|line|en fr: point|points|it es: punto"},
+    Phrases{Meaning::axis, Sign::none, "en: axis|fr: axe|de: achse|it: asse|es: eje"},
+    Phrases{Meaning::process, Sign::none, "*: pv"},
+    Phrases{Meaning::unknown, Sign::filler,
+            "en: value|values|data|positioning|positional|of|the|to|travel|movement|ve|en es: angular|fr: "
+            "angulaire|angulaires|valeur|d|du|positionnement|lineaire|it: angolare|angolari|valore|di|"
+            "posizionamento|lineare|de: wert|der|die|lineare|es: valor|º|posicionamiento|lineal|*: laser|"
+            "linear|radial|radiale|in|fr es: de|en|fr it: l|fr it es: la|it es: del"},
+    Phrases{Meaning::unknown, Sign::found,
+            "en: as found|before|before adjustment|before compensation|before correction|fr: etat initial|"
+            "tel que trouve|avant reglage|avant compensation|avant correction|de: vorgefunden|wie "
+            "vorgefunden|vor justage|vor justierung|vor einstellung|vor kompensation|vor korrektur|it es: "
+            "prima|antes"},
+    Phrases{Meaning::unknown, Sign::left,
+            "en: as left|after|after adjustment|after compensation|after correction|fr: etat final|tel que "
+            "laisse|apres|apres reglage|apres compensation|apres correction|de: hinterlassen|wie "
+            "hinterlassen|nach justage|nach justierung|nach einstellung|nach kompensation|nach korrektur|it "
+            "es: dopo|despues"},
+    Phrases{Meaning::unknown, Sign::from, "en de fr es it: from|von|depuis|desde|da|dal|dalla"},
 };
 
 /// If a heading has words of two meanings, the first one here takes precedence: "standard deviation" is not a
@@ -352,9 +227,12 @@ const Dictionary &dictionary() {
         static std::deque<std::string> lists; // folded like headings
         for (const Phrases &row : phrases) {
             for (std::string_view rest = lists.emplace_back(folded(row.list)); !rest.empty();) {
-                const std::string_view words = rest.substr(0, rest.find('|'));
+                const std::size_t end = std::min(rest.find('|'), rest.size());
+                const std::size_t colon = rest.substr(0, end).find(": "); // behind the name of a language
+                const std::size_t begin = colon == std::string_view::npos ? 0 : colon + 2;
+                const std::string_view words = rest.substr(begin, end - begin);
                 result[words.substr(0, words.find(' '))].push_back({words, row.meaning, row.sign});
-                rest.remove_prefix(std::min(words.size() + 1, rest.size()));
+                rest.remove_prefix(std::min(end + 1, rest.size()));
             }
         }
         for (auto &[word, list] : result)
@@ -445,12 +323,9 @@ public:
             m.hint = Direction::negative; // "Meas. pos. - 1" next to "Meas. pos. + 1"
         else if (m_hintUp != m_hintDown)
             m.hint = m_hintUp ? Direction::positive : Direction::negative;
-        for (const Meaning meaning : precedence) {
-            if (has(meaning)) {
-                m.meaning = meaning;
-                break;
-            }
-        }
+        const auto *const first =
+            std::ranges::find_if(precedence, [this](Meaning meaning) { return has(meaning); });
+        m.meaning = first == precedence.end() ? Meaning::unknown : *first;
         if (m_symbol && m.direction && m_meanings.empty() && m.unknownWords < 2)
             m.meaning = Meaning::statistic;
         m.isTarget = has(Meaning::target);

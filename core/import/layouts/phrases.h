@@ -6,6 +6,8 @@
 #include "kernel/measurement/test.h"
 #include "tables/units.h"
 
+#include <algorithm>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -36,6 +38,10 @@ enum class Meaning {
     x,
     y,
 };
+
+[[nodiscard]] inline bool isOneOf(Meaning meaning, std::initializer_list<Meaning> meanings) {
+    return std::ranges::find(meanings, meaning) != meanings.end();
+}
 
 /// Meaning of the words of a heading in English, French, German, Italian or Spanish. Only whole words count:
 /// "Pos." is a place and "rev" an abbreviation, neither is a direction.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "import/layouts/passes.h"
+#include "import/layouts/positioningcolumns.h"
 #include "import/layouts/tablereading.h"
 
 #include <optional>
@@ -31,14 +32,8 @@ struct PlacedPass {
 };
 
 /// Content of a positioning table before units and signs are settled.
-struct FoundPasses {
+struct FoundPasses : FoundForm {
     std::vector<PlacedPass> passes;
-    std::string content; ///< "deviations", "positions", or empty
-    std::string sign;    ///< proven by the table, or empty
-    SaidUnit unit = {};
-    SaidUnit positionUnit = {};
-    bool hasHints = false;  ///< directions are from letters, abbreviations or titles
-    bool hasSenses = false; ///< directions are from senses of rotation
     bool isBlockwise = false;
     bool isByLine = false; ///< one pass per line
 };

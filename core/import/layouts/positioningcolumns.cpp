@@ -91,16 +91,16 @@ void placeOwnTargets(PositioningColumns &columns) {
 }
 
 /// Replaces what was found by the user's choice. Throws Error for roles that make no test.
-void takeChosenColumns(ColumnSearch &search, const std::string &text) {
+void takeChosenColumns(ColumnSearch &search, std::vector<ImportColumn> chosen) {
     const std::vector<TableColumn> &heads = search.reading.body.columns;
-    const auto named = palmer::columnsOf(text);
+    const auto named = palmer::columnsOf(search.reading.choices.chosen("columns"));
     if (named && named->size() > heads.size())
         throw Error(Error::Kind::content,
                     {REPORT_TEXT_COUNTED("report", "%1 names %n column(s), the table has %2"),
                      {"columns", counted(heads.size())},
                      static_cast<int>(named->size())});
     PositioningColumns result;
-    result.columns = search.reading.columnsAs(text);
+    result.columns = std::move(chosen);
     result.target = columnOf(result.columns, ColumnRole::target);
     result.direction = columnOf(result.columns, ColumnRole::direction);
     result.number = columnOf(result.columns, ColumnRole::number);
@@ -129,16 +129,11 @@ void takeChosenColumns(ColumnSearch &search, const std::string &text) {
 /// Settles the columns: the user's choice, otherwise what was found, with its question.
 void resolve(ColumnSearch &search) {
     TableReading &m = search.reading;
-    const std::string found = wordOf(search.result.columns);
-    const auto choice =
-        m.choices.resolve("columns", found, search.question ? Origin::guessed : Origin::recognised);
-    if (choice.origin == Origin::chosen)
-        takeChosenColumns(search, choice.value);
-    else if (search.question)
-        m.remarks.add(search.isDoubtful ? RemarkGrade::problem : RemarkGrade::assumption, "columns",
-                      *search.question);
-    if (!search.hasProposal && choice.origin != Origin::chosen)
-        m.result.remarks.back().isOwed = true;
+    if (auto chosen = m.resolveColumns(search.result.columns, search.question,
+                                       search.isDoubtful ? RemarkGrade::problem : RemarkGrade::assumption))
+        takeChosenColumns(search, std::move(*chosen));
+    else if (!search.hasProposal)
+        m.remarks.back().isOwed = true;
     m.result.columns = search.result.columns; // to be shown and changed even if nothing else is known
     if (!search.result.target || search.result.values.empty())
         refuseContent(REPORT_TEXT("report", "the columns of the targets and "

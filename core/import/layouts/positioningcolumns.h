@@ -12,19 +12,24 @@
 
 namespace palmer {
 
+/// What a positioning table says of its numbers.
+struct FoundForm {
+    std::string content; ///< "deviations", "positions", or empty if the headings do not tell
+    std::string sign;    ///< proven by actual positions in addition to deviations, otherwise empty
+    SaidUnit unit = {};  ///< of the readings
+    SaidUnit positionUnit = {};
+    bool hasSenses = false; ///< directions are from senses of rotation
+    bool hasHints = false;  ///< directions are from letters, abbreviations or titles
+};
+
 /// The columns of a positioning table by role.
-struct PositioningColumns {
+struct PositioningColumns : FoundForm {
     std::vector<ImportColumn> columns; ///< all columns of the table, each with its role
     std::optional<std::size_t> target;
     std::optional<std::size_t> direction;          ///< column of directions
     std::optional<std::size_t> number;             ///< column of run numbers
     std::vector<std::size_t> values;               ///< readings of one role, one unit and one axis
     std::map<std::size_t, std::size_t> ownTargets; ///< readings next to their own column of targets
-    std::string content;    ///< "deviations", "positions", or empty if the headings do not tell
-    std::string sign;       ///< proven by actual positions in addition to deviations, otherwise empty
-    SaidUnit unit = {};     ///< of the readings
-    bool hasSenses = false; ///< directions are from senses of rotation
-    bool hasHints = false;  ///< directions are from letters or abbreviations
 };
 
 /// Settles the role of every column: chosen by the user ("columns"), otherwise from the whole words and units

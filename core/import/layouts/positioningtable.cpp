@@ -185,8 +185,7 @@ void readPositioning(TableReading &reading) {
     const std::string layout = resolveLayout(reading);
     FoundPasses found = layout == "runsDown" ? readRunsDown(reading) : readTargetsDown(reading);
     if (std::ranges::none_of(found.passes, hasReading))
-        refuseContent(
-            REPORT_TEXT("report", "there are no readings in it; expected target positions and deviations"));
+        refuseWithoutReadings();
     askForOtherQuantity(reading);
     resolveDirections(found, reading);
     colour(found.passes, reading);

@@ -57,9 +57,7 @@ private:
             m_found.positionUnit = saidUnit(words);
         for (const TableCell &cell : cells) {
             if (cell.kind == CellKind::grouped || cell.kind == CellKind::broken)
-                m.remarks.problem({"unread", m.row(head).line},
-                                  REPORT_TEXT("report", "“%1” is no target position; the line was not read."),
-                                  excerpt(m.table().text(cell)));
+                m.remarkNoTarget(head, m.table().text(cell));
         }
     }
 
@@ -174,15 +172,14 @@ private:
     }
 
     void takeColumns() {
-        m.result.columns.clear();
-        for (std::size_t c = 0; c < m.body.columns.size(); ++c) {
-            ImportColumn column{ColumnRole::ignored, {}, 0, nullptr, m.body.columns[c].heading};
-            const bool isTarget =
-                std::ranges::any_of(m_targets, [&](const auto &target) { return target.first == c; });
-            column.role = isTarget            ? ColumnRole::run
-                          : m_directions == c ? ColumnRole::direction
-                                              : ColumnRole::ignored;
-            m.result.columns.push_back(column);
+        m.result.columns = m.columnsAs({});
+        for (ImportColumn &column : m.result.columns)
+            column.unit = nullptr; // those of the headings belong to something else
+        if (m_directions)
+            m.result.columns[*m_directions].role = ColumnRole::direction;
+        for (const auto &[column, position] : m_targets) {
+            if (column < m.result.columns.size())
+                m.result.columns[column].role = ColumnRole::run;
         }
         m.choices.resolve("columns", wordOf(m.result.columns), Origin::recognised);
     }

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "import/layouts/tablebody.h"
 
-#include "document/documenterror.h"
 #include "document/place.h"
 #include "import/filenotes.h"
 #include "kernel/words/characters.h"
+#include "tables/contenterror.h"
 #include "tables/dates.h"
 
 #include <algorithm>
@@ -365,9 +365,9 @@ private:
 
     /// Fewer numbers than columns, separated only by blanks.
     [[nodiscard]] bool hasGapAmongBlanks(const TableRow &row) const {
-        const auto isOfNumbers = [](const TableColumn &column) { return column.kind == ColumnKind::numbers; };
         return m_table.delimiter.value == Delimiter::blanks && row.count < m_body.columns.size() &&
-               std::any_of(m_body.columns.begin() + row.count, m_body.columns.end(), isOfNumbers);
+               std::any_of(m_body.columns.begin() + row.count, m_body.columns.end(),
+                           std::mem_fn(&TableColumn::isNumeric));
     }
 
     /// A row like those of the body, but with a word or nothing in place of their first number.
@@ -397,10 +397,7 @@ private:
         return std::ranges::equal(a, b, {}, &TableCell::value, &TableCell::value);
     }
 
-    void remarkUnread(const TableRow &row) {
-        m_body.remarks.problem({"unread", row.line},
-                               REPORT_TEXT("report", "This line is not like the others and was not read."));
-    }
+    void remarkUnread(const TableRow &row) { m_body.remarks.unlike(row.line); }
 
     /// Empty lines separate blocks unless they are everywhere.
     [[nodiscard]] bool gapsSeparate(const std::vector<bool> &areBody) const {
@@ -430,78 +427,6 @@ private:
     std::optional<std::size_t> m_clock;
 };
 
-/// True if the columns of two sections have the same meaning except for directions and run numbers.
-bool areAlike(const std::vector<TableColumn> &a, const std::vector<TableColumn> &b) {
-    const auto meaningOf = [](const TableColumn &column) {
-        return column.meaning == Meaning::place ? Meaning::target : column.meaning;
-    };
-    return std::ranges::equal(a, b, [&](const TableColumn &x, const TableColumn &y) {
-        const bool understood = x.words.unknownWords == 0 && y.words.unknownWords == 0;
-        return x.kind != ColumnKind::numbers ||
-               (meaningOf(x) == meaningOf(y) && x.unit == y.unit && x.words.axis == y.words.axis &&
-                (understood || x.words.stem == y.words.stem) && x.words.group == y.words.group);
-    });
-}
-
-/// How likely columns are a measurement: 2 with places and readings, or two axes; 1 with one of them.
-int likeness(const std::vector<TableColumn> &columns) {
-    bool places = false;
-    bool readings = false;
-    std::size_t axes = 0;
-    for (const TableColumn &column : columns) {
-        if (column.kind != ColumnKind::numbers)
-            continue;
-        const Meaning meaning = column.meaning;
-        places |= meaning == Meaning::target || meaning == Meaning::place || meaning == Meaning::angle;
-        readings |= meaning == Meaning::deviation || meaning == Meaning::actual ||
-                    meaning == Meaning::reading || meaning == Meaning::run || meaning == Meaning::radius ||
-                    (column.words.direction && meaning != Meaning::statistic);
-        axes += meaning == Meaning::x || meaning == Meaning::y ? 1 : 0;
-    }
-    return axes == 2 ? 2 : (places ? 1 : 0) + (readings ? 1 : 0);
-}
-
-/// Keeps the blocks of one table and lists the others.
-void keepOneTable(const CellTable &table, TableBody &body, std::optional<std::size_t> chosen) {
-    constexpr std::size_t mostKinds = 50; // a report with more is not read as a whole
-    constexpr std::size_t longestHeadings = 60;
-    std::vector<std::size_t> sections; // first section of each kind
-    std::vector<std::size_t> kindOf;
-    for (std::size_t s = 0; s < body.sections.size(); ++s) {
-        const auto found = std::ranges::find_if(
-            sections, [&](std::size_t other) { return areAlike(body.sections[other], body.sections[s]); });
-        kindOf.push_back(static_cast<std::size_t>(found - sections.begin()));
-        if (found == sections.end() && sections.size() < mostKinds)
-            sections.push_back(s);
-    }
-    body.tables.resize(sections.size());
-    for (const TableBlock &block : body.blocks) {
-        if (kindOf[block.section] >= sections.size())
-            continue;
-        ListedTable &listed = body.tables[kindOf[block.section]];
-        const std::size_t first = table.rows()[block.rows.front()].line;
-        listed.firstLine = listed.rows == 0 ? first : listed.firstLine;
-        listed.lastLine = table.rows()[block.rows.back()].line;
-        listed.rows += block.rows.size();
-    }
-    for (std::size_t k = 0; k < sections.size(); ++k) {
-        for (const TableColumn &column : body.sections[sections[k]]) {
-            std::string &headings = body.tables[k].headings;
-            if (!column.heading.empty() && headings.size() < longestHeadings)
-                headings += (headings.empty() ? "" : ", ") + excerpt(column.heading);
-        }
-    }
-    const auto rank = [&](std::size_t k) {
-        return std::pair(likeness(body.sections[sections[k]]), body.tables[k].rows);
-    };
-    for (std::size_t k = 1; k < sections.size(); ++k)
-        body.table = rank(k) > rank(body.table) ? k : body.table;
-    if (chosen && *chosen >= 1 && *chosen <= sections.size())
-        body.table = *chosen - 1;
-    std::erase_if(body.blocks, [&](const TableBlock &block) { return kindOf[block.section] != body.table; });
-    body.columns = body.sections[sections[body.table]];
-}
-
 } // namespace
 
 std::size_t TableBody::rowCount() const {
@@ -511,40 +436,13 @@ std::size_t TableBody::rowCount() const {
     return rows;
 }
 
-std::vector<std::size_t> TableBody::numberColumns() const {
-    std::vector<std::size_t> result;
-    for (std::size_t c = 0; c < columns.size(); ++c) {
-        if (columns[c].kind == ColumnKind::numbers)
-            result.push_back(c);
-    }
-    return result;
-}
-
-std::optional<std::size_t> TableBody::columnOf(Meaning meaning) const {
-    const auto found = std::ranges::find(columns, meaning, &TableColumn::meaning);
-    return found == columns.end() ? std::nullopt
-                                  : std::optional(static_cast<std::size_t>(found - columns.begin()));
-}
-
-std::optional<std::size_t> TableBody::columnOf(ColumnKind kind) const {
-    const auto found = std::ranges::find(columns, kind, &TableColumn::kind);
-    return found == columns.end() ? std::nullopt
-                                  : std::optional(static_cast<std::size_t>(found - columns.begin()));
-}
-
-TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbers,
-                 std::optional<std::size_t> chosen) {
+TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbers) {
     TableBody body;
     const std::size_t width = widthOf(table);
-    const Error noNumbers(
-        Error::Kind::content,
-        {REPORT_TEXT("report", "there is no table of numbers in it; expected target positions and readings, "
-                               "points of a circle, or values over time")});
     if (width == 0)
-        throw Error(noNumbers);
+        refuseWithoutNumbers();
     if (width > widestTable)
-        throw Error(Error::Kind::tooLarge,
-                    {REPORT_TEXT("report", "more rows or cells than a table of readings can have")});
+        refuseTableSize();
     body.columns = columnsOf(table, width, body.opposite);
     for (const std::size_t c : ofNumbers) {
         if (c < width && body.columns[c].kind != ColumnKind::numbers &&
@@ -554,17 +452,16 @@ TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbe
         }
     }
     if (body.numberColumns().empty())
-        throw Error(noNumbers);
+        refuseWithoutNumbers();
     Sorter(table, body).sort();
     if (body.blocks.empty())
-        throw Error(noNumbers);
+        refuseWithoutNumbers();
     findSections(table, body);
     for (const TableBlock &block : body.blocks)
         body.notes.insert(body.notes.end(), block.heads.begin(), block.heads.end());
     std::erase_if(body.notes,
                   [&](std::uint32_t index) { return std::ranges::binary_search(body.columnHeads, index); });
     std::ranges::sort(body.notes);
-    keepOneTable(table, body, chosen);
     return body;
 }
 

@@ -7,7 +7,9 @@
 #include "import/remark.h"
 #include "tables/table.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -31,6 +33,12 @@ struct TableColumn {
     bool isChosen = false; ///< the user assigned it a role of numbers, whatever its cells look like
 
     [[nodiscard]] SaidUnit said() const { return {unit, foreignUnit}; }
+    [[nodiscard]] bool isIn(UnitKind of) const { return unit && unit->kind == of; }
+    [[nodiscard]] bool isNumeric() const { return kind == ColumnKind::numbers; }
+    [[nodiscard]] bool isTime() const { return meaning == Meaning::time || isIn(UnitKind::time); }
+    [[nodiscard]] bool isTemperature() const {
+        return meaning == Meaning::temperature || isIn(UnitKind::temperature);
+    }
 };
 
 /// Related rows of numbers and the words above them, as row indices of the table.
@@ -64,17 +72,40 @@ struct TableBody {
         return opposite && opposite->word == cell ? opposite->direction : directionOf(cell);
     }
     [[nodiscard]] std::size_t rowCount() const;
-    /// Columns of numbers, from left to right.
-    [[nodiscard]] std::vector<std::size_t> numberColumns() const;
-    [[nodiscard]] std::optional<std::size_t> columnOf(Meaning meaning) const;
-    [[nodiscard]] std::optional<std::size_t> columnOf(ColumnKind kind) const;
+    /// The columns for which it is true, from left to right.
+    template <class Is>
+    [[nodiscard]] std::vector<std::size_t> columnsWhere(Is is) const {
+        std::vector<std::size_t> found;
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            if (std::invoke(is, columns[c]))
+                found.push_back(c);
+        }
+        return found;
+    }
+    [[nodiscard]] std::vector<std::size_t> numberColumns() const {
+        return columnsWhere(&TableColumn::isNumeric);
+    }
+    [[nodiscard]] std::vector<std::size_t> numberColumns(Meaning meaning) const {
+        return columnsWhere(
+            [=](const TableColumn &column) { return column.isNumeric() && column.meaning == meaning; });
+    }
+    template <class Is>
+    [[nodiscard]] bool anyColumn(Is is) const {
+        return std::ranges::any_of(columns, is);
+    }
+    /// The first of that meaning or kind.
+    [[nodiscard]] std::optional<std::size_t> columnOf(Meaning meaning) const {
+        return indexOf(columns, meaning, &TableColumn::meaning);
+    }
+    [[nodiscard]] std::optional<std::size_t> columnOf(ColumnKind kind) const {
+        return indexOf(columns, kind, &TableColumn::kind);
+    }
+    [[nodiscard]] bool has(Meaning meaning) const { return columnOf(meaning).has_value(); }
 };
 
-/// Reads the chosen table (counted from 1), by default the longest one with targets and readings. Throws
-/// Error(content) if there are no rows of numbers. `ofNumbers`: columns to which the user assigned a role of
-/// numbers.
-[[nodiscard]] TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbers = {},
-                               std::optional<std::size_t> chosen = {});
+/// Throws Error(content) if there are no rows of numbers. `ofNumbers`: columns to which the user assigned a
+/// role of numbers.
+[[nodiscard]] TableBody bodyOf(const CellTable &table, const std::vector<std::size_t> &ofNumbers);
 
 /// Cells without trailing empty ones.
 [[nodiscard]] std::span<const TableCell> trimmed(std::span<const TableCell> cells);

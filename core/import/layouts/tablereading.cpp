@@ -31,13 +31,87 @@ std::optional<std::size_t> chosenTable(const Choices &choices) {
     return number ? std::optional(static_cast<std::size_t>(std::clamp(*number, 0.0, 1e6))) : std::nullopt;
 }
 
+/// True if the columns of two sections have the same meaning except for directions and run numbers.
+bool areAlike(const std::vector<TableColumn> &a, const std::vector<TableColumn> &b) {
+    const auto meaningOf = [](const TableColumn &column) {
+        return column.meaning == Meaning::place ? Meaning::target : column.meaning;
+    };
+    return std::ranges::equal(a, b, [&](const TableColumn &x, const TableColumn &y) {
+        const bool understood = x.words.unknownWords == 0 && y.words.unknownWords == 0;
+        return !x.isNumeric() ||
+               (meaningOf(x) == meaningOf(y) && x.unit == y.unit && x.words.axis == y.words.axis &&
+                (understood || x.words.stem == y.words.stem) && x.words.group == y.words.group);
+    });
+}
+
+/// How likely columns are a measurement: 2 with places and readings, or two axes; 1 with one of them.
+int likeness(const std::vector<TableColumn> &columns) {
+    bool places = false;
+    bool readings = false;
+    std::size_t axes = 0;
+    for (const TableColumn &column : columns) {
+        if (!column.isNumeric())
+            continue;
+        const Meaning meaning = column.meaning;
+        places |= meaning == Meaning::target || meaning == Meaning::place || meaning == Meaning::angle;
+        readings |= meaning == Meaning::deviation || meaning == Meaning::actual ||
+                    meaning == Meaning::reading || meaning == Meaning::run || meaning == Meaning::radius ||
+                    (column.words.direction && meaning != Meaning::statistic);
+        axes += meaning == Meaning::x || meaning == Meaning::y ? 1 : 0;
+    }
+    return axes == 2 ? 2 : (places ? 1 : 0) + (readings ? 1 : 0);
+}
+
+/// Keeps the blocks of one table and lists the others: the chosen one (from 1), by default the longest one
+/// with targets and readings.
+void keepOneTable(const CellTable &table, TableBody &body, std::optional<std::size_t> chosen) {
+    constexpr std::size_t mostKinds = 50; // a report with more is not read as a whole
+    constexpr std::size_t longestHeadings = 60;
+    std::vector<std::size_t> sections; // first section of each kind
+    std::vector<std::size_t> kindOf;
+    for (std::size_t s = 0; s < body.sections.size(); ++s) {
+        const auto found = std::ranges::find_if(
+            sections, [&](std::size_t other) { return areAlike(body.sections[other], body.sections[s]); });
+        kindOf.push_back(static_cast<std::size_t>(found - sections.begin()));
+        if (found == sections.end() && sections.size() < mostKinds)
+            sections.push_back(s);
+    }
+    body.tables.resize(sections.size());
+    for (const TableBlock &block : body.blocks) {
+        if (kindOf[block.section] >= sections.size())
+            continue;
+        ListedTable &listed = body.tables[kindOf[block.section]];
+        const std::size_t first = table.rows()[block.rows.front()].line;
+        listed.firstLine = listed.rows == 0 ? first : listed.firstLine;
+        listed.lastLine = table.rows()[block.rows.back()].line;
+        listed.rows += block.rows.size();
+    }
+    for (std::size_t k = 0; k < sections.size(); ++k) {
+        for (const TableColumn &column : body.sections[sections[k]]) {
+            std::string &headings = body.tables[k].headings;
+            if (!column.heading.empty() && headings.size() < longestHeadings)
+                headings += (headings.empty() ? "" : ", ") + excerpt(column.heading);
+        }
+    }
+    const auto rank = [&](std::size_t k) {
+        return std::pair(likeness(body.sections[sections[k]]), body.tables[k].rows);
+    };
+    for (std::size_t k = 1; k < sections.size(); ++k)
+        body.table = rank(k) > rank(body.table) ? k : body.table;
+    if (chosen && *chosen >= 1 && *chosen <= sections.size())
+        body.table = *chosen - 1;
+    std::erase_if(body.blocks, [&](const TableBlock &block) { return kindOf[block.section] != body.table; });
+    body.columns = body.sections[sections[body.table]];
+}
+
 } // namespace
 
 TableReading::TableReading(Imported &imported, Choices &chosen)
     : result(imported)
     , choices(chosen)
-    , body(bodyOf(imported.table, chosenNumbers(chosen), chosenTable(chosen)))
+    , body(bodyOf(imported.table, chosenNumbers(chosen)))
     , notes(notesOf(imported.table, body)) {
+    keepOneTable(result.table, body, chosenTable(chosen));
     std::size_t cells = 0;
     for (const TableRow &each : result.table.rows())
         cells = std::max<std::size_t>(cells, each.first + each.count); // rows may be in any order
@@ -86,6 +160,18 @@ std::vector<ImportColumn> TableReading::columnsAs(std::string_view roles) const 
     return columns;
 }
 
+std::optional<std::vector<ImportColumn>> TableReading::resolveColumns(const std::vector<ImportColumn> &found,
+                                                                      const std::optional<Message> &question,
+                                                                      RemarkGrade grade) {
+    const auto choice =
+        choices.resolve("columns", wordOf(found), question ? Origin::guessed : Origin::recognised);
+    if (choice.origin == Origin::chosen)
+        return columnsAs(choice.value);
+    if (question)
+        remarks.add(grade, "columns", *question);
+    return {};
+}
+
 std::string_view TableReading::cellText(std::uint32_t index, std::size_t column) const {
     const TableCell *found = cell(index, column);
     return found ? table().text(*found) : std::string_view();
@@ -108,17 +194,21 @@ std::optional<double> TableReading::noNumber(std::uint32_t index, std::size_t co
                          excerpt(table().text(*found)));
         return {};
     }
-    result.remarks.push_back(
-        {RemarkGrade::problem,
-         {found->kind == CellKind::grouped
-              ? REPORT_TEXT("report", "“%1” has another "
-                                      "decimal mark or thousands separators. The reading stays missing.")
-              : REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
-          {excerpt(table().text(*found))}},
-         row(index).line,
-         column + 1,
-         "unread"});
+    remarks
+        .problem({"unread", row(index).line},
+                 found->kind == CellKind::grouped
+                     ? REPORT_TEXT("report", "“%1” has another decimal mark or thousands separators. The "
+                                             "reading stays missing.")
+                     : REPORT_TEXT("report", "“%1” is not a number. The reading stays missing."),
+                 excerpt(table().text(*found)))
+        .column = column + 1;
     return {};
+}
+
+void TableReading::remarkNoTarget(std::uint32_t index, std::string_view cell) {
+    remarks.problem({"unread", row(index).line},
+                    REPORT_TEXT("report", "“%1” is no target position; the line was not read."),
+                    excerpt(cell));
 }
 
 std::string TableReading::titleOf(const TableBlock &block) const {

@@ -22,6 +22,11 @@ public:
     /// The columns of the table in the roles that such a text names, as for the choice "columns"; the others
     /// are ignored.
     [[nodiscard]] std::vector<ImportColumn> columnsAs(std::string_view roles) const;
+    /// Settles the roles that were found, with the question about them as a remark of that grade. Returns the
+    /// columns that the user chose instead; null if none.
+    [[nodiscard]] std::optional<std::vector<ImportColumn>>
+    resolveColumns(const std::vector<ImportColumn> &found, const std::optional<Message> &question,
+                   RemarkGrade grade);
     [[nodiscard]] std::string_view cellText(std::uint32_t index, std::size_t column) const;
     /// All cells of a row, each preceded by a blank.
     [[nodiscard]] std::string textOf(std::uint32_t index) const;
@@ -40,6 +45,8 @@ public:
     [[nodiscard]] std::vector<double> valuesOf(std::size_t column, std::size_t most = SIZE_MAX) const;
     /// The lowest and the highest number of a column; ∞ and −∞ if it has none.
     [[nodiscard]] std::pair<double, double> rangeOf(std::size_t column) const;
+    /// A problem: the line is not read.
+    void remarkNoTarget(std::uint32_t index, std::string_view cell);
     void setRole(std::uint32_t index, std::size_t column, CellRole role) {
         if (column < row(index).count)
             result.roles[row(index).first + column] = role;

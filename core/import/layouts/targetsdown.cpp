@@ -11,6 +11,8 @@
 #include <set>
 #include <tuple>
 
+// Above 500 lines: one reader, whose steps share what is known of the blocks.
+
 namespace palmer {
 
 namespace {
@@ -28,16 +30,12 @@ class TargetsDownReader {
 public:
     explicit TargetsDownReader(TableReading &reading)
         : m(reading)
-        , m_columns(positioningColumns(reading)) {}
+        , m_columns(positioningColumns(reading))
+        , m_target(*m_columns.target) {}
 
     FoundPasses read() {
-        m_found.content = m_columns.content;
-        m_found.sign = m_columns.sign;
-        m_found.unit = m_columns.unit;
-        m_found.positionUnit = m.body.columns[*m_columns.target].said();
-        m_found.hasHints = m_columns.hasHints;
-        m_found.hasSenses = m_columns.hasSenses;
-        m_target = *m_columns.target;
+        static_cast<FoundForm &>(m_found) = m_columns;
+        m_found.positionUnit = m.body.columns[m_target].said();
         chooseAxis();
         chooseState();
         if (m_columns.direction || m_columns.number)
@@ -60,14 +58,15 @@ private:
         return result;
     }
 
+    /// The target of a row that has one.
+    [[nodiscard]] double targetAt(std::uint32_t row) const { return m.cell(row, m_target)->value; }
+
     /// The target of a row; a row without one is remarked as unread data.
     std::optional<double> targetOf(std::uint32_t row) { return targetOf(row, m_target); }
     std::optional<double> targetOf(std::uint32_t row, std::size_t column) {
         if (const auto target = m.numberAt(row, column))
             return target;
-        m.remarks.problem({"unread", m.row(row).line},
-                          REPORT_TEXT("report", "“%1” is no target position; the line was not read."),
-                          excerpt(m.cellText(row, column)));
+        m.remarkNoTarget(row, m.cellText(row, column));
         return {};
     }
 
@@ -89,11 +88,11 @@ private:
     // ---- several axes: a column that names them, or titles of blocks
 
     void chooseAxis() {
-        for (std::size_t c = 0; c < m.body.columns.size(); ++c) {
-            const TableColumn &column = m.body.columns[c];
-            if (column.kind == ColumnKind::words && column.meaning == Meaning::axis)
-                m_axisColumn = c;
-        }
+        const auto named = m.body.columnsWhere([](const TableColumn &column) {
+            return column.kind == ColumnKind::words && column.meaning == Meaning::axis;
+        });
+        if (!named.empty())
+            m_axisColumn = named.back();
         std::vector<std::string> axes;
         const auto collect = [&](const std::string &axis) {
             if (!axis.empty() && axes.size() < 20 && std::ranges::find(axes, axis) == axes.end())
@@ -187,8 +186,6 @@ private:
         m_found.hasHints |= m_codesAreGuessed;
         if (const auto line = m_repeated ? m_repeated : fragment())
             askForRepeated(*line);
-        for (Line &line : m_lines)
-            m_found.passes.push_back(std::move(line.placed));
         const bool stated = std::ranges::all_of(
             m_found.passes, [](const PlacedPass &placed) { return placed.direction.has_value(); });
         if (!stated)
@@ -197,14 +194,15 @@ private:
 
     /// The line where a pass begins that has less than half the readings of another.
     [[nodiscard]] std::optional<std::size_t> fragment() const {
-        const auto sizeOf = [](const Line &line) { return line.placed.pass.readings.size(); };
+        const auto sizeOf = [](const PlacedPass &placed) { return placed.pass.readings.size(); };
         std::size_t most = 0;
-        for (const Line &line : m_lines)
-            most = std::max(most, sizeOf(line));
-        const auto found = std::ranges::find_if(
-            m_lines, [&](const Line &line) { return sizeOf(line) > 0 && 2 * sizeOf(line) < most; });
-        return found == m_lines.end() ? std::nullopt
-                                      : std::optional(found->placed.pass.readings.front().line);
+        for (const PlacedPass &placed : m_found.passes)
+            most = std::max(most, sizeOf(placed));
+        const auto found = std::ranges::find_if(m_found.passes, [&](const PlacedPass &placed) {
+            return sizeOf(placed) > 0 && 2 * sizeOf(placed) < most;
+        });
+        return found == m_found.passes.end() ? std::nullopt
+                                             : std::optional(found->pass.readings.front().line);
     }
 
     void readLine(std::size_t section, std::uint32_t row) {
@@ -225,10 +223,11 @@ private:
             const std::size_t time = m_times[{column, number, side, *target}]++;
             if (time > 0 && number > 0 && direction && !m_repeated)
                 m_repeated = m.row(row).line;
-            const auto [place, isNew] = m_passes.try_emplace({column, number, side, time}, m_lines.size());
+            const auto [place, isNew] =
+                m_passes.try_emplace({column, number, side, time}, m_found.passes.size());
             if (isNew)
-                m_lines.push_back({{direction, what.number > 0 ? what.number : number, {}, {}}});
-            add(m_lines[place->second].placed, row, *target, column);
+                m_found.passes.push_back({direction, what.number > 0 ? what.number : number, {}, {}});
+            add(m_found.passes[place->second], row, *target, column);
         }
         if (stated)
             m.setRole(row, *m_columns.direction,
@@ -270,15 +269,14 @@ private:
 
     /// A run with ascending targets is ↑, with descending ones ↓; unknown if all ascend.
     void directionsFromOrder() {
-        bool falls = false;
-        for (PlacedPass &placed : m_found.passes) {
+        const auto falls = [](const PlacedPass &placed) {
             const auto &readings = placed.pass.readings;
-            const bool down = readings.size() > 1 && readings.back().position < readings.front().position;
-            placed.direction = down ? Direction::negative : Direction::positive;
-            falls |= down;
-        }
-        if (!falls) {
-            for (PlacedPass &placed : m_found.passes)
+            return readings.size() > 1 && readings.back().position < readings.front().position;
+        };
+        const bool isOfBoth = std::ranges::any_of(m_found.passes, falls);
+        for (PlacedPass &placed : m_found.passes) {
+            placed.direction = falls(placed) ? Direction::negative : Direction::positive;
+            if (!isOfBoth)
                 placed.direction.reset();
         }
     }
@@ -309,7 +307,7 @@ private:
                 placed.pass.readings.reserve(piece.rows.size());
                 placed.cells.reserve(piece.rows.size());
                 for (const std::uint32_t row : piece.rows)
-                    add(placed, row, m.cell(row, m_target)->value, column);
+                    add(placed, row, targetAt(row), column);
                 // A column not continued in a second block has no run there.
                 const bool hasValue = !std::ranges::all_of(placed.pass.readings, &PassReading::isMissing);
                 if (m_pieces.size() == 1 || hasValue)
@@ -321,7 +319,6 @@ private:
     /// True for the next page of a list or lines after a comment: targets continue, no title changes
     /// direction.
     [[nodiscard]] bool continues(const Piece &piece, const Piece &next) const {
-        const auto targetAt = [&](std::uint32_t row) { return m.cell(row, m_target)->value; };
         const bool isTitled = next.hint && next.hint != piece.hint;
         const bool isOther = piece.direction && next.direction && piece.direction != next.direction;
         if (isOther || isTitled || !haveSameRuns(piece, next))
@@ -362,7 +359,7 @@ private:
         const auto targetsOf = [&](const Piece &piece) {
             std::vector<double> targets;
             for (const std::uint32_t row : piece.rows)
-                targets.push_back(m.cell(row, m_target)->value);
+                targets.push_back(targetAt(row));
             std::ranges::sort(targets);
             return targets;
         };
@@ -389,7 +386,6 @@ private:
 
     /// 0, 100, 100, 200: a repeated reading, not a new run.
     void askForRepeatedTargets() {
-        const auto targetAt = [&](std::uint32_t row) { return m.cell(row, m_target)->value; };
         const auto rises = [&](const Piece &piece) {
             return targetAt(piece.rows.back()) > targetAt(piece.rows.front());
         };
@@ -438,8 +434,7 @@ private:
         auto pieces = piecesOf(block, shuffled);
         const BlockDirection titled = directionOfBlock(m, block);
         const auto falls = [&](const std::vector<std::uint32_t> &rows) {
-            return rows.size() > 1 &&
-                   m.cell(rows.back(), m_target)->value < m.cell(rows.front(), m_target)->value;
+            return rows.size() > 1 && targetAt(rows.back()) < targetAt(rows.front());
         };
         const bool turns = pieces.size() > 1 && std::ranges::any_of(pieces, falls);
         for (auto &rows : pieces) {
@@ -501,11 +496,9 @@ private:
         if (rows.empty())
             return pieces;
         const bool isOrdered = isStrictlyMonotone(positions);
-        std::vector<double> sorted;
-        if (!isOrdered) {
-            sorted = positions;
+        std::vector<double> sorted = positions;
+        if (!isOrdered)
             std::ranges::sort(sorted);
-        }
         if (isOrdered || std::ranges::adjacent_find(sorted) == sorted.end()) {
             shuffled |= !isOrdered;
             pieces.push_back(std::move(rows));
@@ -526,16 +519,11 @@ private:
         return pieces;
     }
 
-    struct Line {
-        PlacedPass placed;
-    };
-
     TableReading &m;
     PositioningColumns m_columns;
+    std::size_t m_target;
     FoundPasses m_found;
-    std::size_t m_target = 0;
     std::vector<Piece> m_pieces;
-    std::vector<Line> m_lines;
     std::map<std::tuple<std::size_t, unsigned, int, std::size_t>, std::size_t> m_passes;
     std::map<std::tuple<std::size_t, unsigned, int, double>, std::size_t> m_times;
     std::map<double, int> m_codes;

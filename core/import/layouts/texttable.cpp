@@ -33,67 +33,56 @@ void resolveWord(const char *key, const Choice<Enumeration> &found, Choices &cho
 
 /// Temperatures or a drift, if a column has times. Without a keyword a log of positions is more likely.
 std::string seriesKindOf(const TableBody &body, Origin &origin) {
-    const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
-    const bool temperature = std::ranges::any_of(body.columns, [](const TableColumn &column) {
-        return column.meaning == Meaning::temperature ||
-               (column.unit && column.unit->kind == UnitKind::temperature);
+    const bool temperature = body.anyColumn(&TableColumn::isTemperature);
+    const bool readings = body.anyColumn([](const TableColumn &column) {
+        return column.isIn(UnitKind::length) || column.isIn(UnitKind::angle) ||
+               isOneOf(column.meaning,
+                       {Meaning::deviation, Meaning::actual, Meaning::reading, Meaning::place});
     });
-    const bool length = std::ranges::any_of(body.columns, [](const TableColumn &column) {
-        return column.unit && (column.unit->kind == UnitKind::length || column.unit->kind == UnitKind::angle);
-    });
-    const bool readings = length || has(Meaning::deviation) || has(Meaning::actual) ||
-                          has(Meaning::reading) || has(Meaning::place);
     if (!temperature && !readings)
         origin = Origin::guessed;
     return temperature && !readings ? "temperatures" : "drift";
 }
 
+/// True for a direction of approach, but not for a sense of rotation.
+bool saysDirection(const TableColumn &column) {
+    return column.words.direction.has_value() && !senseIn(column.heading);
+}
+
 /// True for arrows or words for the directions of an axis, or angular deviations: angles are then targets.
 bool isApproached(const TableBody &body) {
-    return body.columnOf(ColumnKind::directions) ||
-           std::ranges::any_of(body.columns, [](const TableColumn &column) {
-               const bool isReading =
-                   column.meaning == Meaning::deviation || column.words.namesSense || column.words.isActual;
-               const bool turns = isReading && column.unit && column.unit->kind == UnitKind::angle;
-               return turns || (column.words.isTarget && column.meaning != Meaning::nominal) ||
-                      (column.words.direction.has_value() && !senseIn(column.heading));
-           });
+    return body.columnOf(ColumnKind::directions) || body.anyColumn([](const TableColumn &column) {
+        const bool isReading =
+            column.meaning == Meaning::deviation || column.words.namesSense || column.words.isActual;
+        return (isReading && column.isIn(UnitKind::angle)) ||
+               (column.words.isTarget && column.meaning != Meaning::nominal) || saysDirection(column);
+    });
 }
 
 bool hasTimes(const TableBody &body) {
-    return std::ranges::any_of(body.columns, [](const TableColumn &column) {
-        return column.kind == ColumnKind::clock ||
-               (column.kind == ColumnKind::numbers &&
-                (column.meaning == Meaning::time || (column.unit && column.unit->kind == UnitKind::time)));
+    return body.anyColumn([](const TableColumn &column) {
+        return column.kind == ColumnKind::clock || (column.isNumeric() && column.isTime());
     });
 }
 
 /// Lengths measured at angles belong to a circle, not to a rotary axis.
 bool areLengthsAtAngles(const TableBody &body) {
-    const auto isIn = [](const TableColumn &column, UnitKind kind) {
-        return column.kind == ColumnKind::numbers && column.unit && column.unit->kind == kind;
-    };
     bool angles = false;
     bool lengths = false;
-    for (const TableColumn &column : body.columns) {
+    for (const std::size_t c : body.numberColumns()) {
+        const TableColumn &column = body.columns[c];
         const Meaning meaning = column.meaning;
-        const bool isPlace = meaning == Meaning::place || meaning == Meaning::target ||
-                             meaning == Meaning::angle || (meaning == Meaning::unknown && !angles);
-        if (isPlace && isIn(column, UnitKind::length))
+        const bool isPlace = isOneOf(meaning, {Meaning::place, Meaning::target, Meaning::angle}) ||
+                             (meaning == Meaning::unknown && !angles);
+        if (isPlace && column.isIn(UnitKind::length))
             return false; // an angle next to the targets of a linear axis
-        angles |= isPlace && isIn(column, UnitKind::angle);
-        lengths |= !isPlace && meaning != Meaning::nominal && isIn(column, UnitKind::length);
-        if (meaning != Meaning::nominal && !isPlace && isIn(column, UnitKind::angle))
+        const bool isReading = !isPlace && meaning != Meaning::nominal;
+        angles |= isPlace && column.isIn(UnitKind::angle);
+        lengths |= isReading && column.isIn(UnitKind::length);
+        if (isReading && column.isIn(UnitKind::angle))
             return false;
     }
     return angles && lengths && !body.columnOf(ColumnKind::directions);
-}
-
-/// True for a direction of approach, but not for a sense of rotation.
-bool saysDirection(const TableBody &body) {
-    return std::ranges::any_of(body.columns, [](const TableColumn &column) {
-        return column.words.direction.has_value() && !senseIn(column.heading);
-    });
 }
 
 /// Two columns of axes, ignoring others such as a time or counter.
@@ -151,11 +140,10 @@ bool moves(const TableReading &reading, std::size_t column) {
 /// True for a radius, a sense or the words of a circle.
 bool saysCircle(const TableReading &reading) {
     const TableBody &body = reading.body;
-    const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
     const auto namesSense = [](const TableColumn &column) { return senseIn(column.heading).has_value(); };
-    return reading.notes.radius || has(Meaning::radius) || has(Meaning::nominal) ||
-           body.columnOf(ColumnKind::senses) || (has(Meaning::angle) && isCircular(body)) ||
-           std::ranges::any_of(body.columns, namesSense);
+    return reading.notes.radius || body.has(Meaning::radius) || body.has(Meaning::nominal) ||
+           body.columnOf(ColumnKind::senses) || (body.has(Meaning::angle) && isCircular(body)) ||
+           body.anyColumn(namesSense);
 }
 
 /// True if the user chose the target column.
@@ -181,10 +169,10 @@ std::string kindOfBareNumbers(const TableReading &reading, Origin &origin) {
 std::string kindOf(const TableReading &reading, Origin &origin) {
     const TableBody &body = reading.body;
     origin = Origin::recognised;
-    const auto has = [&](Meaning meaning) { return body.columnOf(meaning).has_value(); };
+    const auto has = [&](Meaning meaning) { return body.has(meaning); };
     if (choosesTargets(reading.choices))
         return "positioning";
-    if (areLengthsAtAngles(body) && !saysDirection(body)) {
+    if (areLengthsAtAngles(body) && !body.anyColumn(saysDirection)) {
         origin = saysCircle(reading) ? Origin::recognised : Origin::guessed;
         return "circular";
     }

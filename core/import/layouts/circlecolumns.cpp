@@ -1,0 +1,293 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "import/layouts/arcs.h"
+#include "import/layouts/tablereading.h"
+
+#include "tables/contenterror.h"
+
+#include <algorithm>
+#include <array>
+#include <iterator>
+
+namespace palmer {
+
+namespace {
+
+/// Layouts of points of a circle: the role of the second columns, and the question where it is a guess.
+struct CircleLayout {
+    std::string_view word;
+    ColumnRole second;
+    Text content;
+};
+constexpr std::array circleLayouts{
+    CircleLayout{"xy", ColumnRole::y,
+                 REPORT_TEXT("report", "Content: the columns are read as x and y of points of a circle.")},
+    CircleLayout{"angleRadius", ColumnRole::radius,
+                 REPORT_TEXT("report", "Content: the columns are read as angle and radius.")},
+    CircleLayout{"angleDeviation", ColumnRole::deviation,
+                 REPORT_TEXT("report", "Content: the columns are read as angle and radial deviation.")},
+    CircleLayout{"deviations", ColumnRole::deviation, {}},
+};
+
+class CircleColumnSearch {
+public:
+    explicit CircleColumnSearch(TableReading &reading)
+        : m(reading) {}
+
+    CircleColumns find() {
+        takeRoles();
+        if (const auto chosen = m.resolveColumns(m.result.columns, m_question, RemarkGrade::assumption))
+            takeChosen(*chosen);
+        if (m_found.seconds.empty())
+            refuseCircleColumns();
+        takeNominal();
+        resolveLayout();
+        m_found.senses = columnOf(m.result.columns, ColumnRole::direction);
+        m_found.runs = columnOfRuns();
+        m_found.isSure = !m_question && !m.choices.isChosen("columns");
+        return std::move(m_found);
+    }
+
+private:
+    void setRole(std::size_t column, ColumnRole role) { m.result.columns[column].role = role; }
+    [[nodiscard]] Meaning meaningOf(std::size_t column) const { return m.body.columns[column].meaning; }
+
+    /// Columns named as angles, otherwise those with an angle's unit: "Angular position (°)".
+    [[nodiscard]] std::vector<std::size_t> angleColumns() const {
+        std::vector<std::size_t> angles = m.body.numberColumns(Meaning::angle);
+        if (!angles.empty())
+            return angles;
+        for (const Meaning meaning : {Meaning::place, Meaning::target, Meaning::unknown}) {
+            std::ranges::copy_if(m.body.numberColumns(meaning), std::back_inserter(angles),
+                                 [&](std::size_t c) { return m.body.columns[c].isIn(UnitKind::angle); });
+        }
+        return angles;
+    }
+
+    /// Columns of radial deviations without angles: named so, otherwise by a sense, otherwise the first.
+    [[nodiscard]] std::vector<std::size_t> deviationsAlone() const {
+        std::vector<std::size_t> found = m.body.numberColumns(Meaning::deviation);
+        if (found.empty())
+            found = m.body.columnsWhere(
+                [](const TableColumn &column) { return column.isNumeric() && senseIn(column.heading); });
+        if (found.empty() && !m.body.numberColumns().empty())
+            found = {m.body.numberColumns().front()};
+        return found;
+    }
+
+    /// Columns of radii, otherwise of deviations, otherwise those the headings do not name. Precondition: the
+    /// column of angles is known.
+    [[nodiscard]] std::vector<std::size_t> readingsByAngle() {
+        for (const Meaning meaning : {Meaning::radius, Meaning::deviation}) {
+            if (std::vector<std::size_t> found = m.body.numberColumns(meaning); !found.empty())
+                return found;
+        }
+        return unnamed();
+    }
+
+    /// Sets the roles of columns by their headings; columns of different roles are never paths of one test.
+    void takeRoles() {
+        m.result.columns = m.columnsAs({});
+        const auto has = [&](Meaning meaning) { return !m.body.numberColumns(meaning).empty(); };
+        const std::vector<std::size_t> angle = angleColumns();
+        const auto coordinates = coordinateColumns();
+        m_named = coordinates || !angle.empty();
+        // "angle, x, y": points, and the angles at which they were taken.
+        const bool isXy =
+            coordinates && (angle.empty() || (!has(Meaning::radius) && !has(Meaning::deviation)));
+        if (m.body.numberColumns().size() == 1 || m.choices.chosen("layout") == "deviations") {
+            m_found.seconds = deviationsAlone();
+        } else if (isXy) {
+            m_found.first = coordinates->first;
+            m_found.seconds = {coordinates->second};
+        } else {
+            m_found.first = angle.empty() ? firstUnnamed() : angle.front();
+            m_found.seconds = readingsByAngle();
+        }
+        if (m_found.first)
+            setRole(*m_found.first, isXy ? ColumnRole::x : ColumnRole::angle);
+        for (const std::size_t c : m_found.seconds)
+            setRole(c, m_found.first && isXy                              ? ColumnRole::y
+                       : m_found.first && meaningOf(c) == Meaning::radius ? ColumnRole::radius
+                                                                          : ColumnRole::deviation);
+        for (const std::size_t c : m.body.numberColumns(Meaning::nominal))
+            setRole(c, ColumnRole::nominal);
+        takeSenses();
+        if (const auto runs = columnOfRuns())
+            setRole(*runs, ColumnRole::number);
+    }
+
+    /// Two columns named after axes, in the order of the plane: the stated one, otherwise the table's.
+    [[nodiscard]] std::optional<std::pair<std::size_t, std::size_t>> coordinateColumns() const {
+        std::vector<std::size_t> found;
+        const auto letter = [&](std::size_t c) { return m.body.columns[c].words.axis; };
+        for (const std::size_t c : m.body.numberColumns()) {
+            if (isOneOf(meaningOf(c), {Meaning::x, Meaning::y}) &&
+                std::ranges::find(found, letter(c), letter) == found.end())
+                found.push_back(c);
+        }
+        if (found.size() < 2)
+            return {};
+        const std::string plane =
+            upperCase(m.choices.isChosen("plane") ? m.choices.chosen("plane") : m.notes.plane);
+        if (plane.size() == 2) {
+            const auto first = std::ranges::find(found, plane[0], letter);
+            const auto second = std::ranges::find(found, plane[1], letter);
+            if (first != found.end() && second != found.end() && first != second)
+                return std::pair(*first, *second);
+        }
+        const bool isYx = letter(found[0]) == 'Y' && letter(found[1]) == 'X';
+        return isYx ? std::pair(found[1], found[0]) : std::pair(found[0], found[1]);
+    }
+
+    [[nodiscard]] std::size_t firstUnnamed() const {
+        const std::vector<std::size_t> columns = m.body.numberColumns();
+        const bool counts = columns.size() > 2 && isCounter(m, columns.front());
+        return columns[counts ? 1 : 0];
+    }
+
+    /// Columns with undefined headings: those that name a sense, otherwise all of similar size.
+    [[nodiscard]] std::vector<std::size_t> unnamed() {
+        std::vector<std::size_t> columns;
+        std::vector<std::size_t> sensed;
+        for (const std::size_t c : m.body.numberColumns()) {
+            if (c <= *m_found.first ||
+                !isOneOf(meaningOf(c), {Meaning::unknown, Meaning::run, Meaning::reading, Meaning::actual}))
+                continue;
+            columns.push_back(c);
+            if (senseIn(m.body.columns[c].heading))
+                sensed.push_back(c);
+        }
+        if (!sensed.empty() || columns.size() < 2)
+            return sensed.empty() ? columns : sensed;
+        const bool named =
+            std::ranges::any_of(columns, [&](std::size_t c) { return !m.body.columns[c].heading.empty(); });
+        const bool radii = areRadii(columns.front());
+        const std::size_t all = columns.size();
+        std::erase_if(columns, [&](std::size_t c) { return areRadii(c) != radii; });
+        if (named || columns.size() < all)
+            m_question = {REPORT_TEXT("report", "Columns: the headings do not say which hold readings; "
+                                                "column %1 and those like it are read."),
+                          {counted(columns.front() + 1)}};
+        return columns;
+    }
+
+    [[nodiscard]] bool areRadii(std::size_t column) const {
+        const auto [low, high] = m.rangeOf(column);
+        return low > 0 && high - low < 0.1 * high;
+    }
+
+    void takeChosen(const std::vector<ImportColumn> &chosen) {
+        m_found = {};
+        m_named = true;
+        for (std::size_t c = 0; c < chosen.size(); ++c) {
+            const ColumnRole role = chosen[c].role;
+            if (!m_found.first && (role == ColumnRole::angle || role == ColumnRole::x))
+                m_found.first = c;
+            if (role == ColumnRole::radius || role == ColumnRole::y || role == ColumnRole::deviation)
+                m_found.seconds.push_back(c);
+        }
+        const auto roleOf = [&](std::size_t c) { return chosen[c].role; };
+        if (m_found.seconds.empty() ||
+            std::ranges::any_of(
+                m_found.seconds,
+                [&](std::size_t c) { return roleOf(c) != roleOf(m_found.seconds.front()); }) ||
+            (!m_found.first && roleOf(m_found.seconds.front()) != ColumnRole::deviation))
+            refuseCircleColumns();
+        m.result.columns = chosen;
+        if (!columnOf(m.result.columns, ColumnRole::direction))
+            takeSenses();
+    }
+
+    /// Reads a column of words that name the sense, otherwise of words below a heading that names it, even if
+    /// its role is not among those chosen.
+    void takeSenses() {
+        auto senses = m.body.columnOf(ColumnKind::senses);
+        if (!senses) {
+            const std::vector<std::size_t> named = m.body.columnsWhere([](const TableColumn &column) {
+                return column.kind == ColumnKind::words && column.meaning == Meaning::direction;
+            });
+            senses = named.empty() ? std::nullopt : std::optional(named.front());
+        }
+        if (senses && m.result.columns[*senses].role == ColumnRole::ignored)
+            setRole(*senses, ColumnRole::direction);
+    }
+
+    /// The column of path numbers: each path has its own arc.
+    [[nodiscard]] std::optional<std::size_t> columnOfRuns() const {
+        const std::vector<std::size_t> found = m.body.numberColumns(Meaning::run);
+        return found.size() == 1 && m_found.first != found.front() &&
+                       std::ranges::find(m_found.seconds, found.front()) == m_found.seconds.end()
+                   ? std::optional(found.front())
+                   : std::nullopt;
+    }
+
+    /// Takes the nominal radius from a column with the same value in every line.
+    void takeNominal() {
+        for (std::size_t c = 0; c < m.result.columns.size(); ++c) {
+            if (m.result.columns[c].role != ColumnRole::nominal || m.notes.radius)
+                continue;
+            const auto [low, high] = m.rangeOf(c);
+            const Unit *unit = m.result.columns[c].unit;
+            if (low == high && low > 0)
+                m.notes.radius = unit && unit->kind == UnitKind::length ? unit->toBase(low) : low;
+        }
+    }
+
+    /// The layout that the headings name, otherwise a guess from the numbers.
+    [[nodiscard]] Choice<std::string> recognisedLayout() const {
+        const std::size_t second = m_found.seconds.front();
+        if (!m_found.first)
+            return {"deviations", Origin::recognised};
+        if (m.result.columns[*m_found.first].role == ColumnRole::x)
+            return {"xy", Origin::recognised};
+        if (!m_named && areOnCircle(m, *m_found.first, second))
+            return {"xy", Origin::guessed};
+        if (m.choices.isChosen("columns") ||
+            isOneOf(meaningOf(second), {Meaning::radius, Meaning::deviation}))
+            return {m.result.columns[second].role == ColumnRole::radius ? "angleRadius" : "angleDeviation",
+                    Origin::recognised};
+        return {areRadii(second) ? "angleRadius" : "angleDeviation", Origin::guessed};
+    }
+
+    void resolveLayout() {
+        const Choice<std::string> found = recognisedLayout();
+        const auto choice = m.choices.resolve("layout", found.value, found.origin);
+        const auto *const layout = std::ranges::find(circleLayouts, choice.value, &CircleLayout::word);
+        if (layout == circleLayouts.end())
+            refuseContent(REPORT_TEXT("report", "%1 cannot be %2 for a circular test"),
+                          nameOfChoice("layout"), nameOfWord("layout", choice.value));
+        if ((choice.value == "deviations") == m_found.first.has_value())
+            refuseCircleColumns();
+        if (choice.origin == Origin::guessed)
+            m.remarks.assumption("layout", layout->content);
+        // The layout determines the columns, even if it was chosen against their headings.
+        if (m_found.first)
+            setRole(*m_found.first, choice.value == "xy" ? ColumnRole::x : ColumnRole::angle);
+        for (const std::size_t second : m_found.seconds)
+            setRole(second, layout->second);
+        m_found.layout = choice.value;
+    }
+
+    TableReading &m;
+    CircleColumns m_found;
+    std::optional<Message> m_question;
+    bool m_named = false;
+};
+
+} // namespace
+
+void refuseCircleColumns() {
+    refuseContent(REPORT_TEXT("report", "these columns do not make a circle; expected x and y, angle and "
+                                        "radius, angle and deviation, or radial deviations alone"));
+}
+
+bool isLayoutOfCircles(std::string_view word) {
+    return std::ranges::find(circleLayouts, word, &CircleLayout::word) != circleLayouts.end();
+}
+
+CircleColumns circleColumns(TableReading &reading) {
+    return CircleColumnSearch(reading).find();
+}
+
+} // namespace palmer
