@@ -25,7 +25,7 @@ public:
     /// anything is put. `motion`: of readings, whose content can be chosen.
     void say(const QString &summary, const Pasted &pasted, bool canUndo, std::optional<Motion> motion = {});
 
-    /// What was pasted into readings.
+    /// Says how many readings and targets were pasted and erased.
     [[nodiscard]] static QString summaryOf(const PastedBlock &pasted);
     /// The key of the choice of their content; its words are the numbers of BlockContent.
     static constexpr const char *content = "pasteContent";

@@ -15,7 +15,7 @@ namespace palmer::ui {
 class DocumentModel;
 class PasteBar;
 
-/// What was pasted, in words: "3 limits pasted".
+/// The outcome in words: "3 limits pasted".
 struct SaidPaste : Pasted {
     QString summary;
     std::optional<Motion> motion; ///< of readings, whose content can be chosen

@@ -44,7 +44,7 @@ template <class... Arguments>
     refuseContentAt({}, text, std::move(arguments)...);
 }
 
-// What readers of several formats refuse.
+// Sentences that readers of several formats refuse with.
 [[noreturn]] inline void refuseTableSize(std::string place = {}) {
     refuseAsAt(Error::Kind::tooLarge, std::move(place),
                REPORT_TEXT("report", "more rows or cells than a table of readings can have"));

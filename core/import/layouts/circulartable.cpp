@@ -96,7 +96,7 @@ private:
                                                     "column is clockwise; both are read as the angles run."));
     }
 
-    /// What the line before says.
+    /// The words of the line before.
     struct Parting {
         std::string_view sense = {};
         std::string_view run = {};

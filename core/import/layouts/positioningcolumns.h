@@ -12,7 +12,7 @@
 
 namespace palmer {
 
-/// What a positioning table says of its numbers.
+/// Statements of a positioning table about its numbers.
 struct FoundForm {
     std::string content; ///< "deviations", "positions", or empty if the headings do not tell
     std::string sign;    ///< proven by actual positions in addition to deviations, otherwise empty
