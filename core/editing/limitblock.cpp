@@ -71,7 +71,7 @@ struct LimitLine {
 };
 
 [[noreturn]] void refuse(Text sentence, const LimitLine &line) {
-    refuseContent(sentence, counted(line.number));
+    refuseContent(sentence, wholeNumber(line.number));
 }
 
 class LimitBlock {

@@ -91,8 +91,8 @@ private:
                     m_result.hasMarks || m_table.text(cell).find_first_of(",.") != std::string_view::npos;
         }
         if (headings > 0 && !m_lines.empty())
-            m_result.remarks.push_back({REPORT_TEXT("report", "lines of headings left out: %1"),
-                                        {Number{static_cast<double>(headings), Quantity::count, 0}}});
+            m_result.remarks.push_back(
+                {REPORT_TEXT("report", "lines of headings left out: %1"), {wholeNumber(headings)}});
     }
 
     /// Notes headings that name targets, also in a row of targets headed by their name.
@@ -406,25 +406,20 @@ private:
     }
 
     void remark() {
-        const auto count = [](std::size_t number) {
-            return Number{static_cast<double>(number), Quantity::count, 0};
-        };
         auto &remarks = m_result.remarks;
         for (const Unit *unit : m_units)
             remarks.push_back(
                 {REPORT_TEXT("report", "read in %1, as the heading says"), {std::string(unit->sign)}});
         if (m_units.size() == 1)
             m_result.unit = m_units.front();
-        if (m_result.refused > 0)
-            remarks.push_back(
-                {REPORT_TEXT("report", "no numbers, kept in red: %1"), {count(m_result.refused)}});
-        if (m_result.aside > 0)
-            remarks.push_back(
-                {REPORT_TEXT("report", "readings set aside keep value and reason, not taken: %1"),
-                 {count(m_result.aside)}});
-        if (m_result.left > 0)
-            remarks.push_back(
-                {REPORT_TEXT("report", "outside the table and not taken: %1"), {count(m_result.left)}});
+        for (const auto &[number, text] :
+             {std::pair(m_result.refused, REPORT_TEXT("report", "no numbers, kept in red: %1")),
+              std::pair(m_result.aside,
+                        REPORT_TEXT("report", "readings set aside keep value and reason, not taken: %1")),
+              std::pair(m_result.left, REPORT_TEXT("report", "outside the table and not taken: %1"))}) {
+            if (number > 0)
+                remarks.push_back({text, {wholeNumber(number)}});
+        }
         if (m_result.readings > 1 && m_allZero)
             remarks.push_back({REPORT_TEXT("report", "all readings are zero")});
         else if (looksLong())

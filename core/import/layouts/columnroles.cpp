@@ -44,17 +44,14 @@ public:
     }
 
 private:
-    [[nodiscard]] static bool saysReading(const TableColumn &head) {
-        return head.meaning == Meaning::deviation || head.meaning == Meaning::actual ||
-               head.meaning == Meaning::reading || head.meaning == Meaning::run ||
-               head.meaning == Meaning::direction || head.words.direction;
-    }
-
     [[nodiscard]] ColumnRole roleOf(std::size_t c) const {
         const TableColumn &head = m_heads[c];
-        if (head.unit && head.unit->kind == UnitKind::temperature)
+        const bool saysReading = head.words.direction ||
+                                 isOneOf(head.meaning, {Meaning::deviation, Meaning::actual, Meaning::reading,
+                                                        Meaning::run, Meaning::direction});
+        if (head.isIn(UnitKind::temperature))
             return ColumnRole::temperature;
-        if (head.unit && head.unit->kind == UnitKind::time && !saysReading(head))
+        if (head.isIn(UnitKind::time) && !saysReading)
             return ColumnRole::time; // otherwise "(sec)" may be of arc, and is asked
         switch (head.meaning) {
         case Meaning::statistic:

@@ -66,32 +66,32 @@ std::string signOfDifference(std::string_view left, std::string_view right) {
 std::optional<Sense> senseIn(std::string_view text) {
     const std::string low = folded(text);
     const std::vector<std::string_view> words = wordsOf(low);
-    const auto has = [&](std::string_view word) { return std::ranges::find(words, word) != words.end(); };
+    // True if one of the words is in a list, between bars.
+    const auto has = [&](std::string_view list) {
+        return std::ranges::any_of(words, [&](std::string_view word) {
+            return list.find('|' + std::string(word) + '|') != std::string_view::npos;
+        });
+    };
+    const auto contains = [&](std::string_view part) { return low.find(part) != std::string::npos; };
     // "Gegen den Uhrzeigersinn", "sens inverse des aiguilles d'une montre": a clock with a word for against.
-    constexpr std::array<std::string_view, 9> clocks{"clockwise", "horaire",       "orario",
-                                                     "horario",   "uhrzeigersinn", "uhrzeigers",
-                                                     "aiguilles", "lancette",      "agujas"};
-    constexpr std::array<std::string_view, 10> against{"gegen",   "entgegen", "anti",      "counter",
-                                                       "inverse", "inverso",  "contraire", "contrario",
-                                                       "contro",  "contra"};
-    if (std::ranges::any_of(clocks, has) && std::ranges::any_of(against, has))
+    constexpr std::string_view clocks =
+        "|clockwise|horaire|orario|horario|uhrzeigersinn|uhrzeigers|aiguilles|lancette|agujas|";
+    const bool isAgainst =
+        has("|gegen|entgegen|anti|counter|inverse|inverso|contraire|contrario|contro|contra|");
+    if (has(clocks) && isAgainst)
         return Sense::counterclockwise;
     // "Sens trigonométrique": the mathematical sense of angles.
-    constexpr std::array<std::string_view, 4> counted{"trigo", "trigonometrique", "trigonometrico",
-                                                      "trigonometrica"};
-    if (std::ranges::any_of(counted, has))
-        return std::ranges::any_of(against, has) ? Sense::clockwise : Sense::counterclockwise;
-    if (has("ccw") || has("counterclockwise") || has("anticlockwise") || has("antihoraire") || has("acw") ||
-        has("sah") || has("antiorario") || has("antihorario") || has("gegenuhrzeigersinn") ||
-        has("linksdrehend") || has("linkslauf") || has("linksherum") || has("linkskreis") ||
-        low.find("counter-clockwise") != std::string::npos ||
-        low.find("anti-clockwise") != std::string::npos || low.find("anti-horaire") != std::string::npos ||
-        hasCode(low, "g3") || hasCode(low, "g03") || low == "⟲" || has("⟲"))
+    if (has("|trigo|trigonometrique|trigonometrico|trigonometrica|"))
+        return isAgainst ? Sense::clockwise : Sense::counterclockwise;
+    if (has("|ccw|counterclockwise|anticlockwise|antihoraire|acw|sah|antiorario|antihorario|"
+            "gegenuhrzeigersinn|"
+            "linksdrehend|linkslauf|linksherum|linkskreis|⟲|") ||
+        contains("counter-clockwise") || contains("anti-clockwise") || contains("anti-horaire") ||
+        hasCode(low, "g3") || hasCode(low, "g03") || low == "⟲")
         return Sense::counterclockwise;
-    if (has("cw") || has("sh") || has("clockwise") || has("horaire") || has("orario") || has("horario") ||
-        has("uhrzeigersinn") || has("aiguilles") || has("lancette") || has("agujas") ||
-        has("rechtsdrehend") || has("rechtslauf") || has("rechtsherum") || has("rechtskreis") ||
-        hasCode(low, "g2") || hasCode(low, "g02") || has("⟳"))
+    if (has("|cw|sh|clockwise|horaire|orario|horario|uhrzeigersinn|aiguilles|lancette|agujas|rechtsdrehend|"
+            "rechtslauf|rechtsherum|rechtskreis|⟳|") ||
+        hasCode(low, "g2") || hasCode(low, "g02"))
         return Sense::clockwise;
     return {};
 }

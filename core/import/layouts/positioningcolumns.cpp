@@ -31,19 +31,9 @@ bool looksLikeReadings(const ColumnSearch &search, std::size_t c) {
         !isOfAxis || isOfOtherState ||
         (head.meaning == Meaning::run && !head.words.number && isCounter(search.reading, c)))
         return false;
-    switch (head.meaning) {
-    case Meaning::deviation:
-    case Meaning::reading:
-    case Meaning::run:
-        return true;
-    case Meaning::unknown:
-    case Meaning::actual:
-    case Meaning::direction:
-    case Meaning::place:
-        return head.words.direction || head.words.namesSense || isUntitled(search, c);
-    default:
-        return false;
-    }
+    return isOneOf(head.meaning, {Meaning::deviation, Meaning::reading, Meaning::run}) ||
+           (isOneOf(head.meaning, {Meaning::unknown, Meaning::actual, Meaning::direction, Meaning::place}) &&
+            (head.words.direction || head.words.namesSense || isUntitled(search, c)));
 }
 
 /// Remarks on unread columns; those that look like readings become a question.

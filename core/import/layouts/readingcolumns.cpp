@@ -100,9 +100,8 @@ private:
     void takeUnnamed() {
         bool named = false;
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
-            const Meaning meaning = m_heads[c].meaning;
-            const bool unknown = meaning == Meaning::unknown || meaning == Meaning::x ||
-                                 meaning == Meaning::y || meaning == Meaning::axis;
+            const bool unknown =
+                isOneOf(m_heads[c].meaning, {Meaning::unknown, Meaning::x, Meaning::y, Meaning::axis});
             if (!isNumeric(c) || role(c) != ColumnRole::ignored || !unknown || isDroppedCounter(c))
                 continue;
             role(c) = ColumnRole::run;
@@ -150,17 +149,17 @@ private:
     void askForWords() {
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             const Meaning meaning = m_heads[c].meaning;
-            const bool isNamed = words(c).direction || meaning == Meaning::deviation ||
-                                 meaning == Meaning::actual || meaning == Meaning::reading;
-            const bool holdsWords = m_heads[c].kind == ColumnKind::words ||
-                                    m_heads[c].kind == ColumnKind::clock ||
-                                    m_heads[c].kind == ColumnKind::dates;
+            const bool isNamed = words(c).direction ||
+                                 isOneOf(meaning, {Meaning::deviation, Meaning::actual, Meaning::reading});
+            const ColumnKind kind = m_heads[c].kind;
+            const bool holdsWords =
+                kind == ColumnKind::words || kind == ColumnKind::clock || kind == ColumnKind::dates;
             if (holdsWords && isNamed && meaning != Meaning::direction)
                 ask(REPORT_TEXT("report",
                                 "Columns: “%1” is headed as readings, but holds words; it is not read."),
                     excerpt(m_heads[c].heading));
             // The readings after it would be read at the targets before it.
-            const bool hasNone = m_heads[c].kind == ColumnKind::words || m_heads[c].kind == ColumnKind::empty;
+            const bool hasNone = kind == ColumnKind::words || kind == ColumnKind::empty;
             const bool isBeforeReadings = m_result.target && c > *m_result.target &&
                                           !m_result.values.empty() && c < m_result.values.back();
             if (meaning == Meaning::target && hasNone && isBeforeReadings)
@@ -369,9 +368,8 @@ private:
         for (std::size_t c = 0; c < m_heads.size(); ++c) {
             const bool isOfAxis =
                 m.axisFound.empty() || words(c).axis == 0 || words(c).axis == m.axisFound[0];
-            const Meaning meaning = m_heads[c].meaning;
-            const bool isOther = meaning == Meaning::statistic || meaning == Meaning::other ||
-                                 meaning == Meaning::index || meaning == Meaning::target;
+            const bool isOther = isOneOf(
+                m_heads[c].meaning, {Meaning::statistic, Meaning::other, Meaning::index, Meaning::target});
             const bool isOfState = words(c).state == TestRole::notStated || words(c).state == m.stateFound;
             if (isNumeric(c) && role(c) == ColumnRole::ignored && isOfAxis && isOfState && !isOther &&
                 (m_heads[c].said() == m_result.unit || !m_heads[c].unit) &&

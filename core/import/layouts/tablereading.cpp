@@ -53,11 +53,11 @@ int likeness(const std::vector<TableColumn> &columns) {
         if (!column.isNumeric())
             continue;
         const Meaning meaning = column.meaning;
-        places |= meaning == Meaning::target || meaning == Meaning::place || meaning == Meaning::angle;
-        readings |= meaning == Meaning::deviation || meaning == Meaning::actual ||
-                    meaning == Meaning::reading || meaning == Meaning::run || meaning == Meaning::radius ||
+        places |= isOneOf(meaning, {Meaning::target, Meaning::place, Meaning::angle});
+        readings |= isOneOf(meaning, {Meaning::deviation, Meaning::actual, Meaning::reading, Meaning::run,
+                                      Meaning::radius}) ||
                     (column.words.direction && meaning != Meaning::statistic);
-        axes += meaning == Meaning::x || meaning == Meaning::y ? 1 : 0;
+        axes += isOneOf(meaning, {Meaning::x, Meaning::y}) ? 1 : 0;
     }
     return axes == 2 ? 2 : (places ? 1 : 0) + (readings ? 1 : 0);
 }
