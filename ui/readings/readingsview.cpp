@@ -20,6 +20,7 @@
 #include <QMouseEvent>
 #include <QScreen>
 #include <QScrollBar>
+#include <QUndoStack>
 #include <algorithm>
 #include <set>
 
@@ -96,7 +97,8 @@ ReadingsView::ReadingsView(ReadingsModel &model, ReadingsEditor &editor, Selecti
     connect(m_frozen->verticalScrollBar(), &QScrollBar::valueChanged, verticalScrollBar(),
             &QScrollBar::setValue);
     connect(&m_selection, &Selection::hoveredChanged, this, &ReadingsView::showHovered);
-    connect(&m_editor, &ReadingsEditor::stepped, this, [this] { m_refused = QModelIndex(); });
+    connect(m_editor.model().undoStack(), &QUndoStack::indexChanged, this,
+            [this] { m_refused = QModelIndex(); });
     connect(&m_selection, &Selection::readingChanged, this, &ReadingsView::showCurrent);
     connect(&model, &QAbstractItemModel::modelReset, this, [this] {
         m_typed = QModelIndex();
