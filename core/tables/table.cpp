@@ -662,8 +662,10 @@ TableCell &TableBuilder::append(std::string_view cell) {
     cell = withoutBlanks(cell);
     cell = cell.substr(0, keptSize(cell));
     const auto begin = static_cast<std::uint32_t>(m_table.m_text.size());
-    for (const char c : cell)
-        m_table.m_text += c == '\t' || isLineEnd(c) ? ' ' : c;
+    m_table.m_text += cell;
+    std::replace_if(
+        m_table.m_text.begin() + begin, m_table.m_text.end(),
+        [](char c) { return c == '\t' || isLineEnd(c); }, ' ');
     m_table.m_cells.push_back({0, begin, static_cast<std::uint16_t>(cell.size()), CellKind::empty});
     return m_table.m_cells.back();
 }

@@ -239,18 +239,18 @@ public:
     }
     void begin(const XmlElement &xml) override {
         constexpr std::size_t mostLines = 100'000'000;
-        const std::string_view name = xml.name;
-        if (name == "c") {
+        const char letter = xml.name.size() == 1 ? xml.name.front() : '\0'; // of most elements
+        if (letter == 'c') {
             beginCell(xml);
-        } else if (name == "row") {
+        } else if (letter == '\0' && xml.name == "row") {
             const auto stated = wholeNumberIn<std::size_t>(xml.attribute("r"));
             m_line = stated > m_line && stated < mostLines ? stated : m_line + 1;
             m_sheet.beginRow(m_line, isTrue(xml.attribute("hidden")));
-        } else if (name == "col") {
+        } else if (letter == '\0' && xml.name == "col") {
             hideColumns(xml, m_sheet);
         }
-        m_isFormula |= name == "f";
-        m_inValue = name == "v" || name == "t";
+        m_isFormula |= letter == 'f';
+        m_inValue = letter == 'v' || letter == 't';
     }
 
 private:
@@ -263,11 +263,12 @@ private:
         m_shown = m_cells.shown(0);
         for (const char *const *each = xml.attributes; *each; each += 2) {
             const std::string_view name = localName(each[0]);
-            if (name == "r")
+            const char letter = name.size() == 1 ? name.front() : '\0';
+            if (letter == 'r')
                 m_column = columnOfReference(each[1]);
-            else if (name == "t")
+            else if (letter == 't')
                 m_type = each[1];
-            else if (name == "s")
+            else if (letter == 's')
                 m_shown = m_cells.shown(wholeNumberIn<std::size_t>(each[1]));
         }
     }

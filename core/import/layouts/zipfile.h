@@ -54,6 +54,8 @@ protected:
 [[nodiscard]] std::unique_ptr<ZipFile> openZip(QByteArrayView bytes);
 
 inline std::string_view localName(const char *name) {
+    if (name[0] != 0 && name[1] == 0) // most names in sheets
+        return {name, 1};
     const std::string_view all(name);
     return all.substr(all.find(':') + 1); // npos + 1 is 0
 }
