@@ -1084,18 +1084,6 @@
         <translation>Origine</translation>
     </message>
     <message>
-        <source>Expected</source>
-        <translation>Attendue</translation>
-    </message>
-    <message>
-        <source>Computed</source>
-        <translation>Calculée</translation>
-    </message>
-    <message>
-        <source>Difference</source>
-        <translation>Différence</translation>
-    </message>
-    <message>
         <source>Tolerance</source>
         <translation>Tolérance</translation>
     </message>
@@ -1158,10 +1146,6 @@
     <message>
         <source>results of the tests as a table or as JSON</source>
         <translation>résultats des essais en tableau ou en JSON</translation>
-    </message>
-    <message>
-        <source>evaluates the built-in reference data and compares with the known values</source>
-        <translation>évalue les données de référence intégrées et compare aux valeurs connues</translation>
     </message>
     <message>
         <source>standard output cannot be written</source>
@@ -1353,12 +1337,12 @@
         <translation>autocontrôle non exécuté</translation>
     </message>
     <message>
-        <source>self-test against published data passed</source>
-        <translation>autocontrôle sur des données publiées réussi</translation>
+        <source>self-test against reference data passed</source>
+        <translation>autocontrôle sur des données de référence réussi</translation>
     </message>
     <message>
-        <source>self-test against published data NOT passed</source>
-        <translation>autocontrôle sur des données publiées NON réussi</translation>
+        <source>self-test against reference data NOT passed</source>
+        <translation>autocontrôle sur des données de référence NON réussi</translation>
     </message>
     <message>
         <source>Operator</source>
@@ -4430,10 +4414,6 @@
     <message>
         <source>An empty field means “not stated”; 0 is a statement. Numbers are read with a point or a comma. What cannot be read stays in red, and the value before it is kept.</source>
         <translation>Un champ vide signifie «&#xa0;non indiqué&#xa0;»&#x202f;; 0 est une indication. Les nombres se lisent avec point ou virgule. Ce qui ne peut pas être lu reste en rouge, et la valeur précédente est gardée.</translation>
-    </message>
-    <message>
-        <source>Validation</source>
-        <translation>Validation</translation>
     </message>
     <message>
         <source>Nominal interval</source>
@@ -8412,64 +8392,8 @@
         <translation>Colonnes&#xa0;: les relevés qui suivent «&#xa0;%1&#xa0;» sont lus aux positions de cette colonne.</translation>
     </message>
     <message>
-        <source>Ballbar pair</source>
-        <translation>Deux trajectoires au ballbar</translation>
-    </message>
-    <message>
-        <source>Synthetic paths, R 150 mm, 1800 points each way, with scale mismatch, squareness, servo mismatch, backlash, lateral play and straightness of known size. The results were computed elsewhere from the same points.</source>
-        <translation>Trajectoires synthétiques, R 150&#xa0;mm, 1800 points par sens, avec une différence d’échelle, un défaut de perpendicularité, un défaut de servo, un jeu à l’inversion, un jeu latéral et un défaut de rectitude de valeurs connues. Les résultats ont été calculés ailleurs à partir des mêmes points.</translation>
-    </message>
-    <message>
         <source>Correction C to 20 °C</source>
         <translation>Correction C à 20&#xa0;°C</translation>
-    </message>
-    <message>
-        <source>Computed by hand for radii of 75 mm, 150 mm and 300 mm, each with other temperatures and coefficients of expansion.</source>
-        <translation>Calculée à la main pour des rayons de 75&#xa0;mm, 150&#xa0;mm et 300&#xa0;mm, chacun avec d’autres températures et d’autres coefficients de dilatation.</translation>
-    </message>
-    <message>
-        <source>Constructed set</source>
-        <translation>Jeu construit</translation>
-    </message>
-    <message>
-        <source>Readings of mean + s·(−1, −1, 0, 1, 1) at each target, whose standard deviation is exactly s: every result is exact. No published set.</source>
-        <translation>Relevés égaux à la moyenne + s·(−1, −1, 0, 1, 1) à chaque point visé, dont l’écart-type est exactement s&#xa0;: chaque résultat est exact. Ce jeu n’est pas publié.</translation>
-    </message>
-    <message>
-        <source>ISO 230-2:1988, table 2</source>
-        <translation>ISO 230-2:1988, tableau 2</translation>
-    </message>
-    <message>
-        <source>Worked example of the standard, reconstructed from the printed means, s, B and R. The position of the first target and ten readings (target 6 in the negative, target 7 in the positive direction) are substitutes with the published mean and s: compare the mean reversal value, R, A and the values per target, never the single readings.</source>
-        <translation>Exemple traité de la norme, reconstitué à partir des moyennes, s, B et R imprimés. La position du premier point visé et dix relevés (point visé 6 dans le sens négatif, point visé 7 dans le sens positif) sont des valeurs de remplacement ayant la moyenne et le s publiés&#xa0;: comparer l’erreur moyenne de réversibilité, R, A et les valeurs par point visé, jamais les relevés isolés.</translation>
-    </message>
-    <message>
-        <source>ISO 230-4:2005, annex C</source>
-        <translation>ISO 230-4:2005, annexe C</translation>
-    </message>
-    <message>
-        <source>500 mm/min at a diameter of 100 mm are 559 mm/min at 125 mm, printed to 1 mm/min; exactly 500·√1.25 mm/min.</source>
-        <translation>500&#xa0;mm/min pour un diamètre de 100&#xa0;mm correspondent à 559&#xa0;mm/min pour 125&#xa0;mm, valeur imprimée à 1&#xa0;mm/min près&#x202f;; exactement 500·√1,25&#xa0;mm/min.</translation>
-    </message>
-    <message>
-        <source>NIST circles</source>
-        <translation>Cercles du NIST</translation>
-    </message>
-    <message>
-        <source>NIST reference pairs of two-dimensional circles: least squares centre (x, y) and radius R published by NIST; width w of the minimum zone circles recomputed in exact arithmetic, certified here as the least</source>
-        <translation>Paires de référence du NIST pour des cercles à deux dimensions&#xa0;: centre (x, y) et rayon R des moindres carrés publiés par le NIST&#x202f;; largeur w de la zone minimale recalculée en arithmétique exacte, certifiée ici comme la plus petite</translation>
-    </message>
-    <message>
-        <source>Constructed circles</source>
-        <translation>Cercles construits</translation>
-    </message>
-    <message>
-        <source>Points between two circles with four alternating contacts: the width w of the minimum zone is exact by construction; least squares circle recomputed in exact arithmetic</source>
-        <translation>Points entre deux cercles avec quatre contacts alternés&#xa0;: la largeur w de la zone minimale est exacte par construction&#x202f;; cercle des moindres carrés recalculé en arithmétique exacte</translation>
-    </message>
-    <message>
-        <source>Univariate data of the statistical reference datasets of NIST (public domain), https://www.itl.nist.gov/div898/strd/univ/</source>
-        <translation>Données à une variable des jeux de référence statistiques du NIST (domaine public), https://www.itl.nist.gov/div898/strd/univ/</translation>
     </message>
     <message>
         <source>%1 has these indexes for the second time; the line was not read.</source>
@@ -9177,6 +9101,98 @@
     <message>
         <source>colon between blanks</source>
         <translation>deux-points entre blancs</translation>
+    </message>
+    <message>
+        <source>no reference data (.json) there</source>
+        <translation>aucune donnée de référence (.json) à cet endroit</translation>
+    </message>
+    <message>
+        <source>%1, %2: %3 expected, %4 computed</source>
+        <translation>%1, %2&#xa0;: %3 attendu, %4 calculé</translation>
+    </message>
+    <message>
+        <source>Compiler</source>
+        <translation>Compilateur</translation>
+    </message>
+    <message>
+        <source>Contributions to the budget</source>
+        <translation>Contributions au budget</translation>
+    </message>
+    <message>
+        <source>Data</source>
+        <translation>Données</translation>
+    </message>
+    <message>
+        <source>Diagnosis</source>
+        <translation>Diagnostic</translation>
+    </message>
+    <message>
+        <source>E_VE, progression of the runs</source>
+        <translation>E_VE, progression des séries</translation>
+    </message>
+    <message>
+        <source>Largest difference</source>
+        <translation>Plus grande différence</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Méthode</translation>
+    </message>
+    <message>
+        <source>Processor</source>
+        <translation>Processeur</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the program</source>
+        <translation>SHA-256 du programme</translation>
+    </message>
+    <message>
+        <source>U after the simulation</source>
+        <translation>U retenue après la simulation</translation>
+    </message>
+    <message>
+        <source>U of the budget</source>
+        <translation>U du budget</translation>
+    </message>
+    <message>
+        <source>U with the actual targets</source>
+        <translation>U avec les points réels</translation>
+    </message>
+    <message>
+        <source>Validation of %1</source>
+        <translation>Validation de %1</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Valeurs</translation>
+    </message>
+    <message>
+        <source>Values per target</source>
+        <translation>Valeurs par point visé</translation>
+    </message>
+    <message>
+        <source>Verdicts</source>
+        <translation>Verdicts</translation>
+    </message>
+    <message>
+        <source>compares the evaluation with reference data, built in or of a folder</source>
+        <translation>compare l’évaluation à des données de référence, intégrées ou d’un dossier</translation>
+    </message>
+    <message>
+        <source>every value as JSON, with its origin, tolerance and difference</source>
+        <translation>chaque valeur en JSON, avec son origine, sa tolérance et sa différence</translation>
+    </message>
+    <message>
+        <source>second implementation</source>
+        <translation>seconde implémentation</translation>
+    </message>
+    <message>
+        <source>the validation document of this build, with the processor it ran on</source>
+        <translation>le document de validation de cette version compilée, avec le processeur utilisé</translation>
+    </message>
+    <message>
+        <source>Monte Carlo</source>
+        <translation>Monte-Carlo</translation>
     </message>
 </context>
 </TS>

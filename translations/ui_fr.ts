@@ -1943,6 +1943,22 @@
         <translation>&amp;Fermer</translation>
     </message>
     <message>
+        <source>Evaluate all and &amp;save as PDF…</source>
+        <translation>Tout évaluer et &amp;enregistrer en PDF…</translation>
+    </message>
+    <message>
+        <source>Save the validation document</source>
+        <translation>Enregistrer le document de validation</translation>
+    </message>
+    <message>
+        <source>The document was not saved</source>
+        <translation>Le document n’a pas été enregistré</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>Documents PDF (*.pdf)</translation>
+    </message>
+    <message>
         <source>Search, Enter: next place</source>
         <translation>Rechercher, Entrée&#xa0;: suivant</translation>
     </message>

@@ -5,22 +5,40 @@
 #include "document/bounds.h"
 #include "document/documenterror.h"
 #include "document/filewords.h"
+#include "document/setfield.h"
 
 #include <QDir>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
+#include <algorithm>
+#include <iterator>
 #include <optional>
+#include <utility>
+
+using namespace Qt::StringLiterals;
 
 namespace palmer {
 
 template <>
-inline constexpr auto fileWords<ExpectationSource> = wordsInOrder<ExpectationSource>("published",
-                                                                                     "recomputed", "exact",
-                                                                                     "certified");
+inline constexpr auto fileWords<ExpectationSource> =
+    wordsInOrder<ExpectationSource>("published", "recomputed", "exact", "certified", "second implementation");
 template <>
-inline constexpr auto fileWords<Quantity> = std::to_array<FileWord<Quantity>>(
-    {{Quantity::deviation, "deviation"}, {Quantity::number, "number"}, {Quantity::feed, "feed"}});
+inline constexpr auto
+    fileWords<Quantity> = std::to_array<FileWord<Quantity>>({{Quantity::deviation, "deviation"},
+                                                             {Quantity::angularDeviation, "angularDeviation"},
+                                                             {Quantity::position, "position"},
+                                                             {Quantity::number, "number"},
+                                                             {Quantity::feed, "feed"}});
+template <>
+inline constexpr auto fileWords<Expected> = wordsInOrder<Expected>("parameter", "statistic", "contribution",
+                                                                   "drift", "correction", "influence",
+                                                                   "compensation", "trend", "contouringFeed",
+                                                                   "circle");
+template <>
+inline constexpr auto fileWords<CompensationFormat> = wordsInOrder<CompensationFormat>("linuxcnc", "siemens",
+                                                                                       "weihong", "csv");
 
 namespace {
 
@@ -37,85 +55,142 @@ Enumeration found(const QJsonValue &word, const std::string &place) {
     return *value;
 }
 
+std::string text(const QJsonObject &object, QLatin1StringView key) {
+    return object[key].toString().toStdString();
+}
+
+std::optional<double> numberOrNone(const QJsonObject &object, QLatin1StringView key) {
+    const QJsonValue value = object[key];
+    return value.isDouble() ? std::optional(value.toDouble()) : std::nullopt;
+}
+
+Words words(const QJsonValue &value) {
+    Words result;
+    for (const QString &code : {u"en"_s, u"fr"_s})
+        result[code] = value.isObject() ? value[code].toString() : value.toString();
+    return result;
+}
+
 iso230_4::ContouringFeed contouringFeed(const QJsonObject &object) {
-    const auto number = [&](QLatin1StringView key) { return object.value(key).toDouble(); };
-    return {number(QLatin1StringView("specifiedDiameter")), number(QLatin1StringView("specifiedFeed")),
-            number(QLatin1StringView("diameter"))};
+    return {object["specifiedDiameter"_L1].toDouble(), object["specifiedFeed"_L1].toDouble(),
+            object["diameter"_L1].toDouble()};
 }
 
-/// Reads what is expected of a test, by its key.
+/// Reads what is expected of a test: the one key of a kind.
 void readWhat(Expectation &result, const QJsonObject &object, const std::string &place) {
-    const auto has = [&](QLatin1StringView key) { return object.contains(key); };
-    const auto text = [&](QLatin1StringView key) { return object.value(key).toString().toStdString(); };
-    if (has(QLatin1StringView("contouringFeed"))) {
-        result.what = Expected::contouringFeed;
-        result.feed = contouringFeed(object.value(QLatin1StringView("contouringFeed")).toObject());
-        return;
-    }
-    const int test = object.value(QLatin1StringView("test")).toInt(1);
-    if (test < 1)
+    const auto &kinds = fileWords<Expected>;
+    const auto kind = std::ranges::find_if(
+        kinds, [&](const auto &row) { return object.contains(QLatin1StringView(row.word)); });
+    const int test = object["test"_L1].toInt(1);
+    if (kind == kinds.end() || test < 1)
         refuse(place);
+    const QLatin1StringView key(kind->word);
+    result.what = kind->value;
+    result.id = text(object, key);
+    result.feed = contouringFeed(object[key].toObject());
     result.test = static_cast<std::size_t>(test) - 1;
-    result.parameter = text(QLatin1StringView("parameter"));
-    result.statistic = text(QLatin1StringView("statistic"));
-    result.target = object.value(QLatin1StringView("target")).toInt();
-    if (object.value(QLatin1StringView("correction")).toBool())
-        result.what = Expected::correction;
-    else if (!result.statistic.empty())
-        result.what = Expected::statistic;
-    else if (result.parameter.empty())
-        refuse(place);
+    result.of = text(object, "of"_L1);
+    result.target = object["target"_L1].toInt();
+    result.axis = text(object, "axis"_L1);
+    if (object.contains("format"_L1))
+        result.format = found<CompensationFormat>(object["format"_L1], place);
+    result.table.perDirection = object["perDirection"_L1].toBool();
+    result.table.interval = numberOrNone(object, "interval"_L1);
+    result.table.reference = numberOrNone(object, "reference"_L1);
 }
 
-Expectation expectation(const QJsonObject &object, const std::string &place) {
+Expectation expectation(const QJsonObject &object, const ReferenceSet &set, const std::string &place) {
     Expectation result;
     readWhat(result, object, place);
-    result.edition = object.value(QLatin1StringView("edition")).toString().toStdString();
-    result.relative = object.contains(QLatin1StringView("relativeTolerance"));
-    const QJsonValue tolerance = object.value(result.relative ? QLatin1StringView("relativeTolerance")
-                                                              : QLatin1StringView("tolerance"));
-    const QJsonValue value = object.value(QLatin1StringView("value"));
-    if (!value.isDouble() || !tolerance.isDouble())
+    result.edition = text(object, "edition"_L1);
+    result.variant = text(object, "variant"_L1);
+    result.relative = object.contains("relativeTolerance"_L1);
+    const QJsonValue tolerance = object[result.relative ? "relativeTolerance"_L1 : "tolerance"_L1];
+    const QJsonValue value = object["value"_L1];
+    if (!(value.isDouble() && tolerance.isDouble()) && !value.isString())
         refuse(place);
+    if (!set.documents.contains(result.variant))
+        refuse(place + ".variant");
+    result.word = value.toString().toStdString();
     result.value = value.toDouble();
     result.tolerance = tolerance.toDouble();
-    result.source = found<ExpectationSource>(object.value(QLatin1StringView("source")), place);
+    result.source = found<ExpectationSource>(object["source"_L1], place);
     return result;
+}
+
+ReferenceTrend trend(const QJsonObject &object) {
+    ReferenceTrend result;
+    for (const QJsonValue item : object["points"_L1].toArray()) {
+        const auto number = [&](const char *key) { return item[QLatin1StringView(key)].toDouble(); };
+        TrendPoint &point =
+            result.points.emplace_back(TrendPoint{number("time"), number("value"), number("own")});
+        for (const QJsonValue part : item["shared"_L1].toArray())
+            point.shared.push_back({text(part.toObject(), "source"_L1), part["u"_L1].toDouble()});
+    }
+    result.limits.upper = numberOrNone(object, "limit"_L1);
+    result.reserve = object["reserve"_L1].toDouble();
+    return result;
+}
+
+/// Adds the documents with the settings of each variant, by the paths of the test file.
+void addVariants(ReferenceSet &set, const QJsonObject &variants) {
+    for (auto variant = variants.begin(); variant != variants.end(); ++variant) {
+        Document document = *set.documents[""];
+        const QJsonObject settings = variant->toObject();
+        for (auto setting = settings.begin(); setting != settings.end(); ++setting)
+            document = withField(document, setting.key().toStdString(), setting->toString().toStdString());
+        set.documents[variant.key().toStdString()] = std::make_shared<const Document>(std::move(document));
+    }
 }
 
 } // namespace
 
 ReferenceSet readReferenceSet(const QByteArray &bytes) {
     const QJsonObject file = QJsonDocument::fromJson(bytes).object();
-    if (file.value(QLatin1StringView("format")) != QLatin1StringView("palmer reference data"))
+    if (file["format"_L1] != "palmer reference data"_L1)
         refuse("format");
     ReferenceSet set;
-    set.name = file.value(QLatin1StringView("name")).toString();
-    set.origin = file.value(QLatin1StringView("origin")).toString();
-    if (file.contains(QLatin1StringView("quantity")))
-        set.quantity = found<Quantity>(file.value(QLatin1StringView("quantity")), "quantity");
-    QJsonArray tests = file.value(QLatin1StringView("tests")).toArray();
-    if (file.contains(QLatin1StringView("test")))
-        tests.append(file.value(QLatin1StringView("test")));
-    const QJsonObject document{{QStringLiteral("format"), QStringLiteral("palmer test report")},
-                               {QStringLiteral("version"), 1},
-                               {QStringLiteral("tests"), tests}};
-    set.document = std::make_shared<const Document>(
+    set.name = words(file["name"_L1]);
+    set.origin = words(file["origin"_L1]);
+    if (file.contains("quantity"_L1))
+        set.quantity = found<Quantity>(file["quantity"_L1], "quantity");
+    QJsonArray tests = file["tests"_L1].toArray();
+    if (file.contains("test"_L1))
+        tests.append(file["test"_L1]);
+    const QJsonObject document{
+        {u"format"_s, u"palmer test report"_s}, {u"version"_s, 1}, {u"tests"_s, tests}};
+    set.documents[""] = std::make_shared<const Document>(
         readUnbounded(QJsonDocument(document).toJson(QJsonDocument::Compact)));
-    const QJsonArray expected = file.value(QLatin1StringView("expected")).toArray();
+    addVariants(set, file["variants"_L1].toObject());
+    for (const QJsonValue item : file["trends"_L1].toArray())
+        set.trends.push_back(trend(item.toObject()));
+    for (const QJsonValue item : file["points"_L1].toArray()) {
+        Points &points = set.points.emplace_back();
+        for (const auto &[key, numbers] : {std::pair("x"_L1, &points.x), std::pair("y"_L1, &points.y)})
+            std::ranges::transform(item[key].toArray(), std::back_inserter(*numbers),
+                                   [](const QJsonValue &number) { return number.toDouble(); });
+    }
+    const QJsonArray expected = file["expected"_L1].toArray();
     for (qsizetype i = 0; i < expected.size(); ++i)
-        set.expected.push_back(expectation(expected[i].toObject(), "expected[" + std::to_string(i) + "]"));
+        set.expected.push_back(
+            expectation(expected[i].toObject(), set, "expected[" + std::to_string(i) + "]"));
     if (set.expected.empty())
         refuse("expected");
     return set;
 }
 
-std::vector<QString> embeddedReferenceFiles() {
-    const QDir folder(QStringLiteral(":/reference"));
-    std::vector<QString> result;
-    for (const QString &name : folder.entryList({QStringLiteral("*.json")}, QDir::Files, QDir::Name))
-        result.push_back(folder.filePath(name));
+QStringList referenceFilesIn(const QString &folder) {
+    QStringList result = QDir(folder).entryList({u"*.json"_s}, QDir::Files, QDir::Name);
+    result.replaceInStrings(QRegularExpression(u"^"_s), folder + u'/');
     return result;
+}
+
+QStringList quickReferenceFiles() {
+    return referenceFilesIn(u":/reference"_s);
+}
+
+QStringList allReferenceFiles() {
+    return quickReferenceFiles() + referenceFilesIn(u":/reference/second"_s);
 }
 
 } // namespace palmer

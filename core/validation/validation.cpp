@@ -2,82 +2,202 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "validation/validation.h"
 
+#include "document/diagnosedtest.h"
 #include "document/evaluateddocument.h"
+#include "document/filewords.h"
+#include "document/resultwords.h"
+#include "document/sha256.h"
 #include "kernel/evaluation/targetvalue.h"
-#include "kernel/measurement/testfacts.h"
+#include "kernel/numerics/leastsquarescircle.h"
+#include "kernel/numerics/minimumzone.h"
 
 #include <QFile>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <map>
+#include <utility>
 
 namespace palmer {
 
 namespace {
 
-void computeStatistic(Comparison &comparison, const TestEvaluation &evaluation) {
-    const auto &results = std::get<PositioningResults>(evaluation.results);
-    const Expectation &expected = comparison.expectation;
-    const auto &terms = evaluation.edition->targetTerms;
-    const auto term = std::ranges::find(terms, std::string_view(expected.statistic),
-                                        [](const TargetTerm &t) { return std::string_view(t.id); });
-    if (term != terms.end())
-        comparison.symbol = {term->symbol.base, "", term->symbol.arrow};
-    comparison.index = term != terms.end() ? std::to_string(expected.target) : expected.statistic;
-    const auto index = static_cast<std::size_t>(expected.target) - 1;
-    if (index < results.targets.size())
-        comparison.computed = targetValue(expected.statistic, results.targets[index], evaluation.edition->c);
+/// What an evaluation gives for an expectation; a word for what is one.
+struct Found {
+    std::optional<double> number = {};
+    std::string word = {};
+};
+
+/// The evaluation of the test that is meant.
+struct Evaluated {
+    const ReferenceSet &set;
+    const EvaluatedDocument &document;
+    const Expectation &expected;
+    const TestEvaluation *test; ///< null: none under that edition
+};
+
+/// A number of a parameter, by the word of `of`.
+struct OfParameter {
+    std::string_view word;
+    std::optional<double> Parameter::*number = nullptr;
+    double SimulatedParameter::*simulated = nullptr;
+};
+
+constexpr std::array ofParameter{OfParameter{"", &Parameter::value},
+                                 OfParameter{"budget", &Parameter::budgetUncertainty},
+                                 OfParameter{"budgetActual", &Parameter::actualUncertainty},
+                                 OfParameter{"expandedUncertainty", &Parameter::expandedUncertainty},
+                                 OfParameter{"mean", nullptr, &SimulatedParameter::mean},
+                                 OfParameter{"u", nullptr, &SimulatedParameter::u},
+                                 OfParameter{"low", nullptr, &SimulatedParameter::low},
+                                 OfParameter{"high", nullptr, &SimulatedParameter::high}};
+
+Found parameterOf(const Evaluated &e) {
+    const auto parameter = std::ranges::find(e.test->parameters, e.expected.id, parameterId);
+    const auto *of = std::ranges::find(ofParameter, std::string_view(e.expected.of), &OfParameter::word);
+    if (parameter == e.test->parameters.end())
+        return {};
+    if (of == ofParameter.end())
+        return {{}, parameter->verdict ? fileWord(*parameter->verdict) : ""};
+    if (of->number)
+        return {(*parameter).*(of->number)};
+    return parameter->simulated ? Found{(*parameter->simulated).*(of->simulated)} : Found{};
 }
 
-void computeParameter(Comparison &comparison, const TestEvaluation &evaluation) {
-    comparison.index = comparison.expectation.parameter; // if there is none of that name
-    for (const Parameter &parameter : evaluation.parameters) {
-        if (parameterId(parameter) != comparison.expectation.parameter)
-            continue;
-        comparison.symbol = parameter.term.symbol;
-        comparison.index = parameter.index;
-        comparison.computed = parameter.value;
-    }
+Found statisticOf(const Evaluated &e) {
+    const auto *results = std::get_if<PositioningResults>(&e.test->results);
+    const auto index = static_cast<std::size_t>(e.expected.target) - 1;
+    if (!results || index >= results->targets.size())
+        return {};
+    return {targetValue(e.expected.id, results->targets[index], e.test->edition->c)};
 }
 
-void computeCorrection(Comparison &comparison, const TestEvaluation &evaluation) {
-    comparison.symbol = {"C"};
-    comparison.computed =
-        partOr(comparison.computed, evaluation.results,
-               [](auto &results) -> decltype(results.correction) { return results.correction; });
+Found contributionOf(const Evaluated &e) {
+    const auto &all = e.test->uncertainty.contributions;
+    const auto found = std::ranges::find(all, e.expected.id, &Contribution::id);
+    return found == all.end() ? Found{} : Found{found->expanded};
 }
 
-void compute(Comparison &comparison, const EvaluatedDocument &evaluated) {
-    const Expectation &expected = comparison.expectation;
-    // With an unknown edition the test's own would be used: make no comparison.
-    if (expected.test >= evaluated.tests.size() ||
-        evaluated.tests[expected.test]->edition->word != expected.edition)
-        return;
-    const TestEvaluation &evaluation = *evaluated.tests[expected.test];
-    switch (expected.what) {
-    case Expected::parameter:
-        return computeParameter(comparison, evaluation);
-    case Expected::statistic:
-        return computeStatistic(comparison, evaluation);
-    case Expected::correction:
-        return computeCorrection(comparison, evaluation);
-    case Expected::contouringFeed:
-        return; // not for a test
-    }
+Found driftOf(const Evaluated &e) {
+    if (const auto *drift = std::get_if<DriftResults>(&e.test->results))
+        return {drift->range};
+    const auto *results = std::get_if<PositioningResults>(&e.test->results);
+    if (!results || !results->drift)
+        return {};
+    return {e.expected.id == "t" ? results->drift->t : results->drift->change};
 }
 
-Comparison compare(const Expectation &expected, const EvaluatedDocument &evaluated) {
-    Comparison result;
-    result.expectation = expected;
-    result.of = QString::fromStdString(expected.edition);
-    if (expected.what == Expected::contouringFeed) {
-        result.symbol = {"V", "1"};
-        result.computed = iso230_4::contouringFeed(expected.feed);
-    } else {
-        compute(result, evaluated);
-    }
-    if (result.computed)
-        compareWith(result, *result.computed);
+Found correctionOf(const Evaluated &e) {
+    const auto *results = std::get_if<CircularResults>(&e.test->results);
+    return results ? Found{results->correction} : Found{};
+}
+
+Found influenceOf(const Evaluated &e) {
+    const auto diagnosed = diagnosedTest(e.document, e.expected.test);
+    const Influence *kind = findInfluence(e.expected.id.c_str());
+    if (!diagnosed || !kind)
+        return {};
+    const PlaneAxis axis = e.expected.axis.empty()                         ? PlaneAxis::none
+                           : e.expected.axis == diagnosed->diagnosis.first ? PlaneAxis::first
+                                                                           : PlaneAxis::second;
+    const SourceEstimate *source = diagnosed->diagnosis.find(kind->id, axis);
+    return source && source->value ? Found{shownParameter(kind->id, *source->value)} : Found{};
+}
+
+Found compensationOf(const Evaluated &e) {
+    const CompensationTable table = compensationTable(*e.document.document->tests[e.expected.test], *e.test,
+                                                      e.expected.format, e.expected.table);
+    const auto &values = e.expected.id == fileWord(Direction::negative) ? table.reverse : table.forward;
+    const auto index = static_cast<std::size_t>(e.expected.target) - 1;
+    return index < values.size() ? Found{values[index]} : Found{};
+}
+
+Found named(const std::string &id, const std::map<std::string, double> &numbers) {
+    const auto number = numbers.find(id);
+    return number == numbers.end() ? Found{} : Found{number->second};
+}
+
+Found ofLine(const TrendLine &line, const std::string &id) {
+    if (id == "statement")
+        return {{}, line.isShown() ? "shown" : "notShown"};
+    if (id == "chi2PerDof")
+        return {line.chi2PerDof};
+    return named(id, {{"level", line.level},
+                      {"slope", line.slope},
+                      {"uLevel", std::sqrt(line.levelVariance)},
+                      {"uSlope", line.slopeUncertainty()},
+                      {"covariance", line.covariance},
+                      {"scatter", line.scatter}});
+}
+
+Found trendOf(const Evaluated &e) {
+    if (e.expected.test >= e.set.trends.size())
+        return {};
+    const ReferenceTrend &trend = e.set.trends[e.expected.test];
+    const auto line = trendLine(trend.points);
+    if (!line || e.expected.id != "notBefore")
+        return line ? ofLine(*line, e.expected.id) : Found{};
+    const NotBefore found = notBefore(*line, trend.limits, trend.reserve);
+    return found.state == NotBefore::State::beyond ? Found{{}, "beyond"} : Found{found.time};
+}
+
+Found feedOf(const Evaluated &e) {
+    return {iso230_4::contouringFeed(e.expected.feed)};
+}
+
+Found circleOf(const Evaluated &e) {
+    if (e.expected.test >= e.set.points.size())
+        return {};
+    const PointsView points = e.set.points[e.expected.test].view();
+    const LeastSquaresCircle fit = leastSquaresCircle(points);
+    const MinimumZone zone = minimumZone(points);
+    if (!fit.valid() || (e.expected.id.starts_with("mzc") && !(zone.valid() && zone.certified)))
+        return {};
+    return named(e.expected.id, {{"lsc_cx", fit.centre.x},
+                                 {"lsc_cy", fit.centre.y},
+                                 {"lsc_R", fit.radius},
+                                 {"lsc_width", fit.range()},
+                                 {"mzc_cx", zone.centre.x},
+                                 {"mzc_cy", zone.centre.y},
+                                 {"mzc_Ro", zone.outerRadius},
+                                 {"mzc_Ri", zone.innerRadius},
+                                 {"mzc_width", zone.width}});
+}
+
+/// By kind of expectation; the last three need no test.
+constexpr std::array ways{parameterOf, statisticOf,    contributionOf, driftOf, correctionOf,
+                          influenceOf, compensationOf, trendOf,        feedOf,  circleOf};
+
+/// With an unknown edition the test's own would be used: make no comparison.
+const TestEvaluation *testOf(const Expectation &expected, const EvaluatedDocument &evaluated) {
+    const bool exists = expected.test < evaluated.tests.size();
+    const TestEvaluation *test = exists ? evaluated.tests[expected.test].get() : nullptr;
+    const bool isOwn = expected.edition.empty();
+    return test && (isOwn || (test->edition && test->edition->word == expected.edition)) ? test : nullptr;
+}
+
+QString placeOf(const Expectation &expected) {
+    std::string result = "test " + std::to_string(expected.test + 1);
+    const std::string target = expected.target ? std::to_string(expected.target) : std::string();
+    for (const std::string &word :
+         {expected.id, target, expected.of, expected.axis, expected.variant, expected.edition})
+        result += word.empty() ? word : ' ' + word;
+    return QString::fromStdString(result);
+}
+
+Comparison compare(const Expectation &expected, const ReferenceSet &set, const EvaluatedDocument &evaluated) {
+    Comparison result{expected, placeOf(expected)};
+    const TestEvaluation *test = testOf(expected, evaluated);
+    if (!test && expected.what < Expected::trend)
+        return result;
+    const Found found = ways.at(static_cast<std::size_t>(expected.what))({set, evaluated, expected, test});
+    result.word = found.word;
+    result.computed = found.number;
+    if (found.number)
+        result.difference =
+            (*found.number - expected.value) / (expected.relative ? std::abs(expected.value) : 1);
+    result.agrees = expected.word.empty()
+                        ? result.difference && std::abs(*result.difference) <= expected.tolerance
+                        : found.word == expected.word;
     return result;
 }
 
@@ -87,36 +207,32 @@ bool SetValidation::agrees() const {
     return std::ranges::all_of(comparisons, &Comparison::agrees);
 }
 
-void compareWith(Comparison &comparison, double computed) {
-    const Expectation &expected = comparison.expectation;
-    const double scale = expected.relative ? std::abs(expected.value) : 1;
-    comparison.computed = computed;
-    comparison.difference = (computed - expected.value) / scale;
-    comparison.agrees = std::abs(*comparison.difference) <= expected.tolerance;
-}
-
 SetValidation validate(const ReferenceSet &set) {
-    SetValidation result{set.name, set.origin, set.quantity, {}, false};
-    std::map<std::string, EvaluatedDocument> evaluations;
+    SetValidation result{set.name, set.origin, set.quantity, {}};
+    std::map<std::pair<std::string, std::string>, EvaluatedDocument> evaluations;
     for (const Expectation &expected : set.expected) {
-        auto [place, isNew] = evaluations.try_emplace(expected.edition);
-        if (isNew)
-            place->second = evaluate(set.document, nullptr, expected.edition);
-        result.comparisons.push_back(compare(expected, place->second));
+        auto [place, isNew] = evaluations.try_emplace({expected.variant, expected.edition});
+        if (isNew) // cannot be stopped
+            place->second =
+                withSimulations(evaluate(set.documents.at(expected.variant), nullptr, expected.edition),
+                                SimulateWhich::monteCarloOnly)
+                    .value();
+        result.comparisons.push_back(compare(expected, set, place->second));
     }
     return result;
 }
 
-std::vector<SetValidation> validateAll() {
+std::vector<SetValidation> validateFiles(const QStringList &names) {
     std::vector<SetValidation> result;
-    for (const QString &name : embeddedReferenceFiles()) {
+    for (const QString &name : names) {
         QFile file(name);
         if (!file.open(QIODevice::ReadOnly))
             throw Error(Error::Kind::unreadable, {REPORT_TEXT("report", "the file cannot be read (%1)"),
                                                   {file.errorString().toStdString()}});
-        result.push_back(validate(readReferenceSet(file.readAll())));
+        const QByteArray bytes = file.readAll();
+        result.push_back(validate(readReferenceSet(bytes)));
+        result.back().digest = QString::fromStdString(sha256(bytes));
     }
-    std::ranges::move(validateCircles(), std::back_inserter(result));
     return result;
 }
 

@@ -110,6 +110,8 @@ void OptionEffectTest::initTestCase() {
           R"({"format": "palmer template", "version": 1, "name": "m", "machine": {"name": "Big mill"}})");
     write(at("drift.palmer"), R"({"format": "palmer test report", "version": 1, "tests": [{"kind": "drift",
         "times": [0, 60], "deviations": [0, 0.001]}]})");
+    QVERIFY(QDir(m_folder.path()).mkdir("reference") &&
+            QFile::copy(SOURCE "/resources/reference/iso230-4-annex-c.json", at("reference/c.json")));
     QCOMPARE(runCli({"synthesize", "circular", "--feed", "1000", "--feed", "500", "--source", "commonLag=6",
                      "-o", at("two.palmer")})
                  .code,
@@ -152,7 +154,7 @@ std::vector<Base> OptionEffectTest::bases() const {
         {"synthesize one sense", {"synthesize", "circular", "--senses", "clockwise", "-o", "OUT/s.palmer"}},
         {"synthesize an axis", {"synthesize", "positioning", "-o", "OUT/s.palmer"}},
         {"synthesize a noisy axis", {"synthesize", "positioning", "--noise", "0.1", "-o", "OUT/s.palmer"}},
-        {"self-test", {"selftest"}},
+        {"self-test", {"selftest", at("reference")}},
     };
     struct Form {
         const char *name;
@@ -205,6 +207,7 @@ QStringList OptionEffectTest::valuesOf(const QString &name) const {
         {"--test", {"2"}},
         {"-o", {"OUT/other"}},
         {"--extract", {"OUT/other.palmer"}},
+        {"--report", {"OUT/validation.pdf"}},
         {"--compare", {at("other.comp")}},
         {"--truth", {"OUT/truth.json"}},
         {"--axis", {"Y"}},

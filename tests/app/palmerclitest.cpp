@@ -76,6 +76,7 @@ private slots:
     void readsAndWritesNoOtherFileForAClosedStream();
     void listsOnlyWhatItDoes();
     void agreesWithTheReferenceData();
+    void takesAFolderOfReferenceData();
     void contouringFeed_data();
     void contouringFeed();
 };
@@ -119,7 +120,7 @@ void PalmerCliTest::endsWithItsCode_data() {
     QTest::newRow("no command") << QStringList{} << QByteArray() << 2;
     QTest::newRow("unknown command") << QStringList{"measure"} << QByteArray() << 2;
     QTest::newRow("no file") << QStringList{"evaluate"} << QByteArray() << 2;
-    QTest::newRow("a file too many") << QStringList{"selftest", "x"} << QByteArray() << 2;
+    QTest::newRow("a file too many") << QStringList{"feed", "x"} << QByteArray() << 2;
     QTest::newRow("unknown option") << QStringList{"evaluate", "--jason", "-"} << smallTest("") << 2;
     QTest::newRow("option of another command") << QStringList{"check", "--cycle", "-"} << smallTest("") << 2;
     QTest::newRow("option without its value")
@@ -431,11 +432,55 @@ void PalmerCliTest::listsOnlyWhatItDoes() {
 }
 
 void PalmerCliTest::agreesWithTheReferenceData() {
-    const Result result = run({"selftest"});
+    const QTemporaryDir folder;
+    const QString pdf = folder.filePath("validation.pdf");
+    const Result result = run({"selftest", "--report", pdf, "--language", "fr"});
+    QVERIFY2(result.code == 0, qPrintable(result.out));
+    QProcess text;
+    text.start("pdftotext", {"-layout", pdf, "-"});
+    QVERIFY(text.waitForFinished());
+    const QString printed = QString::fromUtf8(text.readAllStandardOutput());
+    for (const char *words : {"NIST StRD", "Axes rotatifs", "Tables de compensation",
+                              "seconde implémentation", "certifié", "Verdicts", "concorde"}) {
+        QVERIFY2(result.out.contains(words), words);
+        QVERIFY2(printed.contains(words), words);
+    }
+    for (const char *words : {"Validation de Palmer " PALMER_VERSION, "Processeur", "Compilateur", "SHA-256"})
+        QVERIFY2(printed.contains(words), qPrintable(printed.left(1000)));
+    QVERIFY(!result.out.contains("NE CONCORDE PAS"));
+}
+
+void PalmerCliTest::takesAFolderOfReferenceData() {
+    const QTemporaryDir folder;
+    const auto write = [&](const char *name, const QByteArray &bytes) {
+        QFile file(folder.filePath(name));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size());
+    };
+    Result result = run({"selftest", folder.path()});
+    QCOMPARE(result.code, 3);
+    QVERIFY2(result.err.contains("no reference data"), qPrintable(result.err));
+    QFile published(SOURCE "/resources/reference/constructed.json");
+    QVERIFY(published.open(QIODevice::ReadOnly));
+    const QByteArray good = published.readAll();
+    write("good.json", good);
+    result = run({"selftest", folder.path(), "--json"});
     QCOMPARE(result.code, 0);
-    QVERIFY(result.out.contains("NIST StRD NumAcc4") && !result.out.contains("DOES NOT AGREE"));
-    for (const char *circles : {"G(b)XY", "nist_cir2d30", "con_full_n1800", "V1"})
-        QVERIFY2(result.out.contains(circles), circles);
+    const QJsonObject json = QJsonDocument::fromJson(result.out.toUtf8()).object();
+    QCOMPARE(json["format"].toString(), QString("palmer validation"));
+    QCOMPARE(json["sets"].toArray().size(), 1);
+    QCOMPARE(json["sets"][0]["agrees"].toBool(), true);
+    // One wrong digit is found, and named with its place.
+    write("wrong.json", QByteArray(good).replace(R"("parameter": "M", "value": 0.0075)",
+                                                 R"("parameter": "M", "value": 0.0175)"));
+    result = run({"selftest", folder.path(), "--language", "en"});
+    QCOMPARE(result.code, 1);
+    QVERIFY2(result.out.contains("test 1 M ISO 230-2:1997: 17.5"), qPrintable(result.out));
+    // An unreadable file stops no other.
+    write("broken.json", "{");
+    result = run({"selftest", folder.path(), "--json"});
+    QCOMPARE(result.code, 3);
+    QVERIFY2(result.err.contains("broken.json"), qPrintable(result.err));
+    QCOMPARE(QJsonDocument::fromJson(result.out.toUtf8()).object()["sets"].toArray().size(), 2);
 }
 
 void PalmerCliTest::contouringFeed_data() {

@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help/helpwindow.h"
 
+#include "document/savedocument.h"
 #include "kernel/evaluation/edition.h"
+#include "print/pdf/writepdf.h"
 #include "ui/elidedlabel.h"
 #include "ui/help/reporthtml.h"
 #include "ui/madewidgets.h"
 #include "ui/theme.h"
 #include "ui/windowlanguage.h"
+#include "validation/validationreport.h"
 
+#include <QBuffer>
+#include <QFileDialog>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QPushButton>
 #include <QTextBrowser>
 #include <QTextDocument>
@@ -32,6 +38,7 @@ HelpWindow::HelpWindow(QWidget *parent)
     , m_list(made<QListWidget>("helpPages", this))
     , m_browser(made<QTextBrowser>("helpText", this))
     , m_notFound(made<ElidedLabel>("helpNotFound", trait::plainText, this))
+    , m_save(made<QPushButton>("saveValidation", trait::notDefault, this))
     , m_close(made<QPushButton>("closeHelp", trait::notDefault, this)) {
     setObjectName(QStringLiteral("helpWindow"));
     setModal(false);
@@ -46,7 +53,7 @@ HelpWindow::HelpWindow(QWidget *parent)
     auto *row = inRow(styleSpacing, {side, {m_browser, 1}});
     m_notFound->setProperty("tone", QStringLiteral("bad"));
     m_notFound->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-    auto *foot = inRow(styleSpacing, {{m_notFound, 1}, m_close});
+    auto *foot = inRow(styleSpacing, {{m_notFound, 1}, m_save, m_close});
     inColumn(this, styleMargins, styleSpacing, {{row, 1}, foot});
     connect(m_list, &QListWidget::currentRowChanged, this, &HelpWindow::showRow);
     // While typing, the search starts at the current match.
@@ -58,6 +65,7 @@ HelpWindow::HelpWindow(QWidget *parent)
     });
     connect(m_search, &QLineEdit::returnPressed, this,
             [this] { sayWhether(m_search->text().isEmpty() || find(m_search->text()), m_search->text()); });
+    connect(m_save, &QPushButton::clicked, this, &HelpWindow::saveValidation);
     connect(m_close, &QPushButton::clicked, this, &QWidget::close);
     retranslate();
 }
@@ -80,12 +88,37 @@ void HelpWindow::showRow(int row) {
     if (!index)
         return;
     HelpPage &page = m_pages[*index];
+    m_save->setVisible(page.id == u"validation");
     if (page.id == u"validation" && page.content.blocks.empty()) {
         if (!m_validated)
-            m_validated = validateAll();
-        page = composeValidationHelp(*m_validated, windowLanguage());
+            m_validated = validateFiles(quickReferenceFiles());
+        page.content = composeValidation(*m_validated, windowLanguage());
     }
     m_browser->setHtml(reportHtml(page.content));
+}
+
+void HelpWindow::saveValidation() {
+    const QString path =
+        QFileDialog::getSaveFileName(this, tr("Save the validation document"),
+                                     QStringLiteral("validation.pdf"), tr("PDF documents (*.pdf)"));
+    if (path.isEmpty())
+        return;
+    m_save->setEnabled(false);
+    m_lane.start([](const Background::Job &) { return validateFiles(allReferenceFiles()); },
+                 [this, path](std::vector<SetValidation> sets) {
+                     m_save->setEnabled(true);
+                     try {
+                         QBuffer pdf;
+                         pdf.open(QIODevice::WriteOnly);
+                         writePdf(composeValidationDocument(sets, windowLanguage()), pdf);
+                         saveBytes(pdf.data(), path);
+                     } catch (const Error &error) {
+                         QMessageBox::warning(this, tr("The document was not saved"),
+                                              windowLanguage().sentence(error.message));
+                     }
+                     m_validated = std::move(sets);
+                     retranslate();
+                 });
 }
 
 void HelpWindow::showPage(const QString &id, const QString &anchor) {
@@ -162,6 +195,7 @@ void HelpWindow::retranslate() {
     m_search->setAccessibleName(tr("Search the help"));
     m_list->setAccessibleName(tr("Pages of the help"));
     m_browser->setAccessibleName(tr("Text of the help"));
+    m_save->setText(tr("Evaluate all and &save as PDF…"));
     m_close->setText(tr("&Close"));
     m_pages = composeHelp(windowLanguage());
     m_pages.push_back({QStringLiteral("validation"), tr("Validation"), {}});

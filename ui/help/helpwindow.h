@@ -3,8 +3,10 @@
 #pragma once
 
 #include "report/help/help.h"
+#include "ui/model/background.h"
 #include "ui/qtforward.h"
 #include "ui/translated.h"
+#include "validation/validation.h"
 
 #include <QDialog>
 #include <optional>
@@ -33,14 +35,17 @@ private:
     void sayWhether(bool found, const QString &words);
     void fillList();
     void showRow(int row);
+    void saveValidation();
     void retranslate() final;
 
     std::vector<HelpPage> m_pages;
-    std::optional<std::vector<SetValidation>> m_validated; ///< computed on first use
+    std::optional<std::vector<SetValidation>> m_validated; ///< on first use the quick sets, when saved all
+    Background m_lane;                                     ///< evaluates all sets
     QLineEdit *m_search;
     QListWidget *m_list;
     QTextBrowser *m_browser;
-    QLabel *m_notFound; ///< says what was not found
+    QLabel *m_notFound;  ///< says what was not found
+    QPushButton *m_save; ///< of the validation only
     QPushButton *m_close;
 };
 

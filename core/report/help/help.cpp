@@ -256,9 +256,4 @@ std::vector<HelpPage> composeHelp(const Language &language) {
     return pages;
 }
 
-HelpPage composeValidationHelp(const std::vector<SetValidation> &sets, const Language &language) {
-    return {QStringLiteral("validation"), language.text(REPORT_TEXT("report", "Validation")),
-            composeValidation(sets, language)};
-}
-
 } // namespace palmer

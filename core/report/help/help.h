@@ -5,7 +5,6 @@
 #include "kernel/evaluation/edition.h"
 #include "language/language.h"
 #include "report/blocks/report.h"
-#include "validation/validation.h"
 
 #include <QString>
 #include <vector>
@@ -23,12 +22,5 @@ struct HelpPage {
 /// name, formula and clause, from the program's tables. Anchors: for fields the key in the file ("sensors"),
 /// for symbols the id of the parameter ("R+").
 [[nodiscard]] std::vector<HelpPage> composeHelp(const Language &language);
-
-/// The page of the reference data, which takes a moment to compute.
-[[nodiscard]] HelpPage composeValidationHelp(const std::vector<SetValidation> &sets,
-                                             const Language &language);
-
-/// Computed and expected values of each set of reference data, for selftest and help.
-[[nodiscard]] Report composeValidation(const std::vector<SetValidation> &sets, const Language &language);
 
 } // namespace palmer

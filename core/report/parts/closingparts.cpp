@@ -37,8 +37,8 @@ QString machineDetails(const Writer &write, const Machine &machine) {
 QString selfTestText(const Writer &write, const std::optional<bool> &passed) {
     if (!passed)
         return write.text(REPORT_TEXT("report", "self-test not run"));
-    return write.text(*passed ? REPORT_TEXT("report", "self-test against published data passed")
-                              : REPORT_TEXT("report", "self-test against published data NOT passed"));
+    return write.text(*passed ? REPORT_TEXT("report", "self-test against reference data passed")
+                              : REPORT_TEXT("report", "self-test against reference data NOT passed"));
 }
 
 Text signerText(Signer signer) {

@@ -84,25 +84,6 @@ private slots:
                 explained(edition->circles->requirements);
         }
     }
-
-    void theReferenceDataAreShown() {
-        const HelpPage page = composeValidationHelp(validateAll(), Language(Language::Id::french));
-        const QString text = plainText(page.content);
-        QVERIFY(text.contains("NIST StRD"));
-        for (const char *foreign :
-             {"Ballbar", "Synthetic", "Constructed", "table 2", "annex C", "univariate"})
-            QVERIFY2(!text.contains(foreign), foreign);
-        QVERIFY(!QRegularExpression(QStringLiteral("\\de[−-]?\\d")).match(text).hasMatch()); // "1e−9"
-        int lowered = 0;
-        for (const Block &block : page.content.blocks) {
-            const auto *table = std::get_if<Table>(&block);
-            for (std::size_t row = 0; table && row < table->rows.size(); ++row) {
-                for (const Span &span : table->rows[row][1].text.spans)
-                    lowered += span.subscript;
-            }
-        }
-        QVERIFY(lowered > 100);
-    }
 };
 
 QTEST_APPLESS_MAIN(HelpTest)

@@ -7,13 +7,18 @@
 #include "ui/help/helpwindow.h"
 
 #include <QAction>
+#include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QScrollBar>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTextBrowser>
+#include <QTimer>
 
 using namespace palmer;
 using namespace palmer::ui;
@@ -160,13 +165,38 @@ private slots:
     void subscriptsAreLegible() {
         setWindowLanguage(Language::Id::english);
         HelpWindow help;
-        help.showPage("validation");
+        help.showPage("editions.ISO 230-4:2005");
         const auto *text = help.findChild<QTextBrowser *>("helpText");
         // Qt draws a subscript with two thirds of its font: that of a table in small print would be half.
-        const QTextCursor found = text->document()->find("max,XY");
+        const QTextCursor found = text->document()->find("max = max");
         QVERIFY(!found.isNull());
         QCOMPARE(found.charFormat().verticalAlignment(), QTextCharFormat::AlignSubScript);
         QCOMPARE(found.charFormat().property(QTextFormat::FontSizeAdjustment).toInt(), 0);
+    }
+
+    void savesTheValidationDocument() {
+        setWindowLanguage(Language::Id::english);
+        const QTemporaryDir folder;
+        const QString path = folder.filePath("validation.pdf");
+        HelpWindow help;
+        auto *save = help.findChild<QPushButton *>("saveValidation");
+        help.showPage("workflow");
+        QVERIFY(save->isHidden());
+        help.showPage("validation");
+        QVERIFY(!save->isHidden() && !help.text().contains("Linear axes"));
+        QTimer::singleShot(0, &help, [&] {
+            auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget());
+            QVERIFY(dialog);
+            dialog->selectFile(path);
+            QMetaObject::invokeMethod(dialog, "accept");
+        });
+        save->click();
+        QVERIFY(!save->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(save->isEnabled(), 60000); // all sets are simulated in the background
+        QVERIFY2(help.text().contains("Linear axes"), qPrintable(help.text().left(2000)));
+        QVERIFY(!help.text().contains("DOES NOT AGREE"));
+        QFile pdf(path);
+        QVERIFY(pdf.open(QIODevice::ReadOnly) && pdf.read(5) == "%PDF-");
     }
 
     void theMenuLeadsToTheValidation() {

@@ -22,6 +22,7 @@ private slots:
     void iso1988Table2PerTarget();
     void ruling_data();
     void ruling();
+    void everyResultNamesItsTargets();
     void directionThatRulesRepeatability();
     void tiesGoToTheFirstTarget();
     void listedParameters_data();
@@ -180,6 +181,22 @@ void Parameters::ruling() {
                                                             : QStringLiteral("↓"));
     }
     QCOMPARE(found.join(u' '), expected);
+}
+
+void Parameters::everyResultNamesItsTargets() {
+    const QStringList means{"Bmean", "r", "r+", "r-", "Umean", "Psmean"};
+    int named = 0;
+    for (const Edition *edition : editions()) {
+        if (edition->circles)
+            continue;
+        const auto evaluation = evaluated(example1988(edition->word));
+        for (const Parameter &p : evaluation.parameters) {
+            const bool isMean = means.contains(QString::fromStdString(parameterId(p)));
+            QVERIFY2(p.ruling[0].has_value() != isMean, p.term.id);
+            named += !isMean;
+        }
+    }
+    QVERIFY(named > 90);
 }
 
 void Parameters::tiesGoToTheFirstTarget() {

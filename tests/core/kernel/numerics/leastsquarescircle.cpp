@@ -109,9 +109,8 @@ void LeastSquaresCircleTest::referenceSets_data() {
     QTest::addColumn<double>("radius");
     QTest::addColumn<double>("range");
     for (const reference::Expected &set : reference::expected())
-        QTest::newRow(qPrintable(set.file))
-            << set.file << set.value.at(QStringLiteral("lsc_cx")) << set.value.at(QStringLiteral("lsc_cy"))
-            << set.value.at(QStringLiteral("lsc_R")) << set.value.at(QStringLiteral("lsc_width"));
+        QTest::newRow(qPrintable(set.name))
+            << set.name << set.at("lsc_cx") << set.at("lsc_cy") << set.at("lsc_R") << set.at("lsc_width");
 }
 
 void LeastSquaresCircleTest::referenceSets() {

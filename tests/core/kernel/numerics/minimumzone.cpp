@@ -193,10 +193,9 @@ void MinimumZoneTest::referenceSets_data() {
     QTest::addColumn<double>("inner");
     QTest::addColumn<double>("width");
     for (const reference::Expected &set : reference::expected()) {
-        const auto value = [&](const char *name) { return set.value.at(QLatin1String(name)); };
-        QTest::newRow(qPrintable(set.file))
-            << set.file << (set.status == u"ok") << Point{value("mzc_cx"), value("mzc_cy")} << value("mzc_Ro")
-            << value("mzc_Ri") << value("mzc_width");
+        QTest::newRow(qPrintable(set.name))
+            << set.name << set.hasZone() << Point{set.at("mzc_cx"), set.at("mzc_cy")} << set.at("mzc_Ro")
+            << set.at("mzc_Ri") << set.at("mzc_width");
     }
 }
 

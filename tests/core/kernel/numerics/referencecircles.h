@@ -5,13 +5,16 @@
 #include "kernel/numerics/points.h"
 
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QString>
 #include <QStringList>
 
 #include <map>
 #include <stdexcept>
 
-/// The sets of points with known circles in resources/reference/circles.
+/// The sets of points with known circles in resources/reference.
 namespace reference {
 
 /// The lines of a file without those that begin with '#', split at `separator`.
@@ -28,11 +31,29 @@ inline std::vector<QStringList> rows(const QString &name, QChar separator) {
     return result;
 }
 
+/// Sets of points and what is known of their circles.
+inline std::vector<QJsonObject> pointSets() {
+    std::vector<QJsonObject> result;
+    for (const char *name : {"constructed-circles", "nist-circles"}) {
+        QFile file(QStringLiteral(PALMER_REFERENCE_CIRCLES "/../%1.json").arg(QLatin1StringView(name)));
+        if (!file.open(QIODevice::ReadOnly))
+            throw std::runtime_error("cannot read " + file.fileName().toStdString());
+        result.push_back(QJsonDocument::fromJson(file.readAll()).object());
+    }
+    return result;
+}
+
 inline palmer::Points points(const QString &name) {
     palmer::Points points;
-    for (const QStringList &row : rows(name, u',')) {
-        points.x.push_back(row.at(0).toDouble());
-        points.y.push_back(row.at(1).toDouble());
+    for (const QJsonObject &set : pointSets()) {
+        for (const QJsonValue item : set[QLatin1StringView("points")].toArray()) {
+            if (item[QLatin1StringView("name")] != name)
+                continue;
+            for (const QJsonValue x : item[QLatin1StringView("x")].toArray())
+                points.x.push_back(x.toDouble());
+            for (const QJsonValue y : item[QLatin1StringView("y")].toArray())
+                points.y.push_back(y.toDouble());
+        }
     }
     return points;
 }
@@ -56,28 +77,31 @@ inline Path ballbarPath(const QString &sense) {
     return path;
 }
 
-/// One line of expected.csv: its columns by name, numbers as far as they are numbers.
+/// What is known of a set, by id; without minimum zone those ids are missing.
 struct Expected {
-    QString file;
-    QString status;
+    QString name;
     std::map<QString, double> value;
+
+    [[nodiscard]] double at(const char *id) const {
+        const auto found = value.find(QLatin1StringView(id));
+        return found == value.end() ? 0 : found->second;
+    }
+    [[nodiscard]] bool hasZone() const { return value.contains(QStringLiteral("mzc_width")); }
 };
 
 inline std::vector<Expected> expected() {
-    const std::vector<QStringList> table = rows(QStringLiteral("expected.csv"), u',');
     std::vector<Expected> result;
-    for (std::size_t i = 1; i < table.size(); ++i) {
-        Expected expected;
-        for (qsizetype k = 0; k < table[0].size(); ++k) {
-            const QString &cell = table[i].at(k);
-            if (table[0].at(k) == u"file")
-                expected.file = cell;
-            else if (table[0].at(k) == u"status")
-                expected.status = cell;
-            else
-                expected.value[table[0].at(k)] = cell.toDouble();
+    for (const QJsonObject &set : pointSets()) {
+        const QJsonArray points = set[QLatin1StringView("points")].toArray();
+        for (qsizetype i = 0; i < points.size(); ++i) {
+            Expected &one = result.emplace_back();
+            one.name = points[i][QLatin1StringView("name")].toString();
+            for (const QJsonValue row : set[QLatin1StringView("expected")].toArray()) {
+                if (row[QLatin1StringView("test")].toInt() == i + 1)
+                    one.value[row[QLatin1StringView("circle")].toString()] =
+                        row[QLatin1StringView("value")].toDouble();
+            }
         }
-        result.push_back(expected);
     }
     return result;
 }

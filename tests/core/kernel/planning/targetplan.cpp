@@ -140,6 +140,31 @@ private slots:
         }
     }
 
+    /// "± %1, new for every target": neighbours share neither their random part nor its sign.
+    void theRandomPartIsNewForEveryTarget() {
+        TargetRequest request = linear(1900);
+        request.perMetre = 50;
+        request.decimals = 6;
+        double products = 0;
+        double squares = 0;
+        for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+            request.seed = seed;
+            const TargetPlan plan = planTargets(request);
+            std::vector<double> parts;
+            for (std::size_t i = 0; i < plan.targets.size(); ++i)
+                parts.push_back(plan.targets[i] - request.from - plan.randomPart -
+                                static_cast<double>(i) * *plan.interval);
+            for (std::size_t i = 1; i < parts.size(); ++i) {
+                products += parts[i] * parts[i - 1];
+                squares += parts[i] * parts[i];
+            }
+            std::ranges::sort(parts);
+            QVERIFY(std::ranges::adjacent_find(parts) == parts.end());
+        }
+        // 40 plans of 95 targets: the correlation of independent parts is 0 ± 0.016.
+        QVERIFY2(std::abs(products / squares) < 0.08, qPrintable(QString::number(products / squares)));
+    }
+
     /// 300 plans of each rule: every phase of the period is as likely, at the first and the last target, too,
     /// whose random part no end of the travel cuts off. χ² over 10 classes; its bound is exceeded once in
     /// 10⁵.
