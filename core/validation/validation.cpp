@@ -21,7 +21,7 @@ namespace palmer {
 
 namespace {
 
-/// What an evaluation gives for an expectation; a word for what is one.
+/// Result of an evaluation for an expectation: a number or a word.
 struct Found {
     std::optional<double> number = {};
     std::string word = {};

@@ -33,7 +33,7 @@ Text sourceText(ExpectationSource source) {
                             REPORT_TEXT("report", "second implementation")});
 }
 
-/// What was computed, in words.
+/// Names the method that is compared.
 Text methodText(const Expectation &expected) {
     if (expected.what != Expected::parameter || expected.of.empty())
         return inOrder(expected.what,
@@ -175,7 +175,7 @@ QString processor() {
     return match.hasMatch() ? match.captured(1) : QSysInfo::currentCpuArchitecture();
 }
 
-/// What this build is.
+/// Facts about this build.
 KeyValues buildIn(const Language &language) {
     QFile program(QCoreApplication::applicationFilePath());
     const std::string digest = program.open(QIODevice::ReadOnly) ? sha256(program.readAll()) : std::string();
