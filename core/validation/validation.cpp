@@ -148,19 +148,21 @@ Found circleOf(const Evaluated &e) {
     if (e.expected.test >= e.set.points.size())
         return {};
     const PointsView points = e.set.points[e.expected.test].view();
-    const LeastSquaresCircle fit = leastSquaresCircle(points);
+    if (e.expected.id.starts_with("lsc")) {
+        const LeastSquaresCircle fit = leastSquaresCircle(points);
+        return !fit.valid() ? Found{}
+                            : named(e.expected.id, {{"lsc_cx", fit.centre.x},
+                                                    {"lsc_cy", fit.centre.y},
+                                                    {"lsc_R", fit.radius},
+                                                    {"lsc_width", fit.range()}});
+    }
     const MinimumZone zone = minimumZone(points);
-    if (!fit.valid() || (e.expected.id.starts_with("mzc") && !(zone.valid() && zone.certified)))
-        return {};
-    return named(e.expected.id, {{"lsc_cx", fit.centre.x},
-                                 {"lsc_cy", fit.centre.y},
-                                 {"lsc_R", fit.radius},
-                                 {"lsc_width", fit.range()},
-                                 {"mzc_cx", zone.centre.x},
-                                 {"mzc_cy", zone.centre.y},
-                                 {"mzc_Ro", zone.outerRadius},
-                                 {"mzc_Ri", zone.innerRadius},
-                                 {"mzc_width", zone.width}});
+    return !(zone.valid() && zone.certified) ? Found{}
+                                             : named(e.expected.id, {{"mzc_cx", zone.centre.x},
+                                                                     {"mzc_cy", zone.centre.y},
+                                                                     {"mzc_Ro", zone.outerRadius},
+                                                                     {"mzc_Ri", zone.innerRadius},
+                                                                     {"mzc_width", zone.width}});
 }
 
 /// By kind of expectation; the last three need no test.
