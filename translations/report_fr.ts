@@ -1092,10 +1092,6 @@
         <translation>%1 valeurs reproduites sur %2.</translation>
     </message>
     <message>
-        <source>Values that do NOT agree with the reference data: %1 of %2.</source>
-        <translation>Valeurs qui ne concordent PAS avec les données de référence&#xa0;: %1 sur %2.</translation>
-    </message>
-    <message>
         <source>expected reference data of this program</source>
         <translation>des données de référence de ce programme étaient attendues</translation>
     </message>

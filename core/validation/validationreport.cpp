@@ -5,7 +5,6 @@
 #include "document/filewords.h"
 #include "document/json.h"
 #include "document/sha256.h"
-#include "kernel/words/message.h"
 
 #include <QCoreApplication>
 #include <QDate>
@@ -201,12 +200,8 @@ Report composeValidation(const std::vector<SetValidation> &sets, const Language 
         Paragraph{language.sentence(REPORT_TEXT("report", "%1 of %2 values reproduced."),
                                     {wholeNumber(values - wrong.size()), wholeNumber(values)})});
     report.blocks.emplace_back(summary(groups, language));
-    if (!wrong.isEmpty()) {
-        report.blocks.emplace_back(Paragraph{language.sentence(
-            REPORT_TEXT("report", "Values that do NOT agree with the reference data: %1 of %2."),
-            {wholeNumber(wrong.size()), wholeNumber(values)})});
+    if (!wrong.isEmpty())
         report.blocks.emplace_back(Paragraph{wrong.join(u'\n')});
-    }
     report.blocks.emplace_back(Heading{2, language.text(REPORT_TEXT("report", "Origin of the data"))});
     KeyValues origins{{}, labelWidth};
     for (const SetValidation &set : sets)
