@@ -1927,6 +1927,10 @@
 <context>
     <name>palmer::ui::HelpWindow</name>
     <message>
+        <source>Validation</source>
+        <translation>Validation</translation>
+    </message>
+    <message>
         <source>Help</source>
         <translation>Aide</translation>
     </message>
@@ -4114,10 +4118,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
 <context>
     <name>palmer::ui::ReportDialog</name>
     <message>
-        <source>Values per target</source>
-        <translation>Valeurs par point visé</translation>
-    </message>
-    <message>
         <source>Single readings in the figure</source>
         <translation>Relevés dans la figure</translation>
     </message>
@@ -5029,10 +5029,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>Budget</source>
         <translation>Budget</translation>
-    </message>
-    <message>
-        <source>Monte Carlo</source>
-        <translation>Monte-Carlo</translation>
     </message>
     <message>
         <source>Direct</source>

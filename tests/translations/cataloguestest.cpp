@@ -75,7 +75,7 @@ const QSet<QString> sameInBoth{
     "Point",        "page %1 / %2", "Centre",       "Centre %1", "Source",       "Centre, F", "Compensation",
     "Points",       "Angles",       "Correction C", "positions", "rad",          "mrad",      "µrad",
     "mdeg",         "gon",          "µin",          "min",       "Format",       "Arc (°)",   "air",
-    "machine",      "point .",      "Page",         "Type",      "Validation",   "Angle",     "Sources",
+    "machine",      "point .",      "Page",         "Type",      "Verdicts",     "Angle",     "Sources",
     "source 1",     "amplitude",    "compensation", "collision", "intervention", "Machines"};
 
 /// What is wrong with the typography of a French text; empty where nothing is.
