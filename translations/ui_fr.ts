@@ -5067,10 +5067,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>vue sous une autre édition</translation>
     </message>
     <message>
-        <source>Values</source>
-        <translation>Valeurs</translation>
-    </message>
-    <message>
         <source>Take a typical value, with its source</source>
         <translation>Reprendre une valeur usuelle, avec sa source</translation>
     </message>
