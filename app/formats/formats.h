@@ -11,9 +11,9 @@
 namespace palmer {
 
 /// Functions that use libqpdf, poppler and libzip. With their dependencies these are thirty libraries, whose
-/// loading took a fifth of the window's start time. Therefore the window is not linked with them:
-/// formatsmodule.cpp is a separate library that loadedformats.cpp loads on the first call. Command line and
-/// tests are linked directly.
+/// loading took a fifth of the window's start time and half of the command line's. Therefore the programs
+/// are not linked with them: formatsmodule.cpp is a separate library that loadedformats.cpp loads on the
+/// first call. Tests are linked directly.
 struct Formats {
     const char *version; ///< of the program the library belongs to
     decltype(&palmer::sha256) sha256;

@@ -35,10 +35,12 @@ const Formats &formats(Error::Kind kind) {
 
 } // namespace
 
-/// Falls back to a slower implementation without the library, because this must not fail.
+/// Qt's slower implementation hashes a small file before the library is loaded, and any without it, because
+/// this must not fail.
 std::string sha256(QByteArrayView bytes) {
-    if (const Formats *found = loaded())
-        return found->sha256(bytes);
+    constexpr qsizetype small = 1 << 20;
+    if (bytes.size() > small && loaded())
+        return loaded()->sha256(bytes);
     return QCryptographicHash::hash(bytes, QCryptographicHash::Sha256).toHex().toStdString();
 }
 
