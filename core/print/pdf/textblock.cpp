@@ -6,6 +6,7 @@
 #include "print/fonts.h"
 
 #include <QFontMetricsF>
+#include <QHash>
 #include <QPainter>
 #include <algorithm>
 #include <array>
@@ -29,10 +30,11 @@ constexpr double fontDescent = 0.212;
 struct Face {
     QFont font;
     QFontMetricsF metrics;
+    QHash<QString, double> widths = {}; ///< of short texts
 };
 
 /// Caches fonts and metrics: a report draws thousands of short texts in a dozen fonts.
-const Face &face(double size, bool bold, bool italic) {
+Face &face(double size, bool bold, bool italic) {
     thread_local std::map<int, Face> faces;
     const int pixels = qRound(size * tenths);
     const int key = 4 * pixels + 2 * (bold ? 1 : 0) + (italic ? 1 : 0);
@@ -48,8 +50,21 @@ double sizeOf(const TextRun &look, const TextStyle &style) {
     return look.script == TextRun::Script::normal ? style.size : scriptSize * style.size;
 }
 
-const Face &face(const TextRun &run, const TextStyle &style) {
+Face &face(const TextRun &run, const TextStyle &style) {
     return face(sizeOf(run, style), run.bold || style.bold, run.italic);
+}
+
+/// A report repeats its words and numbers, and shaping them takes most of the time of its layout.
+double advance(Face &face, const QString &text) {
+    constexpr qsizetype longest = 40;
+    constexpr qsizetype most = 20'000;
+    if (text.size() > longest)
+        return face.metrics.horizontalAdvance(text);
+    if (face.widths.size() >= most)
+        face.widths.clear();
+    const auto known = face.widths.constFind(text);
+    return known != face.widths.cend() ? *known
+                                       : *face.widths.insert(text, face.metrics.horizontalAdvance(text));
 }
 
 // NOLINTBEGIN(cppcoreguidelines-avoid-non-const-global-variables): counts of one thread
@@ -87,14 +102,14 @@ std::vector<TextPiece> piecesOf(const QString &text) {
 double widthOf(const TextPiece &piece, const TextRun &look, const TextStyle &style) {
     if (piece.foreign != 0)
         return foreignWidth(piece.foreign) * sizeOf(look, style);
-    return face(look, style).metrics.horizontalAdvance(piece.text) / tenths;
+    return advance(face(look, style), piece.text) / tenths;
 }
 
 /// Characters of other fonts have a fixed width, so that it does not depend on the installed fonts.
 double widthOf(const QString &text, const TextRun &look, const TextStyle &style) {
     measuredLetters += static_cast<std::size_t>(text.size());
     if (!needsOtherFont(text))
-        return face(look, style).metrics.horizontalAdvance(text) / tenths;
+        return advance(face(look, style), text) / tenths;
     double width = 0;
     for (const TextPiece &piece : piecesOf(text))
         width += widthOf(piece, look, style);
@@ -243,11 +258,11 @@ public:
     [[nodiscard]] bool empty() const { return m_from == m_run.text.size(); }
 
     /// Removes and returns the first `count` characters.
-    TextRun take(qsizetype count) {
+    TextRun consume(qsizetype count) {
         m_from += count;
         return part(m_run, m_from - count, count);
     }
-    TextRun takeAll() { return take(m_run.text.size() - m_from); }
+    TextRun consumeAll() { return consume(m_run.text.size() - m_from); }
 
     [[nodiscard]] double width(qsizetype count) const {
         return widthOf(m_run.text.mid(m_from, count), m_run, m_style);
@@ -378,13 +393,13 @@ void TextBlock::append(const TextRun &run, double width) {
             m_lines.emplace_back();
             continue;
         }
-        appendToLine(rest.take(count), width);
+        appendToLine(rest.consume(count), width);
         if (rest.empty())
             break;
         m_lines.emplace_back();
     }
     if (!rest.empty())
-        appendToLine(rest.takeAll(), width);
+        appendToLine(rest.consumeAll(), width);
 }
 
 void TextBlock::appendToLine(const TextRun &run, double width) {
