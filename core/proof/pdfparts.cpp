@@ -5,6 +5,7 @@
 #include "proof/pdffilters.h"
 
 #include <qpdf/Pl_Discard.hh>
+#include <qpdf/Pl_String.hh>
 #include <qpdf/QPDF.hh>
 #include <qpdf/QPDFExc.hh>
 #include <qpdf/QPDFNameTreeObjectHelper.hh>
@@ -26,9 +27,11 @@ constexpr std::size_t mostPages = 20'000;
 constexpr std::size_t mostBookmarks = 100'000;
 
 std::string bytesOf(Handle stream) {
-    const auto buffer = stream.getStreamData(qpdf_dl_specialized);
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-reinterpret-cast): bytes of libqpdf
-    return {reinterpret_cast<const char *>(buffer->getBuffer()), buffer->getSize()};
+    std::string bytes;
+    Pl_String into("stream", nullptr, bytes);
+    if (!stream.pipeStreamData(&into, 0, qpdf_dl_specialized))
+        throw std::runtime_error("unknown filter");
+    return bytes;
 }
 
 /// A file embedded in the PDF, however a reader finds it.
@@ -222,7 +225,7 @@ bool canOpen(QPDF &document, const char *bytes, std::size_t size) {
     }
 }
 
-PdfParts takeApart(QPDF &document) {
+PdfParts dissected(QPDF &document) {
     PdfParts result;
     result.encrypted = document.isEncrypted();
     if (result.encrypted)
@@ -259,7 +262,7 @@ PdfParts pdfParts(const char *bytes, std::size_t size, std::int64_t most, bool &
             closed.encrypted = true;
             return closed;
         }
-        PdfParts result = takeApart(document);
+        PdfParts result = dissected(document);
         if (UnpackingBound::isExceeded())
             throw std::runtime_error("unpacks to more than is read");
         return result;
