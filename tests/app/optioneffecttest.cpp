@@ -38,6 +38,14 @@ struct OptionRow {
     QString value; // placeholder, empty for a switch
 };
 
+/// The rotary axis with a budget, whose report simulates few trials: what an option does shows in any number.
+QByteArray axisOfFewTrials() {
+    QFile file(EXAMPLES "rotary-axis.palmer");
+    if (!file.open(QIODevice::ReadOnly))
+        qFatal("cannot read %s", qPrintable(file.fileName()));
+    return file.readAll().replace(R"("method": "budget")", R"("method": "budget", "trials": 500)");
+}
+
 void write(const QString &name, const QByteArray &bytes) {
     QFile file(name);
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
@@ -108,6 +116,8 @@ void OptionEffectTest::initTestCase() {
     QVERIFY(m_folder.isValid());
     write(at("m.palmer-template"),
           R"({"format": "palmer template", "version": 1, "name": "m", "machine": {"name": "Big mill"}})");
+    write(at("axis.palmer"), axisOfFewTrials());
+    QVERIFY(axisOfFewTrials().contains("trials"));
     write(at("drift.palmer"), R"({"format": "palmer test report", "version": 1, "tests": [{"kind": "drift",
         "times": [0, 60], "deviations": [0, 0.001]}]})");
     QVERIFY(QDir(m_folder.path()).mkdir("reference") &&
@@ -123,7 +133,7 @@ void OptionEffectTest::initTestCase() {
 }
 
 std::vector<Base> OptionEffectTest::bases() const {
-    const QString axis = EXAMPLES "rotary-axis.palmer";
+    const QString axis = at("axis.palmer");
     std::vector<Base> all{
         {"evaluate an axis", {"evaluate", axis}},
         {"evaluate as JSON", {"evaluate", axis, "--json"}},

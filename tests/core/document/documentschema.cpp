@@ -353,20 +353,16 @@ private slots:
             const QJsonValue &base = part.base;
             const QVariantList &path = part.path;
             const auto add = [&](const QByteArray &what, const Change &change) {
-                cases.append({nameOf(path) + ": " + what, oneLine(changed(base, path, change))});
+                if (const QJsonValue after = changed(base, path, change); after != base)
+                    cases.append({nameOf(path) + ": " + what, oneLine(after)});
             };
             if (!path.isEmpty()) {
                 for (const QJsonValue &replacement : replacements)
                     add("replaced by " +
                             QJsonDocument(QJsonArray{replacement}).toJson(QJsonDocument::Compact),
                         [&](const QJsonValue &) { return replacement; });
-                const auto addIfOther = [&](const QByteArray &what, const Change &change) {
-                    const QJsonValue after = changed(base, path, change);
-                    if (after != base)
-                        cases.append({nameOf(path) + ": " + what, oneLine(after)});
-                };
                 for (const int characters : {4096, 4097, 65536, 65537}) {
-                    addIfOther(QByteArray::number(characters) + " characters", [&](const QJsonValue &value) {
+                    add(QByteArray::number(characters) + " characters", [&](const QJsonValue &value) {
                         // Of the first two UTF-16 units and four bytes are one character.
                         const QString one = QString::fromUtf8(characters < 5000 ? "😀" : "x");
                         return value.isString() ? QJsonValue(one.repeated(characters)) : value;
@@ -374,10 +370,10 @@ private slots:
                 }
                 for (const double size : {100.0, 100.001, 273.15, 273.151, 1e6, 1000000.001, 1e15}) {
                     for (const double number : {size, -size})
-                        addIfOther("replaced by " + QByteArray::number(number, 'g', 17),
-                                   [&](const QJsonValue &value) {
-                                       return value.isDouble() ? QJsonValue(number) : value;
-                                   });
+                        add("replaced by " + QByteArray::number(number, 'g', 17),
+                            [&](const QJsonValue &value) {
+                                return value.isDouble() ? QJsonValue(number) : value;
+                            });
                 }
                 add("removed", [](const QJsonValue &) { return QJsonValue(QJsonValue::Undefined); });
                 add("negated", [](const QJsonValue &value) {

@@ -23,6 +23,7 @@
 #include <QXmlStreamReader>
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 using namespace palmer;
 
@@ -44,16 +45,27 @@ std::shared_ptr<const Document> document(const QString &name) {
     return std::make_shared<const Document>(readDocument(content(path)));
 }
 
+/// The simulation beside a budget, drawn once for a document, whatever the language; a fixed number of trials
+/// will do.
+std::optional<Simulation> simulation(const EvaluatedDocument &evaluated, std::size_t test) {
+    static std::map<std::pair<QByteArray, std::size_t>, std::optional<Simulation>> all;
+    const auto [known, isNew] = all.try_emplace({writeDocument(*evaluated.document), test});
+    if (isNew) {
+        SimulationOptions options = simulationOptions(*evaluated.document->tests[test]);
+        options.trials = fewestDecidingTrials;
+        known->second = simulateTest(evaluated, test, options);
+    }
+    return known->second;
+}
+
 Report report(const std::shared_ptr<const Document> &document, const Language &language) {
-    // As the program prints them, with a simulation beside every budget; a fixed number will do.
+    // As the program prints them.
     EvaluatedDocument evaluated = evaluate(document);
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
-        SimulationOptions options = simulationOptions(*document->tests[i]);
-        options.trials = fewestDecidingTrials;
         if (!evaluated.tests[i]->uncertainty.wantsSimulation())
             continue;
-        if (auto simulation = simulateTest(evaluated, i, options))
-            evaluated = withSimulation(evaluated, i, std::move(*simulation));
+        if (auto drawn = simulation(evaluated, i))
+            evaluated = withSimulation(evaluated, i, std::move(*drawn));
     }
     return composeReport(evaluated, language, {"Palmer 0.1.0", true});
 }
@@ -326,7 +338,8 @@ private slots:
     void hasNoWordOfTheOtherLanguage() {
         QFETCH(QString, name);
         const auto neutral = withoutUsersWords(*document(name));
-        const auto [english, french] = catalogueWords();
+        static const auto catalogue = catalogueWords();
+        const auto &[english, french] = catalogue;
         QVERIFY(english.size() > 200);
         // Without what stands for the digits of the fingerprint.
         const QSet<QString> inFrench = wordsOf(text(neutral, Language(Language::Id::french)).remove(digits));
