@@ -11,21 +11,6 @@ namespace palmer::iso230_2 {
 /// Returns ISO 230-2 of 1988, 1997, 2006, 2014, VDI/DGQ 3441 and the national aliases.
 [[nodiscard]] std::span<const Edition> editions();
 
-// Parameters and target terms: one table per edition, in printing order.
-[[nodiscard]] std::span<const Row> rows1988();
-[[nodiscard]] std::span<const Row> rows2006();
-[[nodiscard]] std::span<const Row> rows2006WithoutClauses(); ///< 1997 and the aliases of 1997 and 2006
-[[nodiscard]] std::span<const Row> rows2014();
-[[nodiscard]] std::span<const Row> rows2014WithoutClauses(); ///< aliases of 2014
-[[nodiscard]] std::span<const Row> rowsVdi3441();
-
-[[nodiscard]] std::span<const TargetTerm> targetTerms1988();
-[[nodiscard]] std::span<const TargetTerm> targetTerms2006();
-[[nodiscard]] std::span<const TargetTerm> targetTerms2006WithoutClauses();
-[[nodiscard]] std::span<const TargetTerm> targetTermsVdi3441();
-[[nodiscard]] std::span<const TargetTerm> targetTerms2014();
-[[nodiscard]] std::span<const TargetTerm> targetTerms2014WithoutClauses();
-
 // Requirements: one table per edition, rows in the order of the printed standard, then good laboratory
 // practice, then rows of the program itself.
 [[nodiscard]] std::span<const Requirement> requirements1988();

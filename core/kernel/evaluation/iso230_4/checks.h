@@ -7,7 +7,7 @@
 #include <optional>
 
 /// Checks of ISO 230-4, one function per question. Each returns the sentence of the finding, or null if the
-/// requirement is met or cannot apply. Grade and clause are in the tables (rules.cpp).
+/// requirement is met or cannot apply. Grade and clause are in the tables (editions.cpp).
 namespace palmer::iso230_4 {
 
 using Sentence = std::optional<Message>;
