@@ -5,21 +5,21 @@
 #include "kernel/evaluation/testevaluation.h"
 #include "kernel/measurement/test.h"
 
+#include <type_traits>
+
 namespace palmer {
 
-// Returns the results that belong to the measurement of a kind; `evaluation` is that of its test.
+static_assert(std::variant_size_v<decltype(TestEvaluation::results)> == allKinds.size());
 
-[[nodiscard]] inline const PositioningResults &resultsOf(const PositioningMeasurement & /*measurement*/,
-                                                         const TestEvaluation &evaluation) {
-    return std::get<PositioningResults>(evaluation.results);
-}
-[[nodiscard]] inline const CircularResults &resultsOf(const CircularMeasurement & /*measurement*/,
-                                                      const TestEvaluation &evaluation) {
-    return std::get<CircularResults>(evaluation.results);
-}
-[[nodiscard]] inline const DriftResults &resultsOf(const DriftMeasurement & /*measurement*/,
-                                                   const TestEvaluation &evaluation) {
-    return std::get<DriftResults>(evaluation.results);
+/// Returns the results that belong to the measurement of a kind; `evaluation` is that of its test. Results
+/// and measurements are alternatives in the same order.
+template <class Measurement, std::size_t place = 0>
+[[nodiscard]] const auto &resultsOf(const Measurement &measurement, const TestEvaluation &evaluation) {
+    using Other = std::variant_alternative_t<place, decltype(Test::measurement)>;
+    if constexpr (std::is_same_v<Measurement, Other>)
+        return std::get<place>(evaluation.results);
+    else
+        return resultsOf<Measurement, place + 1>(measurement, evaluation);
 }
 
 /// Returns `use` applied to the measurement of a test and its results; it has an overload for each kind.

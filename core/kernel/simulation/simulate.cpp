@@ -32,7 +32,9 @@ struct SimulationOfKind {
         return run(CircularTrials(test, measurement, surroundings, evaluation, options.seed));
     }
 
-    std::optional<Simulation> operator()(const DriftMeasurement & /*measurement*/) const {
+    /// A kind without inputs of the uncertainty is not simulated.
+    std::optional<Simulation> operator()(const auto &measurement) const
+        requires(!requires { measurement.uncertainty; }) {
         return std::nullopt;
     }
 

@@ -61,7 +61,9 @@ void addInputs(Inputs &inputs, const CircularMeasurement &measurement) {
     inputs.add(inputs::alphaOfInstrument, of.expansionStandardUncertainty.instrument, Quantity::expansion);
 }
 
-void addInputs(Inputs & /*inputs*/, const DriftMeasurement & /*measurement*/) {}
+/// A kind without inputs of the uncertainty states none.
+void addInputs(Inputs & /*inputs*/,
+               const auto &measurement) requires(!requires { measurement.uncertainty; }) {}
 
 } // namespace
 
