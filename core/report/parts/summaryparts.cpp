@@ -17,19 +17,12 @@ namespace palmer {
 
 namespace {
 
-// Widths, mm.
+// Widths around those of the result columns, mm.
 constexpr double numberWidth = 5;
 constexpr double testWidth = 38.2;
-constexpr double quantityWidth = 12.5;
-constexpr double nameWidth = 29; ///< plus the remaining width
-constexpr double valueWidth = 11.5;
-constexpr double uncertaintyWidth = 13.5;
-constexpr double limitWidth = 11;
 constexpr double unitWidth = 5.6; ///< used if units differ between tests
 constexpr double unitGap = 0.3;   ///< before the number
-constexpr double pictureWidth = 18.7;
 constexpr double pictureGap = 2.3;
-constexpr double verdictWidth = 20.8;
 constexpr double pageWidth = 9.2;
 
 constexpr qsizetype mostNamed = 6; ///< quantities named in the verdict
@@ -127,43 +120,54 @@ public:
         addColumns();
         for (std::size_t i = 0; i < parts.size(); ++i)
             addTest(i);
-        constexpr std::size_t uncertainty = 5;
-        constexpr std::size_t units = 7;
-        leaveOutEmptyColumns(m_table, units, units);
-        leaveOutEmptyColumns(m_table, uncertainty, uncertainty);
+        leaveOutEmptyColumns(m_table, m_units, m_units);
+        leaveOutEmptyColumns(m_table, m_uncertainty, m_uncertainty);
     }
 
     [[nodiscard]] Table take() { return std::move(m_table); }
 
 private:
+    /// The result columns between the test and its page, and the unit before the picture.
     void addColumns() {
-        const auto text = [&](const Text &words) { return m_write.text(words); };
-        const QString &unit = m_shared.unit;
         Column test = m_write.column(REPORT_TEXT("report", "Test"), numberWidth);
         test.titleSpan = 2;
         test.paddingLeft = 1.2;
-        Column quantity = m_write.column(REPORT_TEXT("report", "Quantity"), quantityWidth);
-        quantity.titleSpan = 2;
-        Column guard =
-            columnOf(m_shared.band ? text(REPORT_TEXT("report", "Limit ± U")) : QString(), pictureWidth);
-        guard.paddingLeft = pictureGap;
-        Column units = columnOf(QString(), unitWidth);
-        units.paddingLeft = unitGap;
+        m_table.columns = {test, columnOf(QString(), testWidth)};
+        for (const ResultColumn &column : resultColumns()) {
+            if (!(column.summaryWidth > 0))
+                continue;
+            if (column.look == ResultLook::picture) {
+                m_units = m_table.columns.size();
+                m_table.columns.push_back(columnOf(QString(), unitWidth));
+                m_table.columns.back().paddingLeft = unitGap;
+            }
+            if (column.key == std::string_view("expandedUncertainty"))
+                m_uncertainty = m_table.columns.size();
+            m_table.columns.push_back(columnInSummary(column));
+        }
         Column page = m_write.column(REPORT_TEXT("report", "Page"), pageWidth, Alignment::right);
         page.pages = true;
-        m_table.columns = {
-            test,
-            columnOf(QString(), testWidth),
-            quantity,
-            flexibleColumn(QString(), nameWidth),
-            m_write.column(REPORT_TEXT("report", "Value"), valueWidth, Alignment::decimal, unit),
-            columnOf(uncertaintyHead(m_shared.coverage, m_write.language()), uncertaintyWidth,
-                     Alignment::decimal, unit),
-            m_write.column(REPORT_TEXT("report", "Limit"), limitWidth, Alignment::decimal, unit),
-            units,
-            guard,
-            m_write.column(REPORT_TEXT("report", "Verdict"), verdictWidth),
-            page};
+        m_table.columns.push_back(page);
+    }
+
+    [[nodiscard]] Column columnInSummary(const ResultColumn &column) const {
+        if (column.look == ResultLook::name)
+            return flexibleColumn(QString(), column.summaryWidth);
+        const bool isNumber = column.look == ResultLook::number;
+        Column result =
+            m_write.column(column.title, column.summaryWidth, isNumber ? Alignment::decimal : Alignment::left,
+                           isNumber ? m_shared.unit : QString());
+        if (column.look == ResultLook::symbol) { // followed by the name
+            result.title = m_write.text(resultColumn("name").title);
+            result.titleSpan = 2;
+        } else if (column.look == ResultLook::picture) {
+            if (m_shared.band)
+                result.title = m_write.text(REPORT_TEXT("report", "Limit ± U"));
+            result.paddingLeft = pictureGap;
+        } else if (column.key == std::string_view("expandedUncertainty")) {
+            result.title = uncertaintyHead(m_shared.coverage, m_write.language());
+        }
+        return result;
     }
 
     void addTest(std::size_t index) {
@@ -200,16 +204,40 @@ private:
     }
 
     void addResult(const TestPart &part, const Parameter &parameter, bool pale) {
-        const PrintedNumbers numbers =
-            printedNumbers(parameter, part.test, part.document(), m_write.language());
-        const Cell symbol = boldCell(symbolPhrase(parameter));
-        const QString name = m_write.text(briefName(parameter, part.evaluation));
-        const Cell unit =
-            m_shared.unit.isEmpty() ? Cell(m_write.language().unit(parameter.term.quantity)) : blankCell();
-        addRow(part,
-               {blankCell(), blankCell(), symbol, name, boldCell(numbers.value), numbers.uncertainty,
-                numbers.limit, unit, guardCell(parameter), verdictCell(m_write, parameter), Cell()},
-               pale);
+        const PrintedResult result{printedNumbers(parameter, part.test, part.document(), m_write.language()),
+                                   &parameter};
+        std::vector<Cell> cells{blankCell(), blankCell()};
+        for (const ResultColumn &column : resultColumns()) {
+            if (column.summaryWidth > 0)
+                addCell(cells, column, part, result);
+        }
+        cells.emplace_back();
+        addRow(part, std::move(cells), pale);
+    }
+
+    void addCell(std::vector<Cell> &cells, const ResultColumn &column, const TestPart &part,
+                 const PrintedResult &result) const {
+        const Parameter &parameter = *result.parameter;
+        switch (column.look) {
+        case ResultLook::symbol:
+            cells.push_back(boldCell(symbolPhrase(parameter)));
+            break;
+        case ResultLook::name:
+            cells.emplace_back(m_write.text(briefName(parameter, part.evaluation)));
+            break;
+        case ResultLook::picture:
+            cells.push_back(m_shared.unit.isEmpty() ? Cell(m_write.language().unit(parameter.term.quantity))
+                                                    : blankCell());
+            cells.push_back(guardCell(parameter));
+            break;
+        case ResultLook::verdict:
+            cells.push_back(verdictCell(m_write, parameter));
+            break;
+        case ResultLook::text:
+        case ResultLook::number:
+            cells.emplace_back(column.shown({result, m_write.language()}));
+            cells.back().bold = column.key == std::string_view("value");
+        }
     }
 
     void addWithoutLimit(const TestPart &part, bool pale) {
@@ -238,6 +266,8 @@ private:
     const std::vector<TestPart> &m_parts;
     const Writer &m_write;
     const Shared &m_shared;
+    std::size_t m_uncertainty = 0; ///< its column
+    std::size_t m_units = 0;
     Table m_table;
 };
 

@@ -62,6 +62,7 @@ struct ResultColumn {
     /// Value for programs: unrounded, in mm or degrees.
     nlohmann::ordered_json (*told)(const ToldResult &) = nullptr;
     double width = 0;        ///< on paper, mm; 0: the remaining width
+    double summaryWidth = 0; ///< in the summary of a report, mm; 0: not there
     bool besideOnly = false; ///< shown only with a test of the other role
     bool axesOnly = false;   ///< not for circles
 };
