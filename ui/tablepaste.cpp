@@ -43,7 +43,7 @@ PasteBar &TablePaste::bar() {
     return *m_bar;
 }
 
-void TablePaste::take(Put put) {
+void TablePaste::paste(Put put) {
     m_put = std::move(put);
     m_answers.clear();
     read();

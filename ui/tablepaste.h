@@ -32,7 +32,7 @@ public:
 
     TablePaste(DocumentModel &model, QWidget &page);
 
-    void take(Put put);
+    void paste(Put put);
     /// Hides the bar; what was put stays.
     void end();
 

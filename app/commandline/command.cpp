@@ -31,8 +31,8 @@ void requireWord(const Option &option, const QString &given) {
 }
 
 /// Stores an option with its value, which is `given` ("--name=value") or the next word.
-void take(Invocation &invocation, const Option &option, std::optional<QString> given,
-          const QStringList &words, qsizetype &next) {
+void addOption(Invocation &invocation, const Option &option, std::optional<QString> given,
+               const QStringList &words, qsizetype &next) {
     const bool wantsValue = *option.value != 0;
     if (wantsValue && !given && next < words.size())
         given = words[next++];
@@ -192,7 +192,8 @@ Invocation parseArguments(const Command &command, const QStringList &words, Lang
                 throw UsageError({REPORT_TEXT("report", "unknown option %1 of the command %2"),
                                   {word.toStdString(), std::string(command.name)}});
             const qsizetype mark = word.indexOf(u'=');
-            take(result, *option, mark < 0 ? std::nullopt : std::optional(word.mid(mark + 1)), words, next);
+            addOption(result, *option, mark < 0 ? std::nullopt : std::optional(word.mid(mark + 1)), words,
+                      next);
         }
     }
     // A command may redefine the option as the languages of its reports.

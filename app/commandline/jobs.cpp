@@ -58,8 +58,8 @@ public:
     SharedCounter(const SharedCounter &) = delete;
     SharedCounter &operator=(const SharedCounter &) = delete;
 
-    int take() { return m_next->fetch_add(1); }
-    [[nodiscard]] int taken() const { return m_next->load(); }
+    int claim() { return m_next->fetch_add(1); }
+    [[nodiscard]] int claimed() const { return m_next->load(); }
 
 private:
     void *m_place;
@@ -107,7 +107,7 @@ QByteArray taken(int file) {
     const int errors = ::memfd_create("errors", 0);
     if (out < 0 || errors < 0 || ::dup2(out, STDOUT_FILENO) < 0 || ::dup2(errors, STDERR_FILENO) < 0)
         ::_exit(1);
-    for (int input = next.take(); input < count; input = next.take()) {
+    for (int input = next.claim(); input < count; input = next.claim()) {
         if (!writeAll(pipe, bytesOf({input, atWork, 0, 0, 0})))
             ::_exit(1);
         const JobResult result = work(input);
@@ -131,7 +131,7 @@ struct Worker {
 };
 
 /// Extracts the complete answers from the bytes of a worker.
-void takeAnswers(Worker &worker, std::map<int, std::optional<Finished>> &ended) {
+void readAnswers(Worker &worker, std::map<int, std::optional<Finished>> &ended) {
     while (worker.bytes.size() >= qsizetype(sizeof(Answer))) {
         const Answer answer = answerOf(worker.bytes);
         worker.input = answer.input;
@@ -159,7 +159,7 @@ public:
 
     /// Starts processes while inputs are left; returns false if none is running.
     bool keepUp(int jobs) {
-        while (std::cmp_less(m_workers.size(), jobs) && m_next.taken() < m_count) {
+        while (std::cmp_less(m_workers.size(), jobs) && m_next.claimed() < m_count) {
             if (!start())
                 break;
         }
@@ -182,7 +182,7 @@ public:
                 continue;
             Worker &worker = m_workers[i];
             worker.bytes.append(block.data(), size);
-            takeAnswers(worker, ended);
+            readAnswers(worker, ended);
             if (size > 0)
                 continue;
             if (worker.input)

@@ -512,7 +512,7 @@ private:
         read(*kindWord, kind, Place(place, "kind"));
         Test test = testOf(kind);
         readStruct(value, test, place, {"kind"});
-        takeRefusedReadings(test);
+        readRefusedReadings(test);
         member = std::make_shared<const Test>(std::move(test));
     }
 

@@ -39,7 +39,7 @@ std::optional<RefusedReading> refusedReading(const json &entry, const Positionin
 
 } // namespace
 
-void takeRefusedReadings(Test &test) {
+void readRefusedReadings(Test &test) {
     auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
     if (!measurement || test.extensions.find(refusedKey) == std::string::npos)
         return;

@@ -13,7 +13,7 @@ namespace palmer {
 
 /// Moves them from the extensions into the measurement. An entry of that name with another form, or for a
 /// place that does not exist or has a reading, remains an ordinary extension.
-void takeRefusedReadings(Test &test);
+void readRefusedReadings(Test &test);
 
 /// Adds them to the extensions for writing.
 void addRefusedReadings(const Test &test, nlohmann::json &extensions);

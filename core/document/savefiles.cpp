@@ -154,7 +154,7 @@ public:
             refuseSaving(m_source.path, m_source.bytes.size());
         }
     }
-    void takeBack() {
+    void restore() {
         const QByteArray path = encoded(m_source.path);
         if (!m_wasThere)
             ::unlink(path.constData());
@@ -199,7 +199,7 @@ void renameAll(std::vector<std::unique_ptr<Staged>> &staged) {
             forFile(staged[i]->path(), [&] { staged[i]->rename(!last); });
         } catch (const UnsavedFile &) {
             for (std::size_t done = 0; done < i; ++done)
-                staged[done]->takeBack();
+                staged[done]->restore();
             throw;
         }
     }

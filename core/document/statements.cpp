@@ -44,7 +44,7 @@ void removeReadings(DriftMeasurement &measurement) {
 }
 
 /// Replaces the reference to a drift test, which the reader will not have, by its range.
-void takeDriftRange(const Document &document, Test &test) {
+void copyDriftRange(const Document &document, Test &test) {
     const std::string *id = driftTestOf(test);
     const auto range = id ? driftRange(document, *id, motionOf(test)) : std::nullopt;
     constexpr double micrometres = 1000;
@@ -60,7 +60,7 @@ void takeDriftRange(const Document &document, Test &test) {
 Document withoutReadings(const Document &document, std::size_t index) {
     Test test = *document.tests[index];
     std::visit([](auto &measurement) { removeReadings(measurement); }, test.measurement);
-    takeDriftRange(document, test);
+    copyDriftRange(document, test);
     for (ImportedFile &file : test.imports)
         file.data.reset();
     Document result;

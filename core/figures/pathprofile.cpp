@@ -38,7 +38,7 @@ public:
         while (first < m_profile.angles.size()) {
             const double edge = (std::floor(m_towards * m_profile.angles[first] / m_step) + 1) * m_step;
             if (isVisible(edge)) {
-                first = take(first, edge);
+                first = appendStep(first, edge);
             } else {
                 m_open = false;
                 first = end(first, nextVisible(edge));
@@ -94,7 +94,7 @@ private:
     }
 
     /// Appends a step to the trace; returns the first point of the next.
-    std::size_t take(std::size_t first, double edge) {
+    std::size_t appendStep(std::size_t first, double edge) {
         const std::size_t next = std::max(first + 1, end(first, edge));
         if (!m_open)
             m_traces.push_back(

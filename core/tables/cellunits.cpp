@@ -21,7 +21,7 @@ constexpr std::array<std::string_view, 3> minuteSigns{"\u2032", "\u2019", "'"};
 constexpr std::string_view degreeSign = "°";
 
 template <std::size_t size>
-bool takeSign(std::string_view &text, const std::array<std::string_view, size> &signs) {
+bool consumeSign(std::string_view &text, const std::array<std::string_view, size> &signs) {
     for (const std::string_view sign : signs) {
         if (text.starts_with(sign)) {
             text = withoutBlanks(text.substr(sign.size()));
@@ -32,7 +32,7 @@ bool takeSign(std::string_view &text, const std::array<std::string_view, size> &
 }
 
 /// The unsigned number at the beginning of a text; an integer unless `decimals`.
-std::optional<double> takeNumber(std::string_view &text, DecimalMark mark, bool decimals) {
+std::optional<double> consumeNumber(std::string_view &text, DecimalMark mark, bool decimals) {
     if (text.empty() || !isDigit(text.front()))
         return {};
     const LeadingNumber number = leadingNumber(text, mark);
@@ -51,16 +51,16 @@ std::optional<double> degreesOf(std::string_view text, DecimalMark mark) {
     const bool minus = whole.size > 0 && !isDigit(text.front()) && text.front() != '+';
     while (!text.empty() && !isDigit(text.front()))
         text.remove_prefix(1);
-    const auto degrees = takeNumber(text, mark, false);
-    if (whole.size == 0 || !degrees || !takeSign(text, std::array{degreeSign}))
+    const auto degrees = consumeNumber(text, mark, false);
+    if (whole.size == 0 || !degrees || !consumeSign(text, std::array{degreeSign}))
         return {};
-    const auto minutes = takeNumber(text, mark, true);
-    if (!minutes || *minutes >= sixty || takeSign(text, secondSigns) || !takeSign(text, minuteSigns))
+    const auto minutes = consumeNumber(text, mark, true);
+    if (!minutes || *minutes >= sixty || consumeSign(text, secondSigns) || !consumeSign(text, minuteSigns))
         return {};
     double seconds = 0;
     if (!text.empty()) {
-        const auto number = takeNumber(text, mark, true);
-        if (!number || *number >= sixty || !takeSign(text, secondSigns) || !text.empty())
+        const auto number = consumeNumber(text, mark, true);
+        if (!number || *number >= sixty || !consumeSign(text, secondSigns) || !text.empty())
             return {};
         seconds = *number;
     }

@@ -186,13 +186,13 @@ double valueOf(std::string_view number, char point, bool large) {
     return read.ec == std::errc::result_out_of_range && !large ? 0 : std::nan("");
 }
 
-inline void takeDigits(const char *&at, const char *end, std::uint64_t &number) {
+inline void consumeDigits(const char *&at, const char *end, std::uint64_t &number) {
     for (; at != end && isDigit(*at); ++at)
         number = number * 10 + static_cast<std::uint64_t>(*at - '0');
 }
 
 /// Reads "e-3" there; 0 without advancing if there is none.
-inline std::ptrdiff_t takeExponent(const char *&at, const char *end) {
+inline std::ptrdiff_t consumeExponent(const char *&at, const char *end) {
     if (at == end || (*at != 'e' && *at != 'E'))
         return 0;
     bool down = false;
@@ -218,19 +218,19 @@ LeadingNumber leadingNumber(std::string_view text, DecimalMark mark) {
         at += signLength(text, negative);
     const char *const first = at;
     std::uint64_t whole = 0; // unused after an overflow
-    takeDigits(at, end, whole);
+    consumeDigits(at, end, whole);
     std::ptrdiff_t digits = at - first;
     const std::ptrdiff_t wholes = digits;
     std::ptrdiff_t decimals = 0;
     if (at != end && *at == point) {
         const char *const firstDecimal = ++at;
-        takeDigits(at, end, whole);
+        consumeDigits(at, end, whole);
         decimals = at - firstDecimal;
         digits += decimals;
     }
     if (digits == 0)
         return {};
-    const std::ptrdiff_t exponent = takeExponent(at, end);
+    const std::ptrdiff_t exponent = consumeExponent(at, end);
     const std::ptrdiff_t scale = exponent - decimals;
     double value = 0;
     if (digits <= mostDigits && whole <= exactWhole && scale <= mostScale && scale >= -mostScale) {

@@ -116,10 +116,10 @@ private:
             m_at = static_cast<std::size_t>(end - m_rtf.data());
         if (isWord && m_at < m_rtf.size() && m_rtf[m_at] == ' ')
             ++m_at;
-        take(word, number);
+        obey(word, number);
     }
 
-    void take(std::string_view word, int number) {
+    void obey(std::string_view word, int number) {
         if (word == "*" || std::ranges::find(silentGroups, word) != silentGroups.end()) {
             m_group.isSilent = true;
         } else if (word == "uc") {

@@ -70,10 +70,10 @@ void ArcCurvesView::show(const EvaluatedDocument &evaluated, std::size_t test, c
     if (std::exchange(m_curvesOf, evaluation) == evaluation) {
         fitAxes();
     } else if (m_making.cancel(); readingsOf(*shown) <= drawnAtOnce) {
-        take(curvesOf(*shown, *evaluation));
+        receive(curvesOf(*shown, *evaluation));
     } else {
         m_making.start([shown, evaluation](const Background::Job &) { return curvesOf(*shown, *evaluation); },
-                       [this](Curves curves) { take(std::move(curves)); });
+                       [this](Curves curves) { receive(std::move(curves)); });
     }
 }
 
@@ -95,7 +95,7 @@ ArcCurvesView::Curves ArcCurvesView::curvesOf(const Test &test, const TestEvalua
     return curves;
 }
 
-void ArcCurvesView::take(Curves curves) {
+void ArcCurvesView::receive(Curves curves) {
     m_curves = std::move(curves);
     fitAxes();
 }

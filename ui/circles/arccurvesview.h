@@ -58,7 +58,7 @@ private:
     };
 
     [[nodiscard]] static Curves curvesOf(const Test &test, const TestEvaluation &evaluation);
-    void take(Curves curves);
+    void receive(Curves curves);
     void fitAxes();
     void drawAxes(QPainter &painter) const;
     void drawCurves(QPainter &painter) const;

@@ -205,7 +205,7 @@ void DriftPage::paste() {
     const std::size_t row =
         current.isValid() ? static_cast<std::size_t>(current.row()) : m_readings.readings();
     m_reason->hide();
-    m_pasted->take(
+    m_pasted->paste(
         [this, row, text = clipboardText().toStdString()](const ImportOptions &answers) -> SaidPaste {
             const Test *shown = test();
             if (!shown)

@@ -73,24 +73,24 @@ void CircleCanvas::show(const EvaluatedDocument &evaluated, std::size_t test,
     m_language = language;
     if (!others) {
         if (!isMaking())
-            take({});
+            receive({});
         return;
     }
     m_making.cancel();
     if (readingsOf(*shown) <= circleAtOnce) {
-        take(pathProfiles(*shown, *evaluation, content.options));
+        receive(pathProfiles(*shown, *evaluation, content.options));
         return;
     }
     m_making.start([shown, evaluation, options = content.options](
                        const Background::Job &) { return pathProfiles(*shown, *evaluation, options); },
                    [this](std::vector<PathProfile> profiles) {
-                       take(std::move(profiles));
+                       receive(std::move(profiles));
                        emit made();
                    });
 }
 
 /// Shows the last request, with new profiles if given.
-void CircleCanvas::take(std::optional<std::vector<PathProfile>> profiles) {
+void CircleCanvas::receive(std::optional<std::vector<PathProfile>> profiles) {
     const TestPointer &test = m_asked.evaluated.document->tests[m_asked.test];
     if (profiles)
         m_profiles = std::move(*profiles);

@@ -95,7 +95,7 @@ private:
         CircleCanvasContent content;
     };
 
-    void take(std::optional<std::vector<PathProfile>> profiles);
+    void receive(std::optional<std::vector<PathProfile>> profiles);
     void addSynthetic(const Test &test, const SyntheticPaths &synthetic);
     [[nodiscard]] CircleFigure withoutHidden(CircleFigure figure) const;
     [[nodiscard]] bool shows(Sense sense) const;

@@ -227,11 +227,11 @@ void FigureView::refreshCurves() {
         return contentOf(*test, *evaluation, language, marks, zoomed);
     };
     if (readingsOf(*test) <= drawnAtOnce)
-        return take(make());
+        return receive(make());
     m_making.start([make](const Background::Job &) { return make(); },
                    [this, zoomed = zoomedRanges()](Content content) {
                        const auto now = zoomedRanges();
-                       take(std::move(content));
+                       receive(std::move(content));
                        if (now && now != zoomed) // the user zoomed meanwhile
                            showRanges((*now)[0], (*now)[1]);
                    });
@@ -253,7 +253,7 @@ FigureView::Content FigureView::contentOf(const Test &test, const TestEvaluation
     return content;
 }
 
-void FigureView::take(Content content) {
+void FigureView::receive(Content content) {
     m_whole = std::move(content.whole);
     m_readings = std::move(content.readings);
     m_shown = std::move(content.shown);

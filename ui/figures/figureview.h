@@ -80,7 +80,7 @@ private:
     void refreshCurves();
     void refreshCircles();
     void forget();
-    void take(Content content);
+    void receive(Content content);
     /// Titles and notes by kind of test.
     void showTitle();
     void showTitle(const PositioningMeasurement &measurement, const PositioningResults &results);

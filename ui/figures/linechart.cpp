@@ -53,7 +53,7 @@ void LineChart::setFigure(const LineFigure &figure, const Language &language, co
     m_empty = empty;
     m_pointed.reset();
     if (!same)
-        takeWhole();
+        showWhole();
     build();
 }
 

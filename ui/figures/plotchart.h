@@ -27,7 +27,7 @@ protected:
     virtual void showRange() = 0;
     virtual void paintOver(QPainter &painter) = 0;
     /// Shows the whole of other content.
-    void takeWhole() { m_range = whole(); }
+    void showWhole() { m_range = whole(); }
     [[nodiscard]] QPointF placeOf(const QPointF &value) const;
 
     [[nodiscard]] QRectF plotArea() const override;

@@ -251,7 +251,7 @@ bool LimitsPage::eventFilter(QObject *watched, QEvent *event) {
 }
 
 void LimitsPage::pasteLimits(std::size_t row) {
-    m_pasted->take([this, row, text = clipboardText()](const ImportOptions &answers) -> SaidPaste {
+    m_pasted->paste([this, row, text = clipboardText()](const ImportOptions &answers) -> SaidPaste {
         const Test *shown = shownTest();
         if (!shown)
             return {};

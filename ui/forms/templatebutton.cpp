@@ -147,7 +147,7 @@ void TemplateButton::fill() {
         connect(action, &QAction::triggered, this, slot);
     };
     add(tr("&Keep as template…"), "keepTemplate", &TemplateButton::keep);
-    add(tr("&Take from a file…"), "takeTemplate", &TemplateButton::take);
+    add(tr("&Take from a file…"), "takeTemplate", &TemplateButton::applyFile);
     add(tr("&Save to a file…"), "saveTemplate", &TemplateButton::save);
     if (!any)
         return;
@@ -172,7 +172,7 @@ void TemplateButton::keep() {
     }
 }
 
-void TemplateButton::take() {
+void TemplateButton::applyFile() {
     QFileDialog dialog(this, tr("Take a template from a file"));
     dialog.setObjectName(QStringLiteral("templateDialog"));
     dialog.setFileMode(QFileDialog::ExistingFile);

@@ -30,7 +30,7 @@ public:
 private:
     void fill();
     void keep();
-    void take();
+    void applyFile();
     void save();
     [[nodiscard]] bool fits(const Template &content) const;
     [[nodiscard]] QString suggestedName() const;

@@ -76,7 +76,7 @@ void Evaluator::putSimulations() {
                            const Background::Job &) { return withSimulation(current, place, ended); },
                        [this](EvaluatedDocument evaluated) {
                            m_simulations.pop_front();
-                           take(std::move(evaluated));
+                           receive(std::move(evaluated));
                        });
         emit busyChanged(true);
         emit awaiting(m_awaiting);
@@ -97,18 +97,18 @@ void Evaluator::evaluate() {
     auto asked = editions();
     EvaluatedDocument awaiting = awaitingResults(m_document, asked, m_current);
     if (countPending(awaiting) <= atOnce) {
-        take(evaluateUnder(m_document, asked, &m_current));
+        receive(evaluateUnder(m_document, asked, &m_current));
         return;
     }
     m_awaiting = std::move(awaiting);
     m_worker.start([document = m_document, asked = std::move(asked), previous = m_current](
                        const Background::Job &) { return evaluateUnder(document, asked, &previous); },
-                   [this](EvaluatedDocument evaluated) { take(std::move(evaluated)); });
+                   [this](EvaluatedDocument evaluated) { receive(std::move(evaluated)); });
     emit busyChanged(true);
     emit this->awaiting(m_awaiting);
 }
 
-void Evaluator::take(EvaluatedDocument evaluated) {
+void Evaluator::receive(EvaluatedDocument evaluated) {
     m_current = std::move(evaluated);
     m_awaiting = {};
     emit busyChanged(false);

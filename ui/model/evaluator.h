@@ -55,7 +55,7 @@ private:
 
     void evaluate();
     void putSimulations();
-    void take(EvaluatedDocument evaluated);
+    void receive(EvaluatedDocument evaluated);
     [[nodiscard]] std::vector<std::string> editions() const;
 
     std::shared_ptr<const Document> m_document;

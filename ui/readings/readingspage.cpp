@@ -263,7 +263,7 @@ void ReadingsPage::paste() {
     BlockChoices choices{m_model.unit() == ReadingUnit::positions ? BlockContent::positions
                                                                   : BlockContent::deviations,
                          std::nullopt, std::nullopt, m_model.language().units()};
-    m_pasted->take([this, block = clipboardText(), place = std::move(place),
+    m_pasted->paste([this, block = clipboardText(), place = std::move(place),
                     choices = std::move(choices)](const ImportOptions &answers) mutable -> SaidPaste {
         choices.answers = answers;
         return pasteBlock(block, place, choices);

@@ -51,7 +51,7 @@ public:
         auto at = placeOfLabel(degrees, true);
         if (!at)
             at = placeOfLabel(degrees, false);
-        if (at && m_labels.take(CircleLabels::boxOf(*at, textWidth(label(), true))))
+        if (at && m_labels.claim(CircleLabels::boxOf(*at, textWidth(label(), true))))
             m_labels.drawOnGround(*at, label(), true);
     }
 
@@ -76,12 +76,12 @@ public:
         const TextLine text{{m_envelope.limitLabel}};
         if (!isLimitFree(degrees)) {
             if (const auto beside = placeBesideLimit(degrees, middle() + half)) {
-                m_labels.take(CircleLabels::boxOf(*beside, textWidth(text)));
+                m_labels.claim(CircleLabels::boxOf(*beside, textWidth(text)));
                 return m_labels.drawOnGround(*beside, text);
             }
         }
         const QTransform along = alongLimit(degrees);
-        if (!m_labels.take(along.mapRect(CircleLabels::boxOf(aboveLimit, textWidth(text)))))
+        if (!m_labels.claim(along.mapRect(CircleLabels::boxOf(aboveLimit, textWidth(text)))))
             return;
         p.save();
         p.setTransform(along, true);
@@ -221,7 +221,7 @@ private:
 
 } // namespace
 
-bool CircleLabels::take(const QRectF &box) {
+bool CircleLabels::claim(const QRectF &box) {
     if (!hasRoom(box))
         return false;
     reserve(box);
@@ -251,7 +251,7 @@ bool CircleLabels::isCrossed(const QRectF &box) {
 
 void CircleLabels::drawLetter(QPointF centre, const QString &letter) {
     const double width = textWidth(letter);
-    if (take(boxOf(centre, width)))
+    if (claim(boxOf(centre, width)))
         drawText(m_frame.painter(), centre - QPointF(width / 2, 0), letter, m_frame.colour(FigureRole::text));
 }
 

@@ -24,7 +24,7 @@ public:
     /// Reserves the box of a text in any case.
     void reserve(const QRectF &box) { m_taken.push_back(box); }
     /// Reserves the box of a text; false if it is not in view or overlaps another text.
-    bool take(const QRectF &box);
+    bool claim(const QRectF &box);
     [[nodiscard]] bool hasRoom(const QRectF &box) const;
     /// True if a path crosses the box.
     [[nodiscard]] bool isCrossed(const QRectF &box);

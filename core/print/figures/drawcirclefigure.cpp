@@ -236,7 +236,7 @@ private:
                 return m_labels.isFree(CircleLabels::boxOf(at(degrees), width));
             });
             const QPointF centre = at(angle == angles.end() ? angles.front() : *angle);
-            if (m_labels.take(CircleLabels::boxOf(centre, width)))
+            if (m_labels.claim(CircleLabels::boxOf(centre, width)))
                 m_labels.drawOnGround(centre, {{ring.label}});
         }
     }
@@ -331,7 +331,7 @@ private:
                 std::max({box.left() - m_frame.centre().x(), m_frame.centre().x() - box.right(), 0.0});
             const double dy =
                 std::max({box.top() - m_frame.centre().y(), m_frame.centre().y() - box.bottom(), 0.0});
-            if (std::hypot(dx, dy) < m_figure.figureRadius * m_frame.scale() || !m_labels.take(box))
+            if (std::hypot(dx, dy) < m_figure.figureRadius * m_frame.scale() || !m_labels.claim(box))
                 return; // no room next to the circles
         } else {
             p.fillRect(box, m_frame.colour(FigureRole::background));

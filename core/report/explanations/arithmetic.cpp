@@ -33,14 +33,14 @@ public:
     }
 
 private:
-    bool take(QStringView sign) {
+    bool consume(QStringView sign) {
         m_rest = m_rest.trimmed();
         if (!m_rest.startsWith(sign))
             return false;
         m_rest = m_rest.mid(sign.size());
         return true;
     }
-    bool take(QChar sign) { return take(QStringView(&sign, 1)); }
+    bool consume(QChar sign) { return consume(QStringView(&sign, 1)); }
 
     double sum() {
         return sum([](double, bool) {});
@@ -54,17 +54,17 @@ private:
             const double term = product();
             visit(term, isGroup && !m_isProduct);
             result += negative ? -term : term;
-            negative = take(minus);
-        } while (negative || take(u'+'));
+            negative = consume(minus);
+        } while (negative || consume(u'+'));
         return result;
     }
     double product() {
         double result = factor();
         bool isProduct = false;
         for (;; isProduct = true) {
-            if (take(times))
+            if (consume(times))
                 result *= factor();
-            else if (take(u'/'))
+            else if (consume(u'/'))
                 result /= factor();
             else
                 break;
@@ -73,14 +73,14 @@ private:
         return result;
     }
     double factor() {
-        if (take(u'-') || take(minus))
+        if (consume(u'-') || consume(minus))
             return -factor();
-        const bool largest = take(u"max(");
-        if (largest || take(u"min("))
+        const bool largest = consume(u"max(");
+        if (largest || consume(u"min("))
             return chosen(largest);
-        if (take(u'('))
+        if (consume(u'('))
             return closed(sum(), u')');
-        if (take(u'|'))
+        if (consume(u'|'))
             return closed(std::abs(sum()), u'|');
         m_rest = m_rest.trimmed();
         const auto *const end =
@@ -90,14 +90,14 @@ private:
         return number.toDouble();
     }
     double closed(double value, QChar sign) {
-        take(sign);
+        consume(sign);
         return value;
     }
     double chosen(bool largest) {
         std::vector<double> values;
         do
             values.push_back(sum());
-        while (take(u';'));
+        while (consume(u';'));
         m_chosen = values;
         return closed(largest ? std::ranges::max(values) : std::ranges::min(values), u')');
     }

@@ -77,8 +77,8 @@ std::vector<QString> cellsOf(const ShownResult &shown) {
 }
 
 /// Adds the same quantity of the test of the other role; `shown` points to `numbers` afterwards.
-void takeOther(ResultLine &line, ShownResult &shown, PrintedNumbers &numbers, bool isFound,
-               const RolesBeside &both, const EvaluatedDocument &evaluated) {
+void addOther(ResultLine &line, ShownResult &shown, PrintedNumbers &numbers, bool isFound,
+              const RolesBeside &both, const EvaluatedDocument &evaluated) {
     const auto same = std::ranges::find_if(both.quantities, [&](const QuantityOfRoles &quantity) {
         return (isFound ? quantity.left : quantity.found) == shown.result.parameter;
     });
@@ -209,7 +209,7 @@ ResultTable resultTable(const EvaluatedDocument &evaluated, std::size_t test, co
         ShownResult shown{result, language, true};
         PrintedNumbers numbers;
         if (both)
-            takeOther(line, shown, numbers, table.otherIsFound, *both, evaluated);
+            addOther(line, shown, numbers, table.otherIsFound, *both, evaluated);
         line.cells = cellsOf(shown);
         table.lines.push_back(std::move(line));
     }
