@@ -4,13 +4,10 @@
 
 #include "document/filename.h"
 #include "ui/application.h"
+#include "ui/guards.h"
 #include "ui/model/settings.h"
 #include "ui/sizeonscreen.h"
-#include "ui/standardbuttons.h"
-#include "ui/taborder.h"
 #include "ui/theme.h"
-#include "ui/typingguard.h"
-#include "ui/wheelguard.h"
 #include "ui/window/endofsession.h"
 #include "ui/window/mainwindow.h"
 #include "ui/window/openregister.h"
@@ -59,12 +56,8 @@ int main(int argc, char *argv[]) {
     useSafeSettings();
     restoreWindowLanguage();
     installTheme();
-    guardWheel(*application);
-    nameStandardButtons(*application);
     keepCopiesAtEnd(*application);
-    guardTyping(*application);
-    keepDialogsOnScreen(*application);
-    orderTabsOfDialogs(*application);
+    guardWidgets(*application);
 
     auto *window = new MainWindow; // deletes itself when it is closed
     window->show();

@@ -4,6 +4,9 @@
 
 #include "ui/formulatext.h"
 
+#include <QStyleOptionComboBox>
+#include <QStylePainter>
+
 namespace palmer::ui {
 
 bool namesSymbol(const QString &text) {
@@ -61,6 +64,30 @@ void ElidedLabel::paintEvent(QPaintEvent *) {
     const QString shown = shownText();
     painter.drawText(rect(), static_cast<int>(alignment()), shown);
     setToolTip(shown == text() ? QString() : text());
+}
+
+namespace {
+
+constexpr int besideWords = 4; ///< margin that styles leave within the field
+
+} // namespace
+
+QString ElidedBox::shownText() const {
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    const QRect field =
+        style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
+    return fontMetrics().elidedText(currentText(), Qt::ElideRight, field.width() - besideWords);
+}
+
+void ElidedBox::paintEvent(QPaintEvent *) {
+    QStylePainter painter(this);
+    QStyleOptionComboBox option;
+    initStyleOption(&option);
+    painter.drawComplexControl(QStyle::CC_ComboBox, option);
+    option.currentText = shownText();
+    painter.setPen(palette().color(QPalette::Text));
+    painter.drawControl(QStyle::CE_ComboBoxLabel, option);
 }
 
 } // namespace palmer::ui

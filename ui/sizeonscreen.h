@@ -20,7 +20,12 @@ void placeBeside(const QWidget &first, QWidget &window);
 /// than the widget's minimum size.
 [[nodiscard]] QScrollArea *scrolledPlace(QWidget *parent);
 
-/// Makes dialogs too large for their screen scroll, with their button row always visible.
-void keepDialogsOnScreen(QApplication &application);
+/// Makes Tab follow the window's layouts, that is the reading order, instead of the order of creation. The
+/// window needs a layout; widgets in no layout keep their place.
+void orderTabs(QWidget &window);
+
+/// Does this for each dialog when it is first shown, and makes one too large for its screen scroll, with its
+/// button row always visible.
+void guardDialogs(QApplication &application);
 
 } // namespace palmer::ui

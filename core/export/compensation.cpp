@@ -3,7 +3,6 @@
 #include "export/compensation.h"
 
 #include "document/documenterror.h"
-#include "export/fineness.h"
 #include "kernel/evaluation/resultsof.h"
 #include "kernel/numerics/angles.h"
 

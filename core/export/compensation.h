@@ -8,6 +8,7 @@
 
 #include <QByteArray>
 #include <QByteArrayView>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -87,5 +88,13 @@ struct TableDifference {
 
 /// The test as predicted with the table applied: each deviation plus the correction at its target.
 [[nodiscard]] Test compensated(const Test &test, const CompensationTable &table);
+
+/// Positions of a compensation table are rounded to this fraction of a mm or degree.
+inline constexpr double positionFineness = 1e6;
+
+/// Rounds to multiples of 1/parts; never −0.
+[[nodiscard]] inline double rounded(double value, double parts) {
+    return std::round(value * parts) / parts + 0.0;
+}
 
 } // namespace palmer

@@ -3,7 +3,6 @@
 #include "document/documenterror.h"
 #include "document/place.h"
 #include "export/compensation.h"
-#include "export/fineness.h"
 #include "tables/decodetext.h"
 #include "tables/numbercell.h"
 

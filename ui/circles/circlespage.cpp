@@ -8,7 +8,6 @@
 #include "language/entry.h"
 #include "ui/circles/arccurvesview.h"
 #include "ui/circles/arcdialog.h"
-#include "ui/elidedbox.h"
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
 #include "ui/madewidgets.h"

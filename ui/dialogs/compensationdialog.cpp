@@ -10,7 +10,7 @@
 #include "language/decimals.h"
 #include "language/entry.h"
 #include "ui/errorbox.h"
-#include "ui/figures/lineview.h"
+#include "ui/figures/figurecard.h"
 #include "ui/forms/field.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"

@@ -7,7 +7,6 @@
 #include "kernel/planning/cycleprogram.h"
 #include "language/decimals.h"
 #include "language/entry.h"
-#include "ui/dialogs/limits.h"
 #include "ui/dialogs/statementsbox.h"
 #include "ui/errorbox.h"
 #include "ui/formrows.h"

@@ -14,6 +14,8 @@
 
 namespace palmer::ui {
 
+inline constexpr int mostRuns = 1000; ///< each way, accepted by a dialog
+
 class PasteBar;
 class StatementsBox;
 

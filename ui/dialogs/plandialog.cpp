@@ -13,7 +13,7 @@
 #include "print/pdf/writepdf.h"
 #include "report/planreport.h"
 #include "ui/dialogs/cycleview.h"
-#include "ui/dialogs/limits.h"
+#include "ui/dialogs/newtestdialog.h"
 #include "ui/errorbox.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"

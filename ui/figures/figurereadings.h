@@ -32,7 +32,11 @@ public:
     explicit FigureReadings(std::shared_ptr<const CurveFigure> figure)
         : m_figure(std::move(figure)) {}
     /// Readings of a figure of the measurement.
-    FigureReadings(std::shared_ptr<const CurveFigure> figure, const PositioningMeasurement &measurement);
+    FigureReadings(std::shared_ptr<const CurveFigure> figure, const PositioningMeasurement &measurement)
+        : m_figure(std::move(figure)) {
+        for (std::size_t run = 0; run < measurement.runs.size(); ++run)
+            m_runs[measurement.runs[run].approach == Direction::positive ? 0 : 1].push_back(run);
+    }
 
     /// Calls `visit` with each FigureReading.
     void each(auto &&visit) const {

@@ -148,7 +148,7 @@ void AgreedPointsPage::addRow(const AgreementPoint &point, const Test &test) {
     row.take->setAutoDefault(false);
     row.take->setIcon(lineIcon(QStringLiteral("link")));
     row.take->setObjectName(QStringLiteral("take.") + QString::fromLatin1(point.point));
-    connect(row.take, &QPushButton::clicked, this, [this, &point] { takeFromConditions(point); });
+    connect(row.take, &QPushButton::clicked, this, [this, &point] { copyFromConditions(point); });
     row.text->setFixedHeight(fieldHeight);
     row.text->setObjectName(QStringLiteral("field.agreedPoints.") + QString::fromLatin1(point.point));
     auto *head = inRow(8, {row.letter, {row.name, 1}, row.take});
@@ -275,7 +275,7 @@ void AgreedPointsPage::setText(const AgreementPoint &point, const QString &text)
             .arg(m_visit));
 }
 
-void AgreedPointsPage::takeFromConditions(const AgreementPoint &point) {
+void AgreedPointsPage::copyFromConditions(const AgreementPoint &point) {
     m_model.edit(QT_TRANSLATE_NOOP("edits", "take an agreement from the conditions"),
                  [&](Document &document) {
                      editTest(document, m_test, [&](Test &test) {

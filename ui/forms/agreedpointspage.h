@@ -57,7 +57,7 @@ private:
     Field *makeValue(const AgreementPoint &point, Quantity quantity, QWidget *parent);
     [[nodiscard]] static bool refuses(const Row &row, const QString &text);
     void setText(const AgreementPoint &point, const QString &text);
-    void takeFromConditions(const AgreementPoint &point);
+    void copyFromConditions(const AgreementPoint &point);
     void refresh();
     void retranslate() final { refresh(); }
     void refreshRow(const Row &row, const Test &test, const AgreedPoint *agreed, bool settled);

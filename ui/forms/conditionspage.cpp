@@ -11,7 +11,6 @@
 #include "language/decimals.h"
 #include "report/words/correctiontext.h"
 #include "ui/forms/agreedvalue.h"
-#include "ui/forms/ofmeasurement.h"
 #include "ui/forms/templatebutton.h"
 #include "ui/madewidgets.h"
 #include "ui/theme.h"

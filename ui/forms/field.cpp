@@ -3,7 +3,6 @@
 #include "ui/forms/field.h"
 
 #include "document/bounds.h"
-#include "ui/elidedbox.h"
 #include "ui/elidedlabel.h"
 #include "ui/errorbox.h"
 #include "ui/madewidgets.h"

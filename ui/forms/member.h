@@ -63,6 +63,15 @@ template <class T, class Part, class... Rest>
     return reach(whole.*part, rest...);
 }
 
+/// A member of the measurement of one kind of test, or of a part of it.
+template <class Measurement, auto... members>
+[[nodiscard]] auto ofMeasurement() {
+    return ofTest([](auto &test) {
+        auto *measurement = std::get_if<Measurement>(&test.measurement);
+        return measurement ? &reach(*measurement, members...) : nullptr;
+    });
+}
+
 /// The same member as another type: `there` converts stored to displayed values, `back` the reverse.
 template <class Shown, class Kept>
 [[nodiscard]] Member<Shown> converted(Member<Kept> member, std::function<Shown(const Kept &)> there,

@@ -2,9 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/forms/reportpages.h"
 
+#include "ui/forms/equipmentpages.h"
 #include "ui/forms/identificationpage.h"
-#include "ui/forms/instrumentspage.h"
-#include "ui/forms/machinepage.h"
 #include "ui/windowlanguage.h"
 
 namespace palmer::ui {

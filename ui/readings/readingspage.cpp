@@ -6,6 +6,7 @@
 #include "kernel/measurement/readingsaside.h"
 #include "language/decimals.h"
 #include "ui/currentcell.h"
+#include "ui/guards.h"
 #include "ui/madewidgets.h"
 #include "ui/measures.h"
 #include "ui/model/clipboardtext.h"
@@ -14,7 +15,6 @@
 #include "ui/ruling.h"
 #include "ui/tablepaste.h"
 #include "ui/theme.h"
-#include "ui/typingguard.h"
 
 #include <QAction>
 #include <QButtonGroup>

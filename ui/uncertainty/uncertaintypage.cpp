@@ -12,13 +12,12 @@
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 #include "ui/elidedlabel.h"
+#include "ui/figures/figurecard.h"
 #include "ui/forms/decisionrulemembers.h"
-#include "ui/forms/ofmeasurement.h"
 #include "ui/madewidgets.h"
 #include "ui/model/editname.h"
 #include "ui/rowtable.h"
 #include "ui/theme.h"
-#include "ui/uncertainty/figurecard.h"
 #include "ui/uncertainty/simulationrow.h"
 
 #include <QApplication>

@@ -17,7 +17,7 @@ bool mayNotBeWritten(const QString &path) {
             !QFileInfo(file.absolutePath()).isWritable());
 }
 
-std::optional<FileLock::Holder> FileLock::take(const QString &path) {
+std::optional<FileLock::Holder> FileLock::claim(const QString &path) {
     const QFileInfo file(path);
     const QString name =
         path.isEmpty() ? QString() : file.dir().filePath(QStringLiteral(".~lock.%1#").arg(file.fileName()));

@@ -27,7 +27,7 @@ public:
     /// Releases the former file and marks this one. Returns the owner if it is locked already; null if it was
     /// locked now, and also for an empty path, a missing file or a folder without write permission. A stale
     /// lock of this machine is taken over.
-    [[nodiscard]] std::optional<Holder> take(const QString &path);
+    [[nodiscard]] std::optional<Holder> claim(const QString &path);
     void release();
 
 private:

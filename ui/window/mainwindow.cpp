@@ -27,6 +27,7 @@
 #include "ui/dialogs/recoverydialog.h"
 #include "ui/dialogs/reportdialog.h"
 #include "ui/dialogs/shortcutsdialog.h"
+#include "ui/guards.h"
 #include "ui/help/helpwindow.h"
 #include "ui/import/importassistant.h"
 #include "ui/languageswitch.h"
@@ -35,7 +36,6 @@
 #include "ui/readings/readingspage.h"
 #include "ui/testname.h"
 #include "ui/theme.h"
-#include "ui/typingguard.h"
 #include "ui/welcome/examples.h"
 #include "ui/welcome/recentfiles.h"
 #include "ui/welcome/welcomepage.h"
@@ -396,13 +396,13 @@ void MainWindow::showAssistant(MeasurementFile file) {
         const ImportAssistant *assistant = m_assistant;
         m_assistant.clear();
         if (result == QDialog::Accepted)
-            takeImport(*assistant);
+            adoptImport(*assistant);
         importNext();
     });
     m_assistant->open();
 }
 
-void MainWindow::takeImport(const ImportAssistant &assistant) {
+void MainWindow::adoptImport(const ImportAssistant &assistant) {
     if (!assistant.wantsNewDocument()) {
         const std::size_t before = m_model.document()->tests.size();
         m_model.edit(QT_TRANSLATE_NOOP("edits", "import a measurement file"),
@@ -418,7 +418,7 @@ void MainWindow::takeImport(const ImportAssistant &assistant) {
     document.writtenBy = "Palmer " PALMER_VERSION;
     document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
                                                                                : ReportLanguage::en};
-    take(std::move(document), {}, true)->workplace().showPage(Page::readings);
+    adopt(std::move(document), {}, true)->workplace().showPage(Page::readings);
 }
 
 void MainWindow::openFile(const QString &path, std::optional<std::size_t> test) {
@@ -471,11 +471,11 @@ void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
         if (auto *error = std::get_if<Error>(&outcome))
             showError(tr("%1 cannot be opened").arg(QFileInfo(path).fileName()), path, *error);
         else if (auto *report = std::get_if<OpenedReport>(&outcome))
-            window = takeReport(*report, path);
+            window = adoptReport(*report, path);
         else if (std::holds_alternative<Measurement>(outcome))
             importFiles({path});
         else if (auto *document = std::get_if<Document>(&outcome)) // not UTF-8: save under another name
-            window = take(std::move(*document), isUtf8FileName(path) ? path : QString());
+            window = adopt(std::move(*document), isUtf8FileName(path) ? path : QString());
         if (window && test)
             window->workplace().showTest(*test);
     };
@@ -496,13 +496,13 @@ void MainWindow::read(const QString &path, std::optional<std::size_t> test) {
     showReading();
 }
 
-MainWindow *MainWindow::take(Document document, const QString &path, bool modified,
-                             const QString &reportPath) {
+MainWindow *MainWindow::adopt(Document document, const QString &path, bool modified,
+                              const QString &reportPath) {
     if (m_open) {
         auto *other = new MainWindow;
         placeBeside(*this, *other);
         other->show();
-        return other->take(std::move(document), path, modified, reportPath);
+        return other->adopt(std::move(document), path, modified, reportPath);
     }
     m_open = true;
     m_savedAt.clear();
@@ -519,8 +519,8 @@ MainWindow *MainWindow::take(Document document, const QString &path, bool modifi
     return this;
 }
 
-MainWindow *MainWindow::takeReport(const OpenedReport &report, const QString &path) {
-    MainWindow *window = take(*report.evaluated.document, {}, false, path);
+MainWindow *MainWindow::adoptReport(const OpenedReport &report, const QString &path) {
+    MainWindow *window = adopt(*report.evaluated.document, {}, false, path);
     window->m_verified = report.evaluated.document;
     const auto verify = [window, report] {
         try {
@@ -559,7 +559,7 @@ void MainWindow::newFile(Kind kind) {
     document.report.languages = {windowLanguage().id() == Language::Id::french ? ReportLanguage::fr
                                                                                : ReportLanguage::en};
     insertTest(document, 0, *test);
-    take(std::move(document), {}, true)->workplace().beginTyping();
+    adopt(std::move(document), {}, true)->workplace().beginTyping();
 }
 
 const Test *MainWindow::currentTest() const {
@@ -633,7 +633,7 @@ void MainWindow::openRecovery(const Recovery &recovery) {
     // Replace the same file opened as saved.
     if (m_open && !m_model.isModified() && m_model.path() == recovery.origin.path)
         m_open = false;
-    MainWindow *window = take(*recovery.document, recovery.origin.path, true);
+    MainWindow *window = adopt(*recovery.document, recovery.origin.path, true);
     window->watchFile(knownFile(recovery.origin));
     if (window->m_watch.isChanged())
         window->fileChangedOutside();
@@ -662,7 +662,7 @@ bool MainWindow::isReadOnly() const {
 }
 
 void MainWindow::lockFile() {
-    const auto holder = m_lock.take(m_model.path());
+    const auto holder = m_lock.claim(m_model.path());
     if (!holder)
         return;
     m_notice->show(tr("%1 is open already: %2 on %3, process %4. Who saves last overwrites the other.")

@@ -113,7 +113,7 @@ private:
     void showReading();
     void cancelReading();
     void showAssistant(MeasurementFile file);
-    void takeImport(const ImportAssistant &assistant);
+    void adoptImport(const ImportAssistant &assistant);
     bool save();
     bool saveAs();
     bool mayClose();
@@ -129,9 +129,9 @@ private:
     [[nodiscard]] static QString notTaken(const QStringList &refused);
     void read(const QString &path, std::optional<std::size_t> test);
     /// Opens the test file inside a report and verifies the report.
-    MainWindow *takeReport(const OpenedReport &report, const QString &path);
-    MainWindow *take(Document document, const QString &path, bool modified = false,
-                     const QString &reportPath = {});
+    MainWindow *adoptReport(const OpenedReport &report, const QString &path);
+    MainWindow *adopt(Document document, const QString &path, bool modified = false,
+                      const QString &reportPath = {});
     /// `ofThisFile`: the statements of the test in view may be copied.
     [[nodiscard]] std::optional<Test> askForTest(Kind kind, bool ofThisFile);
     void newFile(Kind kind);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/measurement/testfacts.h"
 #include "ui/dialogs/aboutbox.h"
+#include "ui/guards.h"
 #include "ui/model/editname.h"
 #include "ui/theme.h"
-#include "ui/typingguard.h"
 #include "ui/window/mainwindow.h"
 #include "ui/window/openregister.h"
 #include "ui/window/workplace.h"

@@ -6,7 +6,7 @@
 
 #include "document/savedocument.h"
 #include "kernel/evaluation/evaluatetest.h"
-#include "ui/figures/lineview.h"
+#include "ui/figures/figurecard.h"
 #include "ui/window/exports.h"
 #include "ui/window/shownwindow.h"
 
@@ -80,7 +80,8 @@ private slots:
         QCOMPARE(row(dialog, "M").value(1), QString("0.0\u00A0µm"));
         QCOMPARE(row(dialog, "B").value(0), QString("5.3\u00A0µm"));
         QCOMPARE(row(dialog, "B").value(1), QString("5.3\u00A0µm"));
-        QCOMPARE(dialog.findChild<LineView *>()->figure().lines.size(), std::size_t(4));
+        QCOMPARE(std::get<LineFigure>(*dialog.findChild<LineView *>()->figure()).lines.size(),
+                 std::size_t(4));
         auto *each = dialog.findChild<QCheckBox *>("compensation.perDirection");
         each->setChecked(true);
         QCOMPARE(row(dialog, "B").value(1), QString("0.0\u00A0µm"));

@@ -5,20 +5,19 @@
 #include "ui/examples.h"
 #include "ui/forms/agreedpointspage.h"
 #include "ui/forms/conditionspage.h"
+#include "ui/forms/equipmentpages.h"
 #include "ui/forms/identificationpage.h"
-#include "ui/forms/instrumentspage.h"
 #include "ui/forms/limitspage.h"
-#include "ui/forms/machinepage.h"
 #include "ui/forms/sectionhead.h"
 
 #include "document/readdocument.h"
 #include "document/writedocument.h"
 #include "ui/forms/templatebutton.h"
+#include "ui/guards.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/editname.h"
 #include "ui/model/evaluator.h"
 #include "ui/model/templatestore.h"
-#include "ui/wheelguard.h"
 
 #include <QAccessible>
 #include <QCheckBox>
@@ -628,7 +627,7 @@ private slots:
     }
 
     void theWheelChangesNoUnfocusedField() {
-        guardWheel(*qApp);
+        guardWidgets(*qApp);
         Edited<ConditionsPage> edited(example());
         edited.enter(u"airPressure"_s);
         const Document before = *edited.model.document();

@@ -8,7 +8,7 @@
 #include "import/choices.h"
 #include "import/layouts/columnrole.h"
 #include "kernel/evaluation/edition.h"
-#include "ui/elidedbox.h"
+#include "ui/elidedlabel.h"
 #include "ui/remarklist.h"
 #include "ui/window/shownwindow.h"
 #include "ui/windowlanguage.h"

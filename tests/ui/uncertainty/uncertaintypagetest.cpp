@@ -6,13 +6,13 @@
 #include "ui/chip.h"
 #include "ui/circles.h"
 #include "ui/examples.h"
+#include "ui/figures/figurecard.h"
 #include "ui/forms/field.h"
+#include "ui/guards.h"
 #include "ui/model/documentmodel.h"
 #include "ui/model/evaluator.h"
 #include "ui/rowtable.h"
 #include "ui/theme.h"
-#include "ui/uncertainty/figurecard.h"
-#include "ui/wheelguard.h"
 
 #include <QComboBox>
 #include <QElapsedTimer>
@@ -137,7 +137,7 @@ class UncertaintyPageTest : public QObject {
 private slots:
     void initTestCase() {
         installTheme();
-        guardWheel(*qApp);
+        guardWidgets(*qApp);
     }
 
     void anInputChangesTheContributions() {

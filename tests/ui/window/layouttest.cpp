@@ -8,7 +8,6 @@
 #include "editing/newtest.h"
 #include "ui/dialogs/plandialog.h"
 #include "ui/dialogs/reportdialog.h"
-#include "ui/elidedbox.h"
 #include "ui/elidedlabel.h"
 #include "ui/forms/field.h"
 #include "ui/navigation/navigationmodel.h"

@@ -3,12 +3,8 @@
 #pragma once
 
 #include "print/fonts.h"
-#include "ui/sizeonscreen.h"
-#include "ui/standardbuttons.h"
-#include "ui/taborder.h"
+#include "ui/guards.h"
 #include "ui/theme.h"
-#include "ui/typingguard.h"
-#include "ui/wheelguard.h"
 #include "ui/window/mainwindow.h"
 #include "ui/window/workplace.h"
 #include "ui/windowlanguage.h"
@@ -29,11 +25,7 @@ inline void prepareApplication() {
     QApplication::setStyle(QStringLiteral("fusion"));
     palmer::loadFonts();
     palmer::ui::installTheme();
-    palmer::ui::guardWheel(*qApp);
-    palmer::ui::nameStandardButtons(*qApp);
-    palmer::ui::guardTyping(*qApp);
-    palmer::ui::keepDialogsOnScreen(*qApp);
-    palmer::ui::orderTabsOfDialogs(*qApp);
+    palmer::ui::guardWidgets(*qApp);
 }
 
 /// A real window, shown; it deletes itself when it is closed.

@@ -27,4 +27,15 @@ private:
     std::optional<Figure> m_figure;
 };
 
+/// A card with the proportions of a line figure.
+class LineView : public FigureCard {
+    Q_OBJECT
+
+public:
+    using FigureCard::FigureCard;
+
+    [[nodiscard]] QSize minimumSizeHint() const override { return {240, 160}; }
+    [[nodiscard]] QSize sizeHint() const override { return {480, 270}; }
+};
+
 } // namespace palmer::ui

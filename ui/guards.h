@@ -10,8 +10,8 @@ namespace palmer::ui {
 /// stays in the cell with the reason. Form fields commit every letter as it is typed.
 void commitTyping();
 
-/// From now on a shortcut, a click outside the cell and closing the window call commitTyping first, so that
-/// nothing is saved, printed, exported or closed without a number visible on screen.
-void guardTyping(QApplication &application);
+/// From now on the wheel changes focused fields only, typing is committed before anything is done with the
+/// document, standard buttons have the program's texts, and dialogs fit their screen and their tab order.
+void guardWidgets(QApplication &application);
 
 } // namespace palmer::ui

@@ -26,4 +26,12 @@ private:
     std::vector<Field *> m_descriptions; ///< the first field per instrument
 };
 
+/// The machine under test.
+class MachinePage : public Form {
+    Q_OBJECT
+
+public:
+    MachinePage(DocumentModel &model, Selection &selection, QWidget *parent = nullptr);
+};
+
 } // namespace palmer::ui

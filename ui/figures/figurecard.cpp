@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 the Palmer authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/uncertainty/figurecard.h"
+#include "ui/figures/figurecard.h"
 
 #include "print/figures/drawfigure.h"
 #include "ui/theme.h"
