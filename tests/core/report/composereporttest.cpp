@@ -47,8 +47,8 @@ std::shared_ptr<const Document> document(const QString &name) {
 
 /// The simulation beside a budget, drawn once for a document, whatever the language; a fixed number of trials
 /// will do.
-std::optional<Simulation> simulation(const EvaluatedDocument &evaluated, std::size_t test) {
-    static std::map<std::pair<QByteArray, std::size_t>, std::optional<Simulation>> all;
+std::optional<TestSimulation> simulation(const EvaluatedDocument &evaluated, std::size_t test) {
+    static std::map<std::pair<QByteArray, std::size_t>, std::optional<TestSimulation>> all;
     const auto [known, isNew] = all.try_emplace({writeDocument(*evaluated.document), test});
     if (isNew) {
         SimulationOptions options = simulationOptions(*evaluated.document->tests[test]);
@@ -64,8 +64,10 @@ Report report(const std::shared_ptr<const Document> &document, const Language &l
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
         if (!evaluated.tests[i]->uncertainty.wantsSimulation())
             continue;
-        if (auto drawn = simulation(evaluated, i))
+        if (auto drawn = simulation(evaluated, i)) {
+            drawn->of = document->tests[i]; // the same test, read again
             evaluated = withSimulation(evaluated, i, std::move(*drawn));
+        }
     }
     return composeReport(evaluated, language, {"Palmer 0.1.0", true});
 }
