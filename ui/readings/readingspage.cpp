@@ -264,7 +264,7 @@ void ReadingsPage::paste() {
                                                                   : BlockContent::deviations,
                          std::nullopt, std::nullopt, m_model.language().units()};
     m_pasted->paste([this, block = clipboardText(), place = std::move(place),
-                    choices = std::move(choices)](const ImportOptions &answers) mutable -> SaidPaste {
+                     choices = std::move(choices)](const ImportOptions &answers) mutable -> SaidPaste {
         choices.answers = answers;
         return pasteBlock(block, place, choices);
     });
