@@ -7384,16 +7384,8 @@
         <translation>correction à 20&#xa0;°C&#xa0;: %1</translation>
     </message>
     <message>
-        <source>working zone</source>
-        <translation>zone de travail</translation>
-    </message>
-    <message>
         <source>feedback signal</source>
         <translation>signal de retour</translation>
-    </message>
-    <message>
-        <source>other set-up</source>
-        <translation>autre montage</translation>
     </message>
     <message>
         <source>fewer than %1 tests since the last intervention</source>
@@ -7476,10 +7468,6 @@
         <translation>le registre&#x202f;; sans cette option, celui de l’utilisateur</translation>
     </message>
     <message>
-        <source>list, trend, report: name or serial number of the machine, or what names, maker, type or place contain</source>
-        <translation>list, trend, report&#xa0;: nom ou numéro de série de la machine, ou une partie du nom, du constructeur, du type ou du lieu</translation>
-    </message>
-    <message>
         <source>list, trend: the axis, or the plane of circles</source>
         <translation>list, trend&#xa0;: l’axe, ou le plan des cercles</translation>
     </message>
@@ -7532,14 +7520,6 @@
         <translation>trend&#xa0;: tous les essais évalués à nouveau selon une seule édition</translation>
     </message>
     <message>
-        <source>scan: take out files that are not found any more</source>
-        <translation>scan&#xa0;: retirer les fichiers introuvables</translation>
-    </message>
-    <message>
-        <source>scan: empty the register first; what the files say comes back</source>
-        <translation>scan&#xa0;: vider d’abord le registre&#x202f;; ce que disent les fichiers y revient</translation>
-    </message>
-    <message>
         <source>scan: go on and scan again when something changes, until it is ended</source>
         <translation>scan&#xa0;: continuer et relancer le parcours à chaque changement, jusqu’à l’arrêt du programme</translation>
     </message>
@@ -7572,10 +7552,6 @@
         <translation>aucune machine du registre ne s’appelle «&#xa0;%1&#xa0;»</translation>
     </message>
     <message>
-        <source>%1 machines are called “%2”: %3; say more of it, as its serial number</source>
-        <translation>%1 machines s’appellent «&#xa0;%2&#xa0;»&#xa0;: %3&#x202f;; préciser, par exemple par le numéro de série</translation>
-    </message>
-    <message>
         <source>these tests have no parameter %1; they have: %2</source>
         <translation>ces essais n’ont pas de grandeur %1&#x202f;; ils ont&#xa0;: %2</translation>
     </message>
@@ -7606,10 +7582,6 @@
     <message>
         <source>none</source>
         <translation>aucune</translation>
-    </message>
-    <message>
-        <source>next test before %1</source>
-        <translation>prochain essai avant le %1</translation>
     </message>
     <message>
         <source>synthetic path</source>
@@ -8286,14 +8258,6 @@
     <message>
         <source>Machines</source>
         <translation>Machines</translation>
-    </message>
-    <message>
-        <source>A machine is known by maker and serial number, without case, spaces and punctuation. Those without serial number stand apart. With an interval the list says when the next test is due; the mark of a certificate counts the days until one expires.</source>
-        <translation>Une machine est reconnue par son constructeur et son numéro de série, sans égard à la casse, aux espaces ni à la ponctuation. Celles qui n’ont pas de numéro de série figurent à part. Avec une périodicité, la liste dit quand le prochain essai est dû&#x202f;; la marque d’un certificat compte les jours jusqu’à l’expiration.</translation>
-    </message>
-    <message>
-        <source>At least four tests since the last intervention make a line, weighted with what their uncertainties share. “Not before” is the day its upper bound of 95 % reaches the limit: for the level, not for the next test. Tests of another edition, feed, correction or travel are another series and never joined.</source>
-        <translation>Il faut au moins quatre essais depuis la dernière intervention pour une droite, pondérée selon ce que leurs incertitudes ont en commun. «&#xa0;Pas avant&#xa0;» est le jour où sa borne haute à 95&#xa0;% atteint la limite&#xa0;: pour le niveau, non pour le prochain essai. Les essais d’une autre édition, d’une autre avance, d’une autre correction ou d’une autre course forment une autre série, jamais reliée.</translation>
     </message>
     <message>
         <source>Compare curves</source>
@@ -9189,6 +9153,82 @@
     <message>
         <source>Monte Carlo</source>
         <translation>Monte-Carlo</translation>
+    </message>
+    <message>
+        <source>scan: make the register anew; until that is done others read it as it was</source>
+        <translation>scan&#xa0;: refaire le registre&#x202f;; jusque-là, les autres le lisent tel qu’il était</translation>
+    </message>
+    <message>
+        <source>expected: %1</source>
+        <translation>attendu&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>list, trend, report: name or serial number of the machine, its number in the list, or what names, maker, type or place contain</source>
+        <translation>list, trend, report&#xa0;: nom ou numéro de série de la machine, son numéro dans la liste, ou ce que contiennent nom, constructeur, type ou lieu</translation>
+    </message>
+    <message>
+        <source>test: %1</source>
+        <translation>essai&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>“%1” and “%2” are one machine already</source>
+        <translation>«&#xa0;%1&#xa0;» et «&#xa0;%2&#xa0;» sont déjà une seule machine</translation>
+    </message>
+    <message>
+        <source>%1 machines may be meant by “%2”: %3; say the number before its name</source>
+        <translation>«&#xa0;%2&#xa0;» peut désigner %1 machines&#xa0;: %3&#x202f;; indiquez le numéro placé devant son nom</translation>
+    </message>
+    <message>
+        <source>scan: take out files that are not found any more; with --force also where a folder would lose more than half of its tests</source>
+        <translation>scan&#xa0;: retirer les fichiers introuvables&#x202f;; avec --force, aussi là où un dossier perdrait plus de la moitié de ses essais</translation>
+    </message>
+    <message>
+        <source>this is no list of machines of a register, or a newer one</source>
+        <translation>ce n’est pas une liste de machines d’un registre, ou une plus récente</translation>
+    </message>
+    <message>
+        <source>All files of the register can be read.</source>
+        <translation>Tous les fichiers du registre sont lisibles.</translation>
+    </message>
+    <message>
+        <source>the folder cannot be written; kept in %1</source>
+        <translation>impossible d’écrire dans le dossier&#x202f;; conservé dans %1</translation>
+    </message>
+    <message>
+        <source>certificate: %1</source>
+        <translation>certificat&#xa0;: %1</translation>
+    </message>
+    <message>
+        <source>next test before %1 (%2)</source>
+        <translation>prochain essai avant le %1 (%2)</translation>
+    </message>
+    <message>
+        <source>At least four tests since the last intervention make a line, weighted with what their uncertainties share. “Not before” is the day its upper bound of 95 % reaches the limit: for the level, not for the next test. Tests of another edition, feed, correction, travel, zone, radius, compensation, offset or number of runs are another series and never joined; the legend says what differs.</source>
+        <translation>Il faut au moins quatre essais depuis la dernière intervention pour une droite, pondérée selon ce que leurs incertitudes ont en commun. «&#xa0;Pas avant&#xa0;» est le jour où sa borne haute à 95 % atteint la limite&#xa0;: pour le niveau, non pour le prochain essai. Les essais d’une autre édition, d’une autre avance, d’une autre correction, course ou zone, d’un autre rayon, d’une autre compensation, d’un autre décalage ou d’un autre nombre de passes forment une autre série, jamais reliée&#x202f;; la légende dit ce qui diffère.</translation>
+    </message>
+    <message>
+        <source>list: of CSV for spreadsheets, with a byte-order mark</source>
+        <translation>list&#xa0;: du CSV pour tableurs, avec indicateur d’ordre des octets</translation>
+    </message>
+    <message>
+        <source>Report No.</source>
+        <translation>Rapport n°</translation>
+    </message>
+    <message>
+        <source>A machine is known by maker and serial number; capitals and additional blanks are the only differences that do not count. Without serial number it is “not identified”, known by name, maker and type. “Join with another…” makes two machines one. With an interval each axis and plane has its day of the next test. Both are kept in palmer-machines.json in the folder of the files. The mark of a certificate counts the days until one expires.</source>
+        <translation>Une machine est reconnue à son constructeur et à son numéro de série&#x202f;; seules les majuscules et les espaces superflus ne comptent pas. Sans numéro de série elle est «&#xa0;non identifiée&#xa0;» et reconnue à son nom, à son constructeur et à son type. «&#xa0;Réunir à une autre…&#xa0;» fait de deux machines une seule. Avec une périodicité, chaque axe et chaque plan a sa date du prochain essai. L’un et l’autre sont conservés dans palmer-machines.json, dans le dossier des fichiers. Le repère d’un certificat compte les jours jusqu’à son échéance.</translation>
+    </message>
+    <message>
+        <source>No test of the register fits.</source>
+        <translation>Aucun essai du registre ne correspond.</translation>
+    </message>
+    <message>
+        <source>runs in either direction</source>
+        <translation>passes dans chaque sens</translation>
+    </message>
+    <message>
+        <source>more than half of its tests are not found, as on a drive that is not connected; nothing was taken out, --force does it</source>
+        <translation>plus de la moitié de ses essais sont introuvables, comme sur un lecteur non connecté&#x202f;; rien n’a été retiré, --force le fait</translation>
     </message>
 </context>
 </TS>

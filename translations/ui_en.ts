@@ -519,16 +519,6 @@
     </message>
 </context>
 <context>
-    <name>palmer::ui::UnidentifiedRow</name>
-    <message numerus="yes">
-        <source>%n test(s) without serial number</source>
-        <translation>
-            <numerusform>%n test without serial number</numerusform>
-            <numerusform>%n tests without serial number</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>palmer::ui::Workplace</name>
     <message numerus="yes">
         <source>%n target(s)</source>

@@ -2484,15 +2484,23 @@
         </translation>
     </message>
     <message>
-        <source>overdue since %1</source>
-        <translation>en retard depuis le %1</translation>
+        <source>%1: overdue since %2</source>
+        <translation>%1&#xa0;: en retard depuis le %2</translation>
+    </message>
+    <message>
+        <source>%1: next test before %2</source>
+        <translation>%1&#xa0;: prochain essai avant le %2</translation>
+    </message>
+    <message>
+        <source>certificate expires on %1</source>
+        <translation>le certificat expire le %1</translation>
     </message>
 </context>
 <context>
     <name>palmer::ui::MachineModel</name>
     <message>
-        <source>%1 (not identified)</source>
-        <translation>%1 (non identifiée)</translation>
+        <source>not identified</source>
+        <translation>non identifiée</translation>
     </message>
 </context>
 <context>
@@ -3778,6 +3786,10 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
 <context>
     <name>palmer::ui::RegisterMenus</name>
     <message>
+        <source>&amp;Join with another…</source>
+        <translation>Ré&amp;unir à une autre…</translation>
+    </message>
+    <message>
         <source>&amp;Register</source>
         <translation>&amp;Registre</translation>
     </message>
@@ -4025,6 +4037,32 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
 </context>
 <context>
     <name>palmer::ui::RegisterWindow</name>
+    <message>
+        <source>Join machines</source>
+        <translation>Réunir des machines</translation>
+    </message>
+    <message>
+        <source>%1
+is the same machine as:</source>
+        <translation>%1
+est la même machine que&#xa0;:</translation>
+    </message>
+    <message>
+        <source>&amp;Join</source>
+        <translation>&amp;Réunir</translation>
+    </message>
+    <message>
+        <source>More than half of the tests of these folders are not found. Is a drive not connected?</source>
+        <translation>Plus de la moitié des essais de ces dossiers sont introuvables. Un lecteur n’est-il pas connecté&#x202f;?</translation>
+    </message>
+    <message>
+        <source>&amp;Remove all the same</source>
+        <translation>&amp;Retirer quand même</translation>
+    </message>
+    <message>
+        <source>Files of the register</source>
+        <translation>Fichiers du registre</translation>
+    </message>
     <message>
         <source>Choose a folder</source>
         <translation>Choisir un dossier</translation>
@@ -4821,10 +4859,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
         <translation>introuvable désormais</translation>
     </message>
     <message>
-        <source>All files of the register can be read.</source>
-        <translation>Tous les fichiers du registre sont lisibles.</translation>
-    </message>
-    <message>
         <source>They change nothing else. What is not found keeps its tests in the register until it is removed.</source>
         <translation>Ils ne changent rien au reste. Ce qui est introuvable garde ses essais dans le registre jusqu’à ce qu’on l’en retire.</translation>
     </message>
@@ -5205,20 +5239,6 @@ et les rapports PDF qui les contiennent, et les classe par machine.</translation
     <message>
         <source>%1, outdated</source>
         <translation>%1, périmé</translation>
-    </message>
-</context>
-<context>
-    <name>palmer::ui::UnidentifiedRow</name>
-    <message>
-        <source>Not identified</source>
-        <translation>Non identifiées</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n test(s) without serial number</source>
-        <translation>
-            <numerusform>%n essai sans n°&#xa0;de série</numerusform>
-            <numerusform>%n essais sans n°&#xa0;de série</numerusform>
-        </translation>
     </message>
 </context>
 <context>

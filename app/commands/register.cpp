@@ -9,18 +9,18 @@
 #include "commands/registertrend.h"
 #include "document/filewords.h"
 #include "register/due.h"
+#include "register/jsonline.h"
 #include "register/listing.h"
+#include "register/machinechoices.h"
 #include "register/register.h"
 #include "register/scan.h"
 #include "register/storedsentence.h"
 #include "report/blocks/plaintext.h"
 
 #include <QDate>
-#include <QFileInfo>
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <cmath>
 #include <thread>
 
 namespace palmer {
@@ -30,7 +30,7 @@ namespace {
 // clang-format off
 constexpr std::array registerOptions{
     Option{"register", "PATH|postgresql://…", REPORT_TEXT("report", "the register; without it that of the user")},
-    Option{"machine", "WORDS", REPORT_TEXT("report", "list, trend, report: name or serial number of the machine, or what names, maker, type or place contain")},
+    Option{"machine", "WORDS", REPORT_TEXT("report", "list, trend, report: name or serial number of the machine, its number in the list, or what names, maker, type or place contain")},
     Option{"axis", "X|XY", REPORT_TEXT("report", "list, trend: the axis, or the plane of circles")},
     Option{"kind", "positioning|circular|drift", REPORT_TEXT("report", "list: the kind of test")},
     Option{"since", "DATE", REPORT_TEXT("report", "list: tests from that day on (YYYY-MM-DD)")},
@@ -40,14 +40,15 @@ constexpr std::array registerOptions{
     Option{"interval", "MONTHS", REPORT_TEXT("report", "list: months between tests, of machines that have no interval of their own")},
     Option{"text", "WORDS", REPORT_TEXT("report", "list: each of the words somewhere in names, title, date, edition, instruments or file")},
     Option{"csv", "", REPORT_TEXT("report", "list: for programs, a row per parameter")},
+    Option{"decimal-mark", "point|comma", REPORT_TEXT("report", "list: of CSV for spreadsheets, with a byte-order mark"), false, "csv"},
     Option{"json", "", REPORT_TEXT("report", "list, trend, scan: as JSON, one object a line")},
     Option{"files", "", REPORT_TEXT("report", "list: the files that cannot be read or are not found, with their reason")},
     Option{"parameter", "A", REPORT_TEXT("report", "trend: the parameter; may stand several times; without it the main ones"), true},
     Option{"edition", "E", REPORT_TEXT("report", "trend: all tests evaluated anew under one edition")},
     Option{"o", "OUT", REPORT_TEXT("report", "trend: OUT.csv, json, svg, png or pdf; report: OUT.pdf, of two languages OUT.fr.pdf and OUT.en.pdf")},
     Option{"number", "N", REPORT_TEXT("report", "report: the number of the history; without it one of year and serial number"), false, "", true},
-    Option{"prune", "", REPORT_TEXT("report", "scan: take out files that are not found any more")},
-    Option{"rebuild", "", REPORT_TEXT("report", "scan: empty the register first; what the files say comes back")},
+    Option{"prune", "", REPORT_TEXT("report", "scan: take out files that are not found any more; with --force also where a folder would lose more than half of its tests")},
+    Option{"rebuild", "", REPORT_TEXT("report", "scan: make the register anew; until that is done others read it as it was")},
     Option{"watch", "", REPORT_TEXT("report", "scan: go on and scan again when something changes, until it is ended")},
     Option{"language", "fr|en|fr,en", REPORT_TEXT("report", "language of tables and errors; report: of the report, also both")},
     jobsOption,
@@ -59,6 +60,7 @@ constexpr std::array registerOptions{
 struct Part {
     const char *name = nullptr;
     std::vector<const char *> options;
+    qsizetype arguments = 0; ///< −1: any number
     int (*run)(const Invocation &) = nullptr;
 };
 
@@ -70,33 +72,23 @@ QString dateOption(const Invocation &invocation, const char *option) {
     return given;
 }
 
-/// The named register, or the user's own, which the first scan creates.
-Register openRegisterFor(const Invocation &invocation, Register::Open open) {
-    return Register(registerAddress(invocation), open);
-}
-
 ScanOptions scanOptions(const Invocation &invocation) {
     ScanOptions result;
     result.jobs = jobsOf(invocation);
     result.prune = invocation.has("prune");
+    result.force = invocation.has("force");
     result.progress = [](const ScanProgress &progress) { showProgress(progress.done, progress.total); };
     return result;
 }
 
 QByteArray json(const ScanResult &result) {
-    const auto number = [](const char *key, int value) {
-        return QByteArray("\"") + key + "\": " + QByteArray::number(value);
-    };
-    return "{" +
-           QByteArrayList{number("files", result.files),
-                          number("read", result.read),
-                          number("unreadable", static_cast<int>(result.unreadable.size())),
-                          number("notFound", result.notFound),
-                          number("pruned", result.pruned),
-                          number("machines", result.machines),
-                          number("tests", result.tests)}
-               .join(", ") +
-           "}\n";
+    return jsonLine({{"files", result.files},
+                     {"read", result.read},
+                     {"unreadable", result.unreadable.size()},
+                     {"notFound", result.notFound},
+                     {"pruned", result.pruned},
+                     {"machines", result.machines},
+                     {"tests", result.tests}});
 }
 
 int report(const ScanResult &result, const Invocation &invocation) {
@@ -114,7 +106,12 @@ int report(const ScanResult &result, const Invocation &invocation) {
                  {count(result.files), count(result.read), count(static_cast<int>(result.unreadable.size())),
                   count(result.notFound), count(result.machines), count(result.tests)}}) +
             u'\n');
-    return result.unreadable.empty() ? done : cannotRead;
+    for (const QString &folder : result.notPruned)
+        printError(folder + QStringLiteral(": ") +
+                   invocation.language.text(REPORT_TEXT(
+                       "report", "more than half of its tests are not found, as on a drive that is "
+                                 "not connected; nothing was taken out, --force does it")));
+    return !result.unreadable.empty() ? cannotRead : result.notPruned.isEmpty() ? done : wrongUsage;
 }
 
 QStringList foldersOf(const Invocation &invocation) {
@@ -134,7 +131,7 @@ QStringList foldersOf(const Invocation &invocation) {
         std::this_thread::sleep_for(pause);
         const auto begin = std::chrono::steady_clock::now();
         try {
-            Register reg = openRegisterFor(invocation, Register::Open::keep);
+            Register reg(registerAddress(invocation));
             const ScanResult result = scan(reg, folders, scanOptions(invocation));
             if (result.read > 0 || result.pruned > 0)
                 report(result, invocation);
@@ -155,7 +152,7 @@ int runScan(const Invocation &invocation) {
     const auto open = invocation.has("rebuild") ? Register::Open::rebuild : Register::Open::keep;
     int code = done;
     {
-        Register reg = openRegisterFor(invocation, open);
+        Register reg(registerAddress(invocation), open);
         code = report(scan(reg, folders, scanOptions(invocation)), invocation);
     }
     if (invocation.has("watch"))
@@ -175,7 +172,11 @@ std::optional<Kind> kindOption(const Invocation &invocation) {
 }
 
 void listFiles(Database &database, const Invocation &invocation) {
-    for (const ListedSource &source : troubledSources(database)) {
+    const std::vector<ListedSource> sources = troubledSources(database);
+    if (sources.empty())
+        printOut(invocation.language.text(REPORT_TEXT("report", "All files of the register can be read.")) +
+                 u'\n');
+    for (const ListedSource &source : sources) {
         const bool isGone = source.state == QLatin1StringView("notFound");
         QString why = isGone
                           ? invocation.language.text(REPORT_TEXT("report", "the file is not found any more"))
@@ -201,17 +202,16 @@ public:
         if (m_csv && m_json)
             throw UsageError({REPORT_TEXT("report", "--%1 and --%2 do not go together"),
                               {std::string("csv"), std::string("json")}});
-        if (const auto months = numberOf(invocation, "interval")) {
-            constexpr double most = 1200;
-            if (*months < 1 || *months > most || *months != std::floor(*months))
-                refuse("interval", *invocation.value("interval"), "1 … 1200");
-            m_interval = static_cast<int>(*months);
+        if (const auto months = invocation.value("interval"))
+            m_interval = static_cast<int>(wholeBetween("interval", *months, 1, longestInterval));
+        if (const auto mark = invocation.value("decimal-mark")) {
+            m_decimalMark = *mark == QLatin1StringView("comma") ? ',' : '.';
+            m_byteOrderMark = "\xEF\xBB\xBF";
         }
     }
 
     int run() {
-        requireRegister(m_invocation);
-        Register reg = openRegisterFor(m_invocation, Register::Open::keep);
+        Register reg(registerAddress(m_invocation), Register::Open::read);
         Database &database = reg.database();
         if (m_invocation.has("files")) {
             listFiles(database, m_invocation);
@@ -221,9 +221,12 @@ public:
         if (const auto called = m_invocation.value("machine"))
             list = machinesCalled(list, *called);
         if (m_csv)
-            printOut(listedTestsCsvHead());
+            printOut(m_byteOrderMark + listedTestsCsvHead(m_decimalMark));
         for (const ListedMachine &machine : list) // only one machine is held in memory
             print(database, machine);
+        if (!m_hasPrinted && !m_csv && !m_json)
+            printOut(m_invocation.language.text(REPORT_TEXT("report", "No test of the register fits.")) +
+                     u'\n');
         return done;
     }
 
@@ -231,7 +234,7 @@ private:
     void print(Database &database, const ListedMachine &machine) {
         m_filter.machines = {machine.id};
         std::vector<ListedTest> all = tests(database, dueFilter());
-        markDue(database, {machine}, all, m_interval);
+        (void)markDue(database, machine, all, m_interval);
         if (!m_due.isEmpty()) {
             const std::string limit = m_due.toStdString();
             std::erase_if(all, [&](const ListedTest &test) {
@@ -242,10 +245,11 @@ private:
         const std::vector<ListedTest> chosen = matching(std::move(all));
         if (m_csv || m_json) {
             for (const ListedTest &test : chosen)
-                printOut(m_csv ? listedTestCsv(test) : listedTestJson(test));
+                printOut(m_csv ? listedTestCsv(test, m_decimalMark) : listedTestJson(test));
         } else if (!chosen.empty()) {
             printOut((m_hasPrinted ? QStringLiteral("\n") : QString()) +
-                     plainText(composeList(titleOf(machine), chosen, m_invocation.language)));
+                     plainText(composeList(evidenceOf(machine, m_invocation.language), chosen,
+                                           m_invocation.language)));
             m_hasPrinted = true;
         }
     }
@@ -262,21 +266,14 @@ private:
         return list;
     }
 
-    [[nodiscard]] QString titleOf(const ListedMachine &machine) const {
-        QStringList parts{machine.title(), machine.manufacturer, machine.model, machine.serialNumber};
-        if (!machine.isIdentified)
-            parts << m_invocation.language.text(REPORT_TEXT("report", "not identified: no serial number"));
-        parts.removeAll(QString());
-        parts.removeDuplicates();
-        return parts.join(QStringLiteral(" · "));
-    }
-
     const Invocation &m_invocation;
     bool m_csv;
     bool m_json;
     QString m_due;
     TestFilter m_filter;
     std::optional<int> m_interval;
+    char m_decimalMark = '.';
+    QByteArray m_byteOrderMark; ///< for spreadsheets
     bool m_hasPrinted = false;
 };
 
@@ -284,15 +281,39 @@ int runList(const Invocation &invocation) {
     return List(invocation).run();
 }
 
+/// Joins two machines, or sets the interval of one.
+int runChoice(const Invocation &invocation) {
+    const QStringList &words = invocation.arguments;
+    std::optional<int> months;
+    if (words[0] == QLatin1StringView("interval"))
+        months = static_cast<int>(wholeBetween("interval", words[2], 0, longestInterval));
+    const QString address = registerAddress(invocation);
+    const auto called = [&, all = machines(Register(address, Register::Open::read).database())](
+                            const QString &name) { return machineCalled(all, name, invocation.language); };
+    const ListedMachine machine = called(words[1]);
+    const ListedMachine other = months ? machine : called(words[2]);
+    if (!months && machine.id == other.id)
+        throw UsageError({REPORT_TEXT("report", "“%1” and “%2” are one machine already"),
+                          {words[1].toStdString(), words[2].toStdString()}});
+    Register reg(address);
+    for (const QString &sentence :
+         chooseMachine(reg, machine, months ? nullptr : &other, months, invocation.language))
+        printError(sentence);
+    return done;
+}
+
 const std::vector<Part> &parts() {
     static const std::vector<Part> all{
-        {"scan", {"json", "prune", "rebuild", "watch", "jobs"}, runScan},
+        {"scan", {"json", "prune", "rebuild", "watch", "jobs", "force"}, -1, runScan},
         {"list",
-         {"machine", "axis", "kind", "since", "until", "verdict", "due", "interval", "text", "csv", "json",
-          "files"},
+         {"machine", "axis", "kind", "since", "until", "verdict", "due", "interval", "text", "csv",
+          "decimal-mark", "json", "files"},
+         0,
          runList},
-        {"trend", {"machine", "axis", "parameter", "edition", "json", "o", "force"}, runRegisterTrend},
-        {"report", {"machine", "number", "o", "force"}, runRegisterReport},
+        {"trend", {"machine", "axis", "parameter", "edition", "json", "o", "force"}, 0, runRegisterTrend},
+        {"report", {"machine", "number", "o", "force"}, 0, runRegisterReport},
+        {"join", {}, 2, runChoice},
+        {"interval", {}, 2, runChoice},
     };
     return all;
 }
@@ -326,8 +347,12 @@ int runRegister(const Invocation &invocation) {
             throw UsageError({REPORT_TEXT("report", "unknown language %1; known: fr, en"),
                               {invocation.value("language")->toStdString()}});
     }
-    if (word != QLatin1StringView("scan") && invocation.arguments.size() > 1)
+    if (part->arguments == 0 && invocation.arguments.size() > 1)
         throw UsageError({REPORT_TEXT("report", "register %1 takes no file"), {word.toStdString()}});
+    if (part->arguments > 0 && invocation.arguments.size() != part->arguments + 1)
+        throw UsageError({REPORT_TEXT("report", "expected: %1"),
+                          {"register join MACHINE MACHINE, register "
+                           "interval MACHINE MONTHS"}});
     return codeOf(withoutPassword(registerAddress(invocation)), invocation.language,
                   [&] { return part->run(invocation); });
 }
@@ -338,17 +363,9 @@ QString registerAddress(const Invocation &invocation) {
     return invocation.value("register").value_or(Register::standardPath());
 }
 
-void requireRegister(const Invocation &invocation) {
-    const QString address = registerAddress(invocation);
-    if (!isServerAddress(address) && !QFileInfo::exists(address))
-        throw Error(
-            Error::Kind::unreadable,
-            {REPORT_TEXT("report", "there is no register yet; palmer-cli register scan makes it"), {}});
-}
-
 Command registerCommand() {
     return {"register",
-            "scan FOLDER…|list|trend|report",
+            "scan FOLDER…|list|trend|report|join MACHINE MACHINE|interval MACHINE MONTHS",
             REPORT_TEXT("report", "all tests of all machines in some folders, over the years"),
             registerOptions,
             runRegister,

@@ -8,6 +8,7 @@
 #include "print/figures/exportfigure.h"
 #include "print/pdf/writepdf.h"
 #include "register/history.h"
+#include "register/listing.h"
 #include "register/queries.h"
 #include "register/reevaluate.h"
 #include "register/register.h"
@@ -30,25 +31,6 @@ QString needed(const Invocation &invocation, const char *option) {
     if (!given || given->isEmpty())
         throw UsageError({REPORT_TEXT("report", "this part of register needs --%1"), {std::string(option)}});
     return *given;
-}
-
-ListedMachine machineCalled(Database &database, const QString &words) {
-    const std::vector<ListedMachine> found = machinesCalled(machines(database), words);
-    if (found.empty())
-        throw UsageError(
-            {REPORT_TEXT("report", "no machine of the register is called “%1”"), {words.toStdString()}});
-    if (found.size() == 1)
-        return found.front();
-    constexpr std::size_t most = 5;
-    std::string names;
-    for (std::size_t i = 0; i < std::min(found.size(), most); ++i)
-        names += (i == 0 ? "" : "; ") + (found[i].title() + u' ' + found[i].serialNumber).toStdString();
-    if (found.size() > most)
-        names += "; …";
-    throw UsageError(
-        {REPORT_TEXT("report", "%1 machines are called “%2”: %3; say more of it, as its serial "
-                               "number"),
-         {Number{static_cast<double>(found.size()), Quantity::count}, words.toStdString(), names}});
 }
 
 std::vector<std::string> parametersAsked(const Invocation &invocation, const std::vector<ListedTest> &list) {
@@ -112,6 +94,25 @@ constexpr qsizetype longestNumber = 40; ///< fits in the head of the page
 
 } // namespace
 
+ListedMachine machineCalled(const std::vector<ListedMachine> &machines, const QString &words,
+                            const Language &language) {
+    const std::vector<ListedMachine> found = machinesCalled(machines, words);
+    if (found.empty())
+        throw UsageError(
+            {REPORT_TEXT("report", "no machine of the register is called “%1”"), {words.toStdString()}});
+    if (found.size() == 1)
+        return found.front();
+    constexpr std::size_t most = 5;
+    std::string names;
+    for (std::size_t i = 0; i < std::min(found.size(), most); ++i)
+        names += (i == 0 ? "" : "; ") + evidenceOf(found[i], language).toStdString();
+    if (found.size() > most)
+        names += "; …";
+    throw UsageError(
+        {REPORT_TEXT("report", "%1 machines may be meant by “%2”: %3; say the number before its name"),
+         {Number{static_cast<double>(found.size()), Quantity::count}, words.toStdString(), names}});
+}
+
 int runRegisterReport(const Invocation &invocation) {
     const QString words = needed(invocation, "machine");
     const QString output = neededOutput(invocation, "register report", "-o OUT.pdf");
@@ -119,9 +120,8 @@ int runRegisterReport(const Invocation &invocation) {
     const QStringList languages = reportLanguages(invocation);
     if (output == QLatin1StringView("-") && languages.size() > 1)
         throw UsageError({REPORT_TEXT("report", "standard output takes one report; choose --language"), {}});
-    requireRegister(invocation);
-    Register reg(registerAddress(invocation));
-    const ListedMachine machine = machineCalled(reg.database(), words);
+    Register reg(registerAddress(invocation), Register::Open::read);
+    const ListedMachine machine = machineCalled(machines(reg.database()), words, invocation.language);
     History history =
         historyOf(reg.database(), machine, QDate::currentDate(), QStringLiteral("Palmer " PALMER_VERSION));
     if (const auto number = invocation.value("number")) {
@@ -153,9 +153,8 @@ int runRegisterTrend(const Invocation &invocation) {
     if (!output.isEmpty())
         requireOutput(invocation, output, {"csv", "json", "svg", "png", "pdf"});
     const Edition *edition = editionAsked(invocation);
-    requireRegister(invocation);
-    Register reg(registerAddress(invocation));
-    const ListedMachine machine = machineCalled(reg.database(), words);
+    Register reg(registerAddress(invocation), Register::Open::read);
+    const ListedMachine machine = machineCalled(machines(reg.database()), words, invocation.language);
     filter.machines = {machine.id};
     std::vector<ListedTest> list = tests(reg.database(), filter);
     if (list.empty())

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "commandline/command.h"
+#include "register/queries.h"
 
 #include <QString>
 
@@ -14,8 +15,10 @@ int runRegisterTrend(const Invocation &invocation);
 /// `register report`: the history of a machine.
 int runRegisterReport(const Invocation &invocation);
 
-/// Throws Error if there is no register; the first scan creates it.
-void requireRegister(const Invocation &invocation);
+/// Returns the machine a user means. Throws UsageError if there is none, or if there are several: their
+/// numbers.
+[[nodiscard]] ListedMachine machineCalled(const std::vector<ListedMachine> &machines, const QString &words,
+                                          const Language &language);
 
 /// Value of --register, or the register of the user.
 [[nodiscard]] QString registerAddress(const Invocation &invocation);

@@ -30,6 +30,8 @@ constexpr int waitForServer = 10;  ///< s
            {}, Error::Kind::content);
 }
 
+constexpr int cannotOpen = 14; ///< SQLite's code
+
 [[noreturn]] void refuseUnopened() {
     refuse(REPORT_TEXT("report", "the register cannot be opened; check the permissions of its folder"), {},
            Error::Kind::unwritable);
@@ -46,39 +48,61 @@ QString freshName() {
     return QStringLiteral("palmer register %1").arg(next++);
 }
 
-/// Checks a file without writing to it; throws if it is not a register.
-void requireRegister(const QString &path) {
+/// Opens the file as it is set up; returns SQLite's code of an error, 0 without. Writes nothing.
+/// `isRegister`: a register, or a database without tables, whose creation was interrupted.
+int opened(QSqlDatabase &database, bool &isRegister) {
+    if (!database.open())
+        return codeOf(database.lastError());
+    QSqlQuery query(database);
+    if (!query.exec(
+            QStringLiteral("select count(*), sum(case when name in ('register', 'source', 'test') then "
+                           "1 else 0 end) from sqlite_master where type = 'table'")) ||
+        !query.next())
+        return codeOf(query.lastError());
+    isRegister = query.value(0).toInt() == 0 || query.value(1).toInt() == 3;
+    return 0;
+}
+
+/// Refuses what is certainly no register.
+void requireDatabase(const QString &path) {
     constexpr QByteArrayView sqlite("SQLite format 3\0", 16);
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         refuse(REPORT_TEXT("report", "the register cannot be read; check its permissions"));
     const QByteArray head = file.read(sqlite.size());
-    if (head.isEmpty()) // just created by a program that was terminated
-        return;
-    if (head != sqlite)
+    if (!head.isEmpty() && head != sqlite) // empty: just created by a program that was terminated
         refuseForeign();
-    const QString name = freshName();
+}
+
+void openFile(QSqlDatabase &database, const QString &path, Database::Use use) {
+    const bool toRead = use == Database::Use::read;
+    const QFileInfo info(path);
+    if (info.isDir())
+        refuse(REPORT_TEXT("report", "this is a folder; expected the file of a register"));
+    if (info.exists() && !info.isFile())
+        refuseForeign();
+    if (info.exists())
+        requireDatabase(path);
+    else if (toRead)
+        refuseMissingRegister();
+    else if (!QDir().mkpath(info.absolutePath()))
+        refuse(REPORT_TEXT("report", "the folder of the register cannot be made"), {},
+               Error::Kind::unwritable);
+    QString options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(waitForLock);
+    if (toRead)
+        options += QStringLiteral(";QSQLITE_OPEN_READONLY");
+    database.setDatabaseName(path);
+    database.setConnectOptions(options);
     bool isRegister = false;
-    int trouble = 0; // SQLite's code
-    {
-        QSqlDatabase database = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), name);
-        database.setDatabaseName(path);
-        database.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(waitForLock));
-        if (database.open()) {
-            QSqlQuery query(database);
-            // A database without tables, whose creation was interrupted before the first transaction ended.
-            if (query.exec(QStringLiteral("select count(*), sum(case when name in ('register', 'source', "
-                                          "'test') then 1 else 0 end) from sqlite_master where type = "
-                                          "'table'")) &&
-                query.next())
-                isRegister = query.value(0).toInt() == 0 || query.value(1).toInt() == 3;
-            else
-                trouble = codeOf(query.lastError());
-        } else {
-            trouble = codeOf(database.lastError());
-        }
+    int trouble = opened(database, isRegister);
+    if (trouble == cannotOpen && toRead && !QFileInfo::exists(path + QStringLiteral("-wal"))) {
+        // In a folder that cannot be written SQLite has no place for its locks; nobody is writing.
+        database.close();
+        database.setDatabaseName(QUrl::fromLocalFile(info.absoluteFilePath()).toString(QUrl::FullyEncoded) +
+                                 QStringLiteral("?immutable=1"));
+        database.setConnectOptions(options + QStringLiteral(";QSQLITE_OPEN_URI"));
+        trouble = opened(database, isRegister);
     }
-    QSqlDatabase::removeDatabase(name);
     constexpr int busy = 5;
     constexpr int damaged = 11;
     constexpr int noDatabase = 26;
@@ -88,24 +112,6 @@ void requireRegister(const QString &path) {
         refuseUnopened(); // its content is unknown
     if (!isRegister)
         refuseForeign();
-}
-
-void openFile(QSqlDatabase &database, const QString &path) {
-    const QFileInfo info(path);
-    if (info.isDir())
-        refuse(REPORT_TEXT("report", "this is a folder; expected the file of a register"));
-    if (info.exists()) {
-        if (!info.isFile())
-            refuseForeign();
-        requireRegister(path);
-    } else if (!QDir().mkpath(info.absolutePath())) {
-        refuse(REPORT_TEXT("report", "the folder of the register cannot be made"), {},
-               Error::Kind::unwritable);
-    }
-    database.setDatabaseName(path);
-    database.setConnectOptions(QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(waitForLock));
-    if (!database.open())
-        refuseUnopened();
 }
 
 bool isSslMode(const QString &word) {
@@ -153,6 +159,10 @@ QVariant storable(const QVariant &value) {
 
 } // namespace
 
+void refuseMissingRegister() {
+    refuse(REPORT_TEXT("report", "there is no register yet; palmer-cli register scan makes it"));
+}
+
 bool isServerAddress(const QString &address) {
     return address.startsWith(QLatin1StringView("postgresql://")) ||
            address.startsWith(QLatin1StringView("postgres://"));
@@ -181,7 +191,7 @@ QString withoutPassword(const QString &address) {
     return rest.section(u'?', 0, 0);
 }
 
-Database::Database(const QString &address)
+Database::Database(const QString &address, Use use)
     : m_name(freshName())
     , m_isServer(isServerAddress(address)) {
     const QString driver = m_isServer ? QStringLiteral("QPSQL") : QStringLiteral("QSQLITE");
@@ -194,11 +204,11 @@ Database::Database(const QString &address)
             if (m_isServer)
                 openServer(database, address);
             else
-                openFile(database, address);
+                openFile(database, address, use);
         }
         if (m_isServer) {
             execute(QStringLiteral("set client_min_messages to warning"));
-        } else {
+        } else if (use == Use::write) {
             execute(QStringLiteral("pragma foreign_keys = on"));
             execute(QStringLiteral("pragma journal_mode = wal"));
             execute(QStringLiteral(
@@ -289,14 +299,24 @@ void Database::execute(const QString &statement) {
 }
 
 void Database::begin() {
-    execute(m_isServer ? QStringLiteral("begin") : QStringLiteral("begin immediate"));
+    if (m_depth == 0)
+        execute(m_isServer ? QStringLiteral("begin") : QStringLiteral("begin immediate"));
+    ++m_depth;
+}
+
+void Database::beginReading() {
+    execute(m_isServer ? QStringLiteral("begin isolation level repeatable read read only")
+                       : QStringLiteral("begin"));
 }
 
 void Database::commit() {
-    execute(QStringLiteral("commit"));
+    if (m_depth == 1)
+        execute(QStringLiteral("commit"));
+    --m_depth;
 }
 
 void Database::rollBack() {
+    m_depth = 0;
     for (auto &[statement, query] : m_prepared)
         query.finish(); // active queries would keep it open
     QSqlQuery query(QSqlDatabase::database(m_name, false));

@@ -17,10 +17,12 @@ namespace palmer {
 /// A connection to the database of a register: SQLite or PostgreSQL. Belongs to the creating thread.
 class Database {
 public:
-    /// `address`: path of a file, or postgresql://[user[:password]@][host][:port]/name[?sslmode=…]. Creates
-    /// the file if there is none. Throws Error if it cannot be opened or is not a register, and leaves it
-    /// unchanged.
-    explicit Database(const QString &address);
+    enum class Use { read, write };
+
+    /// `address`: path of a file, or postgresql://[user[:password]@][host][:port]/name[?sslmode=…]. To write,
+    /// creates the file if there is none; to read, permission to read suffices. Throws Error if it cannot be
+    /// opened or is not a register, and leaves it unchanged.
+    explicit Database(const QString &address, Use use = Use::write);
     ~Database();
     Database(const Database &) = delete;
     Database &operator=(const Database &) = delete;
@@ -38,9 +40,12 @@ public:
     [[nodiscard]] QSqlQuery prepare(const QString &statement);
     void run(QSqlQuery &prepared, const QVariantList &values);
 
+    /// One within another belongs to it.
     void begin();
     void commit();
     void rollBack();
+    /// All that is read from now on is of one moment.
+    void beginReading();
 
     [[nodiscard]] bool isServer() const { return m_isServer; }
     [[nodiscard]] QStringList tables() const;
@@ -50,11 +55,15 @@ private:
 
     QString m_name;
     bool m_isServer = false;
+    int m_depth = 0; ///< of transactions
     std::map<QString, QSqlQuery> m_prepared;
 };
 
 /// True if the address is that of a server.
 [[nodiscard]] bool isServerAddress(const QString &address);
+
+/// Throws Error: the first scan makes it.
+[[noreturn]] void refuseMissingRegister();
 
 /// Returns the address for display, without the password.
 [[nodiscard]] QString withoutPassword(const QString &address);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/due.h"
 
+#include "kernel/measurement/testfacts.h"
 #include "register/machinetrend.h"
 #include "register/register.h"
 
@@ -27,8 +28,9 @@ Certificates certificates(Database &database) {
     return result;
 }
 
-bool countsForInterval(Purpose purpose) {
-    return purpose == Purpose::periodic || purpose == Purpose::acceptance;
+bool countsForInterval(const RegisteredTest &test) {
+    return traitsOf(test.kind).isJudged &&
+           (test.purpose == Purpose::periodic || test.purpose == Purpose::acceptance);
 }
 
 void takeEarlier(std::optional<QDate> &date, const QDate &other) {
@@ -54,31 +56,48 @@ std::optional<QDate> firstExpiry(const RegisteredTest &test, const Certificates 
 
 } // namespace
 
-std::map<int, MachineDue> markDue(Database &database, const std::vector<ListedMachine> &machines,
-                                  std::vector<ListedTest> &tests, std::optional<int> months) {
+std::optional<QDate> MachineDue::test() const {
+    std::optional<QDate> first;
+    for (const auto &[axis, date] : tests)
+        takeEarlier(first, date);
+    return first;
+}
+
+QString MachineDue::axesDue(const QDate &day) const {
+    QStringList axes;
+    for (const auto &[axis, date] : tests) {
+        if (date == day)
+            axes << axis;
+    }
+    constexpr qsizetype most = 3;
+    if (axes.size() > most)
+        axes = axes.first(most) << QStringLiteral("…");
+    return axes.join(QStringLiteral(", "));
+}
+
+MachineDue markDue(Database &database, const ListedMachine &machine, std::vector<ListedTest> &tests,
+                   std::optional<int> months) {
     const Certificates known = certificates(database);
-    std::map<int, MachineDue> result;
-    for (const ListedMachine &machine : machines) {
-        ListedTest *newest = nullptr;
-        ListedTest *counted = nullptr;
-        for (ListedTest &test : tests) {
-            if (test.machine != machine.id || !test.test.date)
-                continue;
-            newest = &test;
-            if (countsForInterval(test.test.purpose))
-                counted = &test;
+    const std::optional<int> interval = machine.months ? machine.months : months;
+    MachineDue result;
+    std::map<QString, ListedTest *> counted;
+    for (ListedTest &test : tests) {
+        if (!test.test.date)
+            continue;
+        if (countsForInterval(test.test))
+            counted[QString::fromStdString(test.test.axis)] = &test;
+        if (test.test.date == tests.back().test.date) {
+            const std::optional<QDate> expiry = firstExpiry(test.test, known);
+            test.certificateDue = iso(expiry);
+            takeEarlier(result.certificate, expiry.value_or(QDate()));
         }
-        MachineDue due;
-        const std::optional<int> interval = machine.months ? machine.months : months;
-        if (counted && interval)
-            takeEarlier(due.test, dateOf(*counted->test.date).addMonths(*interval));
-        if (newest) {
-            due.certificate = firstExpiry(newest->test, known);
-            newest->certificateDue = iso(due.certificate);
-        }
-        if (counted)
-            counted->due = iso(due.test);
-        result.emplace(machine.id, due);
+    }
+    for (const auto &[axis, test] : counted) {
+        const QDate date = interval ? dateOf(*test->test.date).addMonths(*interval) : QDate();
+        if (!date.isValid())
+            continue;
+        result.tests.emplace(axis, date);
+        test->due = iso(date);
     }
     return result;
 }
@@ -86,16 +105,19 @@ std::map<int, MachineDue> markDue(Database &database, const std::vector<ListedMa
 std::map<int, MachineDue> dueDates(Database &database, const std::vector<ListedMachine> &machines) {
     const Certificates known = certificates(database);
     std::map<int, MachineDue> result;
-    std::map<int, QDate> counted;
-    QSqlQuery &last = database.run(
-        QStringLiteral("select machine, max(date) from test where purpose in ('periodic', 'acceptance') and "
-                       "date is not null group by machine"));
-    while (last.next())
-        counted.emplace(last.value(0).toInt(), QDate::fromString(last.value(1).toString(), Qt::ISODate));
+    std::map<int, int> intervals;
     for (const ListedMachine &machine : machines) {
-        const auto found = counted.find(machine.id);
-        if (machine.months && found != counted.end())
-            takeEarlier(result[machine.id].test, found->second.addMonths(*machine.months));
+        if (machine.months)
+            intervals.emplace(machine.id, *machine.months);
+    }
+    QSqlQuery &last = database.run(QStringLiteral("select machine, axis, max(date) from test where purpose "
+                                                  "in ('periodic', 'acceptance') and date is not "
+                                                  "null and kind <> 'drift' group by machine, axis"));
+    while (last.next()) {
+        const auto months = intervals.find(last.value(0).toInt());
+        const QDate date = QDate::fromString(last.value(2).toString(), Qt::ISODate);
+        if (months != intervals.end() && date.isValid())
+            result[months->first].tests.emplace(last.value(1).toString(), date.addMonths(months->second));
     }
     QSqlQuery &newest = database.run(QStringLiteral(
         "select test.machine, instrument.description, instrument.serial from test, instrument, (select "

@@ -11,15 +11,22 @@ namespace palmer {
 
 /// Due dates of a machine.
 struct MachineDue {
-    std::optional<QDate> test;        ///< by its interval, from the last periodic or acceptance test
-    std::optional<QDate> certificate; ///< first expiry among the instruments of its newest test
+    /// Of each axis and plane, by its interval, from its last periodic or acceptance test.
+    std::map<QString, QDate> tests;
+    std::optional<QDate> certificate; ///< first expiry among the instruments of its newest day
+
+    /// Returns the first of the tests; null without one.
+    [[nodiscard]] std::optional<QDate> test() const;
+    /// Returns the axes and planes due on that day: "X, XY", "X, Y, Z, …".
+    [[nodiscard]] QString axesDue(const QDate &day) const;
 };
 
-/// Sets the due dates in `tests` (all tests of these machines, in their order): `due` on the last periodic or
-/// acceptance test of a machine, `certificateDue` on its newest. `months`: for machines without an interval
-/// of their own. An instrument has the latest due date stated for it by any test in the register.
-std::map<int, MachineDue> markDue(Database &database, const std::vector<ListedMachine> &machines,
-                                  std::vector<ListedTest> &tests, std::optional<int> months = {});
+/// Sets the due dates in `tests` (all tests of a machine, in their order): `due` on the last periodic or
+/// acceptance test of each axis and plane, `certificateDue` on the tests of its newest day. `months`: for a
+/// machine without an interval of its own. An instrument has the latest due date stated for it by any test in
+/// the register.
+MachineDue markDue(Database &database, const ListedMachine &machine, std::vector<ListedTest> &tests,
+                   std::optional<int> months = {});
 
 /// The same for all machines, without reading their tests.
 [[nodiscard]] std::map<int, MachineDue> dueDates(Database &database,

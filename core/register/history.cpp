@@ -166,10 +166,10 @@ private:
         if (machine.months)
             interval = m_language.sentence(
                 {REPORT_TEXT_COUNTED("report", "%n month(s)"), {}, static_cast<int>(*machine.months)});
-        if (m_history.due.test)
-            interval +=
-                QStringLiteral("; ") + say(REPORT_TEXT("report", "next test before %1"),
-                                           {Date{m_history.due.test->toString(Qt::ISODate).toStdString()}});
+        if (const std::optional<QDate> due = m_history.due.test())
+            interval += QStringLiteral("; ") + say(REPORT_TEXT("report", "next test before %1 (%2)"),
+                                                   {Date{due->toString(Qt::ISODate).toStdString()},
+                                                    m_history.due.axesDue(*due).toStdString()});
         head.right.rows = {{text(REPORT_TEXT("report", "Tests")), counts()},
                            {text(REPORT_TEXT("report", "Interval")), interval},
                            {text(REPORT_TEXT("report", "Made on")),
@@ -473,9 +473,7 @@ History historyOf(Database &database, const ListedMachine &machine, const QDate 
     TestFilter filter;
     filter.machines = {machine.id};
     history.tests = tests(database, filter);
-    const auto due = markDue(database, {machine}, history.tests);
-    if (const auto found = due.find(machine.id); found != due.end())
-        history.due = found->second;
+    history.due = markDue(database, machine, history.tests);
     history.today = today;
     history.program = program;
     history.number = proposedHistoryNumber(machine, today);

@@ -5,23 +5,22 @@
 #include "document/filewords.h"
 #include "document/resultwords.h"
 #include "kernel/measurement/testfacts.h"
-#include "language/csvwriter.h"
+#include "kernel/words/shortest.h"
 #include "language/rounding.h"
 #include "register/jsonline.h"
 #include "register/machinetrend.h"
+#include "report/parts/testpart.h"
+#include "report/tables/summary.h"
 #include "report/words/accordancetext.h"
 #include "report/words/wording.h"
 
+#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
 namespace palmer {
 
 namespace {
-
-Json verdictOrNull(std::optional<Verdict> verdict) {
-    return verdict ? Json(fileWord(*verdict)) : Json();
-}
 
 const char *unitOf(const RegisteredTest &test) {
     return test.angular ? "deg" : "mm";
@@ -35,7 +34,7 @@ Json resultJson(const RegisteredResult &result, const RegisteredTest &test) {
             {"k", orNull(result.k)},
             {"limit", orNull(result.limit)},
             {"guardBand", orNull(result.guardBand)},
-            {"verdict", verdictOrNull(result.verdict)}};
+            {"verdict", result.verdict ? Json(fileWord(*result.verdict)) : Json()}};
 }
 
 Json machineJson(const RegisteredTest &test) {
@@ -50,8 +49,36 @@ Json inAccordance(Accordance accordance) {
     return accordance == Accordance::yes ? Json(true) : accordance == Accordance::no ? Json(false) : Json();
 }
 
-QString fileOf(const ListedTest &listed) {
-    return listed.places.empty() ? QString() : listed.places.front().path;
+SummaryTest identified(const ListedTest &listed) {
+    static const QRegularExpression zone(
+        QStringLiteral("(?:^|; )zone ([^;]*)")); // of "step; zone 0 … 500; runs 5 + 5"
+    const RegisteredTest &test = listed.test;
+    const TestPlace place = listed.places.empty() ? TestPlace() : listed.places.front();
+    return {place.path,
+            place.test,
+            test.machineName,
+            test.manufacturer,
+            test.model,
+            test.serialNumber,
+            place.number.toStdString(),
+            test.axis,
+            test.date.value_or(""),
+            test.edition,
+            test.purpose,
+            test.role,
+            zone.match(QString::fromStdString(test.setUp)).captured(1).toStdString()};
+}
+
+/// "test: 18 Nov 2026; certificate: 31 Jan 2027".
+QString dueText(const ListedTest &listed, const Language &language) {
+    QStringList parts;
+    if (listed.due)
+        parts << language.sentence(
+            {REPORT_TEXT("report", "test: %1"), {language.shortDate(*listed.due).toStdString()}});
+    if (listed.certificateDue)
+        parts << language.sentence({REPORT_TEXT("report", "certificate: %1"),
+                                    {language.shortDate(*listed.certificateDue).toStdString()}});
+    return parts.join(QStringLiteral("; "));
 }
 
 } // namespace
@@ -60,8 +87,10 @@ QByteArray listedTestJson(const ListedTest &listed) {
     const RegisteredTest &test = listed.test;
     Json places = Json::array();
     for (const TestPlace &place : listed.places)
-        places.push_back(
-            {{"file", place.path.toStdString()}, {"test", place.test}, {"state", place.state.toStdString()}});
+        places.push_back({{"file", place.path.toStdString()},
+                          {"test", place.test},
+                          {"reportNumber", orNull(place.number.toStdString())},
+                          {"state", place.state.toStdString()}});
     Json instruments = Json::array();
     for (const RegisteredInstrument &one : test.instruments)
         instruments.push_back({{"description", orNull(one.description)},
@@ -73,10 +102,12 @@ QByteArray listedTestJson(const ListedTest &listed) {
         results.push_back(resultJson(result, test));
     const bool ofAxis = traitsOf(test.kind).isOfAxis;
     const std::string none;
-    return jsonLine({{"file", fileOf(listed).toStdString()},
-                     {"test", listed.places.empty() ? 1 : listed.places.front().test},
+    const SummaryTest summary = identified(listed);
+    return jsonLine({{"file", summary.file.toStdString()},
+                     {"test", summary.test},
                      {"places", places},
                      {"machine", machineJson(test)},
+                     {"reportNumber", orNull(summary.reportNumber)},
                      {"title", test.title},
                      {"kind", fileWord(test.kind)},
                      {"id", test.id},
@@ -85,6 +116,7 @@ QByteArray listedTestJson(const ListedTest &listed) {
                      {"date", orNull(test.date)},
                      {"time", orNull(test.time)},
                      {"edition", orNull(test.edition)},
+                     {"zone", orNull(summary.zone)},
                      {"feed", orNull(test.feed)},
                      {"travel", orNull(test.travel)},
                      {"accordance", fileWord(test.accordance)},
@@ -101,34 +133,44 @@ QByteArray listedTestJson(const ListedTest &listed) {
                      {"instruments", instruments},
                      {"due", orNull(listed.due)},
                      {"certificateDue", orNull(listed.certificateDue)},
-                     {"verdict", verdictOrNull(test.verdict)}});
+                     {"verdict", test.verdict ? Json(fileWord(*test.verdict)) : Json()}});
 }
 
-QByteArray listedTestsCsvHead() {
-    CsvWriter csv('.');
-    csv.row("file", "test", "machine", "manufacturer", "model", "serialNumber", "axis", "date", "edition",
-            "purpose", "role", "parameter", "value", "U", "limit", "unit", "limits", "accordance");
-    return csv.bytes();
+QByteArray listedTestsCsvHead(char decimalMark) {
+    QStringList head = summaryHead(SummaryForm::csv, Language(Language::Id::english));
+    return summaryCsv({head << QStringLiteral("due") << QStringLiteral("certificateDue")}, decimalMark);
 }
 
-QByteArray listedTestCsv(const ListedTest &listed) {
+QByteArray listedTestCsv(const ListedTest &listed, char decimalMark) {
     const RegisteredTest &test = listed.test;
-    CsvWriter csv('.');
-    const auto head = [&] {
-        csv.cells(fileOf(listed).toStdString(), listed.places.empty() ? 1 : listed.places.front().test,
-                  test.machineName, test.manufacturer, test.model, test.serialNumber, test.axis,
-                  test.date.value_or(""), test.edition, fileWord(test.purpose), fileWord(test.role));
+    const QStringList head =
+        summaryCells(identified(listed), SummaryForm::csv, Language(Language::Id::english));
+    const QStringList tail{QString::fromLatin1(fileWord(test.accordance)),
+                           QString::fromStdString(listed.due.value_or("")),
+                           QString::fromStdString(listed.certificateDue.value_or(""))};
+    const auto cell = [](std::optional<double> number) {
+        return number ? QString::fromStdString(shortest(*number)) : QString();
     };
-    for (const RegisteredResult &result : test.results) {
-        head();
-        csv.row(result.id, result.value, result.expandedUncertainty, result.limit, unitOf(test),
-                limitsWord(result.verdict), fileWord(test.accordance));
-    }
-    if (test.results.empty()) {
-        head();
-        csv.row("", "", "", "", "", "", fileWord(test.accordance));
-    }
-    return csv.bytes();
+    std::vector<QStringList> rows;
+    for (const RegisteredResult &result : test.results)
+        rows.push_back(head +
+                       QStringList{QString::fromStdString(result.id), cell(result.value),
+                                   cell(result.expandedUncertainty), cell(result.limit),
+                                   QString::fromLatin1(unitOf(test)),
+                                   QString::fromLatin1(limitsWord(result.verdict))} +
+                       tail);
+    if (rows.empty())
+        rows.push_back(head + QStringList(6, QString()) + tail);
+    return summaryCsv(rows, decimalMark);
+}
+
+QString evidenceOf(const ListedMachine &machine, const Language &language) {
+    QStringList parts{machine.title(), machine.manufacturer, machine.model, machine.serialNumber};
+    if (!machine.isIdentified)
+        parts << language.text(REPORT_TEXT("report", "not identified: no serial number"));
+    parts.removeAll(QString());
+    parts.removeDuplicates();
+    return QString::number(machine.number) + QStringLiteral(". ") + parts.join(QStringLiteral(" · "));
 }
 
 ShownResult shownResult(const RegisteredResult &result, bool angular, const Language &language) {
@@ -164,30 +206,37 @@ Report composeList(const QString &title, const std::vector<ListedTest> &tests, c
     Table table;
     for (const Text &head :
          {REPORT_TEXT("report", "Date"), REPORT_TEXT("report", "Axis"), REPORT_TEXT("report", "Edition"),
-          REPORT_TEXT("report", "Purpose"), REPORT_TEXT("report", "Role"), REPORT_TEXT("report", "Results"),
-          REPORT_TEXT("report", "Limits"), REPORT_TEXT("report", "Test")})
+          REPORT_TEXT("report", "Purpose"), REPORT_TEXT("report", "Role"),
+          REPORT_TEXT("report", "Report No."), REPORT_TEXT("report", "Working zone"),
+          REPORT_TEXT("report", "Results"), REPORT_TEXT("report", "Limits"), REPORT_TEXT("report", "Test"),
+          REPORT_TEXT("report", "Due")})
         table.columns.push_back({language.text(head)});
-    table.columns[5].flexible = true;
+    constexpr std::size_t resultColumn = 7;
+    table.columns[resultColumn].flexible = true;
     for (const ListedTest &listed : tests) {
         const RegisteredTest &test = listed.test;
         QStringList results;
+        const Quantity quantity = test.angular ? Quantity::angularDeviation : Quantity::deviation;
         for (const std::string &id : mainParametersOf({listed})) {
             const auto found = std::ranges::find(test.results, id, &RegisteredResult::id);
-            if (found == test.results.end())
-                continue;
-            results << plainSymbolOf(id) + QChar(QChar::Nbsp) +
-                           shownResult(*found, test.angular, language).text();
+            if (found != test.results.end())
+                results << plainSymbolOf(id) + QChar(QChar::Nbsp) +
+                               shownResult(*found, test.angular, language).text() + QChar(QChar::Nbsp) +
+                               language.unit(quantity);
         }
-        const auto said = [&](const Text &text) { return text.empty() ? QString() : language.text(text); };
-        table.rows.push_back(
-            {Cell(test.date ? language.shortDate(*test.date) : QString()),
-             Cell(QString::fromStdString(test.axis)), Cell(QString::fromStdString(test.edition)),
-             Cell(said(purposeText(test.purpose))), Cell(said(roleText(test.role))),
-             Cell(results.join(QStringLiteral("; "))),
-             Cell(language.text(limitsText(test.verdict, hasLimit(test)))),
-             Cell(traitsOf(test.kind).isJudged ? language.text(accordanceWords(test.accordance))
-                                               : QString())});
+        const QStringList cells = summaryCells(identified(listed), SummaryForm::text, language);
+        std::vector<Cell> row;
+        for (const int column : {8, 7, 9, 10, 11, 6, 12}) // those that the title does not say
+            row.emplace_back(cells[column]);
+        row.emplace_back(results.join(QStringLiteral("; ")));
+        row.emplace_back(language.text(limitsText(test.verdict, hasLimit(test))));
+        row.emplace_back(traitsOf(test.kind).isJudged
+                             ? summaryAccordance(test.accordance, SummaryForm::text, language)
+                             : QString());
+        row.emplace_back(dueText(listed, language));
+        table.rows.push_back(std::move(row));
     }
+    leaveOutEmptyColumns(table, 0, table.columns.size() - 1);
     report.blocks.emplace_back(std::move(table));
     return report;
 }

@@ -14,9 +14,12 @@ namespace palmer {
 /// Independent of the register it comes from: the same files give the same bytes.
 [[nodiscard]] QByteArray listedTestJson(const ListedTest &listed);
 
-/// CSV rows for programs, one per parameter: like `evaluate --table csv`, plus machine columns.
-[[nodiscard]] QByteArray listedTestsCsvHead();
-[[nodiscard]] QByteArray listedTestCsv(const ListedTest &listed);
+/// CSV rows, one per parameter: like `evaluate --table csv`, plus what is due.
+[[nodiscard]] QByteArray listedTestsCsvHead(char decimalMark = '.');
+[[nodiscard]] QByteArray listedTestCsv(const ListedTest &listed, char decimalMark = '.');
+
+/// Returns what a machine is known by, after its number: "3. Lathe A · Maker · Type · not identified: …".
+[[nodiscard]] QString evidenceOf(const ListedMachine &machine, const Language &language);
 
 /// Returns a readable table of the tests of a machine: one row each, with the main results.
 [[nodiscard]] Report composeList(const QString &title, const std::vector<ListedTest> &tests,

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/machineidentity.h"
 
+#include <QStringList>
+
 namespace palmer {
 
 QString comparable(const QString &text) {
@@ -13,16 +15,27 @@ QString comparable(const QString &text) {
     return result;
 }
 
-MachineIdentity machineIdentity(const std::string &manufacturer, const std::string &model,
-                                const std::string &serialNumber) {
-    const QString maker = comparable(QString::fromStdString(manufacturer));
-    const QString type = comparable(QString::fromStdString(model));
-    const QString serial = comparable(QString::fromStdString(serialNumber));
-    if (serial.isEmpty())
-        return {QStringLiteral("?/") + maker + u'/' + type, false};
-    if (maker.isEmpty())
-        return {QStringLiteral("-/") + type + u'/' + serial, true};
-    return {QStringLiteral("+/") + maker + u'/' + serial, true};
+QString asCompared(const QString &text) {
+    return text.toCaseFolded().simplified();
+}
+
+QString machineIdentity(const MachineFields &machine) {
+    QStringList parts{machine.manufacturer, machine.serialNumber};
+    QString sign = QStringLiteral("+");
+    if (comparable(machine.serialNumber).isEmpty()) {
+        parts << machine.name << machine.model;
+        sign = QStringLiteral("?");
+    } else if (asCompared(machine.manufacturer).isEmpty()) {
+        parts << machine.model;
+        sign = QStringLiteral("-");
+    }
+    for (QString &part : parts)
+        part = asCompared(part);
+    return sign + parts.join(u'\n'); // compared texts have no line breaks
+}
+
+bool isIdentified(const QString &identity) {
+    return !identity.startsWith(u'?');
 }
 
 } // namespace palmer

@@ -3,22 +3,29 @@
 #pragma once
 
 #include <QString>
-#include <string>
 
 namespace palmer {
 
-/// Identifies a machine, never shown.
-struct MachineIdentity {
-    QString key;
-    bool isIdentified = true; ///< false: no serial number; all such machines of one maker and type share it
+/// What files state of a machine.
+struct MachineFields {
+    QString name;
+    QString manufacturer;
+    QString model;
+    QString serialNumber;
 };
 
-/// Compares maker and serial number without case, spaces and punctuation; without a maker the type replaces
-/// it, as two makers may use equal numbers. Without a serial number: "not identified", per maker and type.
-[[nodiscard]] MachineIdentity machineIdentity(const std::string &manufacturer, const std::string &model,
-                                              const std::string &serialNumber);
+/// Identifies a machine by maker and serial number, without a maker by type and serial number, as two makers
+/// may use equal numbers; without a serial number by all of its fields. Texts are compared without case,
+/// blanks at the ends dropped and several blanks as one; nothing else is alike. Never shown.
+[[nodiscard]] QString machineIdentity(const MachineFields &machine);
 
-/// Returns letters and digits only, in lower case.
+/// False for the identity of a machine without serial number: "-" and the like are none.
+[[nodiscard]] bool isIdentified(const QString &identity);
+
+/// Returns the text as identities compare it.
+[[nodiscard]] QString asCompared(const QString &text);
+
+/// For searching, never for telling apart: letters and digits only, in lower case.
 [[nodiscard]] QString comparable(const QString &text);
 
 } // namespace palmer

@@ -26,16 +26,33 @@ bool isClose(std::optional<double> a, std::optional<double> b, double tolerance)
     return std::abs(*a - *b) <= tolerance * std::max(std::abs(*a), std::abs(*b));
 }
 
-SeriesDifference differenceOf(const TrendSeries &series, const RegisteredTest &test) {
-    constexpr double sameFeed = 1e-6;
-    return {series.edition != test.edition, !isClose(series.feed, test.feed, sameFeed),
-            !isClose(series.travel, test.travel, travelTolerance), series.correction != test.correction,
-            series.setUp != test.setUp};
+QStringList propertiesOf(const std::string &setUp) {
+    return QString::fromStdString(setUp).split(QStringLiteral("; "), Qt::SkipEmptyParts);
 }
 
-bool isSame(const SeriesDifference &difference) {
-    return !difference.edition && !difference.feed && !difference.travel && !difference.correction &&
-           !difference.setUp;
+/// Returns the properties that a set-up has and `first` lacks, and the names of those it does not have at
+/// all.
+QStringList differingProperties(const std::string &first, const std::string &setUp) {
+    if (first == setUp)
+        return {};
+    const QStringList mine = propertiesOf(setUp);
+    const QStringList others = propertiesOf(first);
+    QStringList result = mine;
+    result.removeIf([&](const QString &property) { return others.contains(property); });
+    for (const QString &property : others) {
+        const QString name = property.section(u' ', 0, 0);
+        if (std::ranges::none_of(mine, [&](const QString &one) { return one.section(u' ', 0, 0) == name; }))
+            result << name + QStringLiteral(" –");
+    }
+    return result;
+}
+
+SeriesDifference differenceOf(const TrendSeries &series, const RegisteredTest &test) {
+    constexpr double sameFeed = 1e-6;
+    const double sameTravel = traitsOf(test.kind).isOfAxis ? travelTolerance : radiusTolerance;
+    return {series.edition != test.edition, !isClose(series.feed, test.feed, sameFeed),
+            !isClose(series.travel, test.travel, sameTravel), series.correction != test.correction,
+            differingProperties(series.setUp, test.setUp)};
 }
 
 std::optional<InterventionKind> kindBefore(const RegisteredTest &test, const RegisteredTest *before) {
@@ -126,7 +143,7 @@ private:
             m_trend.angular = test.angular;
         }
         auto series = std::ranges::find_if(
-            m_trend.series, [&](const TrendSeries &one) { return isSame(differenceOf(one, test)); });
+            m_trend.series, [&](const TrendSeries &one) { return !differenceOf(one, test).any(); });
         if (series == m_trend.series.end()) {
             TrendSeries fresh{test.edition, test.feed, test.travel, test.correction, test.setUp, {}, {}};
             if (!m_trend.series.empty())

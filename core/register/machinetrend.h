@@ -7,6 +7,7 @@
 #include "register/queries.h"
 
 #include <QDate>
+#include <QStringList>
 #include <optional>
 #include <string>
 #include <vector>
@@ -34,11 +35,13 @@ struct SeriesDifference {
     bool feed = false;
     bool travel = false;
     bool correction = false;
-    bool setUp = false;
+    QStringList setUp; ///< properties it has or lacks ("zone 0 … 500", "zone –")
+
+    [[nodiscard]] bool any() const { return edition || feed || travel || correction || !setUp.isEmpty(); }
 };
 
-/// Comparable tests: same edition, feed, travel (within `travelTolerance`, as targets are chosen anew for
-/// every test), correction and set-up.
+/// Comparable tests: same edition, feed, radius or travel (within `travelTolerance`, as targets are chosen
+/// anew for every test), correction and set-up: zone, compensation, offsets, numbers of runs.
 struct TrendSeries {
     std::string edition;
     std::optional<double> feed;
@@ -49,7 +52,8 @@ struct TrendSeries {
     std::vector<TrendEntry> entries; ///< in chronological order
 };
 
-inline constexpr double travelTolerance = 0.02; ///< relative to the travel of the newest test of a series
+inline constexpr double travelTolerance = 0.02;  ///< relative to the travel of the newest test of a series
+inline constexpr double radiusTolerance = 0.001; ///< the same for circles, whose radius may be calibrated
 
 enum class InterventionKind { adjustment, compensation, repair, collision };
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/queries.h"
 
-#include "register/machineidentity.h"
 #include "register/register.h"
 #include "register/storedvalues.h"
 
@@ -47,35 +46,14 @@ std::vector<CurvePoint> curveFrom(const QString &text) {
 struct Condition {
     QString text;
     QVariantList values;
-
-    void add(const QString &part, const QVariantList &bound) {
-        text += (text.isEmpty() ? QStringLiteral(" where ") : QStringLiteral(" and ")) + part;
-        values += bound;
-    }
 };
 
 Condition conditionOf(const TestFilter &filter) {
-    Condition result;
-    if (!filter.machines.empty()) {
-        QStringList places;
-        QVariantList ids;
-        for (const int id : filter.machines) {
-            places << QStringLiteral("?");
-            ids << id;
-        }
-        result.add(QStringLiteral("machine in (") + places.join(u',') + u')', ids);
-    }
-    if (filter.kind)
-        result.add(QStringLiteral("kind = ?"), {QString::fromLatin1(fileWord(*filter.kind))});
-    if (!filter.since.isEmpty())
-        result.add(QStringLiteral("date >= ?"), {filter.since});
-    if (!filter.until.isEmpty())
-        result.add(QStringLiteral("date <= ?"), {filter.until});
-    if (filter.limits == QLatin1StringView("noneAgreed"))
-        result.add(QStringLiteral("verdict is null"), {});
-    else if (!filter.limits.isEmpty())
-        result.add(QStringLiteral("verdict = ?"), {filter.limits});
-    return result;
+    if (filter.machines.empty())
+        return {};
+    const QStringList places(static_cast<qsizetype>(filter.machines.size()), QStringLiteral("?"));
+    return {QStringLiteral(" where machine in (") + places.join(u',') + u')',
+            QVariantList(filter.machines.begin(), filter.machines.end())};
 }
 
 ListedTest testFrom(const QSqlQuery &row) {
@@ -124,11 +102,11 @@ void addParts(Database &database, const TestFilter &filter, const Condition &con
     for (ListedTest &test : list)
         byId.emplace(test.id, &test);
     eachRow(database, condition,
-            QStringLiteral("select place.test, source.path, place.position, source.state from place, source "
-                           "where source.id = place.source and place.test"),
+            QStringLiteral("select place.test, source.path, place.position, source.state, source.number from "
+                           "place, source where source.id = place.source and place.test"),
             {}, byId, [](ListedTest &test, const QSqlQuery &row) {
                 TestPlace &place = test.places.emplace_back();
-                RowReader(row, 1).read(place.path, place.test, place.state);
+                RowReader(row, 1).read(place.path, place.test, place.state, place.number);
             });
     eachRow(database, condition,
             QStringLiteral("select test, description, serial, certificate, due from instrument where test"),
@@ -192,12 +170,17 @@ QString ListedMachine::title() const {
     return model.isEmpty() || serialNumber.isEmpty() ? model + serialNumber : model + u' ' + serialNumber;
 }
 
+QString searched(const ListedMachine &machine) {
+    return comparable(machine.name) + u'\n' + comparable(machine.manufacturer) + u'\n' +
+           comparable(machine.model) + comparable(machine.serialNumber) + u'\n' +
+           comparable(machine.location);
+}
+
 std::vector<ListedMachine> machines(Database &database) {
     std::vector<ListedMachine> result;
     QSqlQuery &query = database.run(
         QStringLiteral("select id, identity, identified, name, manufacturer, model, serial, location, months "
-                       "from machine where months is not null or exists (select 1 from test where "
-                       "test.machine = machine.id)"));
+                       "from machine where exists (select 1 from test where test.machine = machine.id)"));
     while (query.next()) {
         ListedMachine &machine = result.emplace_back();
         RowReader(query).read(machine.id, machine.identity, machine.isIdentified, machine.name,
@@ -207,6 +190,8 @@ std::vector<ListedMachine> machines(Database &database) {
     std::ranges::sort(result, {}, [](const ListedMachine &machine) {
         return std::tuple(!machine.isIdentified, machine.title(), machine.serialNumber, machine.identity);
     });
+    for (std::size_t i = 0; i < result.size(); ++i)
+        result[i].number = static_cast<int>(i) + 1;
     return result;
 }
 
@@ -249,19 +234,25 @@ std::map<int, int> testCounts(Database &database) {
 }
 
 std::vector<ListedMachine> machinesCalled(const std::vector<ListedMachine> &machines, const QString &words) {
-    const QString wanted = comparable(words);
-    std::vector<ListedMachine> exact;
-    std::vector<ListedMachine> containing;
-    for (const ListedMachine &machine : machines) {
-        if (comparable(machine.name) == wanted || comparable(machine.serialNumber) == wanted)
-            exact.push_back(machine);
-        const QString all = comparable(machine.name) + u'\n' + comparable(machine.manufacturer) + u'\n' +
-                            comparable(machine.model) + comparable(machine.serialNumber) + u'\n' +
-                            comparable(machine.location);
-        if (all.contains(wanted))
-            containing.push_back(machine);
-    }
-    return exact.empty() ? containing : exact;
+    const auto chosen = [&](auto fits) {
+        std::vector<ListedMachine> result;
+        std::ranges::copy_if(machines, std::back_inserter(result), fits);
+        return result;
+    };
+    const QString exact = asCompared(words);
+    std::vector<ListedMachine> result = chosen([&](const ListedMachine &machine) {
+        return asCompared(machine.name) == exact || asCompared(machine.serialNumber) == exact;
+    });
+    if (result.empty())
+        result = chosen([&](const ListedMachine &machine) {
+            const QString number = QString::number(machine.number);
+            return exact == number || exact == number + u'.';
+        });
+    if (result.empty())
+        result = chosen([wanted = comparable(words)](const ListedMachine &machine) {
+            return searched(machine).contains(wanted);
+        });
+    return result;
 }
 
 std::vector<ListedTest> tests(Database &database, const TestFilter &filter) {
@@ -282,9 +273,9 @@ std::vector<ListedTest> tests(Database &database, const TestFilter &filter) {
     }
     query.finish();
     addParts(database, filter, condition, result);
-    std::erase_if(result, [](const ListedTest &test) { return test.places.empty(); }); // just removed
-    if (!filter.words.isEmpty())
-        std::erase_if(result, [&](const ListedTest &test) { return !hasWords(test, filter.words); });
+    std::erase_if(result, [&](const ListedTest &test) { // without a place: just removed
+        return test.places.empty() || !matches(test, filter);
+    });
     std::ranges::sort(result, {}, [](const ListedTest &listed) {
         const RegisteredTest &test = listed.test;
         return std::tuple(test.date.value_or(""), test.time.value_or(""), order(test.role), test.axis,
@@ -314,11 +305,6 @@ std::vector<ListedSource> troubledSources(Database &database) {
         result.push_back({query.value(0).toString(), query.value(1).toString(), query.value(2).toString()});
     std::ranges::sort(result, {}, &ListedSource::path);
     return result;
-}
-
-void setInterval(Database &database, int machine, std::optional<int> months) {
-    database.run(QStringLiteral("update machine set months = ? where id = ?"),
-                 {months ? QVariant(*months) : QVariant(), machine});
 }
 
 } // namespace palmer

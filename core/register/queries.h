@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "register/machineidentity.h"
 #include "register/registeredtest.h"
 
 #include <QDate>
@@ -15,14 +16,11 @@ namespace palmer {
 class Database;
 
 /// A machine of the register, named as in its newest test.
-struct ListedMachine {
+struct ListedMachine : MachineFields {
     int id = 0;       ///< within this register; never shown
+    int number = 0;   ///< its place in machines(), from 1
     QString identity; ///< see machineIdentity()
     bool isIdentified = true;
-    QString name;
-    QString manufacturer;
-    QString model;
-    QString serialNumber;
     QString location;
     std::optional<int> months; ///< interval of its tests; null: none
 
@@ -33,8 +31,9 @@ struct ListedMachine {
 /// Location of a test.
 struct TestPlace {
     QString path;
-    int test = 1;  ///< from 1
-    QString state; ///< "read", "notFound", …
+    int test = 1;   ///< from 1
+    QString state;  ///< "read", "notFound", …
+    QString number; ///< of the report
 };
 
 struct ListedTest {
@@ -43,7 +42,7 @@ struct ListedTest {
     RegisteredTest test;
     std::vector<TestPlace> places;             ///< by path, existing ones first; never empty
     std::optional<std::string> due;            ///< on the test an interval counts from: date of the next one
-    std::optional<std::string> certificateDue; ///< on the newest test of a machine: first expiry
+    std::optional<std::string> certificateDue; ///< on the tests of a machine's newest day: first expiry
 };
 
 /// A filter; empty: all tests.
@@ -58,7 +57,7 @@ struct TestFilter {
     bool withCurves = false;
 };
 
-/// Returns machines with tests or an interval, by name and serial number; those without one last.
+/// Returns the machines by name and serial number; those without one last.
 [[nodiscard]] std::vector<ListedMachine> machines(Database &database);
 
 /// State of the newest test of an axis or plane.
@@ -72,11 +71,15 @@ struct AxisState {
 /// Returns axes and planes per machine id, drift tests separately: axes first, by name.
 [[nodiscard]] std::map<int, std::vector<AxisState>> axisStates(Database &database);
 
+/// Returns what a search of machines looks through, to compare with comparable().
+[[nodiscard]] QString searched(const ListedMachine &machine);
+
 /// Returns the number of tests per machine id.
 [[nodiscard]] std::map<int, int> testCounts(Database &database);
 
-/// Returns the machines a user means: those with exactly this name or serial number, otherwise those whose
-/// name, maker, type, serial number or location contains it; ignores case, spaces and punctuation.
+/// Returns the machines a user means: those with exactly this name or serial number, otherwise the one with
+/// this number ("3", "3."), otherwise those whose name, maker, type, serial number or location contains it
+/// without case, spaces and punctuation.
 [[nodiscard]] std::vector<ListedMachine> machinesCalled(const std::vector<ListedMachine> &machines,
                                                         const QString &words);
 
@@ -96,8 +99,5 @@ struct ListedSource {
 
 /// Returns files that are unreadable or not found any more, by path.
 [[nodiscard]] std::vector<ListedSource> troubledSources(Database &database);
-
-/// Sets the interval of a machine in months; null: none. Throws Error.
-void setInterval(Database &database, int machine, std::optional<int> months);
 
 } // namespace palmer

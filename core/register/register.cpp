@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/register.h"
 
+#include "register/storedvalues.h"
+#include "register/writer.h"
+
 #include <QFile>
 #include <QFileInfo>
 #include <QStandardPaths>
@@ -54,25 +57,40 @@ constexpr std::array secondStep{
     "alter table result add column udecimals integer",
 };
 
-constexpr std::array<std::span<const char *const>, 2> schemaSteps{firstStep, secondStep};
+/// The number of the report a file is, or belongs to. Identities of machines changed: the intervals are what
+/// users said, the rest comes anew from the files.
+constexpr std::array thirdStep{
+    "alter table source add column number text not null default ''",
+};
+
+constexpr std::array<std::span<const char *const>, 3> schemaSteps{firstStep, secondStep, thirdStep};
 
 constexpr int newest = static_cast<int>(schemaSteps.size());
+
+void requireKnown(int version) {
+    if (version > newest)
+        throw Error(Error::Kind::newerVersion,
+                    {REPORT_TEXT("report", "a newer version of Palmer made this register; use that one, or "
+                                           "have the register made anew from the files (register scan "
+                                           "--rebuild)"),
+                     {}});
+}
 
 } // namespace
 
 Register::Register(const QString &address, Open open)
-    : m_address(address)
-    , m_newFile(address)
-    , m_database(address) {
-    if (m_database.isServer()) {
-        // Its own schema, separate from other contents of the database.
+    : m_newFile(address)
+    , m_database(address, open == Open::read ? Database::Use::read : Database::Use::write) {
+    if (m_database.isServer() && open != Open::read) // its own schema, separate from other contents
         m_database.execute(QStringLiteral("create schema if not exists palmer_register"));
+    if (m_database.isServer())
         m_database.execute(QStringLiteral("set search_path to palmer_register"));
-    }
-    if (open == Open::rebuild)
-        rebuild();
-    else
+    if (open == Open::read)
+        openToRead(address);
+    else if (open == Open::keep)
         makeSchema();
+    else
+        empty();
     m_newFile.keep();
 }
 
@@ -108,74 +126,72 @@ void Register::makeSchema() {
     const int before = schemaVersion();
     if (before == newest)
         return;
-    if (before > newest)
-        throw Error(Error::Kind::newerVersion,
-                    {REPORT_TEXT("report", "a newer version of Palmer made this register; use that one, or "
-                                           "have the register made anew from the files (register scan "
-                                           "--rebuild)"),
-                     {}});
+    requireKnown(before);
     Transaction transaction(m_database);
     if (m_database.isServer()) // two that begin at once: one waits for the other
         m_database.execute(QStringLiteral("select pg_advisory_xact_lock(7256637)"));
-    for (int step = schemaVersion(); step < newest; ++step) {
+    const int first = schemaVersion();
+    for (int step = first; step < newest; ++step) {
         for (const char *statement : schemaSteps.at(static_cast<std::size_t>(step)))
             m_database.execute(QString::fromLatin1(statement));
     }
+    if (first > 0 && first < 3)
+        keepIntervals();
     m_database.execute(QStringLiteral("delete from register where name = 'schema'"));
     m_database.run(QStringLiteral("insert into register (name, value) values ('schema', ?)"),
                    {QString::number(newest)});
     transaction.commit();
 }
 
-void Register::rebuild() {
-    const std::vector<QVariantList> intervals = keptIntervals();
-    if (m_database.isServer()) {
-        Transaction transaction(m_database);
-        m_database.execute(QStringLiteral("drop schema palmer_register cascade"));
-        m_database.execute(QStringLiteral("create schema palmer_register"));
-        transaction.commit();
-    } else {
-        m_database.execute(QStringLiteral("pragma foreign_keys = off"));
-        {
-            Transaction transaction(m_database);
+/// Those of a register made before they stood in files.
+void Register::keepIntervals() {
+    QByteArray file;
+    QSqlQuery &query = m_database.run(QStringLiteral(
+        "select name, manufacturer, model, serial, months from machine where months is not null"));
+    while (query.next()) {
+        MachineFields machine;
+        int months = 0;
+        RowReader(query).read(machine.name, machine.manufacturer, machine.model, machine.serialNumber,
+                              months);
+        file = withChoice(file, machine, nullptr, months);
+    }
+    keepMachineFile(m_database, {}, QString::fromUtf8(file));
+}
+
+void Register::openToRead(const QString &address) {
+    const int version = schemaVersion();
+    if (version == 0)
+        refuseMissingRegister();
+    requireKnown(version);
+    if (version < newest)
+        Register(address, Open::keep); // migrates it
+    m_database.beginReading();
+}
+
+/// In a transaction, of which readers see nothing before its end.
+void Register::empty() {
+    m_rebuild.emplace(m_database);
+    if (schemaVersion() > newest) {
+        if (m_database.isServer()) {
+            m_database.execute(QStringLiteral("drop schema palmer_register cascade"));
+            m_database.execute(QStringLiteral("create schema palmer_register"));
+        } else {
+            m_database.execute(QStringLiteral("pragma defer_foreign_keys = on"));
             for (const QString &table : m_database.tables())
                 m_database.execute(QStringLiteral("drop table \"%1\"")
                                        .arg(QString(table).replace(u'"', QStringLiteral("\"\""))));
-            transaction.commit();
         }
-        m_database.execute(QStringLiteral("pragma foreign_keys = on"));
     }
     makeSchema();
-    int id = 0;
-    for (QVariantList values : intervals) {
-        values.prepend(++id);
-        m_database.insert(
-            QStringLiteral(
-                "machine (id, identity, identified, name, manufacturer, model, serial, location, months)"),
-            values);
-    }
+    RegisterWriter(m_database).begin();
+    for (const char *table : {"curve", "instrument", "result", "place", "test", "source", "machine"})
+        m_database.execute(QStringLiteral("delete from ") + QString::fromLatin1(table));
 }
 
-std::vector<QVariantList> Register::keptIntervals() {
-    constexpr int columns = 8;
-    std::vector<QVariantList> intervals;
-    if (schemaVersion() == 0)
-        return intervals;
-    try {
-        QSqlQuery &query =
-            m_database.run(QStringLiteral("select identity, identified, name, manufacturer, model, serial, "
-                                          "location, months from machine where months is not null "
-                                          "order by identity"));
-        while (query.next()) {
-            QVariantList values;
-            for (int i = 0; i < columns; ++i)
-                values << query.value(i);
-            intervals.push_back(std::move(values));
-        }
-    } catch (const Error &) { // a newer schema stores them elsewhere
-        intervals.clear();
-    }
-    return intervals;
+void Register::finish() {
+    if (m_rebuild)
+        m_rebuild->commit();
+    m_rebuild.reset();
 }
 
 } // namespace palmer

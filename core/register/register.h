@@ -5,34 +5,37 @@
 #include "register/database.h"
 
 #include <QString>
-#include <QVariant>
-#include <vector>
+#include <optional>
 
 namespace palmer {
 
 /// An index of folders of test files: machines, tests, results, and their files. Built from the files and can
-/// be rebuilt at any time with the same content; only the intervals of machines are its own. Never writes to
-/// a listed file. Belongs to the thread that opened it.
+/// be rebuilt at any time with the same content. Never writes to a listed file. Belongs to the thread that
+/// opened it.
 class Register {
 public:
-    enum class Open { keep, rebuild };
+    enum class Open { read, keep, rebuild };
 
     /// Opens the register at that address (see Database), creates an empty one, or migrates an older one to
-    /// the current schema step by step. A newer schema is refused. `rebuild`: empties it first, whatever its
-    /// schema; the intervals of machines are kept. Throws Error.
+    /// the current schema step by step. A newer schema is refused. `read`: writes nothing, and all that is
+    /// read is of one moment; refused if there is none. `rebuild`: empties it first, whatever its schema;
+    /// others see it as it was until finish(). Throws Error.
     explicit Register(const QString &address, Open open = Open::keep);
 
+    /// Ends a rebuild: what was written since becomes the register.
+    void finish();
+
     [[nodiscard]] Database &database() { return m_database; }
-    [[nodiscard]] const QString &address() const { return m_address; }
 
     /// Returns the default path of the user's register, in the user's data folder.
     [[nodiscard]] static QString standardPath();
 
 private:
     void makeSchema();
-    void rebuild();
+    void keepIntervals();
+    void empty();
+    void openToRead(const QString &address);
     [[nodiscard]] int schemaVersion();
-    [[nodiscard]] std::vector<QVariantList> keptIntervals();
 
     /// Removes the file of a register that could not be created.
     class NewFile {
@@ -47,9 +50,9 @@ private:
         QString m_path; ///< empty: it existed before, or is on a server
     };
 
-    QString m_address;
     NewFile m_newFile; ///< destroyed after its users
     Database m_database;
+    std::optional<Transaction> m_rebuild;
 };
 
 } // namespace palmer

@@ -10,6 +10,8 @@
 #include "kernel/measurement/testfacts.h"
 #include "kernel/uncertainty/circularbudget.h"
 #include "kernel/uncertainty/positioningbudget.h"
+#include "kernel/words/shortest.h"
+#include "report/tables/summary.h"
 #include "report/words/printednumbers.h"
 #include "report/words/wording.h"
 
@@ -249,13 +251,43 @@ std::string joined(std::initializer_list<std::string> words) {
     return result;
 }
 
+/// "tool X 10 Z 120"; empty: nothing stated.
+QString offsetText(const QString &property, const Point3 &point) {
+    QString text;
+    for (std::size_t i = 0; i < point.size(); ++i) {
+        if (point.at(i))
+            text += QStringLiteral(" %1 ").arg(QChar(static_cast<char16_t>(u'X' + i))) +
+                    QString::fromStdString(shortest(*point.at(i)));
+    }
+    return text.isEmpty() ? text : property + text;
+}
+
+/// Properties and those that all tests have; `direction` of runs or arcs.
+template <class Run, class Direction>
+std::string setUpOf(QStringList properties, const Conditions &conditions, const std::vector<Run> &runs,
+                    Direction Run::*direction) {
+    const QString compensation = QString::fromStdString(conditions.compensation).simplified();
+    if (!compensation.isEmpty())
+        properties << QStringLiteral("compensation ") + QString(compensation).replace(u';', u',');
+    const auto first = std::ranges::count(runs, Direction{}, direction);
+    properties
+        << offsetText(QStringLiteral("tool"), conditions.toolOffset)
+        << offsetText(QStringLiteral("workpiece"), conditions.workpieceOffset)
+        << QStringLiteral("runs %1 + %2").arg(first).arg(static_cast<std::ptrdiff_t>(runs.size()) - first);
+    properties.removeAll(QString());
+    return properties.join(QStringLiteral("; ")).toStdString();
+}
+
 void describe(RegisteredTest &result, const PositioningMeasurement &m, const PositioningResults &results) {
     if (m.conditions.feedMode != FeedMode::rapid)
         result.feed = m.conditions.feed;
     if (!m.targets.empty())
         result.travel = measurementTravel(m);
-    result.setUp = joined({m.conditions.feedMode == FeedMode::rapid ? "rapid" : "",
-                           m.cycle == Cycle::step ? "step" : "", m.zone ? "zone" : ""});
+    result.setUp =
+        setUpOf({m.conditions.feedMode == FeedMode::rapid ? QStringLiteral("rapid") : QString(),
+                 m.cycle == Cycle::step ? QStringLiteral("step") : QString(),
+                 m.zone ? QStringLiteral("zone ") + QString::fromStdString(shortText(*m.zone)) : QString()},
+                m.conditions.common, m.runs, &Run::approach);
     const auto finite = [](double value) {
         return std::isfinite(value) ? std::optional(value) : std::nullopt;
     };
@@ -267,7 +299,8 @@ void describe(RegisteredTest &result, const PositioningMeasurement &m, const Pos
 void describe(RegisteredTest &result, const CircularMeasurement &c, const CircularResults & /*results*/) {
     result.feed = c.feed;
     result.travel = c.nominalRadius;
-    result.setUp = c.source == SignalSource::feedback ? "feedback" : "";
+    result.setUp = setUpOf({c.source == SignalSource::feedback ? QStringLiteral("feedback") : QString()},
+                           c.conditions.common, c.arcs, &Arc::sense);
 }
 
 void describe(RegisteredTest & /*result*/, const DriftMeasurement & /*drift*/,

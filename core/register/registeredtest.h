@@ -71,7 +71,7 @@ struct RegisteredTest {
     std::optional<std::string> time;
     std::optional<double> feed;   ///< mm/min or °/min; null: rapid or not stated
     std::optional<double> travel; ///< measurement travel, mm or degrees; for a circle its radius
-    std::string setUp;            ///< further series properties: cycle, zone, signal, as words of the file
+    std::string setUp;            ///< further properties of the series: "step; zone 0 … 500; runs 5 + 5"
     CorrectionTo20 correction = CorrectionTo20::notStated;
     Purpose purpose = Purpose::notStated;
     TestRole role = TestRole::notStated;

@@ -5,20 +5,21 @@
 #include "document/readdocument.h"
 #include "document/savedocument.h"
 #include "document/sha256.h"
+#include "kernel/numerics/runinbackground.h"
 #include "proof/readreportpdf.h"
+#include "register/machinechoices.h"
 #include "register/register.h"
 #include "register/storedsentence.h"
 #include "register/walk.h"
 #include "register/writer.h"
 
 #include <QDateTime>
-#include <atomic>
+#include <QFileInfo>
+#include <algorithm>
 #include <chrono>
-#include <condition_variable>
 #include <deque>
-#include <mutex>
+#include <future>
 #include <new>
-#include <system_error>
 #include <thread>
 
 namespace palmer {
@@ -26,9 +27,8 @@ namespace palmer {
 namespace {
 
 /// Identifies the reader: with another version, or other contents of an entry, files are read again.
-const QString program = QStringLiteral("Palmer " PALMER_VERSION ", entries 2");
+const QString program = QStringLiteral("Palmer " PALMER_VERSION ", entries 3");
 
-constexpr std::size_t mostWaiting = 64; ///< summaries between readers and writer
 constexpr int filesOfTransaction = 256;
 constexpr qint64 tooFresh = 2'000; ///< ms: a file system may give two states of a file the same time
 
@@ -74,11 +74,13 @@ ReadFile readFile(const ListedFile &file, const KnownSource *known) {
             result.source.error = known->error;
             return result;
         }
-        if (auto document = documentIn(bytes))
+        if (auto document = documentIn(bytes)) {
+            result.source.number = QString::fromStdString(document->report.number);
             result.tests =
                 registeredTests(evaluate(std::make_shared<const Document>(std::move(*document))), program);
-        else
+        } else {
             result.source.state = sourceWord(SourceState::foreign);
+        }
     } catch (const Error &error) {
         result.source.state = sourceWord(SourceState::unreadable);
         result.source.error = storedSentence(error);
@@ -92,84 +94,48 @@ ReadFile readFile(const ListedFile &file, const KnownSource *known) {
     return result;
 }
 
-/// Reads files on all processors, at most `mostWaiting` ahead of the consumer.
+/// Reads files in their order, on as many threads as there are jobs, some files ahead of the consumer.
 class Readers {
 public:
     Readers(const std::vector<ListedFile> &files, const std::map<QString, KnownSource> &known, int jobs,
             const std::stop_token &stop)
         : m_files(files)
         , m_known(known)
-        , m_stop(stop) {
-        const unsigned wanted =
-            jobs > 0 ? static_cast<unsigned>(jobs) : std::max(1U, std::thread::hardware_concurrency());
-        m_working = std::min<std::size_t>(wanted, files.size());
-        const std::size_t count = m_working;
-        try {
-            for (std::size_t i = 0; i < count; ++i) // fix the count before the first thread starts
-                m_threads.emplace_back([this] { work(); });
-        } catch (const std::system_error &) { // no more threads: the existing ones do it all
-            const std::scoped_lock lock(m_mutex);
-            m_working -= count - m_threads.size();
-        }
-    }
-    ~Readers() {
-        {
-            const std::scoped_lock lock(m_mutex);
-            m_ended = true;
-        }
-        m_room.notify_all();
-        for (std::thread &thread : m_threads)
-            thread.join();
-    }
-    Readers(const Readers &) = delete;
-    Readers &operator=(const Readers &) = delete;
+        , m_jobs(jobs > 0 ? static_cast<unsigned>(jobs) : std::max(1U, std::thread::hardware_concurrency()))
+        , m_stop(stop) {}
 
-    /// Returns the next file in order of completion; null if there is none left.
-    std::optional<ReadFile> take() {
-        if (m_threads.empty())
-            return readNext();
-        std::unique_lock lock(m_mutex);
-        m_ready.wait(lock, [this] { return !m_waiting.empty() || m_working == 0; });
+    /// Returns the next files; none if there are none left.
+    std::vector<ReadFile> take() {
+        for (; m_waiting.size() < m_jobs && m_next < m_files.size() && !m_stop.stop_requested();
+             m_next += filesOfThread)
+            m_waiting.push_back(runInBackground(true, [this, first = m_next] { return read(first); }));
         if (m_waiting.empty())
-            return std::nullopt;
-        ReadFile result = std::move(m_waiting.front());
+            return {};
+        std::vector<ReadFile> result = m_waiting.front().get();
         m_waiting.pop_front();
-        m_room.notify_one();
         return result;
     }
 
 private:
-    std::optional<ReadFile> readNext() {
-        const std::size_t i = m_next.fetch_add(1);
-        if (m_ended || m_stop.stop_requested() || i >= m_files.size())
-            return std::nullopt;
-        const auto known = m_known.find(m_files[i].path);
-        return readFile(m_files[i], known == m_known.end() ? nullptr : &known->second);
-    }
+    static constexpr std::size_t filesOfThread = 16;
 
-    void work() {
-        while (auto result = readNext()) {
-            std::unique_lock lock(m_mutex);
-            m_room.wait(lock, [this] { return m_waiting.size() < mostWaiting || m_ended; });
-            m_waiting.push_back(std::move(*result));
-            m_ready.notify_one();
+    [[nodiscard]] std::vector<ReadFile> read(std::size_t first) const {
+        std::vector<ReadFile> result;
+        for (std::size_t i = first; i < std::min(first + filesOfThread, m_files.size()); ++i) {
+            const auto known = m_known.find(m_files[i].path);
+            if (m_stop.stop_requested())
+                break;
+            result.push_back(readFile(m_files[i], known == m_known.end() ? nullptr : &known->second));
         }
-        const std::scoped_lock lock(m_mutex);
-        --m_working;
-        m_ready.notify_all();
+        return result;
     }
 
     const std::vector<ListedFile> &m_files;
     const std::map<QString, KnownSource> &m_known;
+    std::size_t m_jobs;
     const std::stop_token &m_stop;
-    std::atomic<std::size_t> m_next = 0;
-    std::atomic<bool> m_ended = false;
-    std::mutex m_mutex;
-    std::condition_variable m_ready;
-    std::condition_variable m_room;
-    std::deque<ReadFile> m_waiting;
-    std::vector<std::thread> m_threads;
-    std::size_t m_working = 0;
+    std::size_t m_next = 0;
+    std::deque<std::future<std::vector<ReadFile>>> m_waiting; ///< each ends its thread
 };
 
 class Scan {
@@ -188,11 +154,16 @@ public:
         m_result.files = static_cast<int>(listing.files.size());
         for (const UnreadableFolder &folder : listing.unreadable)
             m_result.unreadable.push_back({folder.path, storedSentence(folder.error)});
+        QStringList folders = listing.machineFolders;
+        std::ranges::copy_if(m_folders, std::back_inserter(folders),
+                             [](const QString &folder) { return QFileInfo(folder).isDir(); });
+        m_writer.takeMachineFiles(changedMachineFiles(m_register.database(), folders, m_result.unreadable));
         sortOut(listing);
         readChanged();
         if (!m_options.stop.stop_requested()) {
             markVanished(listing);
             simulate();
+            m_register.finish();
         }
         m_result.stopped = m_options.stop.stop_requested();
         std::ranges::sort(m_result.unreadable, {}, &Unreadable::path);
@@ -233,16 +204,14 @@ private:
         const int total = static_cast<int>(m_changed.size());
         Readers readers(m_changed, m_known, m_options.jobs, m_options.stop);
         int done = 0;
-        bool more = true;
-        while (more) {
+        for (bool more = true; more;) {
             std::vector<ReadFile> some;
             const auto begin = std::chrono::steady_clock::now();
             while (more && some.size() < filesOfTransaction &&
                    std::chrono::steady_clock::now() - begin < std::chrono::seconds(1)) {
-                auto file = readers.take();
-                more = file.has_value();
-                if (file)
-                    some.push_back(std::move(*file));
+                std::vector<ReadFile> next = readers.take();
+                more = !next.empty();
+                std::ranges::move(next, std::back_inserter(some));
             }
             write(some);
             done += static_cast<int>(some.size());
@@ -284,20 +253,50 @@ private:
         m_result.notFound = static_cast<int>(vanished.size());
         if (vanished.empty())
             return;
+        if (m_options.prune && !m_options.force)
+            m_result.notPruned = foldersLosingMost(vanished);
+        const bool prune = m_options.prune && m_result.notPruned.isEmpty();
         Transaction transaction(m_register.database());
         m_writer.begin();
         for (const QString &path : vanished) {
-            if (m_options.prune)
+            if (prune)
                 m_writer.remove(path);
             else
                 m_writer.setState(path, SourceState::notFound);
         }
         m_writer.finish();
         transaction.commit();
-        if (m_options.prune) {
+        if (prune) {
             m_result.pruned = m_result.notFound;
             m_result.notFound = 0;
         }
+    }
+
+    /// Returns the folders that exist and hold less than half of the tests they had.
+    [[nodiscard]] QStringList foldersLosingMost(const std::vector<QString> &vanished) const {
+        struct Count {
+            int all = 0;
+            int lost = 0;
+        };
+        std::map<QString, Count> folders;
+        QSqlQuery &query = m_register.database().run(QStringLiteral(
+            "select source.path, count(*) from source, place where source.id = place.source group by path"));
+        while (query.next()) {
+            const QString path = query.value(0).toString();
+            const int tests = query.value(1).toInt();
+            const bool isLost = std::ranges::binary_search(vanished, path);
+            for (QString folder = path; isBelow(folder, m_folders);) {
+                folder.truncate(folder.lastIndexOf(u'/'));
+                folders[folder].all += tests;
+                folders[folder].lost += isLost ? tests : 0;
+            }
+        }
+        QStringList result;
+        for (const auto &[folder, count] : folders) {
+            if (2 * count.lost > count.all && isBelow(folder, m_folders) && QFileInfo(folder).isDir())
+                result << folder;
+        }
+        return result;
     }
 
     /// One file at a time, as each simulation uses all processors.

@@ -25,6 +25,7 @@ struct ScanProgress {
 struct ScanOptions {
     int jobs = 0;       ///< files read in parallel; 0: one per processor
     bool prune = false; ///< remove files that are not found any more
+    bool force = false; ///< also where that takes more than half of a folder's tests
     std::stop_token stop = {};
     std::function<void(const ScanProgress &)> progress = {};
 };
@@ -45,6 +46,7 @@ struct ScanResult {
     int machines = 0; ///< likewise
     bool stopped = false;
     std::vector<Unreadable> unreadable;
+    QStringList notPruned; ///< folders that would have lost more than half of their tests
 };
 
 /// Returns the document of a test file or a report; null for a PDF of another program. Throws Error.
@@ -53,8 +55,8 @@ struct ScanResult {
 /// Updates the register from the folders: reads new and changed files (by size and time, then by SHA-256),
 /// evaluates them, and writes in transactions, so that an interrupted scan continues where it was. Vanished
 /// files become "not found", unless a parent folder is unreadable. A file in `folders` is scanned by itself.
-/// Then runs missing simulations of tests with Monte Carlo as their method. Throws Error for problems of the
-/// register, never for those of files.
+/// Then runs missing simulations of tests with Monte Carlo as their method, and finishes a rebuild. Throws
+/// Error for problems of the register, never for those of files.
 [[nodiscard]] ScanResult scan(Register &reg, const QStringList &folders, const ScanOptions &options = {});
 
 } // namespace palmer

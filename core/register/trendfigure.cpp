@@ -240,7 +240,7 @@ TrendFigure trendFigure(const QString &title, const MachineTrend &trend, const Q
     constexpr int mostTicks = 12;
     return {title,
             {},
-            {},
+            otherSeries(trend, language),
             {trendPanel(trend, trendSpan({trend}, today), today, language, mostTicks)},
             trendLegend(language, {trend})};
 }

@@ -37,10 +37,6 @@ bool saysDate(const MachineTrend &trend) {
     return trend.line && trend.notBefore.state == NotBefore::State::date;
 }
 
-QString quantityText(double value, Quantity quantity, int decimals, const Language &language) {
-    return language.quantity(value, quantity, decimals);
-}
-
 /// Returns a number with its sign: "+1.29".
 QString signedNumber(double value, Quantity quantity, int decimals, const Language &language) {
     return (value >= 0 ? QStringLiteral("+") : QString()) + language.number(value, quantity, decimals);
@@ -69,6 +65,42 @@ QString interventionName(InterventionKind kind, const Language &language) {
     return language.text(names.at(static_cast<std::size_t>(kind)));
 }
 
+namespace {
+
+constexpr std::array<std::pair<const char *, Text>, 8> propertyNames{
+    {{"rapid", REPORT_TEXT("report", "rapid feed")},
+     {"step", REPORT_TEXT("report", "step cycle")},
+     {"feedback", REPORT_TEXT("report", "feedback signal")},
+     {"zone", REPORT_TEXT("report", "Working zone")},
+     {"compensation", REPORT_TEXT("report", "Active compensation")},
+     {"tool", REPORT_TEXT("report", "Tool offset")},
+     {"workpiece", REPORT_TEXT("report", "Workpiece offset")},
+     {"runs", REPORT_TEXT("report", "runs in either direction")}}};
+
+/// "zone 0 … 500": "Working zone: 0 … 500 mm".
+QString propertyText(const QString &property, bool angular, const Language &language) {
+    QStringList pieces = property.split(u' ');
+    const QByteArray word = pieces.takeFirst().toLatin1();
+    const auto known =
+        std::ranges::find_if(propertyNames, [&](const auto &one) { return word == one.first; });
+    const QString name = known == propertyNames.end() ? property : language.text(known->second);
+    if (pieces.isEmpty() || known == propertyNames.end())
+        return name;
+    if (word != "runs" && word != "compensation" && pieces.size() > 1) { // lengths
+        const Quantity quantity = angular && word == "zone" ? Quantity::angle : Quantity::position;
+        for (QString &piece : pieces) {
+            bool isNumber = false;
+            const double number = piece.toDouble(&isNumber);
+            piece = isNumber ? language.number(number, quantity, -1) : piece;
+        }
+        pieces << language.unit(quantity);
+    }
+    return language.sentence(
+        {REPORT_TEXT("report", "%1: %2"), {name.toStdString(), pieces.join(QChar::Nbsp).toStdString()}});
+}
+
+} // namespace
+
 QString seriesName(const TrendSeries &series, bool angular, const Language &language) {
     QStringList parts;
     const SeriesDifference &difference = series.difference;
@@ -89,21 +121,19 @@ QString seriesName(const TrendSeries &series, bool angular, const Language &lang
     if (difference.correction)
         parts << language.sentence(
             {REPORT_TEXT("report", "correction to 20 °C: %1"), {correctionText(series.correction)}});
-    if (difference.setUp) {
-        const QString words = QString::fromStdString(series.setUp);
-        QStringList said;
-        if (words.contains(QLatin1StringView("step")))
-            said << language.text(REPORT_TEXT("report", "step cycle"));
-        if (words.contains(QLatin1StringView("rapid")))
-            said << language.text(REPORT_TEXT("report", "rapid feed"));
-        if (words.contains(QLatin1StringView("zone")))
-            said << language.text(REPORT_TEXT("report", "working zone"));
-        if (words.contains(QLatin1StringView("feedback")))
-            said << language.text(REPORT_TEXT("report", "feedback signal"));
-        parts << (said.isEmpty() ? language.text(REPORT_TEXT("report", "other set-up"))
-                                 : said.join(QStringLiteral(", ")));
-    }
+    for (const QString &property : difference.setUp)
+        parts << propertyText(property, angular, language);
     return parts.join(QStringLiteral(", "));
+}
+
+QString otherSeries(const MachineTrend &trend, const Language &language) {
+    QStringList others;
+    for (const TrendSeries &series : trend.series)
+        others << seriesName(series, trend.angular, language);
+    others.removeAll(QString());
+    return others.isEmpty() ? QString()
+                            : language.sentence({REPORT_TEXT("report", "Another series: %1"),
+                                                 {others.join(QStringLiteral(" · ")).toStdString()}});
 }
 
 namespace {
@@ -192,9 +222,9 @@ std::vector<KeyValue> trendFacts(const MachineTrend &trend, const Language &lang
                language.number(line.slopeUncertainty(), quantity, slopeDecimals).toStdString()}})});
     facts.push_back({language.text(REPORT_TEXT("report", "line at the last test")),
                      language.number(line.at(line.last), quantity, 1) + QStringLiteral("\u00A0±\u00A0") +
-                         quantityText(2 * line.uncertaintyAt(line.last), quantity, 1, language)});
+                         language.quantity(2 * line.uncertaintyAt(line.last), quantity, 1)});
     facts.push_back({language.text(REPORT_TEXT("report", "scatter s")),
-                     quantityText(line.scatter, quantity, 1, language) + QStringLiteral(" · χ²/ν\u00A0") +
+                     language.quantity(line.scatter, quantity, 1) + QStringLiteral(" · χ²/ν\u00A0") +
                          (line.chi2PerDof ? language.number(*line.chi2PerDof, Quantity::number, slopeDecimals)
                                           : QStringLiteral("–"))});
     return facts;

@@ -34,6 +34,9 @@ namespace palmer {
 /// Returns how a series differs from the first: "ISO 230-2:1988, feed 500 mm/min"; empty for the first.
 [[nodiscard]] QString seriesName(const TrendSeries &series, bool angular, const Language &language);
 
+/// Names all but the first series: "Another series: ISO 230-2:1988 · feed 500 mm/min"; empty without them.
+[[nodiscard]] QString otherSeries(const MachineTrend &trend, const Language &language);
+
 /// Returns "repair", "collision".
 [[nodiscard]] QString interventionName(InterventionKind kind, const Language &language);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "register/walk.h"
 
+#include "register/machinechoices.h"
+
 #include <QDateTime>
 #include <QDir>
 #include <QDirIterator>
@@ -78,6 +80,8 @@ private:
                 below.push_back(entry.filePath());
             else if (isListed(entry.fileName()))
                 addFile(entry);
+            else if (entry.fileName() == machineFileName)
+                m_listing.machineFolders << cleanPath(folder);
         }
         std::ranges::sort(below, std::ranges::greater()); // the last is visited first
         m_open.insert(m_open.end(), below.begin(), below.end());

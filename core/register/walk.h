@@ -27,6 +27,7 @@ struct UnreadableFolder {
 struct Listing {
     std::vector<ListedFile> files; ///< by path
     std::vector<UnreadableFolder> unreadable;
+    QStringList machineFolders; ///< those that hold a list of machines
 };
 
 /// Returns the test files and PDFs in and below these folders, also through symbolic links, each folder once

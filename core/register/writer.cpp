@@ -3,11 +3,11 @@
 #include "register/writer.h"
 
 #include "kernel/words/shortest.h"
-#include "register/machineidentity.h"
+#include "register/register.h"
 #include "register/storedvalues.h"
 
+#include <QtSql/QSqlRecord>
 #include <array>
-#include <charconv>
 
 namespace palmer {
 
@@ -44,6 +44,7 @@ RegisterWriter::RegisterWriter(Database &database)
 void RegisterWriter::begin() {
     // Every writer updates this row, so that on a server they wait for each other here.
     m_database.run(QStringLiteral("update register set value = value where name = 'writer'"));
+    m_choices = keptChoices(m_database);
     m_next.clear();
     m_loosened.clear();
     m_touched.clear();
@@ -90,15 +91,16 @@ void RegisterWriter::put(const KnownSource &source, const std::vector<Registered
     const QVariant error = source.error.isEmpty() ? QVariant() : QVariant(source.error);
     if (id != 0) {
         releasePlaces(id);
-        m_database.run(
-            QStringLiteral("update source set size = ?, modified = ?, sha256 = ?, program = ?, "
-                           "state = ?, error = ? where id = ?"),
-            {source.size, source.modified, source.sha256, source.program, source.state, error, id});
+        m_database.run(QStringLiteral("update source set size = ?, modified = ?, sha256 = ?, program = ?, "
+                                      "state = ?, error = ?, number = ? where id = ?"),
+                       storedValues(source.size, source.modified, source.sha256, source.program, source.state,
+                                    error, source.number, id));
     } else {
         id = next(QStringLiteral("source"));
-        m_database.insert(QStringLiteral("source (id, path, size, modified, sha256, program, state, error)"),
-                          {id, source.path, source.size, source.modified, source.sha256, source.program,
-                           source.state, error});
+        m_database.insert(
+            QStringLiteral("source (id, path, size, modified, sha256, program, state, error, number)"),
+            storedValues(id, source.path, source.size, source.modified, source.sha256, source.program,
+                         source.state, error, source.number));
     }
     int position = 0;
     for (const RegisteredTest &test : tests)
@@ -122,17 +124,56 @@ void RegisterWriter::remove(const QString &path) {
     m_database.run(QStringLiteral("delete from source where id = ?"), {id});
 }
 
-int RegisterWriter::machineId(const RegisteredTest &test) {
-    const MachineIdentity identity = machineIdentity(test.manufacturer, test.model, test.serialNumber);
+int RegisterWriter::machineId(const MachineFields &machine, const QString &location) {
+    const QString identity = m_choices.machineOf(machineIdentity(machine));
     if (const auto known =
-            m_database.first(QStringLiteral("select id from machine where identity = ?"), {identity.key}))
+            m_database.first(QStringLiteral("select id from machine where identity = ?"), {identity}))
         return known->toInt();
     const int id = next(QStringLiteral("machine"));
-    m_database.insert(
-        QStringLiteral("machine (id, identity, identified, name, manufacturer, model, serial, location)"),
-        storedValues(id, identity.key, identity.isIdentified, test.machineName, test.manufacturer, test.model,
-                     test.serialNumber, test.location));
+    m_database.insert(QStringLiteral("machine (id, identity, identified, name, manufacturer, model, serial, "
+                                     "location)"),
+                      storedValues(id, identity, isIdentified(identity), machine.name, machine.manufacturer,
+                                   machine.model, machine.serialNumber, location));
     return id;
+}
+
+void RegisterWriter::takeMachineFiles(const MachineFiles &changed) {
+    if (changed.empty())
+        return;
+    Transaction transaction(m_database);
+    begin();
+    MachineFiles before = keptMachineFiles(m_database);
+    bool isNew = false;
+    for (const auto &[folder, text] : changed) {
+        isNew = isNew || text != before[folder];
+        keepMachineFile(m_database, folder, text);
+    }
+    m_choices = keptChoices(m_database);
+    if (isNew)
+        assignMachines();
+    finish();
+    transaction.commit();
+}
+
+void RegisterWriter::assignMachines() {
+    std::vector<QVariantList> stated; // machine, name, maker, type, serial number, location
+    QSqlQuery &query = m_database.run(
+        QStringLiteral("select distinct machine, name, manufacturer, model, serial, location from test"));
+    while (query.next()) {
+        QVariantList &one = stated.emplace_back();
+        for (int i = 0; i < query.record().count(); ++i)
+            one << query.value(i);
+    }
+    for (const QVariantList &one : stated) {
+        const int before = one[0].toInt();
+        const int machine = machineId(
+            {one[1].toString(), one[2].toString(), one[3].toString(), one[4].toString()}, one[5].toString());
+        m_touched.insert({machine, before});
+        if (machine != before)
+            m_database.run(QStringLiteral("update test set machine = ? where machine = ? and name = ? and "
+                                          "manufacturer = ? and model = ? and serial = ? and location = ?"),
+                           QVariantList{machine} + one);
+    }
 }
 
 int RegisterWriter::testId(const RegisteredTest &test) {
@@ -147,7 +188,10 @@ int RegisterWriter::testId(const RegisteredTest &test) {
 }
 
 void RegisterWriter::insertTest(int id, const RegisteredTest &test) {
-    const int machine = machineId(test);
+    const int machine =
+        machineId({QString::fromStdString(test.machineName), QString::fromStdString(test.manufacturer),
+                   QString::fromStdString(test.model), QString::fromStdString(test.serialNumber)},
+                  QString::fromStdString(test.location));
     m_touched.insert(machine);
     m_database.insert(
         QStringLiteral(
@@ -214,28 +258,42 @@ void RegisterWriter::finish() {
         if (places.value_or(0).toInt() == 0)
             removeTest(test);
     }
-    for (const int machine : m_touched) {
-        // Named as in its newest test.
-        QSqlQuery &query = m_database.run(
-            QStringLiteral("select name, manufacturer, model, serial, location, date, digest from test where "
-                           "machine = ?"),
-            {machine});
-        QVariantList best;
-        std::pair<QString, QString> newest;
-        while (query.next()) {
-            const std::pair<QString, QString> when{query.value(5).toString(), query.value(6).toString()};
-            if (!best.isEmpty() && when <= newest)
-                continue;
-            newest = when;
-            best = {query.value(0), query.value(1), query.value(2), query.value(3), query.value(4), machine};
-        }
-        if (best.isEmpty())
-            m_database.run(QStringLiteral("delete from machine where id = ? and months is null"), {machine});
-        else
-            m_database.run(QStringLiteral("update machine set name = ?, manufacturer = ?, model = ?, "
-                                          "serial = ?, location = ? where id = ?"),
-                           best);
+    for (const int machine : m_touched)
+        nameMachine(machine);
+}
+
+/// As in its newest test, rather not in those of a machine that was joined to it.
+void RegisterWriter::nameMachine(int machine) {
+    const QString identity =
+        m_database.first(QStringLiteral("select identity from machine where id = ?"), {machine})
+            .value_or(QString())
+            .toString();
+    QSqlQuery &query = m_database.run(
+        QStringLiteral("select date, digest, name, manufacturer, model, serial, location from test where "
+                       "machine = ?"),
+        {machine});
+    std::tuple<bool, QString, QString> newest;
+    QVariantList best;
+    while (query.next()) {
+        QString date;
+        QString digest;
+        MachineFields fields;
+        QString location;
+        RowReader(query).read(date, digest, fields.name, fields.manufacturer, fields.model,
+                              fields.serialNumber, location);
+        const std::tuple when(machineIdentity(fields) == identity, date, digest);
+        if (!best.isEmpty() && when <= newest)
+            continue;
+        newest = when;
+        best = storedValues(fields.name, fields.manufacturer, fields.model, fields.serialNumber, location,
+                            m_choices.interval(identity), machine);
     }
+    if (best.isEmpty())
+        m_database.run(QStringLiteral("delete from machine where id = ?"), {machine});
+    else
+        m_database.run(QStringLiteral("update machine set name = ?, manufacturer = ?, model = ?, serial = ?, "
+                                      "location = ?, months = ? where id = ?"),
+                       best);
 }
 
 } // namespace palmer

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "register/register.h"
+#include "register/machinechoices.h"
 #include "register/registeredtest.h"
 #include "register/walk.h"
 
@@ -25,6 +25,7 @@ struct KnownSource {
     QString program; ///< program that read it
     QString state;
     QString error; ///< see storedsentence.h; kept for a file that is not found and was unreadable before
+    QString number = {}; ///< of the report
 };
 
 /// Writes to a register; every method requires a transaction started with begin(), so that several writers
@@ -46,13 +47,18 @@ public:
     void refresh(const KnownSource &source);
     void setState(const QString &path, SourceState state);
     void remove(const QString &path);
+    /// A transaction of its own: keeps what users said of machines, and has every test belong to the machine
+    /// that follows from it.
+    void takeMachineFiles(const MachineFiles &changed);
     /// Replaces the results of a simulated test.
     void replaceResults(const QString &digest, const RegisteredTest &test);
 
 private:
     int sourceId(const QString &path);
     void releasePlaces(int source);
-    int machineId(const RegisteredTest &test);
+    int machineId(const MachineFields &machine, const QString &location);
+    void assignMachines();
+    void nameMachine(int machine);
     int testId(const RegisteredTest &test);
     void insertTest(int id, const RegisteredTest &test);
     void insertResults(int id, const RegisteredTest &test);
@@ -60,6 +66,7 @@ private:
     int next(const QString &table);
 
     Database &m_database;
+    MachineChoices m_choices;
     std::map<QString, int> m_next;
     std::set<int> m_loosened; ///< tests that lost a place
     std::set<int> m_touched;  ///< machines

@@ -72,6 +72,10 @@ private slots:
     void whatIsListed();
     void wrongUsage_data();
     void wrongUsage();
+    void joinAndInterval();
+    void whatIsSaidOfMachinesFindsAPlace();
+    void theListIsTheTable();
+    void pruningMostOfAFolderWantsForce();
     void speaksFrench();
     void aReportIsAPlaceOfItsTest();
     void killedItGoesOn();
@@ -174,7 +178,12 @@ void RegisterCommandTest::whatIsListed_data() {
     QTest::newRow("words") << QStringList{"--text", "aftercollision 001"} << 4;
     QTest::newRow("due without an interval, certificates later") << QStringList{"--due", "2026-12-01"} << 0;
     QTest::newRow("certificates, on the newest test of each machine")
-        << QStringList{"--due", "2028-12-31"} << 6;
+        << QStringList{"--due", "2028-12-31"} << 24;
+    QTest::newRow("the last periodic test of each axis and plane")
+        << QStringList{"--due", "2027-11-18", "--interval", "12"} << 24;
+    QTest::newRow("of one machine, by its number in the list")
+        << QStringList{"--due", "2027-11-18", "--interval", "12", "--machine", "3"} << 4;
+    QTest::newRow("the day before") << QStringList{"--due", "2027-11-17", "--interval", "12"} << 0;
 }
 
 void RegisterCommandTest::whatIsListed() {
@@ -189,7 +198,8 @@ void RegisterCommandTest::whatIsListed() {
     QCOMPARE(csv.out.count('\n') > 1, count > 0);
     const CliResult text = reg(QStringList{"list"} + options);
     QCOMPARE(text.code, 0);
-    QCOMPARE(text.out.isEmpty(), count == 0);
+    QCOMPARE(text.out == "No test of the register fits.\n", count == 0);
+    QCOMPARE(text.out.contains("\u00A0µm"), count > 0); // every value with its unit
 }
 
 void RegisterCommandTest::wrongUsage_data() {
@@ -201,6 +211,14 @@ void RegisterCommandTest::wrongUsage_data() {
     QTest::newRow("an option of another part")
         << QStringList{"scan", "/", "--csv"}
         << QByteArray("unknown option --csv of the command register scan");
+    QTest::newRow("one machine to join") << QStringList{"join", "000-001"} << QByteArray("MACHINE MACHINE");
+    QTest::newRow("a machine joined to itself")
+        << QStringList{"join", "000-001", "1"} << QByteArray("one machine already");
+    QTest::newRow("half a month") << QStringList{"interval", "1", "0.5"} << QByteArray("--interval");
+    QTest::newRow("an interval of a century and more")
+        << QStringList{"interval", "1", "1201"} << QByteArray("--interval");
+    QTest::newRow("a decimal mark without CSV")
+        << QStringList{"list", "--decimal-mark", "comma"} << QByteArray("--csv");
     QTest::newRow("a file too many") << QStringList{"list", "x"} << QByteArray("takes no file");
     QTest::newRow("no day") << QStringList{"list", "--since", "2026-02-30"} << QByteArray("--since");
     QTest::newRow("a short day") << QStringList{"list", "--until", "2026-2-3"} << QByteArray("--until");
@@ -215,7 +233,8 @@ void RegisterCommandTest::wrongUsage_data() {
     QTest::newRow("unknown machine") << QStringList{"trend", "--machine", "nowhere", "--axis", "X"}
                                      << QByteArray("no machine of the register");
     QTest::newRow("several machines")
-        << QStringList{"trend", "--machine", "maker", "--axis", "X"} << QByteArray("machines are called");
+        << QStringList{"trend", "--machine", "maker", "--axis", "X"}
+        << QByteArray("machines may be meant by “maker”: 1. Machine 001 · Maker A");
     QTest::newRow("unknown axis") << QStringList{"trend", "--machine", "000-001", "--axis", "W"}
                                   << QByteArray("no test of W");
     QTest::newRow("unknown parameter")
@@ -247,6 +266,113 @@ void RegisterCommandTest::wrongUsage() {
     QVERIFY2(result.err.contains(said), result.err.constData());
     QCOMPARE(result.err.count('\n'), 1);
     QCOMPARE(result.out, QByteArray());
+}
+
+/// Two machines become one, and an interval is set, in a file beside theirs.
+void RegisterCommandTest::joinAndInterval() {
+    const QString folder = m_dir->filePath("some");
+    QVERIFY(QDir().mkpath(folder));
+    for (const char *machine : {"001", "002"})
+        QVERIFY(QFile::copy(files() + QString("/machine %1/2018-11-20 X.palmer").arg(machine),
+                            folder + QString("/%1.palmer").arg(machine)));
+    QCOMPARE(reg({"scan", folder}).code, 0);
+    QVERIFY(reg({"list"}).out.startsWith("1. Machine 001 · Maker A · CU 1000 · 000-001\n"));
+    for (const QStringList &words :
+         {QStringList{"join", "1", "Machine 002"}, QStringList{"interval", "1.", "24"}}) {
+        const CliResult result = reg(words);
+        QCOMPARE(result.code, 0);
+        QCOMPARE(result.out + result.err, QByteArray());
+    }
+    for (const char *rebuild : {"", "--rebuild"}) {
+        QCOMPARE(reg(QStringList{"scan", folder, rebuild}.filter(QRegularExpression("."))).code, 0);
+        const auto list = objects(reg({"list", "--json", "--machine", "1", "--due", "2020-11-20"}).out);
+        QCOMPARE(list.size(), std::size_t{1});
+        QCOMPARE(list.front()["due"].toString(), QString("2020-11-20"));
+        QCOMPARE(objects(reg({"list", "--json", "--machine", "000-001"}).out).size(), std::size_t{2});
+        QCOMPARE(reg({"list", "--text", "002"}).out.count("1. Machine 001"), 1);
+    }
+    const QJsonObject kept = QJsonDocument::fromJson(contents(folder + "/palmer-machines.json")).object();
+    QCOMPARE(kept["format"].toString(), QString("palmer machines"));
+    QCOMPARE(kept["machines"].toArray().size(), 1);
+    QProcess check;
+    check.start("python3",
+                {"-c",
+                 "import json, sys, jsonschema; jsonschema.validate(json.load(open(sys.argv[1])), "
+                 "json.load(open(sys.argv[2])))",
+                 folder + "/palmer-machines.json", SOURCE "/resources/schema/palmer-machines-1.schema.json"});
+    QVERIFY(check.waitForFinished(60'000));
+    QVERIFY2(check.exitCode() == 0, check.readAllStandardError());
+    QCOMPARE(reg({"interval", "1", "0"}).code, 0);
+    QCOMPARE(reg({"list", "--due", "2099-01-01", "--json"}).out.count("\"due\": \"20"), 0);
+}
+
+/// Where the folder of the files cannot be written, it is said where else that is kept.
+void RegisterCommandTest::whatIsSaidOfMachinesFindsAPlace() {
+    const QString folder = m_dir->filePath("locked");
+    QVERIFY(QDir().mkpath(folder + "/palmer-machines.json")); // a folder of that name: nobody can write it
+    QVERIFY(QFile::copy(files() + "/machine 001/2018-11-20 X.palmer", folder + "/a.palmer"));
+    const std::map<QString, QString> home{{"XDG_DATA_HOME", m_dir->filePath("data")}};
+    const auto call = [&](const QStringList &words) {
+        return runCli(QStringList{"register"} + words + QStringList{"--register", m_register}, {}, home);
+    };
+    (void)call({"scan", folder});
+    const CliResult result = call({"interval", "1", "12"});
+    QCOMPARE(result.code, 0);
+    QCOMPARE(result.err, "palmer-cli: " + folder.toUtf8() + ": the folder cannot be written; kept in " +
+                             m_dir->filePath("data/palmer/palmer-machines.json").toUtf8() + '\n');
+    (void)call({"scan", folder, "--rebuild"});
+    QVERIFY(call({"list", "--json"}).out.contains("\"due\": \"2019-11-20\""));
+}
+
+/// What the table of evaluated files says, the list says in the same columns and words; in spreadsheets as
+/// well.
+void RegisterCommandTest::theListIsTheTable() {
+    scan();
+    const QString file = files() + "/machine 001/2018-11-20 X.palmer";
+    const QList<QByteArray> list = reg({"list", "--csv", "--text", file}).out.split('\n');
+    const QList<QByteArray> table = runCli({"evaluate", "--table", "csv", file}).out.split('\n');
+    QCOMPARE(list.size(), table.size());
+    QVERIFY(
+        table.front().startsWith("file,test,machine,manufacturer,model,serialNumber,reportNumber,axis,date,"
+                                 "edition,purpose,role,zone,parameter,value,U,limit,unit,limits,accordance"));
+    for (qsizetype i = 0; i < list.size(); ++i)
+        QVERIFY2(list[i].startsWith(table[i]), list[i] + '\n' + table[i]);
+    QVERIFY(list[1].contains(",R-000000,X,2018-11-20,"));
+    const QByteArray comma = reg({"list", "--csv", "--text", file, "--decimal-mark", "comma"}).out;
+    QVERIFY(comma.startsWith("\xEF\xBB\xBF"
+                             "file;test;machine;"));
+    const QList<QByteArray> cells = comma.split('\n')[1].split(';');
+    const QList<QByteArray> points = list[1].split(',');
+    QCOMPARE(cells.size(), points.size());
+    for (qsizetype i = 0; i < cells.size(); ++i)
+        QCOMPARE(QByteArray(cells[i]).replace(',', '.'), points[i]);
+    QVERIFY(cells[14].startsWith("0,0"));
+}
+
+/// A drive that is not connected takes nothing away.
+void RegisterCommandTest::pruningMostOfAFolderWantsForce() {
+    const QString folder = m_dir->filePath("share/below");
+    QVERIFY(QDir().mkpath(folder));
+    for (const char *axis : {"X", "Y", "Z"}) {
+        QVERIFY(QFile::copy(files() + QString("/machine 001/2018-11-20 %1.palmer").arg(axis),
+                            folder + QString("/%1.palmer").arg(axis)));
+        QVERIFY(QFile::copy(files() + QString("/machine 002/2018-11-20 %1.palmer").arg(axis),
+                            m_dir->filePath(QString("share/%1.palmer").arg(axis))));
+    }
+    const QString share = m_dir->filePath("share");
+    QCOMPARE(reg({"scan", share}).code, 0);
+    QVERIFY(QFile::remove(folder + "/X.palmer")); // a third
+    QVERIFY(objects(reg({"scan", share, "--prune", "--json"}).out).front()["pruned"].toInt() == 1);
+    for (const char *axis : {"Y", "Z"}) // all of a folder that is still there, and two fifths of the share
+        QVERIFY(QFile::remove(folder + QString("/%1.palmer").arg(axis)));
+    const CliResult refused = reg({"scan", share, "--prune"});
+    QCOMPARE(refused.code, 2);
+    QCOMPARE(refused.err.count('\n'), 1);
+    QVERIFY2(refused.err.contains("share/below: more than half"), refused.err);
+    QCOMPARE(reg({"list", "--json"}).out.count('\n'), 5);
+    QCOMPARE(reg({"scan", share, "--prune", "--force"}).code, 0);
+    QCOMPARE(reg({"list", "--json"}).out.count('\n'), 3);
+    QCOMPARE(reg({"list", "--files"}).out, QByteArray("All files of the register can be read.\n"));
 }
 
 void RegisterCommandTest::speaksFrench() {

@@ -17,6 +17,7 @@
 #include "print/figures/exportfigure.h"
 #include "print/pdf/writepdf.h"
 #include "print/proof/verifyreport.h"
+#include "register/listing.h"
 #include "register/registeredtest.h"
 #include "report/attachedfile.h"
 #include "report/blocks/pagetext.h"
@@ -24,6 +25,7 @@
 #include "report/composereport.h"
 #include "report/tables/findinglines.h"
 #include "report/tables/resulttable.h"
+#include "report/tables/summary.h"
 #include "report/words/findingtext.h"
 #include "report/words/wording.h"
 #include "ui/results/findingsmodel.h"
@@ -635,6 +637,24 @@ private:
             if (test.verdict != evaluation.verdict || test.accordance != evaluation.accordance())
                 violated("one voice", "the register says another verdict");
         }
+        listed(entries);
+    }
+
+    /// The list of a register says of tests what the table of their file does, and what is due.
+    void listed(const std::vector<RegisteredTest> &entries) {
+        const QString file = QStringLiteral("file");
+        QByteArray list;
+        for (std::size_t i = 0; i < entries.size(); ++i) {
+            ListedTest one;
+            one.test = entries[i];
+            one.places = {
+                {file, static_cast<int>(i) + 1, {}, QString::fromStdString(document().report.number)}};
+            list += listedTestCsv(one).replace(",,\n", "\n");
+        }
+        const QByteArray table = summaryCsv(
+            summaryRows(m_followed.evaluated, file, SummaryForm::csv, Language(Language::Id::english)));
+        if (list != table)
+            violated("one voice", "the list of the register: " + list.toStdString() + table.toStdString());
     }
 
     /// What is printed follows from the data that the PDF carries.

@@ -41,14 +41,6 @@ namespace {
 constexpr QSize sampleSize(54, 18);
 constexpr int leastRows = 2; ///< of the list of curves, always visible
 
-void clear(QChart &chart) {
-    chart.removeAllSeries();
-    for (QAbstractAxis *axis : chart.axes()) {
-        chart.removeAxis(axis);
-        delete axis;
-    }
-}
-
 /// Axes that include all points, with round ticks.
 void addAxes(QChart &chart, const QPalette &palette, const QString &title, const QString &unit,
              const QString &positionUnit) {

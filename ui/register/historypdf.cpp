@@ -35,7 +35,7 @@ void HistoryPdf::save(const QString &address, const ListedMachine &machine) {
         [address, machine, number,
          language = windowLanguage()](const Background::Job &) -> std::variant<Report, Error> {
             try {
-                Register reg(address);
+                Register reg(address, Register::Open::read);
                 History history = historyOf(reg.database(), machine, QDate::currentDate(),
                                             QStringLiteral("Palmer " PALMER_VERSION));
                 history.number = number;

@@ -37,21 +37,28 @@ void MachineHead::setMachine(const MachineRow *machine) {
     m_facts->clear();
     if (!machine)
         return;
-    const ListedMachine &listed = machine->machine;
-    m_name->setText(listed.title());
-    QStringList facts{listed.manufacturer, listed.model,
-                      listed.serialNumber.isEmpty() ? tr("not identified: no serial number")
-                                                    : tr("No. %1").arg(listed.serialNumber),
-                      listed.location};
-    facts.removeAll(QString());
-    m_facts->setText(facts.join(QStringLiteral(" · ")));
-    m_interval->setCurrentIndex(std::max(m_interval->findData(listed.months.value_or(0)), 0));
-    if (const std::optional<QDate> &due = machine->due.test) {
+    m_name->setText(machine->machine.title());
+    m_facts->setText(machine->facts().join(QStringLiteral(" · ")));
+    const int months = machine->machine.months.value_or(0);
+    if (m_interval->findData(months) < 0) // said on the command line
+        m_interval->addItem(tr("%n month(s)", nullptr, months), months);
+    m_interval->setCurrentIndex(m_interval->findData(months));
+    const auto dayText = [](const QDate &date) {
+        return windowLanguage().shortDate(date.toString(Qt::ISODate).toStdString());
+    };
+    if (const std::optional<QDate> due = machine->due.test()) {
         const bool late = *due < QDate::currentDate();
-        const QString day = windowLanguage().shortDate(due->toString(Qt::ISODate).toStdString());
-        m_due->setContent(late ? tr("overdue since %1").arg(day) : tr("next test before %1").arg(day),
+        const QString axes = machine->due.axesDue(*due);
+        m_due->setContent(late ? tr("%1: overdue since %2").arg(axes, dayText(*due))
+                               : tr("%1: next test before %2").arg(axes, dayText(*due)),
                           QStringLiteral("clock"), late ? Token::bad : Token::ok,
                           late ? Token::badGround : Token::okGround);
+        QStringList all;
+        for (const auto &[axis, date] : machine->due.tests)
+            all << tr("%1: next test before %2").arg(axis, dayText(date));
+        if (machine->due.certificate)
+            all << tr("certificate expires on %1").arg(dayText(*machine->due.certificate));
+        m_due->setToolTip(all.join(u'\n'));
         m_due->setVisible(true);
     }
 }

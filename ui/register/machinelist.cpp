@@ -43,10 +43,25 @@ MarkLook lookOf(const AxisState &state) {
     return {QStringLiteral("ques"), Token::secondaryText};
 }
 
+/// Beside its name: the serial number, or the mark of a machine without one.
+void drawEvidence(QPainter &painter, QRect area, const MachineRow &row, const QPalette &palette) {
+    QString text = row.machine.serialNumber;
+    QColor colour = token(Token::secondaryText, palette);
+    if (!row.machine.isIdentified) {
+        text = MachineModel::tr("not identified");
+        colour = token(Token::unsure, palette);
+        drawLineIcon(painter, QRect(area.left(), area.top(), machineMarkSize, area.height()),
+                     QStringLiteral("ques"), colour);
+        area.adjust(machineMarkSize + 3, 0, 0, 0);
+    }
+    if (text != row.machine.title() && area.width() > machineMarkSize)
+        drawElided(painter, area, Qt::AlignLeft, text, themeFont(TextSize::tiny), colour);
+}
+
 } // namespace
 
 std::optional<int> MachineRow::daysToTest(const QDate &today) const {
-    return daysUntil(due.test, today);
+    return daysUntil(due.test(), today);
 }
 
 std::optional<int> MachineRow::daysToCertificate(const QDate &today) const {
@@ -57,6 +72,15 @@ bool MachineRow::isToDo(const QDate &today) const {
     return daysToTest(today) || daysToCertificate(today) ||
            std::ranges::any_of(
                axes, [](const AxisState &state) { return state.verdict == Verdict::doesNotConform; });
+}
+
+QStringList MachineRow::facts() const {
+    QStringList facts{machine.manufacturer, machine.model,
+                      machine.isIdentified ? MachineModel::tr("No. %1").arg(machine.serialNumber)
+                                           : MachineModel::tr("not identified: no serial number"),
+                      machine.location};
+    facts.removeAll(QString());
+    return facts;
 }
 
 void MachineModel::setRows(std::vector<MachineRow> rows) {
@@ -75,40 +99,16 @@ void MachineModel::filter() {
     const QDate today = QDate::currentDate();
     const QString wanted = comparable(m_words);
     for (const MachineRow &row : m_all) {
-        const ListedMachine &machine = row.machine;
-        const QString all = comparable(machine.name) + u' ' + comparable(machine.manufacturer) + u' ' +
-                            comparable(machine.model) + comparable(machine.serialNumber) + u' ' +
-                            comparable(machine.location);
-        const bool isKind =
-            m_show == Show::toDo ? row.isToDo(today) : machine.isIdentified == (m_show == Show::identified);
-        if (isKind && all.contains(wanted))
+        if ((m_show == Show::all || row.isToDo(today)) && searched(row.machine).contains(wanted))
             shown.push_back(row);
     }
     reset(std::move(shown));
-}
-
-int MachineModel::rowOf(int machine) const {
-    const auto found =
-        std::ranges::find(m_rows, machine, [](const MachineRow &row) { return row.machine.id; });
-    return found == m_rows.end() ? -1 : static_cast<int>(found - m_rows.begin());
 }
 
 int MachineModel::toDoCount() const {
     const QDate today = QDate::currentDate();
     return static_cast<int>(
         std::ranges::count_if(m_all, [&](const MachineRow &machine) { return machine.isToDo(today); }));
-}
-
-int MachineModel::unidentifiedTests() const {
-    int tests = 0;
-    for (const MachineRow &row : m_all)
-        tests += row.machine.isIdentified ? 0 : row.tests;
-    return tests;
-}
-
-int MachineModel::identifiedCount() const {
-    return static_cast<int>(
-        std::ranges::count_if(m_all, [](const MachineRow &row) { return row.machine.isIdentified; }));
 }
 
 int MachineModel::testCount() const {
@@ -120,14 +120,11 @@ int MachineModel::testCount() const {
 
 QVariant MachineModel::cell(const MachineRow &machine, int, int role) const {
     if (role == Qt::DisplayRole)
-        return machine.machine.isIdentified ? machine.machine.title()
-                                            : tr("%1 (not identified)").arg(machine.machine.title());
-    if (role == Qt::ToolTipRole) {
-        QStringList lines{machine.machine.manufacturer, machine.machine.model, machine.machine.serialNumber,
-                          machine.machine.location};
-        lines.removeAll(QString());
-        return lines.join(QStringLiteral(" · "));
-    }
+        return machine.machine.title();
+    if (role == Qt::ToolTipRole)
+        return machine.facts().join(QStringLiteral(" · "));
+    if (role == Qt::AccessibleTextRole)
+        return machine.machine.title() + QStringLiteral(", ") + machine.facts().join(QStringLiteral(", "));
     return {};
 }
 
@@ -157,8 +154,13 @@ void MachineDelegate::paintContent(QPainter &painter, const QStyleOptionViewItem
     }
     QFont name = themeFont(TextSize::base);
     name.setBold(option.state & QStyle::State_Selected);
-    drawElided(painter, {area.left(), area.top(), right - area.left(), pillHeight}, Qt::AlignLeft,
-               index.data().toString(), name, palette.color(QPalette::Text));
+    const QString title = index.data().toString();
+    const int titleWidth = std::min(QFontMetrics(name).horizontalAdvance(title) + 1, right - area.left());
+    drawElided(painter, {area.left(), area.top(), titleWidth, pillHeight}, Qt::AlignLeft, title, name,
+               palette.color(QPalette::Text));
+    drawEvidence(painter,
+                 {area.left() + titleWidth + 8, area.top(), right - area.left() - titleWidth - 8, pillHeight},
+                 row, palette);
 
     painter.setFont(small);
     int left = area.left();

@@ -23,11 +23,14 @@ struct MachineRow {
     [[nodiscard]] std::optional<int> daysToTest(const QDate &today) const;
     [[nodiscard]] std::optional<int> daysToCertificate(const QDate &today) const;
     [[nodiscard]] bool isToDo(const QDate &today) const;
+    /// Returns what it is known by besides its name: maker, type, serial number or that it has none,
+    /// location.
+    [[nodiscard]] QStringList facts() const;
 };
 
 inline constexpr int warningDays = 30;
 
-/// The machines, filtered by words and by what is due; those without serial number are separate.
+/// The machines, filtered by words and by what is due.
 class MachineModel : public RowModel<MachineRow> {
     Q_OBJECT
 
@@ -35,15 +38,12 @@ public:
     using RowModel::RowModel;
 
     void setRows(std::vector<MachineRow> rows);
-    enum class Show { identified, toDo, unidentified };
+    enum class Show { all, toDo };
     void setFilter(const QString &words, Show show);
-    [[nodiscard]] int rowOf(int machine) const; ///< −1 if not shown
     [[nodiscard]] int toDoCount() const;
+    [[nodiscard]] const std::vector<MachineRow> &all() const { return m_all; }
     [[nodiscard]] int machineCount() const { return static_cast<int>(m_all.size()); }
-    [[nodiscard]] int identifiedCount() const;
     [[nodiscard]] int testCount() const;
-    /// Tests of machines without serial number.
-    [[nodiscard]] int unidentifiedTests() const;
 
 protected:
     [[nodiscard]] QVariant cell(const MachineRow &machine, int column, int role) const override;
@@ -53,10 +53,10 @@ private:
 
     std::vector<MachineRow> m_all;
     QString m_words;
-    Show m_show = Show::identified;
+    Show m_show = Show::all;
 };
 
-/// Draws a machine: its name, the marks of its axes and what is due.
+/// Draws a machine: its name, what identifies it, the marks of its axes and what is due.
 class MachineDelegate : public RowDelegate {
     Q_OBJECT
 

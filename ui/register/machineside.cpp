@@ -14,9 +14,8 @@ namespace palmer::ui {
 MachineSide::MachineSide() {
     setMinimumWidth(200);
     makeList();
-    inColumn(this, noMargins, 0, {makeHead(), {m_list, 1}, {m_ghosts, 1}, m_unidentified});
+    inColumn(this, noMargins, 0, {makeHead(), {m_list, 1}, {m_ghosts, 1}});
     connect(m_search, &QLineEdit::textChanged, this, &MachineSide::filter);
-    connect(m_unidentified, &QAbstractButton::clicked, this, &MachineSide::filter);
 }
 
 QLayout *MachineSide::makeHead() {
@@ -31,10 +30,7 @@ QLayout *MachineSide::makeHead() {
         switches->addWidget(button);
     }
     m_all->setChecked(true);
-    connect(choice, &QButtonGroup::buttonClicked, this, [this] {
-        m_unidentified->setChecked(false);
-        filter();
-    });
+    connect(choice, &QButtonGroup::buttonClicked, this, &MachineSide::filter);
     return inColumn(nullptr, {pageMargin, 10, pageMargin, 8}, 8, {m_title, m_search, switches, m_noMachine});
 }
 
@@ -61,7 +57,7 @@ void MachineSide::retranslate() {
 
 void MachineSide::showState(bool isScanning) {
     const bool any = m_machines->machineCount() > 0;
-    const int listed = m_machines->identifiedCount();
+    const int listed = m_machines->machineCount();
     m_title->setText(tr("Machines") + (listed == 0 ? QString() : QStringLiteral("  %1").arg(listed)));
     m_all->setText(tr("All"));
     m_toDo->setText(tr("To do %1").arg(m_machines->toDoCount()));
@@ -72,7 +68,6 @@ void MachineSide::showState(bool isScanning) {
     m_list->setVisible(any);
     m_all->setVisible(any);
     m_toDo->setVisible(any);
-    m_unidentified->setVisible(m_machines->unidentifiedTests() > 0);
 }
 
 int MachineSide::rowOf(const QString &identity) const {
@@ -90,12 +85,6 @@ const MachineRow *MachineSide::chosen() const {
 void MachineSide::setMachines(std::vector<MachineRow> machines) {
     const QSignalBlocker blocker(m_list->selectionModel());
     m_machines->setRows(std::move(machines));
-    m_unidentified->setTests(m_machines->unidentifiedTests());
-    if (m_machines->rowCount() == 0 && m_machines->unidentifiedTests() > 0 && m_search->text().isEmpty() &&
-        !m_toDo->isChecked()) { // no other machines to show
-        m_unidentified->setChecked(true);
-        m_machines->setFilter({}, MachineModel::Show::unidentified);
-    }
     if (m_machines->rowCount() == 0) {
         m_chosen.clear();
     } else {
@@ -108,9 +97,8 @@ void MachineSide::setMachines(std::vector<MachineRow> machines) {
 }
 
 void MachineSide::filter() {
-    m_machines->setFilter(m_search->text(), m_unidentified->isChecked() ? MachineModel::Show::unidentified
-                                            : m_toDo->isChecked()       ? MachineModel::Show::toDo
-                                                                        : MachineModel::Show::identified);
+    m_machines->setFilter(m_search->text(),
+                          m_toDo->isChecked() ? MachineModel::Show::toDo : MachineModel::Show::all);
     const int row = rowOf(m_chosen.isEmpty() ? m_before : m_chosen);
     if (m_machines->rowCount() > 0) // the machine shown on the right must be in the list
         m_list->setCurrentIndex(m_machines->index(std::max(row, 0)));

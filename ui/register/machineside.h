@@ -5,7 +5,6 @@
 #include "ui/madewidgets.h"
 #include "ui/register/firstuse.h"
 #include "ui/register/machinelist.h"
-#include "ui/register/unidentifiedrow.h"
 
 #include <QLabel>
 #include <QLineEdit>
@@ -51,7 +50,6 @@ private:
     QLabel *m_noMachine = made<QLabel>("noMachine", TextSize::base, trait::wrapped);
     QListView *m_list = made<QListView>("machines");
     GhostRows *m_ghosts = made<GhostRows>("ghostRows");
-    UnidentifiedRow *m_unidentified = made<UnidentifiedRow>("unidentified");
     QString m_chosen; ///< identity; empty: none
     QString m_before; ///< chosen before the list became empty
 };

@@ -5,6 +5,7 @@
 #include "ui/theme.h"
 
 #include <QCategoryAxis>
+#include <QChart>
 
 namespace palmer::ui {
 
@@ -32,6 +33,14 @@ void fillTicks(QCategoryAxis &axis, const FigureAxis &range) {
     for (const Tick &tick : range.ticks) {
         if (tick.value >= axis.min() && tick.value <= axis.max())
             axis.append(tick.label, tick.value);
+    }
+}
+
+void clear(QChart &chart) {
+    chart.removeAllSeries();
+    for (QAbstractAxis *axis : chart.axes()) {
+        chart.removeAxis(axis);
+        delete axis;
     }
 }
 

@@ -8,6 +8,7 @@
 #include <QString>
 
 class QCategoryAxis;
+class QChart;
 
 namespace palmer::ui {
 
@@ -18,5 +19,8 @@ namespace palmer::ui {
 
 /// Sets the ticks that lie within the axis's range.
 void fillTicks(QCategoryAxis &axis, const FigureAxis &range);
+
+/// Takes away its series and axes.
+void clear(QChart &chart);
 
 } // namespace palmer::ui

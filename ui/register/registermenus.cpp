@@ -42,6 +42,7 @@ RegisterMenus::RegisterMenus(QMainWindow &window) {
     machineMenu->addSeparator();
     intervals = machineMenu->addMenu(QString());
     intervals->setObjectName(QStringLiteral("intervals"));
+    join = added(*machineMenu, "joinMachines", "link");
     history = added(*machineMenu, "history", "report", QKeySequence::Print);
     open = added(*testMenu, "openTest", "open", QKeySequence::Open);
     compare = added(*testMenu, "compareCurves", "curves");
@@ -71,6 +72,7 @@ void RegisterMenus::fill(QToolBar &bar) const {
     bar.addAction(open);
     bar.addAction(compare);
     bar.addSeparator();
+    bar.addAction(join);
     bar.addAction(history);
 }
 
@@ -89,6 +91,7 @@ void RegisterMenus::retranslate() const {
     find->setText(tr("&Search machines"));
     previous->setText(tr("&Previous machine"));
     next->setText(tr("&Next machine"));
+    join->setText(tr("&Join with another…"));
     history->setText(tr("&History report…"));
     open->setText(tr("&Open test"));
     compare->setText(tr("&Compare curves"));

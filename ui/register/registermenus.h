@@ -34,6 +34,7 @@ public:
     QAction *find = nullptr;
     QAction *previous = nullptr;
     QAction *next = nullptr;
+    QAction *join = nullptr;
     QAction *history = nullptr;
     QAction *open = nullptr;
     QAction *compare = nullptr;

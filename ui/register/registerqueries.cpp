@@ -2,22 +2,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/registerqueries.h"
 
+#include "register/machinechoices.h"
 #include "register/register.h"
-
-#include <QFileInfo>
-#include <QSettings>
 
 namespace palmer::ui {
 
 namespace {
 
-const QString intervalsKey = QStringLiteral("register/intervals");
-
 /// Result of a query; empty after an error.
 template <class Query>
 auto answered(const QString &address, Query query) {
     try {
-        Register reg(address);
+        Register reg(address, Register::Open::read);
         return query(reg.database());
     } catch (const Error &) {
         return decltype(query(std::declval<Database &>())){};
@@ -26,28 +22,9 @@ auto answered(const QString &address, Query query) {
 
 } // namespace
 
-QVariantMap keptIntervals() {
-    return QSettings().value(intervalsKey).toMap();
-}
-
-void keepInterval(const QString &identity, int months) {
-    QVariantMap kept = keptIntervals();
-    kept.remove(identity);
-    if (months > 0)
-        kept.insert(identity, months);
-    QSettings().setValue(intervalsKey, kept);
-}
-
-std::vector<MachineRow> readMachines(const QString &address, const QVariantMap &intervals) {
+std::vector<MachineRow> readMachines(const QString &address) {
     return answered(address, [&](Database &database) {
         std::vector<ListedMachine> list = machines(database);
-        for (ListedMachine &machine : list) {
-            const auto months = intervals.constFind(machine.identity);
-            if (machine.months || months == intervals.constEnd())
-                continue;
-            machine.months = months->toInt();
-            setInterval(database, machine.id, machine.months);
-        }
         auto due = dueDates(database, list);
         auto axes = axisStates(database);
         auto counts = testCounts(database);
@@ -73,11 +50,15 @@ std::vector<ListedSource> readTroubledFiles(const QString &address) {
     return answered(address, [](Database &database) { return troubledSources(database); });
 }
 
-void writeInterval(const QString &address, int machine, int months) {
-    (void)answered(address, [&](Database &database) {
-        setInterval(database, machine, months > 0 ? std::optional(months) : std::nullopt);
-        return true;
-    });
+QString writeChoice(const QString &address, const ListedMachine &machine,
+                    const std::optional<ListedMachine> &other, std::optional<int> months,
+                    const Language &language) {
+    try {
+        Register reg(address);
+        return chooseMachine(reg, machine, other ? &*other : nullptr, months, language).join(u' ');
+    } catch (const Error &error) {
+        return language.sentence(error.message);
+    }
 }
 
 } // namespace palmer::ui

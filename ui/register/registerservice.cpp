@@ -102,12 +102,12 @@ void RegisterService::setAddress(const QString &address) {
     rescan();
 }
 
-void RegisterService::rescan(bool prune) {
+void RegisterService::rescan(Prune prune) {
     m_isStopped = false;
     if (!m_folders.isEmpty()) {
-        if (prune)
+        if (prune != Prune::no)
             m_stopScan.request_stop(); // the new scan continues from there
-        if (m_lane.isBusy() && !prune)
+        if (m_lane.isBusy() && prune == Prune::no)
             m_soon.start();
         else
             start(m_folders, true, prune);
@@ -147,7 +147,7 @@ void RegisterService::fileSaved(const QString &path) {
         start({path}, false);
 }
 
-void RegisterService::start(const QStringList &places, bool isWhole, bool prune) {
+void RegisterService::start(const QStringList &places, bool isWhole, Prune prune) {
     if (m_stopScan.stop_requested())
         m_stopScan = {}; // scans waiting in the queue are stopped together
     m_begun.start();
@@ -161,7 +161,8 @@ void RegisterService::start(const QStringList &places, bool isWhole, bool prune)
                 Register reg(address);
                 ScanOptions options;
                 options.stop = asked.get_token();
-                options.prune = prune;
+                options.prune = prune != Prune::no;
+                options.force = prune == Prune::force;
                 options.progress = [&](const ScanProgress &progress) {
                     job.post([this, progress] { tellProgress(progress.done, progress.total); });
                 };
@@ -185,8 +186,11 @@ void RegisterService::start(const QStringList &places, bool isWhole, bool prune)
                 m_scannedAt = wasStopped ? QDateTime() : QDateTime::currentDateTime();
                 watch(done.folders);
             }
+            const QStringList notPruned = m_result.notPruned;
             if (hasChanged)
                 emit changed();
+            if (isWhole && !notPruned.isEmpty())
+                emit pruneRefused(notPruned);
             emit stateChanged();
         });
     emit stateChanged();

@@ -45,8 +45,9 @@ public:
     /// The last scan was stopped; only rescan() continues it.
     [[nodiscard]] bool isStopped() const { return m_isStopped; }
 
-    /// `prune`: removes files that no longer exist.
-    void rescan(bool prune = false);
+    /// What becomes of files that no longer exist; `force`: of most of a folder, too.
+    enum class Prune { no, yes, force };
+    void rescan(Prune prune = Prune::no);
     /// Stops the running scan, keeping what was read. Nothing is scanned until the next rescan().
     void stop();
     /// Updates one file anywhere below the folders.
@@ -56,9 +57,10 @@ signals:
     void changed(); ///< the content of the register
     void stateChanged();
     void progressed(int done, int total);
+    void pruneRefused(const QStringList &folders); ///< which would lose most of their tests
 
 private:
-    void start(const QStringList &places, bool isWhole, bool prune = false);
+    void start(const QStringList &places, bool isWhole, Prune prune = Prune::no);
     void rescanByItself();
     void tellProgress(int done, int total);
     void watch(const QStringList &folders);

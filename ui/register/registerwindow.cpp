@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/register/registerwindow.h"
 
+#include "register/listing.h"
 #include "register/register.h"
 #include "ui/dialogs/aboutbox.h"
 #include "ui/dialogs/shortcutsdialog.h"
@@ -17,12 +18,15 @@
 #include "ui/register/troubledfiles.h"
 #include "ui/sizeonscreen.h"
 #include "ui/thinsplitter.h"
+#include "ui/windowlanguage.h"
 
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QInputDialog>
 #include <QMenu>
 #include <QMenuBar>
+#include <QMessageBox>
 #include <QMimeData>
 #include <QScrollArea>
 #include <QStackedWidget>
@@ -74,6 +78,7 @@ RegisterWindow::RegisterWindow(RegisterService &service, QWidget *parent)
     connect(m_status, &RegisterStatus::troubledFilesAsked, this, &RegisterWindow::showTroubledFiles);
     connect(&m_service, &RegisterService::changed, this, &RegisterWindow::loadMachines);
     connect(&m_service, &RegisterService::stateChanged, this, &RegisterWindow::showState);
+    connect(&m_service, &RegisterService::pruneRefused, this, &RegisterWindow::askToPrune);
     retranslate();
     resize(sizeOnScreen(*this, usual));
     loadMachines();
@@ -83,7 +88,7 @@ RegisterWindow::~RegisterWindow() = default;
 
 bool RegisterWindow::isQuiet() const {
     return !m_machineLane.isBusy() && !m_testLane.isBusy() && !m_page->isBusy() && !m_history.isBusy() &&
-           !m_filesLane.isBusy() && !m_service.isScanning();
+           !m_filesLane.isBusy() && !m_changeLane.isBusy() && !m_service.isScanning();
 }
 
 void RegisterWindow::makeActions() {
@@ -106,6 +111,7 @@ void RegisterWindow::makeActions() {
     connect(m_menus.find, &QAction::triggered, this, [this] { m_side->startSearch(); });
     connect(m_menus.previous, &QAction::triggered, this, [this] { m_side->moveBy(-1); });
     connect(m_menus.next, &QAction::triggered, this, [this] { m_side->moveBy(1); });
+    connect(m_menus.join, &QAction::triggered, this, &RegisterWindow::joinMachine);
     connect(m_menus.history, &QAction::triggered, this, &RegisterWindow::saveHistory);
     connect(m_menus.trendAlone, &QAction::toggled, this, [this](bool alone) { m_side->setHidden(alone); });
     auto *restore = new QAction(this);
@@ -144,9 +150,8 @@ void RegisterWindow::loadMachines() {
         takeMachines({});
         return;
     }
-    m_machineLane.start(
-        [address, kept = keptIntervals()](const Background::Job &) { return readMachines(address, kept); },
-        [this](std::vector<MachineRow> rows) { takeMachines(std::move(rows)); });
+    m_machineLane.start([address](const Background::Job &) { return readMachines(address); },
+                        [this](std::vector<MachineRow> rows) { takeMachines(std::move(rows)); });
 }
 
 void RegisterWindow::takeMachines(std::vector<MachineRow> rows) {
@@ -195,8 +200,9 @@ void RegisterWindow::showState() {
         m_menus.trendAlone->setChecked(false);
     m_menus.rescan->setEnabled(hasFolders);
     m_menus.intervals->setEnabled(m_side->chosen());
+    m_menus.join->setEnabled(m_side->chosen() && machines.machineCount() > 1);
     m_side->showState(m_service.isScanning());
-    m_status->showState(machines.identifiedCount(), machines.testCount());
+    m_status->showState(machines.machineCount(), machines.testCount());
     m_menus.troubled->setEnabled(hasFolders || machines.machineCount() > 0);
     showChosen();
 }
@@ -216,7 +222,8 @@ void RegisterWindow::showTroubledFiles() {
         [this](const std::vector<ListedSource> &files) {
             auto *dialog = new TroubledFiles(files, this);
             dialog->setAttribute(Qt::WA_DeleteOnClose);
-            connect(dialog, &QDialog::accepted, &m_service, [this] { m_service.rescan(true); });
+            connect(dialog, &QDialog::accepted, &m_service,
+                    [this] { m_service.rescan(RegisterService::Prune::yes); });
             dialog->open();
         });
 }
@@ -260,13 +267,66 @@ void RegisterWindow::dropEvent(QDropEvent *event) {
 
 /// 0: none.
 void RegisterWindow::setInterval(int months) {
+    if (const MachineRow *chosen = m_side->chosen())
+        choose(chosen->machine, {}, months);
+}
+
+/// Afterwards says in the status bar what there is to say.
+void RegisterWindow::choose(const ListedMachine &machine, const std::optional<ListedMachine> &other,
+                            std::optional<int> months) {
+    constexpr int shown = 15'000; // ms
+    m_changeLane.start(
+        [address = m_service.address(), language = windowLanguage(), machine, other,
+         months](const Background::Job &) { return writeChoice(address, machine, other, months, language); },
+        [this](const QString &said) {
+            if (!said.isEmpty())
+                m_status->showMessage(said, shown);
+            loadMachines();
+        });
+}
+
+/// Shows what identifies both machines.
+void RegisterWindow::joinMachine() {
     const MachineRow *chosen = m_side->chosen();
     if (!chosen)
         return;
-    keepInterval(chosen->machine.identity, months);
-    m_machineLane.start([address = m_service.address(), machine = chosen->machine.id,
-                         months](const Background::Job &) { writeInterval(address, machine, months); },
-                        [this] { loadMachines(); });
+    QStringList names;
+    std::vector<ListedMachine> others;
+    for (const MachineRow &row : m_side->machines().all()) {
+        if (row.machine.id == chosen->machine.id)
+            continue;
+        others.push_back(row.machine);
+        names << evidenceOf(row.machine, windowLanguage());
+    }
+    auto *dialog = new QInputDialog(this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Join machines"));
+    dialog->setLabelText(
+        tr("%1\nis the same machine as:").arg(evidenceOf(chosen->machine, windowLanguage())));
+    dialog->setComboBoxItems(names);
+    dialog->setOption(QInputDialog::UseListViewForComboBoxItems);
+    dialog->setOkButtonText(tr("&Join"));
+    connect(dialog, &QInputDialog::textValueSelected, this,
+            [this, machine = chosen->machine, others, names](const QString &name) {
+                choose(machine, others.at(static_cast<std::size_t>(names.indexOf(name))), {});
+            });
+    dialog->open();
+}
+
+void RegisterWindow::askToPrune(const QStringList &folders) {
+    auto *box =
+        new QMessageBox(QMessageBox::Warning, tr("Files of the register"),
+                        tr("More than half of the tests of these folders are not found. Is a drive not "
+                           "connected?") +
+                            u'\n' + folders.join(u'\n'),
+                        QMessageBox::Cancel, this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->setTextFormat(Qt::PlainText);
+    box->addButton(tr("&Remove all the same"), QMessageBox::AcceptRole)
+        ->setObjectName(QStringLiteral("removeAllTheSame"));
+    box->setDefaultButton(QMessageBox::Cancel);
+    connect(box, &QDialog::accepted, &m_service, [this] { m_service.rescan(RegisterService::Prune::force); });
+    box->open();
 }
 
 void RegisterWindow::saveHistory() {

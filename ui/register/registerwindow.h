@@ -54,7 +54,11 @@ private:
     void showState();
     void chooseFolders();
     void addFolder();
+    void choose(const ListedMachine &machine, const std::optional<ListedMachine> &other,
+                std::optional<int> months);
     void setInterval(int months);
+    void joinMachine();
+    void askToPrune(const QStringList &folders);
     void saveHistory();
     void showTroubledFiles();
     void showHelp();
@@ -72,6 +76,7 @@ private:
     Background m_machineLane;
     Background m_testLane;
     Background m_filesLane;
+    Background m_changeLane;
 };
 
 } // namespace palmer::ui

@@ -111,7 +111,8 @@ void TestsView::fitColumns() {
     constexpr int limitsWidth = 104;
     constexpr int accordanceWidth = 110;
     constexpr int padding = 10;
-    constexpr int leastWord = 64; ///< of a shrinkable column, whose text is elided
+    constexpr int markPadding = 20 + 2 * resultPadding; ///< of a word after its mark
+    constexpr int leastWord = 64;                       ///< of a shrinkable column, whose text is elided
     constexpr int leastAxis = 40;
     resizeColumnsToContents();
     for (int i = TestTableModel::dateColumn; i < TestTableModel::firstResult; ++i)
@@ -122,9 +123,10 @@ void TestsView::fitColumns() {
     const int limits = TestTableModel::firstResult + results;
     setColumnHidden(limits, false); // may be hidden for another axis
     setColumnHidden(limits + 1, false);
-    setColumnWidth(limits, std::max(limitsWidth, columnWidth(limits) + padding));
-    setColumnWidth(limits + 1, accordanceWidth);
-    int tooWide = accordanceWidth - viewport()->width(); // the last column takes the rest
+    setColumnWidth(limits, std::max(limitsWidth, columnWidth(limits) + markPadding));
+    const int last = std::max(accordanceWidth, columnWidth(limits + 1) + markPadding);
+    setColumnWidth(limits + 1, last);
+    int tooWide = last - viewport()->width(); // the last column takes the rest
     for (int i = 0; i <= limits; ++i)
         tooWide += columnWidth(i); // 0 if hidden
     for (const auto &[column, least] : {std::pair(TestTableModel::purposeColumn, leastWord),

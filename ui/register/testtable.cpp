@@ -36,11 +36,6 @@ QString said(const Text &text) {
     return text.empty() ? QString() : windowLanguage().text(text);
 }
 
-bool hasLimits(const RegisteredTest &test) {
-    return std::ranges::any_of(test.results,
-                               [](const RegisteredResult &result) { return result.limit.has_value(); });
-}
-
 QVariant resultData(const RegisteredTest &test, const std::string &id, int role) {
     const RegisteredResult *result = resultOf(test, id);
     if (role == TestTableModel::sortRole)
@@ -58,7 +53,7 @@ QVariant limitsData(const RegisteredTest &test, int role) {
     const bool respected = test.verdict == Verdict::conforms;
     switch (role) {
     case Qt::DisplayRole:
-        return said(limitsText(test.verdict, hasLimits(test)));
+        return said(limitsText(test.verdict, hasLimit(test)));
     case TestTableModel::sortRole:
         return test.verdict ? static_cast<int>(*test.verdict) : -1;
     case TestTableModel::iconRole:
@@ -265,9 +260,7 @@ void TestDelegate::paintContent(QPainter &painter, const QStyleOptionViewItem &o
         const auto look = static_cast<Token>(index.data(TestTableModel::tokenRole).toInt());
         drawLineIcon(painter, QRect(area.left(), area.top(), 16, area.height()), icon, token(look, palette));
         font.setBold(look == Token::bad);
-        painter.setFont(font);
-        painter.setPen(token(look, palette));
-        painter.drawText(area.adjusted(20, 0, 0, 0), Qt::AlignVCenter, text);
+        drawElided(painter, area.adjusted(20, 0, 0, 0), Qt::AlignLeft, text, font, token(look, palette));
     } else if (index.column() >= TestTableModel::firstResult) {
         // A clipped number would look like another one.
         const auto column = static_cast<std::size_t>(index.column() - TestTableModel::firstResult);

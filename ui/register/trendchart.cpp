@@ -89,11 +89,7 @@ void TrendChart::addBand(const QColor &accent) {
 }
 
 void TrendChart::rebuild() {
-    chart()->removeAllSeries();
-    for (QAbstractAxis *axis : chart()->axes()) {
-        chart()->removeAxis(axis);
-        delete axis;
-    }
+    clear(*chart());
     m_entries.clear();
     for (const TrendSeries &series : m_trend.series) {
         for (const TrendEntry &entry : series.entries)
@@ -156,11 +152,8 @@ std::optional<std::size_t> TrendChart::nearest(const QPointF &position) const {
 QString TrendChart::label(std::size_t value) const {
     const TrendEntry &entry = *m_entries[value];
     const ShownResult shown = shownResult(entry.result, m_trend.angular, windowLanguage());
-    QString text =
-        windowLanguage().shortDate(entry.date) + QStringLiteral(" · ") + m_panel.symbol + u' ' + shown.value;
-    if (!shown.uncertainty.isEmpty())
-        text += QStringLiteral(" ± ") + shown.uncertainty;
-    return text + u' ' + m_panel.y.unit;
+    return windowLanguage().shortDate(entry.date) + QStringLiteral(" · ") + m_panel.symbol + u' ' +
+           shown.text() + u' ' + m_panel.y.unit;
 }
 
 void TrendChart::paintOver(QPainter &painter) {

@@ -63,9 +63,6 @@ void TrendFacts::setTrend(const MachineTrend &trend) {
         html += QStringLiteral("<tr><td style='padding:2px 8px 2px 0'>%1</td><td align='right'>%2</td></tr>")
                     .arg(fact.key.toHtmlEscaped(), inPieces(fact.value).toHtmlEscaped());
     html += QStringLiteral("</table>");
-    for (std::size_t i = 1; i < trend.series.size(); ++i)
-        html += QStringLiteral("<p>□ %1</p>")
-                    .arg(seriesName(trend.series[i], trend.angular, language).toHtmlEscaped());
     html +=
         QStringLiteral("<p style='color:%1'><small>%2</small></p>")
             .arg(token(Token::secondaryText, palette()).name(), trendMethod(trend, language).toHtmlEscaped());

@@ -4,6 +4,7 @@
 
 #include "register/listing.h"
 #include "register/trendfigure.h"
+#include "register/trendoutput.h"
 #include "ui/figures/zoombuttons.h"
 #include "ui/measures.h"
 #include "ui/windowlanguage.h"
@@ -81,7 +82,11 @@ void TrendView::showLegend() {
                                                                  {"┊", explanation},
                                                                  {"△", accent}}};
     QStringList legend;
-    for (const QString &one : trendLegend(windowLanguage(), {m_chart->trend()})) {
+    std::vector<QString> texts = trendLegend(windowLanguage(), {m_chart->trend()});
+    constexpr std::size_t another = 2;
+    if (const QString others = otherSeries(m_chart->trend(), windowLanguage()); !others.isEmpty())
+        texts.at(another) = others;
+    for (const QString &one : texts) {
         const auto &[sign, colour] = signs.at(static_cast<std::size_t>(legend.size()));
         // Line breaks only between the entries.
         legend << QStringLiteral("<span style='color:%1'>%2</span>&nbsp;%3")

@@ -3,7 +3,9 @@
 #include "print/figures/drawkinds.h"
 
 #include "print/figures/plotframe.h"
+#include "print/fonts.h"
 
+#include <QFontMetricsF>
 #include <algorithm>
 
 namespace palmer {
@@ -247,7 +249,8 @@ FigureTransform drawKind(QPainter &painter, const QRectF &area, const TrendFigur
     constexpr double cells = 4;
     const bool hasLegend = !figure.legend.empty();
     const std::size_t legendRows = (figure.legend.size() + 2) / 3;
-    const double below = large && hasLegend ? static_cast<double>(legendRows) * legendPitch : 0;
+    const double note = large && !figure.note.isEmpty() ? legendPitch : 0;
+    const double below = note + (large && hasLegend ? static_cast<double>(legendRows) * legendPitch : 0);
     const double cell = large ? area.width() : (area.width() - label - (cells - 1) * panelGap) / cells;
     FigureTransform result;
     double left = area.left() + label;
@@ -259,6 +262,11 @@ FigureTransform drawKind(QPainter &painter, const QRectF &area, const TrendFigur
     if (!large) {
         drawText(painter, {area.left(), area.top() + 8 * mm}, figure.label, text, true);
         drawText(painter, {area.left(), area.top() + 12 * mm}, figure.note, text);
+    }
+    if (note > 0) {
+        const QFontMetricsF metrics(paperFont(figureTextSize));
+        drawText(painter, {area.left(), area.bottom() - note / 2},
+                 metrics.elidedText(figure.note, Qt::ElideRight, area.width()), text);
     }
     const double column = large ? area.width() / 3 : 0;
     for (std::size_t i = 0; i < std::min(figure.legend.size(), samples); ++i) {

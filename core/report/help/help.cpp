@@ -204,17 +204,23 @@ HelpPage registerPage(const Language &language) {
              "files stay the only record: Palmer never writes into them, and the register can be made "
              "anew from them at any time.")},
         {REPORT_TEXT("report", "Machines"),
-         REPORT_TEXT("report",
-                     "A machine is known by maker and serial number, without case, spaces and punctuation. "
-                     "Those without serial number stand apart. With an interval the list says when the next "
-                     "test is due; the mark of a certificate counts the days until one expires.")},
+         REPORT_TEXT(
+             "report",
+             "A machine is known by maker and serial number; capitals and additional blanks are the "
+             "only differences that do not count. Without serial number it is “not identified”, known by "
+             "name, maker and type. “Join with another…” makes two machines one. With an interval each "
+             "axis and plane has its day of the next test. Both are kept in palmer-machines.json in the "
+             "folder of the files. The mark of a certificate counts the days until one expires.")},
         {REPORT_TEXT("report", "Trend"),
          REPORT_TEXT(
              "report",
              "At least four tests since the last intervention make a line, weighted with what their "
              "uncertainties share. “Not before” is the day its upper bound of 95 % reaches the limit: "
-             "for the level, not for the next test. Tests of another edition, feed, correction or "
-             "travel are another series and never joined.")},
+             "for the level, not for the next test. Tests of another edition, feed, correction, travel, "
+             "zone, "
+             "radius, compensation, offset or number of runs are another series and never joined; the legend "
+             "says "
+             "what differs.")},
         {REPORT_TEXT("report", "Compare curves"),
          REPORT_TEXT("report",
                      "Several chosen tests of one axis are laid over one another, with the difference of two "

@@ -32,10 +32,16 @@ struct SummaryColumn {
 constexpr std::array headColumns{SummaryColumn{"file", REPORT_TEXT("report", "File")},
                                  SummaryColumn{"test", REPORT_TEXT("report", "Test"), true},
                                  SummaryColumn{"machine", REPORT_TEXT("report", "Machine")},
+                                 SummaryColumn{"manufacturer", REPORT_TEXT("report", "Manufacturer")},
+                                 SummaryColumn{"model", REPORT_TEXT("report", "Type")},
+                                 SummaryColumn{"serialNumber", REPORT_TEXT("report", "Serial number")},
+                                 SummaryColumn{"reportNumber", REPORT_TEXT("report", "Report No.")},
                                  SummaryColumn{"axis", REPORT_TEXT("report", "Axis")},
                                  SummaryColumn{"date", REPORT_TEXT("report", "Date")},
                                  SummaryColumn{"edition", REPORT_TEXT("report", "Edition")},
-                                 SummaryColumn{"role", REPORT_TEXT("report", "Role")}};
+                                 SummaryColumn{"purpose", REPORT_TEXT("report", "Purpose")},
+                                 SummaryColumn{"role", REPORT_TEXT("report", "Role")},
+                                 SummaryColumn{"zone", REPORT_TEXT("report", "Working zone")}};
 /// Columns of results, by their headings.
 constexpr std::array resultHeadings{"parameter", "value", "U", "limit", "unit", "limits"};
 
@@ -55,35 +61,54 @@ QString cellText(const nlohmann::ordered_json &told) {
                               : QString();
 }
 
-/// Leading cells common to all rows of a test.
-QStringList headOf(const EvaluatedDocument &evaluated, std::size_t index, const QString &file,
-                   SummaryForm form, const Language &language) {
-    const Test &test = *evaluated.document->tests[index];
+SummaryTest identified(const EvaluatedDocument &evaluated, std::size_t index, const QString &file) {
+    const Document &document = *evaluated.document;
+    const Test &test = *document.tests[index];
     const TestEvaluation &evaluation = *evaluated.tests[index];
-    const bool csv = form == SummaryForm::csv;
-    QString date;
-    if (test.date)
-        date = csv ? QString::fromStdString(*test.date) : language.shortDate(*test.date);
-    QString role;
-    if (test.role != TestRole::notStated)
-        role = csv ? QString::fromUtf8(fileWord(test.role)) : language.text(roleText(test.role));
+    const Machine &machine = document.machine;
+    const auto *positioning = std::get_if<PositioningMeasurement>(&test.measurement);
     return {file,
-            QString::number(index + 1),
-            QString::fromStdString(evaluated.document->machine.name),
-            QString::fromStdString(axesOf(test)),
-            date,
-            evaluation.edition ? QString::fromUtf8(evaluation.edition->word) : QString(),
-            role};
+            static_cast<int>(index) + 1,
+            machine.name,
+            machine.manufacturer,
+            machine.model,
+            machine.serialNumber,
+            document.report.number,
+            axesOf(test),
+            test.date.value_or(""),
+            evaluation.edition ? evaluation.edition->word : "",
+            test.purpose,
+            test.role,
+            positioning && positioning->zone ? shortText(*positioning->zone) : ""};
 }
 
-QString accordanceCell(Accordance accordance, SummaryForm form, const Language &language) {
+} // namespace
+
+std::string shortText(const Interval &interval) {
+    return shortest(interval.from) + " … " + shortest(interval.to);
+}
+
+QStringList summaryCells(const SummaryTest &test, SummaryForm form, const Language &language) {
+    const bool csv = form == SummaryForm::csv;
+    const auto word = [&](auto value, const Text &text) {
+        return text.empty() ? QString() : csv ? QString::fromUtf8(fileWord(value)) : language.text(text);
+    };
+    QStringList cells{test.file, QString::number(test.test)};
+    for (const std::string *text :
+         {&test.machine, &test.manufacturer, &test.model, &test.serialNumber, &test.reportNumber, &test.axis})
+        cells << QString::fromStdString(*text);
+    return cells << (csv || test.date.empty() ? QString::fromStdString(test.date)
+                                              : language.shortDate(test.date))
+                 << QString::fromStdString(test.edition) << word(test.purpose, purposeText(test.purpose))
+                 << word(test.role, roleText(test.role)) << QString::fromStdString(test.zone);
+}
+
+QString summaryAccordance(Accordance accordance, SummaryForm form, const Language &language) {
     if (form == SummaryForm::csv)
         return QString::fromUtf8(fileWord(accordance));
     return language.text(accordance == Accordance::yes ? REPORT_TEXT("report", "in accordance")
                                                        : accordanceWords(accordance));
 }
-
-} // namespace
 
 QStringList summaryHead(SummaryForm form, const Language &language) {
     QStringList head;
@@ -97,8 +122,8 @@ std::vector<QStringList> summaryRows(const EvaluatedDocument &evaluated, const Q
     std::vector<QStringList> rows;
     for (std::size_t i = 0; i < evaluated.tests.size(); ++i) {
         const TestEvaluation &evaluation = *evaluated.tests[i];
-        const QStringList head = headOf(evaluated, i, file, form, language);
-        const QString accordance = accordanceCell(evaluation.accordance(), form, language);
+        const QStringList head = summaryCells(identified(evaluated, i, file), form, language);
+        const QString accordance = summaryAccordance(evaluation.accordance(), form, language);
         if (form == SummaryForm::csv) {
             for (const Parameter &parameter : evaluation.parameters) {
                 QStringList row = head;
@@ -125,11 +150,19 @@ std::vector<QStringList> summaryRows(const EvaluatedDocument &evaluated, const Q
     return rows;
 }
 
-QByteArray summaryCsv(const std::vector<QStringList> &rows) {
-    CsvWriter csv('.');
+QByteArray summaryCsv(const std::vector<QStringList> &rows, char decimalMark) {
+    const std::vector<SummaryColumn> columns = allColumns();
+    CsvWriter csv(decimalMark);
     for (const QStringList &row : rows) {
-        for (const QString &cell : row)
-            csv.text(cell.toStdString());
+        for (std::size_t i = 0; i < static_cast<std::size_t>(row.size()); ++i) {
+            const QString &cell = row[static_cast<qsizetype>(i)];
+            bool isNumber = false;
+            const double number = cell.toDouble(&isNumber);
+            if (isNumber && i < columns.size() && columns[i].atRight)
+                csv.number(number);
+            else
+                csv.text(cell.toStdString());
+        }
         csv.endRow();
     }
     return csv.bytes();
@@ -181,7 +214,17 @@ void narrow(std::vector<int> &widths, const std::vector<int> &least, int width) 
 } // namespace
 
 QString summaryText(const QStringList &head, const std::vector<QStringList> &rows, std::optional<int> width) {
-    const std::vector<SummaryColumn> columns = allColumns();
+    std::vector<SummaryColumn> columns = allColumns();
+    std::vector<QStringList> lines{head};
+    lines.insert(lines.end(), rows.begin(), rows.end());
+    for (qsizetype c = head.size(); !rows.empty() && c-- > 0;) {
+        if (std::any_of(lines.begin() + 1, lines.end(),
+                        [c](const QStringList &row) { return !row[c].isEmpty(); }))
+            continue;
+        columns.erase(columns.begin() + c);
+        for (QStringList &line : lines)
+            line.removeAt(c);
+    }
     std::vector<int> widths(columns.size());
     std::vector<int> least(columns.size());
     const auto widen = [&](const QStringList &row) {
@@ -191,8 +234,7 @@ QString summaryText(const QStringList &head, const std::vector<QStringList> &row
             least[c] = std::max(least[c], columns.at(c).atRight ? displayWidth(cell) : longestWord(cell));
         }
     };
-    widen(head);
-    std::ranges::for_each(rows, widen);
+    std::ranges::for_each(lines, widen);
     least.front() = std::min(least.front(), narrowestPath);
     if (width)
         narrow(widths, least, *width);
@@ -217,8 +259,7 @@ QString summaryText(const QStringList &head, const std::vector<QStringList> &row
             text += line + u'\n';
         }
     };
-    print(head);
-    std::ranges::for_each(rows, print);
+    std::ranges::for_each(lines, print);
     return text;
 }
 

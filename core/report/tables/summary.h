@@ -19,19 +19,43 @@ enum class SummaryForm {
     text ///< for a terminal: numbers and words as printed in reports
 };
 
-/// Column titles: file, test (from 1), machine, axis or plane, date, edition, role, parameter, value, U,
-/// limit, unit, limits, accordance.
+/// What identifies a test in such a table.
+struct SummaryTest {
+    QString file;
+    int test = 1; ///< from 1
+    std::string machine;
+    std::string manufacturer;
+    std::string model;
+    std::string serialNumber;
+    std::string reportNumber;
+    std::string axis; ///< or plane
+    std::string date; ///< ISO 8601; empty: not stated
+    std::string edition;
+    Purpose purpose = Purpose::notStated;
+    TestRole role = TestRole::notStated;
+    std::string zone; ///< of a long axis: "0 … 2000"
+};
+
+/// "0 … 2000".
+[[nodiscard]] std::string shortText(const Interval &interval);
+
+/// Its cells, the first of each row.
+[[nodiscard]] QStringList summaryCells(const SummaryTest &test, SummaryForm form, const Language &language);
+/// The last cell.
+[[nodiscard]] QString summaryAccordance(Accordance accordance, SummaryForm form, const Language &language);
+
+/// Column titles: those of SummaryTest, then parameter, value, U, limit, unit, limits, accordance.
 [[nodiscard]] QStringList summaryHead(SummaryForm form, const Language &language);
 
 /// The cells of all rows of a file.
 [[nodiscard]] std::vector<QStringList> summaryRows(const EvaluatedDocument &evaluated, const QString &file,
                                                    SummaryForm form, const Language &language);
 
-/// The rows as a CSV file.
-[[nodiscard]] QByteArray summaryCsv(const std::vector<QStringList> &rows);
+/// The rows as a CSV file; cells after those of summaryHead() are texts.
+[[nodiscard]] QByteArray summaryCsv(const std::vector<QStringList> &rows, char decimalMark = '.');
 
-/// Head and rows in aligned columns; if a row would be wider than `width`, texts are wrapped, but never
-/// numbers.
+/// Head and rows in aligned columns, without empty ones; if a row would be wider than `width`, texts are
+/// wrapped, but never numbers.
 [[nodiscard]] QString summaryText(const QStringList &head, const std::vector<QStringList> &rows,
                                   std::optional<int> width = {});
 

@@ -11,6 +11,7 @@
 
 #include <QTemporaryDir>
 #include <QTest>
+#include <functional>
 
 using namespace palmer;
 using palmer::testdata::fileOf;
@@ -170,11 +171,13 @@ private slots:
         QTest::newRow("travel beyond it") << 5 << "travel or radius 979\u00A0mm";
         QTest::newRow("correction") << 6 << "correction to 20 °C: not applied";
         QTest::newRow("cycle") << 7 << "step cycle";
+        QTest::newRow("cycle only in the newest") << 8 << "step cycle: –";
     }
     void whatCannotBeComparedIsAnotherSeries() {
         QFETCH(int, what);
         QFETCH(QString, name);
         ListedTest older = made("2020-01-01", 9);
+        ListedTest newest = made("2021-01-01", 9.2);
         RegisteredTest &test = older.test;
         switch (what) {
         case 1:
@@ -198,13 +201,85 @@ private slots:
         case 7:
             test.setUp = "step";
             break;
+        case 8:
+            newest.test.setUp = "step";
+            break;
         default:
             break;
         }
-        const MachineTrend trend = machineTrend({older, made("2021-01-01", 9.2)}, "A");
+        const MachineTrend trend = machineTrend({older, newest}, "A");
         QCOMPARE(trend.series.size(), name.isEmpty() ? std::size_t{1} : std::size_t{2});
         QCOMPARE(seriesName(trend.series.back(), false, Language(Language::Id::english)), name);
         QCOMPARE(trend.series.front().entries.back().date, std::string("2021-01-01"));
+    }
+    /// What a file states splits its series, and the legend says it.
+    void whatAFileStatesSplitsTheSeries_data() {
+        using Change = std::function<void(PositioningMeasurement &)>;
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<QString>("name");
+        const auto row = [](const char *title, const char *name, Change change) {
+            QTest::newRow(title) << change << name;
+        };
+        row("nothing", "", [](PositioningMeasurement &) {});
+        row("location of the sensors", "",
+            [](PositioningMeasurement &m) { m.conditions.common.sensors.front().position = "scale"; });
+        row("zone", "Working zone: 0 … 500.5 mm", [](PositioningMeasurement &m) {
+            m.zone = Interval{0, 500.5};
+        });
+        row("compensation", "Active compensation: pitch, reversal",
+            [](PositioningMeasurement &m) { m.conditions.common.compensation = " pitch; reversal"; });
+        row("tool offset", "Tool offset: X 10 Z 120 mm", [](PositioningMeasurement &m) {
+            m.conditions.common.toolOffset = {10.0, {}, 120.0};
+        });
+        row("workpiece offset", "Workpiece offset: Y 5 mm", [](PositioningMeasurement &m) {
+            m.conditions.common.workpieceOffset = {{}, 5.0, {}};
+        });
+        row("number of runs", "runs in either direction: 2 + 1",
+            [](PositioningMeasurement &m) { m.runs.pop_back(); });
+        row("rapid feed", "no feed stated, rapid feed",
+            [](PositioningMeasurement &m) { m.conditions.feedMode = FeedMode::rapid; });
+    }
+    void whatAFileStatesSplitsTheSeries() {
+        QFETCH(std::function<void(PositioningMeasurement &)>, change);
+        QFETCH(QString, name);
+        const auto listedTest = [](const char *date, const auto &edit) {
+            Sample sample;
+            sample.date = date;
+            Document document = readDocument(fileOf(sample));
+            auto test = std::make_shared<Test>(*document.tests.front());
+            edit(std::get<PositioningMeasurement>(test->measurement));
+            document.tests.front() = test;
+            ListedTest listed;
+            listed.test =
+                registeredTests(evaluate(std::make_shared<const Document>(document)), "program").front();
+            listed.test.fingerprint = date;
+            return listed;
+        };
+        const MachineTrend trend = machineTrend(
+            {listedTest("2020-01-01", change), listedTest("2021-01-01", [](PositioningMeasurement &) {})},
+            "A");
+        QCOMPARE(trend.series.size(), name.isEmpty() ? std::size_t{1} : std::size_t{2});
+        const Language english(Language::Id::english);
+        QCOMPARE(seriesName(trend.series.back(), false, english).replace(QChar::Nbsp, ' '), name);
+        QCOMPARE(otherSeries(trend, english).isEmpty(), name.isEmpty());
+        QCOMPARE(trendFigure("A", trend, QDate(2026, 1, 1), english).note, otherSeries(trend, english));
+    }
+    /// Circles: the nominal radius, not its calibration; the signal, and one sense or both.
+    void whatSplitsTheSeriesOfCircles() {
+        const auto circle = [](double radius, const char *setUp) {
+            ListedTest test = made("2020-01-01", 9);
+            test.test.kind = Kind::circular;
+            test.test.travel = radius;
+            test.test.setUp = setUp;
+            return test;
+        };
+        const auto series = [&](const ListedTest &other) {
+            return machineTrend({other, circle(150, "runs 1 + 1")}, "A").series.size();
+        };
+        QCOMPARE(series(circle(150.05, "runs 1 + 1")), std::size_t{1});
+        QCOMPARE(series(circle(152, "runs 1 + 1")), std::size_t{2});
+        QCOMPARE(series(circle(150, "runs 1 + 0")), std::size_t{2});
+        QCOMPARE(series(circle(150, "feedback; runs 1 + 1")), std::size_t{2});
     }
     void ofTheSameReadingsTheNewestCounts() {
         ListedTest older = made("2020-01-01", 9);
@@ -275,28 +350,44 @@ private slots:
     }
     void dueDates() {
         QTemporaryDir dir;
-        const auto add = [&](const char *name, const char *date, const char *purpose) {
+        qputenv("XDG_DATA_HOME", dir.filePath("data").toUtf8());
+        const auto add = [&](const char *name, const char *date, const char *purpose, const char *axis) {
             Sample sample;
+            sample.axis = axis;
             sample.date = date;
             sample.purpose = purpose;
             writeFile(dir.filePath(name), fileOf(sample));
         };
-        add("a.palmer", "2025-08-31", "periodic");
-        add("b.palmer", "2025-12-01", "afterRepair");
+        add("a.palmer", "2025-08-31", "periodic", "X");
+        add("b.palmer", "2025-12-01", "afterRepair", "X");
+        add("c.palmer", "2025-05-01", "periodic", "Y");
+        add("d.palmer", "2025-06-01", "acceptance", "Y");
+        add("e.palmer", "2025-07-01", "compensation", "Z");
         Register reg(dir.filePath("register.sqlite"));
         (void)scan(reg, {dir.path()});
-        const auto all = machines(reg.database());
-        auto list = tests(reg.database(), {});
-        (void)markDue(reg.database(), all, list);
-        QVERIFY(!list[0].due && !list[1].due);
-        QCOMPARE(*list[1].certificateDue, std::string("2027-01-31"));
-        setInterval(reg.database(), all.front().id, 6);
+        const ListedMachine machine = machines(reg.database()).front();
+        const auto said = [&reg](const ListedMachine &one, std::optional<int> months) {
+            auto list = tests(reg.database(), {});
+            (void)markDue(reg.database(), one, list, months);
+            std::string result;
+            for (const ListedTest &test : list)
+                result += test.test.axis + ' ' + test.due.value_or("-") + ' ' +
+                          test.certificateDue.value_or("-") + "; ";
+            return result;
+        };
+        QCOMPARE(said(machine, {}), std::string("Y - -; Y - -; Z - -; X - -; X - 2027-01-31; "));
+        // Half a year later has no 31st; Z was never tested for that.
+        const std::string due = "Y - -; Y 2025-12-01 -; Z - -; X 2026-02-28 -; X - 2027-01-31; ";
+        QCOMPARE(said(machine, 6), due);
+        (void)chooseMachine(reg, machine, nullptr, 6, Language(Language::Id::english));
         const auto set = machines(reg.database());
-        (void)markDue(reg.database(), set, list);
-        QCOMPARE(*list[0].due, std::string("2026-02-28")); // half a year later has no 31st
-        const auto quick = palmer::dueDates(reg.database(), set);
-        QCOMPARE(quick.at(all.front().id).test, std::optional(QDate(2026, 2, 28)));
-        QCOMPARE(quick.at(all.front().id).certificate, std::optional(QDate(2027, 1, 31)));
+        QCOMPARE(said(set.front(), 12), due); // its own interval
+        const MachineDue quick = palmer::dueDates(reg.database(), set).at(machine.id);
+        QCOMPARE(quick.tests,
+                 (std::map<QString, QDate>{{"X", QDate(2026, 2, 28)}, {"Y", QDate(2025, 12, 1)}}));
+        QCOMPARE(quick.test(), std::optional(QDate(2025, 12, 1)));
+        QCOMPARE(quick.axesDue(QDate(2025, 12, 1)), QString("Y"));
+        QCOMPARE(quick.certificate, std::optional(QDate(2027, 1, 31)));
     }
     /// Under one edition all tests are one series, and what their files no longer hold is left out.
     void evaluatedAnewUnderOneEdition() {

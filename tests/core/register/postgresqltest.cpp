@@ -41,11 +41,57 @@ private slots:
     void init() {
         if (!m_server->problem().isEmpty())
             QSKIP(qPrintable("no PostgreSQL server to try with: " + m_server->problem()));
-        Register(m_server->address(), Register::Open::rebuild);
+        qputenv("XDG_DATA_HOME", m_dir.filePath("data").toUtf8());
+        Register(m_server->address(), Register::Open::rebuild).finish();
+    }
+
+    void noTwoMachinesBecomeOne() {
+        Register reg(m_server->address());
+        QCOMPARE(palmer::testdata::silentlyJoined(reg, m_dir.filePath("pairs"), 200, 50), QStringList());
+    }
+
+    /// While it is made anew others see the register before or the one after.
+    void aRebuildIsSeenWhole() {
+        const QTemporaryDir folder;
+        for (int i = 0; i < 24; ++i) {
+            Sample sample;
+            sample.machine = sample.serial = "M " + std::to_string(i % 5);
+            sample.level = 5 + 0.1 * i;
+            writeFile(folder.filePath(QString("%1.palmer").arg(i)), fileOf(sample));
+        }
+        {
+            Register reg(m_server->address());
+            (void)scan(reg, {folder.path()});
+        }
+        writeFile(folder.filePath("one more.palmer"), fileOf({}));
+        QCOMPARE(palmer::testdata::wrongReads(m_server->address(), folder.path(), 500), QStringList());
+    }
+
+    /// A role with USAGE and SELECT reads; it writes nothing.
+    void readersNeedReadAccessOnly() {
+        QByteArray all;
+        {
+            Register reg(m_server->address());
+            (void)scan(reg, {m_files.path()});
+            all = listed(reg.database());
+            for (const char *statement : {"drop role if exists reader", "create role reader login",
+                                          "grant usage on schema palmer_register to reader",
+                                          "grant select on all tables in schema palmer_register to reader"})
+                reg.database().execute(QString::fromLatin1(statement));
+        }
+        const QString address = QString(m_server->address()).replace("palmer@", "reader@");
+        {
+            Register reader(address, Register::Open::read);
+            QCOMPARE(listed(reader.database()), all);
+            QVERIFY(!machines(reader.database()).empty());
+        }
+        QVERIFY_EXCEPTION_THROWN((void)Register(address), Error);
+        Register(m_server->address()).database().execute("drop owned by reader");
     }
 
     void bothDatabasesGiveTheSameAnswers() {
         Register file(m_dir.filePath("register.sqlite"), Register::Open::rebuild);
+        file.finish();
         Register server(m_server->address());
         for (Register *reg : {&file, &server}) {
             const ScanResult result = scan(*reg, {m_files.path()});
@@ -129,7 +175,7 @@ private slots:
     void whatElseTheDatabaseHoldsStays() {
         Register reg(m_server->address());
         reg.database().execute("create table public.letters (id integer)");
-        Register(m_server->address(), Register::Open::rebuild);
+        Register(m_server->address(), Register::Open::rebuild).finish();
         Register again(m_server->address());
         QCOMPARE(again.database().first("select count(*) from public.letters").value_or(-1).toInt(), 0);
         again.database().execute("drop table public.letters");

@@ -5,6 +5,7 @@
 #include "document/readdocument.h"
 #include "document/writedocument.h"
 #include "register/listing.h"
+#include "register/machinechoices.h"
 #include "register/queries.h"
 #include "register/register.h"
 #include "register/scan.h"
@@ -12,9 +13,15 @@
 #include <QByteArray>
 #include <QDir>
 #include <QFile>
+#include <QRegularExpression>
 #include <QString>
+#include <array>
+#include <atomic>
 #include <cstdlib>
+#include <map>
+#include <random>
 #include <string>
+#include <thread>
 #include <vector>
 
 /// Test files of machines, made here, and what a register says of them.
@@ -24,6 +31,7 @@ namespace palmer::testdata {
 struct Sample {
     std::string machine = "Machine 017";
     std::string maker = "Maker A";
+    std::string model = "CU 1000";
     std::string serial = "000-017";
     std::string axis = "X";
     std::string date = "2024-04-16";
@@ -62,8 +70,9 @@ inline QByteArray fileOf(const Sample &sample) {
         sample.limit > 0 ? R"("A": {"value": )" + std::to_string(sample.limit / 1000) + "}" : "";
     const std::string text =
         R"({"format": "palmer test report", "version": 2, "machine": {"name": ")" + sample.machine +
-        R"(", "manufacturer": ")" + sample.maker + R"(", "model": "CU 1000", "serialNumber": ")" +
-        sample.serial + R"("}, "instruments": [{"id": "laser", "description": "laser", "serialNumber": ")" +
+        R"(", "manufacturer": ")" + sample.maker + R"(", "model": ")" + sample.model +
+        R"(", "serialNumber": ")" + sample.serial +
+        R"("}, "instruments": [{"id": "laser", "description": "laser", "serialNumber": ")" +
         sample.instrument + R"(", "certificate": "C-1", "calibrationDue": "2027-01-31"}],
         "tests": [{"kind": "positioning", "id": "t", "title": "test", "date": ")" +
         sample.date + R"(", "instruments": ["laser"], "edition": ")" + sample.edition + R"(", "purpose": ")" +
@@ -89,12 +98,151 @@ inline void writeFile(const QString &path, const QByteArray &bytes) {
         qFatal("cannot write %s", qPrintable(path));
 }
 
+/// Two tests of machines that differ in one field of their identity, however alike it looks.
+struct MachinePair {
+    Sample one;
+    Sample other;
+    QString field;
+};
+
+inline std::vector<MachinePair> differingMachines(int count, unsigned seed) {
+    std::mt19937 random(seed);
+    const QStringList letters{"A", "b", "1",      "2",      "12", "-",      ".",
+                              "/", " ", "\u00e9", "\u0394", "_",  "\uff11", "#"};
+    const auto text = [&] {
+        QString result;
+        for (int i = 0; i < 6; ++i)
+            result += letters.at(static_cast<qsizetype>(random() % static_cast<unsigned>(letters.size())));
+        return result;
+    };
+    /// The same letters and digits with other marks between them, or another text of the same letters.
+    const auto alike = [&](const QString &given) {
+        QString result = given;
+        while (asCompared(result) == asCompared(given)) {
+            const auto at = static_cast<qsizetype>(random() % static_cast<unsigned>(result.size() + 1));
+            switch (random() % 3) {
+            case 0:
+                result.insert(at, letters.at(5 + static_cast<qsizetype>(random() % 3)));
+                break;
+            case 1:
+                result = result.mid(at) + result.left(at);
+                break;
+            default:
+                result.remove(QRegularExpression("[-./_#]"));
+                result += QString(random() % 2, u'-') + (result.isEmpty() ? "x" : "");
+                result.insert(at % (result.size() + 1), " ");
+            }
+        }
+        return result.toStdString();
+    };
+    struct Field {
+        const char *name;
+        std::string Sample::*field;
+        bool isIdentified;
+    };
+    constexpr std::array fields{Field{"maker", &Sample::maker, true},
+                                Field{"serial number", &Sample::serial, true},
+                                Field{"name without serial number", &Sample::machine, false},
+                                Field{"maker without serial number", &Sample::maker, false},
+                                Field{"type without serial number", &Sample::model, false}};
+    std::vector<MachinePair> result;
+    for (int i = 0; i < count; ++i) {
+        const Field &field = fields.at(static_cast<std::size_t>(i) % fields.size());
+        MachinePair pair;
+        for (const auto member : {&Sample::machine, &Sample::maker, &Sample::model})
+            pair.one.*member = (text() + "m").toStdString();
+        pair.one.serial = field.isIdentified ? (text() + "7").toStdString() : i % 2 ? "" : " - ";
+        pair.one.level = 5 + 0.01 * i;
+        pair.other = pair.one;
+        pair.other.*field.field = alike(QString::fromStdString(pair.one.*field.field));
+        pair.field = QString("%1: \"%2\" and \"%3\"")
+                         .arg(field.name, QString::fromStdString(pair.one.*field.field),
+                              QString::fromStdString(pair.other.*field.field));
+        result.push_back(std::move(pair));
+    }
+    return result;
+}
+
+/// Scans such pairs; returns those that became one machine.
+inline QStringList silentlyJoined(Register &reg, const QString &folder, int count, unsigned seed) {
+    const std::vector<MachinePair> pairs = differingMachines(count, seed);
+    const auto place = [&](std::size_t pair, const char *which) {
+        return folder + QString("/%1 %2.palmer").arg(pair).arg(which);
+    };
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        writeFile(place(i, "a"), fileOf(pairs[i].one));
+        writeFile(place(i, "b"), fileOf(pairs[i].other));
+    }
+    (void)scan(reg, {folder});
+    std::map<QString, int> machineOf;
+    for (const ListedTest &test : tests(reg.database(), {})) {
+        for (const TestPlace &one : test.places)
+            machineOf[one.path] = test.machine;
+    }
+    QStringList joined;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        if (machineOf.at(place(i, "a")) == machineOf.at(place(i, "b")))
+            joined << pairs[i].field;
+    }
+    return joined;
+}
+
 /// Everything a register says of its tests, as `register list --json` prints it.
 inline QByteArray listed(Database &database, const TestFilter &filter = {}) {
     QByteArray result;
     for (const ListedTest &test : tests(database, filter))
         result += listedTestJson(test);
     return result;
+}
+
+/// Reads a register `count` times while it is made anew from the folder again and again; returns what was
+/// neither the register before nor the one after.
+inline QStringList wrongReads(const QString &address, const QString &folder, int count) {
+    const auto content = [&]() -> QByteArray {
+        Register reg(address, Register::Open::read);
+        QByteArray result;
+        for (const ListedMachine &machine : machines(reg.database())) {
+            TestFilter filter;
+            filter.machines = {machine.id};
+            result += machine.title().toUtf8() + '\n' + listed(reg.database(), filter);
+        }
+        return result;
+    };
+    const QByteArray before = content();
+    std::atomic<bool> ends = false;
+    QString trouble;
+    int rebuilds = 0;
+    std::thread writer([&] {
+        while (!ends) {
+            try {
+                Register reg(address, Register::Open::rebuild);
+                (void)scan(reg, {folder}, {.jobs = 1});
+                ++rebuilds;
+            } catch (const Error &error) {
+                trouble = Language(Language::Id::english).sentence(error.message);
+            }
+        }
+    });
+    QStringList wrong;
+    QByteArray after = before;
+    for (int i = 0; i < count || after == before; ++i) {
+        try {
+            const QByteArray now = content();
+            if (after == before)
+                after = now;
+            else if (now != after)
+                wrong << QString::fromUtf8(now.left(200));
+        } catch (const Error &error) {
+            wrong << Language(Language::Id::english).sentence(error.message);
+        }
+    }
+    ends = true;
+    writer.join();
+    if (!trouble.isEmpty())
+        wrong << trouble;
+    if (rebuilds < 2)
+        wrong << QString("made anew only %1 times").arg(rebuilds);
+    return wrong;
 }
 
 } // namespace palmer::testdata

@@ -7,6 +7,7 @@
 #include "report/words/accordancetext.h"
 #include "report/words/printednumbers.h"
 
+#include <QScopeGuard>
 #include <QSqlDatabase>
 #include <QSqlQuery>
 #include <QTemporaryDir>
@@ -92,7 +93,8 @@ private slots:
             Register reg(m_path);
             (void)scan(reg, {m_folder});
             for (const char *statement :
-                 {"alter table result drop column decimals", "alter table result drop column udecimals",
+                 {"update machine set months = 18", "alter table source drop column number",
+                  "alter table result drop column decimals", "alter table result drop column udecimals",
                   "update register set value = '1' where name = 'schema'",
                   "update source set program = 'Palmer before'", "update test set digest = 'before'"})
                 reg.database().execute(QString::fromLatin1(statement));
@@ -106,6 +108,7 @@ private slots:
         const auto again = tests(reg.database(), {});
         QCOMPARE(again.size(), std::size_t(1));
         QVERIFY(again.front().test.results.front().decimals);
+        QCOMPARE(machines(reg.database()).front().months, std::optional(18)); // what a user said stays
     }
 
     void inPartIsNoTick() {
@@ -174,6 +177,7 @@ private slots:
         m_folder = m_dir->filePath("files");
         QDir().mkpath(m_folder);
         m_path = m_dir->filePath("register.sqlite");
+        qputenv("XDG_DATA_HOME", m_dir->filePath("data").toUtf8());
     }
 
     void aTestIsKeptWhole();
@@ -194,7 +198,12 @@ private slots:
     void foreignFilesAreLeftAsTheyAre_data();
     void foreignFilesAreLeftAsTheyAre();
     void aNewerSchemaIsRefused();
-    void anIntervalSurvivesARebuild();
+    void noTwoMachinesBecomeOne();
+    void anIntervalAndAJoinSurviveARebuild();
+    void whatIsSaidOfMachines_data();
+    void whatIsSaidOfMachines();
+    void readersNeedReadAccessOnly();
+    void aRebuildIsSeenWhole();
     void anotherProgramHoldsTheLock();
     void stoppedItGoesOnLater();
     void simulationsComeAfterTheScan();
@@ -223,7 +232,7 @@ void RegisterScanTest::aTestIsKeptWhole() {
     // What comes out is what went in, to the last bit.
     const auto document = std::make_shared<const Document>(readDocument(fileOf(sample)));
     RegisteredTest expected =
-        registeredTests(evaluate(document), "Palmer " PALMER_VERSION ", entries 2").front();
+        registeredTests(evaluate(document), "Palmer " PALMER_VERSION ", entries 3").front();
     QVERIFY(expected.results.size() > 8);
     QVERIFY(expected.results.front().own > 0 && expected.results.front().shared != 0);
     QCOMPARE(list.front().test.results.size(), expected.results.size());
@@ -321,7 +330,10 @@ void RegisterScanTest::whatVanishedStaysUntilPruned() {
     QCOMPARE(scan(reg, {m_folder}).notFound, 0);
     QCOMPARE(tests(reg.database(), {}).front().places.front().state, QString("read"));
     QFile::remove(file("a.palmer"));
-    const ScanResult pruned = scan(reg, {m_folder}, {.prune = true});
+    const ScanResult refused = scan(reg, {m_folder}, {.prune = true});
+    QCOMPARE(refused.notPruned, QStringList{m_folder}); // as an empty place of a share
+    QCOMPARE(refused.tests, 1);
+    const ScanResult pruned = scan(reg, {m_folder}, {.prune = true, .force = true});
     QCOMPARE(pruned.pruned, 1);
     QCOMPARE(pruned.tests, 0);
     QCOMPARE(machines(reg.database()).size(), std::size_t{0});
@@ -437,7 +449,7 @@ void RegisterScanTest::namesAreData() {
     QCOMPARE(tests(reg.database(), {}).front().places.front().path, file(name));
     QCOMPARE(scan(reg, {m_folder}).tests, 1);
     QFile::remove(file(name));
-    QCOMPARE(scan(reg, {m_folder}, {.prune = true}).tests, 0);
+    QCOMPARE(scan(reg, {m_folder}, {.prune = true, .force = true}).tests, 0);
 }
 
 void RegisterScanTest::textsAreData() {
@@ -478,6 +490,8 @@ void RegisterScanTest::rebuiltItSaysTheSame() {
     {
         Register reg(m_path, Register::Open::rebuild);
         QCOMPARE(listed(reg.database()), QByteArray());
+        Register reader(m_path, Register::Open::read); // sees the old one until the new one is done
+        QCOMPARE(listed(reader.database()), first);
         (void)scan(reg, {m_folder}, {.jobs = 4});
         QCOMPARE(listed(reg.database()), first);
     }
@@ -520,7 +534,7 @@ void RegisterScanTest::randomFoldersAgreeWithTheirTruth() {
                 truth[name] = fileOf(sample);
             }
         }
-        const ScanResult result = scan(reg, {m_folder}, {.prune = true});
+        const ScanResult result = scan(reg, {m_folder}, {.prune = true, .force = true});
         std::set<QByteArray> different;
         for (const auto &[name, bytes] : truth)
             different.insert(bytes);
@@ -548,20 +562,33 @@ void RegisterScanTest::machinesAreToldApart() {
         writeFile(file(QString("%1.palmer").arg(name)), fileOf(sample));
     };
     add("a", "Maker A", "000-017", "2020-01-01");
-    add("b", "MAKER-A", "000 017.", "2021-01-01"); // the same, called anew
+    add("b", "MAKER  a", " 000-017", "2021-01-01"); // the same, called anew
     add("c", "Maker B", "000-017", "2021-01-01");
     add("d", "Maker A", "", "2021-01-01");
     add("e", "Maker A", " - ", "2021-01-01"); // no serial number either
+    add("f", "Maker A", "000 017", "2021-01-01");
     Register reg(m_path);
     (void)scan(reg, {m_folder});
     const auto all = machines(reg.database());
-    QCOMPARE(all.size(), std::size_t{3});
+    QCOMPARE(all.size(), std::size_t{5});
     QCOMPARE(all[0].title(), QString("Machine b")); // as in its newest test
     QCOMPARE(all[1].title(), QString("Machine c"));
-    QVERIFY(all[0].isIdentified && all[1].isIdentified && !all[2].isIdentified);
-    QCOMPARE(machinesCalled(all, "000017").size(), std::size_t{2});
-    QCOMPARE(machinesCalled(all, "machine B").size(), std::size_t{1});
-    QCOMPARE(machinesCalled(all, "maker").size(), std::size_t{3});
+    QCOMPARE(all[2].title(), QString("Machine f"));
+    for (std::size_t i = 0; i < all.size(); ++i)
+        QCOMPARE(all[i].isIdentified, i < 3);
+    const auto called = [&](const char *words) {
+        QStringList titles;
+        for (const ListedMachine &machine : machinesCalled(all, words))
+            titles << machine.title().right(1);
+        return titles.join("");
+    };
+    QCOMPARE(called("000017"), QString("bcf"));
+    QCOMPARE(called("000-017"), QString("bc"));
+    QCOMPARE(called("000 017"), QString("f"));
+    QCOMPARE(called("machine B"), QString("b"));
+    QCOMPARE(called("maker"), QString("bcfde"));
+    QCOMPARE(called("4"), QString("d")); // its number in the list
+    QCOMPARE(called("4."), QString("d"));
     // Without its newest test it is called as before.
     QFile::remove(file("b.palmer"));
     (void)scan(reg, {m_folder}, {.prune = true});
@@ -604,21 +631,164 @@ void RegisterScanTest::aNewerSchemaIsRefused() {
         reg.database().execute("create table comes_later (id integer)");
     }
     QVERIFY(refusal(m_path).contains("newer version"));
-    QCOMPARE(refusal(m_path, Register::Open::rebuild), QString());
-    Register reg(m_path);
+    QVERIFY(refusal(m_path, Register::Open::read).contains("newer version"));
+    Register reg(m_path, Register::Open::rebuild);
     QCOMPARE(scan(reg, {m_folder}).tests, 1);
+    QCOMPARE(refusal(m_path), QString());
 }
 
-void RegisterScanTest::anIntervalSurvivesARebuild() {
-    writeFile(file("a.palmer"), fileOf({}));
+/// Machines that differ in one field, however alike it looks.
+void RegisterScanTest::noTwoMachinesBecomeOne() {
+    Register reg(m_path);
+    QCOMPARE(testdata::silentlyJoined(reg, m_folder, 200, 49), QStringList());
+}
+
+/// What a user says of machines stands beside the files, so that a register made anew says it again.
+void RegisterScanTest::anIntervalAndAJoinSurviveARebuild() {
+    for (const char *name : {"a", "b", "c"}) {
+        Sample sample;
+        sample.machine = std::string("Lathe ") + name;
+        sample.serial = "";
+        writeFile(file(QString("%1/%1.palmer").arg(name)), fileOf(sample));
+    }
+    const Language english(Language::Id::english);
+    const auto titles = [](Register &reg) {
+        QStringList result;
+        for (const ListedMachine &machine : machines(reg.database()))
+            result << machine.title() + (machine.months ? QString::number(*machine.months) : QString());
+        return result;
+    };
     {
         Register reg(m_path);
         (void)scan(reg, {m_folder});
-        setInterval(reg.database(), machines(reg.database()).front().id, 6);
+        const auto all = machines(reg.database());
+        QCOMPARE(all.size(), std::size_t{3});
+        QCOMPARE(chooseMachine(reg, all[1], nullptr, 6, english), QStringList());
+        QCOMPARE(chooseMachine(reg, all[0], &all[1], {}, english),
+                 QStringList()); // its interval is that of both
+        QCOMPARE(titles(reg), (QStringList{"Lathe a6", "Lathe c"}));
+        QCOMPARE(testCounts(reg.database()).at(all[0].id), 2);
+        const auto two = machines(reg.database());
+        QCOMPARE(chooseMachine(reg, two[1], &two[0], 12, english), QStringList());
+        QCOMPARE(titles(reg), QStringList{"Lathe c12"}); // joined machines are joined together
     }
-    Register reg(m_path, Register::Open::rebuild);
+    QVERIFY(QFile::exists(file(machineFileName)));
+    for (const char *ending : {"", "-wal", "-shm"})
+        QFile::remove(m_path + ending);
+    Register reg(m_path);
     (void)scan(reg, {m_folder});
-    QCOMPARE(machines(reg.database()).front().months, std::optional(6));
+    QCOMPARE(titles(reg), QStringList{"Lathe c12"});
+    // One folder alone, of which nothing is said; then a folder above it, where something is.
+    Register part(m_dir->filePath("part.sqlite"));
+    (void)scan(part, {file("a")});
+    QCOMPARE(titles(part), QStringList{"Lathe a"});
+    (void)scan(part, {m_dir->path()});
+    QCOMPARE(titles(part), QStringList{"Lathe c12"});
+    // What is taken out by hand is parted again; what cannot be read changes nothing.
+    writeFile(file(machineFileName), "{");
+    const ScanResult broken = scan(reg, {m_folder});
+    QCOMPARE(broken.unreadable.size(), std::size_t{1});
+    QCOMPARE(titles(reg), QStringList{"Lathe c12"});
+    QFile::remove(file(machineFileName));
+    (void)scan(reg, {m_folder});
+    QCOMPARE(titles(reg), (QStringList{"Lathe a", "Lathe b", "Lathe c"}));
+}
+
+void RegisterScanTest::whatIsSaidOfMachines_data() {
+    QTest::addColumn<QByteArray>("json");
+    QTest::addColumn<QString>("said");
+    const QByteArray head = R"({"format": "palmer machines", "version": 1, "machines": )";
+    QTest::newRow("nothing") << QByteArray() << "";
+    QTest::newRow("none") << head + "[]}"
+                          << "";
+    QTest::newRow("keys that come later") << head + R"([{"name": "A", "colour": 1}]})"
+                                          << "";
+    QTest::newRow("another file") << QByteArray(R"({"format": "palmer test report", "version": 1})")
+                                  << "no list";
+    QTest::newRow("a list of texts") << head + R"(["A"]})"
+                                     << "no list";
+    QTest::newRow("an interval in words") << head + R"([{"name": "A", "interval": "six"}]})"
+                                          << "no list";
+    QTest::newRow("a number as a name") << head + R"([{"name": 1}]})"
+                                        << "no list";
+    QTest::newRow("later") << QByteArray(R"({"format": "palmer machines", "version": 2})") << "newer";
+}
+void RegisterScanTest::whatIsSaidOfMachines() {
+    QFETCH(QByteArray, json);
+    QFETCH(QString, said);
+    try {
+        MachineChoices().add(json);
+        QCOMPARE(said, QString());
+    } catch (const Error &error) {
+        QVERIFY2(!said.isEmpty() && sentenceOf(error).contains(said), qPrintable(sentenceOf(error)));
+    }
+    // Two files that join each machine to the other make one of them.
+    const MachineFields a{"A", "", "", ""};
+    const MachineFields b{"B", "", "", ""};
+    MachineChoices choices;
+    choices.add(withChoice({}, a, &b, {}));
+    choices.add(withChoice({}, b, &a, 6));
+    QCOMPARE(choices.machineOf(machineIdentity(a)), choices.machineOf(machineIdentity(b)));
+    QCOMPARE(choices.interval(choices.machineOf(machineIdentity(a))), std::optional(6));
+}
+
+/// Whoever may only read lists it, whoever else is writing, and leaves nothing behind.
+void RegisterScanTest::readersNeedReadAccessOnly() {
+    constexpr uid_t nobody = 65534;
+    if (::geteuid() != 0)
+        QSKIP("only the administrator can try as somebody else");
+    writeFile(file("a.palmer"), fileOf({}));
+    const QString folder = m_dir->filePath("read only é?#%20");
+    QDir().mkpath(folder);
+    const QString path = folder + "/register.sqlite";
+    QByteArray all;
+    {
+        Register reg(path);
+        (void)scan(reg, {m_folder});
+        all = listed(reg.database());
+    }
+    ::chmod(QFile::encodeName(m_dir->path()).constData(), 0755);
+    ::chmod(QFile::encodeName(path).constData(), 0444);
+    ::chmod(QFile::encodeName(folder).constData(), 0555);
+    const auto read = [&] {
+        const auto back = qScopeGuard([] { (void)::seteuid(0); });
+        if (::seteuid(nobody) != 0)
+            return QByteArray("not somebody else");
+        Register reg(path, Register::Open::read);
+        return listed(reg.database());
+    };
+    QCOMPARE(read(), all);
+    QCOMPARE(QDir(folder).entryList(QDir::Files), QStringList{"register.sqlite"});
+    Register writer(path); // whose log lies beside it
+    QCOMPARE(read(), all);
+    writeFile(file("b.palmer"), fileOf({.axis = "Y"}));
+    (void)scan(writer, {m_folder});
+    QCOMPARE(read(), listed(writer.database()));
+    const auto missing = m_dir->filePath("nowhere/register.sqlite");
+    QVERIFY(refusal(missing, Register::Open::read).contains("no register yet"));
+    QVERIFY(!QFile::exists(m_dir->filePath("nowhere")));
+}
+
+/// While it is made anew others see the old register or the new one, and a rebuild that ends early changes
+/// nothing.
+void RegisterScanTest::aRebuildIsSeenWhole() {
+    for (int i = 0; i < 24; ++i) {
+        Sample sample;
+        sample.machine = sample.serial = "M " + std::to_string(i % 5);
+        sample.level = 5 + 0.1 * i;
+        writeFile(file(QString("%1.palmer").arg(i)), fileOf(sample));
+    }
+    QByteArray first;
+    {
+        Register reg(m_path);
+        (void)scan(reg, {m_folder});
+        first = listed(reg.database());
+        writeFile(file("one more.palmer"), fileOf({}));
+    }
+    QCOMPARE(testdata::wrongReads(m_path, m_folder, 500), QStringList());
+    { Register given(m_path, Register::Open::rebuild); }
+    Register reg(m_path, Register::Open::read);
+    QCOMPARE(listed(reg.database()).count('\n'), first.count('\n') + 1);
 }
 
 void RegisterScanTest::anotherProgramHoldsTheLock() {

@@ -16,13 +16,13 @@
 #include "ui/register/testtable.h"
 #include "ui/register/trendchart.h"
 #include "ui/register/troubledfiles.h"
-#include "ui/register/unidentifiedrow.h"
 #include "ui/theme.h"
 #include "ui/window/shownwindow.h"
 
 #include <QAbstractItemModelTester>
 #include <QComboBox>
 #include <QGraphicsTextItem>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListView>
@@ -277,25 +277,53 @@ private slots:
         QCOMPARE(help->currentPage(), QString("register"));
     }
 
-    void machinesWithoutSerialNumberStandApart() {
+    void machinesWithoutSerialNumberSaySo() {
         Sample sample;
         sample.machine = "Unknown";
         sample.serial = "";
         writeFile(folder() + "/unknown.palmer", fileOf(sample));
         scan();
         auto *machines = find<QListView>("machines");
-        auto *row = find<UnidentifiedRow>("unidentified");
-        QCOMPARE(machines->model()->rowCount(), 2);
-        QVERIFY(row->isVisible());
-        QCOMPARE(row->height(), 44);
-        QVERIFY(row->accessibleName().contains("1 test without serial number"));
-        row->click();
+        QCOMPARE(machines->model()->rowCount(), 3);
+        const QModelIndex last = machines->model()->index(2, 0);
+        QVERIFY(last.data(Qt::AccessibleTextRole).toString().contains("not identified"));
+        machines->setCurrentIndex(last);
         settle();
-        QCOMPARE(machines->model()->rowCount(), 1);
         QVERIFY(find<QLabel>("machineFacts")->text().contains("not identified"));
-        find<QToolButton>("allMachines")->click();
-        QCOMPARE(machines->model()->rowCount(), 2);
-        QVERIFY(!row->isChecked());
+        QCOMPARE(find<QLabel>("machineName")->text(), QString("Unknown"));
+    }
+
+    /// Two machines are shown with what identifies them, and become one.
+    void machinesAreJoined() {
+        scan();
+        auto *join = m_window->findChild<QAction *>("joinMachines");
+        QVERIFY(join->isEnabled());
+        join->trigger();
+        auto *dialog = m_window->findChild<QInputDialog *>();
+        QVERIFY(dialog && dialog->isVisible());
+        QVERIFY(dialog->labelText().startsWith("1. Machine 1 · Maker A · CU 1000\n"));
+        QCOMPARE(dialog->comboBoxItems(), QStringList{"2. Machine 2 · Maker A · CU 1000"});
+        dialog->accept();
+        settle();
+        QCOMPARE(find<QListView>("machines")->model()->rowCount(), 1);
+        QCOMPARE(find<QLabel>("total")->text(), QString("1 machine · 9 tests"));
+        QVERIFY(!join->isEnabled());
+        QVERIFY(QFile::exists(folder() + "/palmer-machines.json"));
+    }
+
+    /// A drive that is not connected: one is asked before its tests go.
+    void mostOfAFolderIsRemovedOnlyWhenAsked() {
+        scan();
+        for (int i = 0; i < 5; ++i)
+            QVERIFY(QFile::remove(folder() + QString("/%1.palmer").arg(m_files - i)));
+        m_service->rescan(RegisterService::Prune::yes);
+        settle();
+        QCOMPARE(m_service->result().tests, 9);
+        auto *all = m_window->findChild<QPushButton *>("removeAllTheSame");
+        QVERIFY(all && all->isVisible());
+        all->click();
+        settle();
+        QCOMPARE(m_service->result().tests, 4);
     }
 
     void theStatusBarCounts() {
@@ -896,7 +924,8 @@ private slots:
         // An index made anew knows it again.
         {
             Register reg(m_service->address(), Register::Open::rebuild);
-            reg.database().execute("update machine set months = null");
+            reg.database().execute("delete from register where name like 'machines in %'");
+            reg.finish();
         }
         m_service->rescan();
         settle();
