@@ -30,8 +30,6 @@ constexpr int waitForServer = 10;  ///< s
            {}, Error::Kind::content);
 }
 
-constexpr int cannotOpen = 14; ///< SQLite's code
-
 [[noreturn]] void refuseUnopened() {
     refuse(REPORT_TEXT("report", "the register cannot be opened; check the permissions of its folder"), {},
            Error::Kind::unwritable);
@@ -95,7 +93,10 @@ void openFile(QSqlDatabase &database, const QString &path, Database::Use use) {
     database.setConnectOptions(options);
     bool isRegister = false;
     int trouble = opened(database, isRegister);
-    if (trouble == cannotOpen && toRead && !QFileInfo::exists(path + QStringLiteral("-wal"))) {
+    constexpr int notWritable = 8; // SQLite's codes
+    constexpr int notOpened = 14;
+    const bool needsLocks = trouble == notWritable || trouble == notOpened;
+    if (toRead && needsLocks && QFileInfo(path + QStringLiteral("-wal")).size() == 0) {
         // In a folder that cannot be written SQLite has no place for its locks; nobody is writing.
         database.close();
         database.setDatabaseName(QUrl::fromLocalFile(info.absoluteFilePath()).toString(QUrl::FullyEncoded) +

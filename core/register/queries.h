@@ -31,9 +31,9 @@ struct ListedMachine : MachineFields {
 /// Location of a test.
 struct TestPlace {
     QString path;
-    int test = 1;   ///< from 1
-    QString state;  ///< "read", "notFound", …
-    QString number; ///< of the report
+    int test = 1;        ///< from 1
+    QString state;       ///< "read", "notFound", …
+    QString number = {}; ///< of the report
 };
 
 struct ListedTest {

@@ -229,10 +229,10 @@ private slots:
         row("compensation", "Active compensation: pitch, reversal",
             [](PositioningMeasurement &m) { m.conditions.common.compensation = " pitch; reversal"; });
         row("tool offset", "Tool offset: X 10 Z 120 mm", [](PositioningMeasurement &m) {
-            m.conditions.common.toolOffset = {10.0, {}, 120.0};
+            m.conditions.common.toolOffset = {10.0, std::nullopt, 120.0};
         });
         row("workpiece offset", "Workpiece offset: Y 5 mm", [](PositioningMeasurement &m) {
-            m.conditions.common.workpieceOffset = {{}, 5.0, {}};
+            m.conditions.common.workpieceOffset = {std::nullopt, 5.0, std::nullopt};
         });
         row("number of runs", "runs in either direction: 2 + 1",
             [](PositioningMeasurement &m) { m.runs.pop_back(); });

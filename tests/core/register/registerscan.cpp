@@ -13,6 +13,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <random>
+#include <set>
 #include <sys/stat.h>
 #include <unistd.h>
 
