@@ -178,9 +178,10 @@ void BatchCommandTest::theTableHasARowPerParameter() {
     const CliResult table = runCli({"evaluate", at("in"), "--table", "csv", "--language", "fr"});
     QCOMPARE(table.code, 0);
     const QList<QByteArray> rows = lines(table.out);
-    QCOMPARE(rows[0],
-             QByteArray(
-                 "file,test,machine,axis,date,edition,role,parameter,value,U,limit,unit,limits,accordance"));
+    QCOMPARE(
+        rows[0],
+        QByteArray("file,test,machine,manufacturer,model,serialNumber,reportNumber,axis,date,edition,purpose,"
+                   "role,zone,parameter,value,U,limit,unit,limits,accordance"));
     qsizetype next = 1;
     for (const char *file : {"in/a.palmer", "in/b.palmer", "in/below/c.palmer"}) {
         const QJsonObject results = object(runCli({"evaluate", at(file), "--json"}).out);
@@ -188,22 +189,27 @@ void BatchCommandTest::theTableHasARowPerParameter() {
         for (const QJsonValue &value : test["parameters"].toArray()) {
             const QJsonObject parameter = value.toObject();
             const QList<QByteArray> cells = rows.at(next++).split(',');
-            QCOMPARE(cells.size(), 14);
+            QCOMPARE(cells.size(), 20);
             QCOMPARE(QString::fromUtf8(cells[0]), at(file));
             QCOMPARE(cells[1], QByteArray("1"));
             QCOMPARE(QString::fromUtf8(cells[2]), results["machine"].toObject()["name"].toString());
-            QCOMPARE(QString::fromUtf8(cells[3]), test["axis"].toString() + test["plane"].toString());
-            QCOMPARE(QString::fromUtf8(cells[4]), test["date"].toString());
-            QCOMPARE(QString::fromUtf8(cells[5]), test["edition"].toString());
-            QCOMPARE(QString::fromUtf8(cells[7]), parameter["id"].toString());
-            QCOMPARE(cells[8].toDouble(), parameter["value"].toDouble()); // all digits: equal
-            QCOMPARE(cells[9].isEmpty(), parameter["expandedUncertainty"].isNull());
-            QCOMPARE(cells[9].toDouble(), parameter["expandedUncertainty"].toDouble());
-            QCOMPARE(cells[10].isEmpty(), parameter["limit"].isNull());
-            QCOMPARE(cells[10].toDouble(), parameter["limit"].toDouble());
-            QCOMPARE(QString::fromUtf8(cells[11]), parameter["unit"].toString());
-            QCOMPARE(cells[12] == "noneAgreed", parameter["verdict"].isNull());
-            QCOMPARE(QString::fromUtf8(cells[13]), test["accordance"].toString());
+            const QJsonObject machine = results["machine"].toObject();
+            QCOMPARE(QString::fromUtf8(cells[3]), machine["manufacturer"].toString());
+            QCOMPARE(QString::fromUtf8(cells[4]), machine["model"].toString());
+            QCOMPARE(QString::fromUtf8(cells[5]), machine["serialNumber"].toString());
+            QCOMPARE(QString::fromUtf8(cells[6]), results["reportNumber"].toString());
+            QCOMPARE(QString::fromUtf8(cells[7]), test["axis"].toString() + test["plane"].toString());
+            QCOMPARE(QString::fromUtf8(cells[8]), test["date"].toString());
+            QCOMPARE(QString::fromUtf8(cells[9]), test["edition"].toString());
+            QCOMPARE(QString::fromUtf8(cells[13]), parameter["id"].toString());
+            QCOMPARE(cells[14].toDouble(), parameter["value"].toDouble()); // all digits: equal
+            QCOMPARE(cells[15].isEmpty(), parameter["expandedUncertainty"].isNull());
+            QCOMPARE(cells[15].toDouble(), parameter["expandedUncertainty"].toDouble());
+            QCOMPARE(cells[16].isEmpty(), parameter["limit"].isNull());
+            QCOMPARE(cells[16].toDouble(), parameter["limit"].toDouble());
+            QCOMPARE(QString::fromUtf8(cells[17]), parameter["unit"].toString());
+            QCOMPARE(cells[18] == "noneAgreed", parameter["verdict"].isNull());
+            QCOMPARE(QString::fromUtf8(cells[19]), test["accordance"].toString());
         }
     }
     QCOMPARE(next, rows.size());
