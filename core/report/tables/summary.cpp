@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numeric>
 
 namespace palmer {
 
@@ -26,22 +27,24 @@ struct SummaryColumn {
     const char *word = nullptr;
     Text title;
     bool atRight = false;
+    bool canBeMissed = false; ///< on a narrow terminal
 };
 
 /// Columns before the results.
-constexpr std::array headColumns{SummaryColumn{"file", REPORT_TEXT("report", "File")},
-                                 SummaryColumn{"test", REPORT_TEXT("report", "Test"), true},
-                                 SummaryColumn{"machine", REPORT_TEXT("report", "Machine")},
-                                 SummaryColumn{"manufacturer", REPORT_TEXT("report", "Manufacturer")},
-                                 SummaryColumn{"model", REPORT_TEXT("report", "Type")},
-                                 SummaryColumn{"serialNumber", REPORT_TEXT("report", "Serial number")},
-                                 SummaryColumn{"reportNumber", REPORT_TEXT("report", "Report No.")},
-                                 SummaryColumn{"axis", REPORT_TEXT("report", "Axis")},
-                                 SummaryColumn{"date", REPORT_TEXT("report", "Date")},
-                                 SummaryColumn{"edition", REPORT_TEXT("report", "Edition")},
-                                 SummaryColumn{"purpose", REPORT_TEXT("report", "Purpose")},
-                                 SummaryColumn{"role", REPORT_TEXT("report", "Role")},
-                                 SummaryColumn{"zone", REPORT_TEXT("report", "Working zone")}};
+constexpr std::array headColumns{
+    SummaryColumn{"file", REPORT_TEXT("report", "File")},
+    SummaryColumn{"test", REPORT_TEXT("report", "Test"), true},
+    SummaryColumn{"machine", REPORT_TEXT("report", "Machine")},
+    SummaryColumn{"manufacturer", REPORT_TEXT("report", "Manufacturer"), false, true},
+    SummaryColumn{"model", REPORT_TEXT("report", "Type"), false, true},
+    SummaryColumn{"serialNumber", REPORT_TEXT("report", "Serial number"), false, true},
+    SummaryColumn{"reportNumber", REPORT_TEXT("report", "Report No."), false, true},
+    SummaryColumn{"axis", REPORT_TEXT("report", "Axis")},
+    SummaryColumn{"date", REPORT_TEXT("report", "Date")},
+    SummaryColumn{"edition", REPORT_TEXT("report", "Edition")},
+    SummaryColumn{"purpose", REPORT_TEXT("report", "Purpose"), false, true},
+    SummaryColumn{"role", REPORT_TEXT("report", "Role")},
+    SummaryColumn{"zone", REPORT_TEXT("report", "Working zone"), false, true}};
 /// Columns of results, by their headings.
 constexpr std::array resultHeadings{"parameter", "value", "U", "limit", "unit", "limits"};
 
@@ -191,15 +194,13 @@ int longestWord(const QString &cell) {
     return longest;
 }
 
+int widthOfRow(const std::vector<int> &widths) {
+    return std::accumulate(widths.begin(), widths.end(), gap * (static_cast<int>(widths.size()) - 1));
+}
+
 /// Reduces the widest columns, down to `least`, until a row fits.
 void narrow(std::vector<int> &widths, const std::vector<int> &least, int width) {
-    const auto total = [&] {
-        int sum = gap * (static_cast<int>(widths.size()) - 1);
-        for (const int column : widths)
-            sum += column;
-        return sum;
-    };
-    while (total() > width) {
+    while (widthOfRow(widths) > width) {
         int *widest = nullptr;
         for (std::size_t c = 0; c < widths.size(); ++c) {
             if (widths[c] > least[c] && (!widest || widths[c] > *widest))
@@ -217,27 +218,38 @@ QString summaryText(const QStringList &head, const std::vector<QStringList> &row
     std::vector<SummaryColumn> columns = allColumns();
     std::vector<QStringList> lines{head};
     lines.insert(lines.end(), rows.begin(), rows.end());
-    for (qsizetype c = head.size(); !rows.empty() && c-- > 0;) {
-        if (std::any_of(lines.begin() + 1, lines.end(),
-                        [c](const QStringList &row) { return !row[c].isEmpty(); }))
-            continue;
-        columns.erase(columns.begin() + c);
+    const auto leaveOut = [&](std::size_t c) {
+        columns.erase(columns.begin() + static_cast<std::ptrdiff_t>(c));
         for (QStringList &line : lines)
-            line.removeAt(c);
-    }
-    std::vector<int> widths(columns.size());
-    std::vector<int> least(columns.size());
-    const auto widen = [&](const QStringList &row) {
-        for (std::size_t c = 0; c < widths.size(); ++c) {
-            const QString &cell = row[static_cast<qsizetype>(c)];
-            widths[c] = std::max(widths[c], displayWidth(cell));
-            least[c] = std::max(least[c], columns.at(c).atRight ? displayWidth(cell) : longestWord(cell));
-        }
+            line.removeAt(static_cast<qsizetype>(c));
     };
-    std::ranges::for_each(lines, widen);
-    least.front() = std::min(least.front(), narrowestPath);
+    const auto widest = [&](std::size_t c, bool unbroken) {
+        int result = 0;
+        for (const QStringList &line : lines) {
+            const QString &cell = line[static_cast<qsizetype>(c)];
+            result =
+                std::max(result, unbroken || columns[c].atRight ? displayWidth(cell) : longestWord(cell));
+        }
+        return c == 0 && !unbroken ? std::min(result, narrowestPath) : result;
+    };
+    const auto widthsOf = [&](bool unbroken) {
+        std::vector<int> widths;
+        for (std::size_t c = 0; c < columns.size(); ++c)
+            widths.push_back(widest(c, unbroken));
+        return widths;
+    };
+    for (std::size_t c = columns.size(); !rows.empty() && c-- > 0;) {
+        if (std::all_of(lines.begin() + 1, lines.end(),
+                        [c](const QStringList &row) { return row[static_cast<qsizetype>(c)].isEmpty(); }))
+            leaveOut(c);
+    }
+    for (std::size_t c = columns.size(); width && c-- > 0;) {
+        if (columns[c].canBeMissed && widthOfRow(widthsOf(false)) > *width)
+            leaveOut(c);
+    }
+    std::vector<int> widths = widthsOf(true);
     if (width)
-        narrow(widths, least, *width);
+        narrow(widths, widthsOf(false), *width);
     QString text;
     const auto print = [&](const QStringList &row) {
         std::vector<QStringList> cells;

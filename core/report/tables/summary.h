@@ -55,7 +55,7 @@ struct SummaryTest {
 [[nodiscard]] QByteArray summaryCsv(const std::vector<QStringList> &rows, char decimalMark = '.');
 
 /// Head and rows in aligned columns, without empty ones; if a row would be wider than `width`, texts are
-/// wrapped, but never numbers.
+/// wrapped, but never numbers, and what tells machines and reports apart is left out.
 [[nodiscard]] QString summaryText(const QStringList &head, const std::vector<QStringList> &rows,
                                   std::optional<int> width = {});
 
