@@ -9204,7 +9204,7 @@
     </message>
     <message>
         <source>At least four tests since the last intervention make a line, weighted with what their uncertainties share. “Not before” is the day its upper bound of 95 % reaches the limit: for the level, not for the next test. Tests of another edition, feed, correction, travel, zone, radius, compensation, offset or number of runs are another series and never joined; the legend says what differs.</source>
-        <translation>Il faut au moins quatre essais depuis la dernière intervention pour une droite, pondérée selon ce que leurs incertitudes ont en commun. «&#xa0;Pas avant&#xa0;» est le jour où sa borne haute à 95 % atteint la limite&#xa0;: pour le niveau, non pour le prochain essai. Les essais d’une autre édition, d’une autre avance, d’une autre correction, course ou zone, d’un autre rayon, d’une autre compensation, d’un autre décalage ou d’un autre nombre de passes forment une autre série, jamais reliée&#x202f;; la légende dit ce qui diffère.</translation>
+        <translation>Il faut au moins quatre essais depuis la dernière intervention pour une droite, pondérée selon ce que leurs incertitudes ont en commun. «&#xa0;Pas avant&#xa0;» est le jour où sa borne haute à 95&#xa0;% atteint la limite&#xa0;: pour le niveau, non pour le prochain essai. Les essais d’une autre édition, d’une autre avance, d’une autre correction, course ou zone, d’un autre rayon, d’une autre compensation, d’un autre décalage ou d’un autre nombre de passes forment une autre série, jamais reliée&#x202f;; la légende dit ce qui diffère.</translation>
     </message>
     <message>
         <source>list: of CSV for spreadsheets, with a byte-order mark</source>

@@ -114,7 +114,7 @@ const QSet<QString> neverOne{
     "polygon of %1 faces",
     "fewer than %1 tests since the last intervention",
     "%1 in %2 years", // with a decimal
-    "%1 machines are called “%2”: %3; say more of it, as its serial number",
+    "%1 machines may be meant by “%2”: %3; say the number before its name",
     "the number of a history has at most %1 characters",
 };
 
