@@ -173,7 +173,7 @@ QString evidenceOf(const ListedMachine &machine, const Language &language) {
     return QString::number(machine.number) + QStringLiteral(". ") + parts.join(QStringLiteral(" · "));
 }
 
-ShownResult shownResult(const RegisteredResult &result, bool angular, const Language &language) {
+ShownValue shownResult(const RegisteredResult &result, bool angular, const Language &language) {
     const Quantity quantity = angular ? Quantity::angularDeviation : Quantity::deviation;
     if (!result.value)
         return {QStringLiteral("–"), {}};

@@ -26,7 +26,7 @@ namespace palmer {
                                  const Language &language);
 
 /// A result and its U with the decimals of the report; a dash if there is none.
-struct ShownResult {
+struct ShownValue {
     QString value;
     QString uncertainty; ///< empty: none
 
@@ -35,7 +35,7 @@ struct ShownResult {
         return uncertainty.isEmpty() ? value : value + QStringLiteral("\u00A0±\u00A0") + uncertainty;
     }
 };
-[[nodiscard]] ShownResult shownResult(const RegisteredResult &result, bool angular, const Language &language);
+[[nodiscard]] ShownValue shownResult(const RegisteredResult &result, bool angular, const Language &language);
 
 /// Returns the symbol of a result without typography: "G(b)XY", "A↑".
 [[nodiscard]] QString plainSymbolOf(const std::string &resultId);

@@ -348,7 +348,7 @@ Report composeTrend(const ListedMachine &machine, const std::string &axis, const
                          {language.text(REPORT_TEXT("report", "Limit")), unit, Alignment::decimal},
                          {language.text(REPORT_TEXT("report", "File")), {}, Alignment::left, true}};
         for (const TrendEntry &entry : series.entries) {
-            const ShownResult shown = shownResult(entry.result, trend.angular, language);
+            const ShownValue shown = shownResult(entry.result, trend.angular, language);
             const Text purpose = purposeText(entry.purpose);
             const Text role = roleText(entry.role);
             table.rows.push_back(

@@ -42,7 +42,7 @@ QVariant resultData(const RegisteredTest &test, const std::string &id, int role)
         return result && result->value ? QVariant(*result->value) : QVariant();
     if (!result)
         return {};
-    const ShownResult shown = shownResult(*result, test.angular, windowLanguage());
+    const ShownValue shown = shownResult(*result, test.angular, windowLanguage());
     return role == Qt::DisplayRole                   ? QVariant(shown.value)
            : role == TestTableModel::uncertaintyRole ? QVariant(shown.uncertainty)
                                                      : QVariant();

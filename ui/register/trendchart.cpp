@@ -151,7 +151,7 @@ std::optional<std::size_t> TrendChart::nearest(const QPointF &position) const {
 
 QString TrendChart::label(std::size_t value) const {
     const TrendEntry &entry = *m_entries[value];
-    const ShownResult shown = shownResult(entry.result, m_trend.angular, windowLanguage());
+    const ShownValue shown = shownResult(entry.result, m_trend.angular, windowLanguage());
     return windowLanguage().shortDate(entry.date) + QStringLiteral(" · ") + m_panel.symbol + u' ' +
            shown.text() + u' ' + m_panel.y.unit;
 }

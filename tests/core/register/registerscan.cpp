@@ -74,7 +74,7 @@ private slots:
                 if (!parameter.value || listed.test.awaitsSimulation)
                     continue;
                 const PrintedNumbers printed = printedNumbers(parameter, test, *document, language);
-                const ShownResult shown = shownResult(*found, listed.test.angular, language);
+                const ShownValue shown = shownResult(*found, listed.test.angular, language);
                 QCOMPARE(shown.value, printed.value);
                 QCOMPARE(shown.uncertainty, printed.uncertainty);
                 RegisteredResult unaware = *found;
