@@ -234,8 +234,9 @@ private slots:
         row("workpiece offset", "Workpiece offset: Y 5 mm", [](PositioningMeasurement &m) {
             m.conditions.common.workpieceOffset = {std::nullopt, 5.0, std::nullopt};
         });
-        row("number of runs", "runs in either direction: 2 + 1",
-            [](PositioningMeasurement &m) { m.runs.pop_back(); });
+        row("number of runs", "runs in either direction: 3 + 3", [](PositioningMeasurement &m) {
+            m.runs.insert(m.runs.end(), {m.runs[0], m.runs[1]});
+        });
         row("rapid feed", "no feed stated, rapid feed",
             [](PositioningMeasurement &m) { m.conditions.feedMode = FeedMode::rapid; });
     }

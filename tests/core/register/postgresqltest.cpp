@@ -64,7 +64,7 @@ private slots:
             (void)scan(reg, {folder.path()});
         }
         writeFile(folder.filePath("one more.palmer"), fileOf({}));
-        QCOMPARE(palmer::testdata::wrongReads(m_server->address(), folder.path(), 500), QStringList());
+        QCOMPARE(palmer::testdata::wrongReads(m_server->address(), folder.path()), QStringList());
     }
 
     /// A role with USAGE and SELECT reads; it writes nothing.

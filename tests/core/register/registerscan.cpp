@@ -786,7 +786,7 @@ void RegisterScanTest::aRebuildIsSeenWhole() {
         first = listed(reg.database());
         writeFile(file("one more.palmer"), fileOf({}));
     }
-    QCOMPARE(testdata::wrongReads(m_path, m_folder, 500), QStringList());
+    QCOMPARE(testdata::wrongReads(m_path, m_folder), QStringList());
     { Register given(m_path, Register::Open::rebuild); }
     Register reg(m_path, Register::Open::read);
     QCOMPARE(listed(reg.database()).count('\n'), first.count('\n') + 1);
