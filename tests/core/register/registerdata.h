@@ -195,9 +195,10 @@ inline QByteArray listed(Database &database, const TestFilter &filter = {}) {
     return result;
 }
 
-/// Reads a register `count` times while it is made anew from the folder again and again; returns what was
-/// neither the register before nor the one after.
-inline QStringList wrongReads(const QString &address, const QString &folder, int count) {
+/// Reads a register many times (READS of the environment, otherwise 100) while it is made anew from the
+/// folder again and again; returns what was neither the register before nor the one after.
+inline QStringList wrongReads(const QString &address, const QString &folder) {
+    const int count = qEnvironmentVariableIsSet("READS") ? qEnvironmentVariableIntValue("READS") : 100;
     const auto content = [&]() -> QByteArray {
         Register reg(address, Register::Open::read);
         QByteArray result;
