@@ -1890,8 +1890,8 @@
         <translation>Dossiers du registre</translation>
     </message>
     <message>
-        <source>Palmer reads the test files and reports in these folders and below them, and never writes into them.</source>
-        <translation>Palmer lit les fichiers d’essai et les rapports de ces dossiers et de leurs sous-dossiers, et n’y écrit jamais.</translation>
+        <source>Palmer reads the test files and reports in these folders and below them, and never changes them. What you say of machines it keeps beside them, in palmer-machines.json.</source>
+        <translation>Palmer lit les fichiers d’essai et les rapports de ces dossiers et de leurs sous-dossiers, et ne les modifie jamais. Ce que vous indiquez des machines est conservé à côté, dans palmer-machines.json.</translation>
     </message>
 </context>
 <context>

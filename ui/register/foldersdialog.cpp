@@ -18,7 +18,8 @@ FoldersDialog::FoldersDialog(const QStringList &folders, QWidget *parent)
     setObjectName(QStringLiteral("registerFolders"));
     auto *explanation =
         new QLabel(tr("Palmer reads the test files and reports in these folders and below them, and "
-                      "never writes into them."));
+                      "never changes them. What you say of machines it keeps beside them, in "
+                      "palmer-machines.json."));
     explanation->setWordWrap(true);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel);
     inColumn(this, styleMargins, styleSpacing, {explanation, m_list, buttons});
