@@ -78,7 +78,7 @@ QString dueText(const ListedTest &listed, const Language &language) {
     if (listed.certificateDue)
         parts << language.sentence({REPORT_TEXT("report", "certificate: %1"),
                                     {language.shortDate(*listed.certificateDue).toStdString()}});
-    return parts.join(QStringLiteral("; "));
+    return parts.join(language.semicolon());
 }
 
 } // namespace
@@ -228,7 +228,7 @@ Report composeList(const QString &title, const std::vector<ListedTest> &tests, c
         std::vector<Cell> row;
         for (const int column : {8, 7, 9, 10, 11, 6, 12}) // those that the title does not say
             row.emplace_back(cells[column]);
-        row.emplace_back(results.join(QStringLiteral("; ")));
+        row.emplace_back(results.join(language.semicolon()));
         row.emplace_back(language.text(limitsText(test.verdict, hasLimit(test))));
         row.emplace_back(traitsOf(test.kind).isJudged
                              ? summaryAccordance(test.accordance, SummaryForm::text, language)
