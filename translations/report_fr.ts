@@ -5165,10 +5165,6 @@
         <translation>Diagnostic (interprétation)</translation>
     </message>
     <message>
-        <source>Not a result of ISO 230-4, and no part of the verdict: the path taken apart into known faults of machines. u is the standard uncertainty of the fit alone. The part of G(b) is what the source would make alone; parts do not add up.</source>
-        <translation>Ni un résultat de l’ISO&#xa0;230-4, ni un élément du verdict&#xa0;: le tracé est décomposé en défauts connus des machines. u est l’incertitude type de l’ajustement seul. La part de G(b) est ce que la source donnerait seule&#x202f;; les parts ne s’additionnent pas.</translation>
-    </message>
-    <message>
         <source>Parameters told apart</source>
         <translation>Paramètres séparés</translation>
     </message>
@@ -5187,10 +5183,6 @@
     <message>
         <source>Meaning</source>
         <translation>Signification</translation>
-    </message>
-    <message>
-        <source>Known of these sources is their sum: %1 = %2 %4, u = %3 %4.</source>
-        <translation>De ces sources seule la somme est connue&#xa0;: %1 = %2&#xa0;%4, u = %3&#xa0;%4.</translation>
     </message>
     <message>
         <source>circular: the plane, first and second axis</source>
@@ -7637,10 +7629,6 @@
         <translation>chacun autour de son propre centre ajusté</translation>
     </message>
     <message>
-        <source>± 2 u</source>
-        <translation>± 2 u</translation>
-    </message>
-    <message>
         <source>source 1</source>
         <translation>source 1</translation>
     </message>
@@ -7756,10 +7744,6 @@
     <message>
         <source>not a result of ISO 230-4</source>
         <translation>pas un résultat de l’ISO 230-4</translation>
-    </message>
-    <message>
-        <source>This diagnosis is no result of the test and no part of the verdict. It takes the measured path apart into known faults of machines; u is the standard uncertainty of the fit alone, without that of the instrument.</source>
-        <translation>Ce diagnostic n’est pas un résultat d’essai et n’entre pas dans le verdict. Il décompose le tracé mesuré en défauts connus des machines&#x202f;; u est l’incertitude type de l’ajustement seul, sans celle de l’instrument.</translation>
     </message>
     <message>
         <source>The evaluated points are too few for a diagnosis.</source>
@@ -8219,10 +8203,6 @@
     <message>
         <source>Each circle is drawn about its own fitted centre. What grows with the square of the feed is a lag; what stays is radius, scale or squareness.</source>
         <translation>Chaque cercle est tracé autour de son propre centre ajusté. Ce qui croît avec le carré de l’avance est un retard&#x202f;; ce qui demeure est rayon, échelle ou perpendicularité.</translation>
-    </message>
-    <message>
-        <source>each circle by itself, ± 2 u</source>
-        <translation>chaque cercle seul, ±&#xa0;2&#xa0;u</translation>
     </message>
     <message>
         <source>Diagnosis of plane %1 at several feeds (interpretation)</source>
@@ -9229,6 +9209,102 @@
     <message>
         <source>more than half of its tests are not found, as on a drive that is not connected; nothing was taken out, --force does it</source>
         <translation>plus de la moitié de ses essais sont introuvables, comme sur un lecteur non connecté&#x202f;; rien n’a été retiré, --force le fait</translation>
+    </message>
+    <message>
+        <source>Not seen: too small to be told from the rest.</source>
+        <translation>Non décelé&#xa0;: trop petit pour être distingué du reste.</translation>
+    </message>
+    <message>
+        <source>Not certain: its 99.9 % interval contains zero.</source>
+        <translation>Non certain&#xa0;: son intervalle à 99,9&#xa0;% contient zéro.</translation>
+    </message>
+    <message>
+        <source>a wave of %1 periods per turn</source>
+        <translation>une onde de %1 périodes par tour</translation>
+    </message>
+    <message>
+        <source>The reversals, each fitted alone, contradict each other.</source>
+        <translation>Les inversions, ajustées une à une, se contredisent.</translation>
+    </message>
+    <message>
+        <source>an outlier at %1</source>
+        <translation>une valeur aberrante à %1</translation>
+    </message>
+    <message>
+        <source>Radii that differ between the senses explain it as well.</source>
+        <translation>Des rayons différents selon le sens l’expliquent aussi bien.</translation>
+    </message>
+    <message>
+        <source>The noise model does not fit: intervals are not valid, and values are indications. Seen in the rest: %1.</source>
+        <translation>Le modèle de bruit ne convient pas&#xa0;: les intervalles ne sont pas valables et les valeurs ne sont qu’indicatives. Vu dans le reste&#xa0;: %1.</translation>
+    </message>
+    <message>
+        <source>The reversal steps lie %1 ± %2 off the axes: check the start angle. Spikes and periodic deviations are not shown until this is settled.</source>
+        <translation>Les sauts d’inversion sont décalés de %1 ± %2 par rapport aux axes&#xa0;: vérifier l’angle de départ. Les pics d’inversion et les écarts périodiques ne sont pas affichés tant que ce point n’est pas réglé.</translation>
+    </message>
+    <message>
+        <source>noise of another kind than white with a short memory</source>
+        <translation>un bruit qui n’est ni blanc ni à mémoire courte</translation>
+    </message>
+    <message>
+        <source>Not a result of ISO 230-4, and no part of the verdict: the path taken apart into known faults of machines. ± is the 95 % interval of the fit alone. The part of G(b) is what the source would make alone; parts do not add up.</source>
+        <translation>Ni un résultat de l’ISO&#xa0;230-4, ni un élément du verdict&#xa0;: le tracé est décomposé en défauts connus des machines. ± est l’intervalle à 95&#xa0;% de l’ajustement seul. La part de G(b) est ce que la source donnerait seule&#x202f;; les parts ne s’additionnent pas.</translation>
+    </message>
+    <message>
+        <source>a step of the radius between the senses</source>
+        <translation>un saut du rayon entre les sens</translation>
+    </message>
+    <message>
+        <source>A periodic deviation of %1 with a pitch of %2 explains it as well.</source>
+        <translation>Un écart périodique de %1 au pas de %2 l’explique aussi bien.</translation>
+    </message>
+    <message>
+        <source>This diagnosis is no result of the test and no part of the verdict. It takes the measured path apart into known faults of machines; ± is the 95 % interval of the fit alone, without the uncertainty of the instrument.</source>
+        <translation>Ce diagnostic n’est pas un résultat d’essai et n’entre pas dans le verdict. Il décompose le tracé mesuré en défauts connus des machines&#x202f;; ± est l’intervalle à 95&#xa0;% de l’ajustement seul, sans l’incertitude de l’instrument.</translation>
+    </message>
+    <message>
+        <source>Only one reversal is in the data.</source>
+        <translation>Les données ne contiennent qu’une seule inversion.</translation>
+    </message>
+    <message>
+        <source>Known of these sources is their sum: %1 = %2 ± %3 %4.</source>
+        <translation>De ces sources, seule la somme est connue&#xa0;: %1 = %2 ± %3 %4.</translation>
+    </message>
+    <message>
+        <source>noise that grows towards slow waves (1/f)</source>
+        <translation>un bruit qui croît vers les ondes lentes (1/f)</translation>
+    </message>
+    <message>
+        <source>a slow wave or drift</source>
+        <translation>une onde lente ou une dérive</translation>
+    </message>
+    <message>
+        <source>The reversal steps lie %1 ± %2 off the axes: the measuring system is turned against them. Spikes and periodic deviations are not shown until this is settled.</source>
+        <translation>Les sauts d’inversion sont décalés de %1 ± %2 par rapport aux axes&#xa0;: le système de mesure est tourné par rapport à ceux-ci. Les pics d’inversion et les écarts périodiques ne sont pas affichés tant que ce point n’est pas réglé.</translation>
+    </message>
+    <message>
+        <source>noise that differs between angles or senses</source>
+        <translation>un bruit inégal selon l’angle ou le sens</translation>
+    </message>
+    <message>
+        <source>each circle by itself, with its 95 % interval</source>
+        <translation>chaque cercle seul, avec son intervalle à 95&#xa0;%</translation>
+    </message>
+    <message>
+        <source>An indication, without an interval:</source>
+        <translation>Indication, sans intervalle&#xa0;:</translation>
+    </message>
+    <message>
+        <source>Even and odd sectors of 15° contradict each other.</source>
+        <translation>Les secteurs de 15° pairs et impairs se contredisent.</translation>
+    </message>
+    <message>
+        <source>A few readings make it: robust weights give another value.</source>
+        <translation>Quelques relevés en sont la cause&#xa0;: des poids robustes donnent une autre valeur.</translation>
+    </message>
+    <message>
+        <source>95 % interval</source>
+        <translation>intervalle à 95&#xa0;%</translation>
     </message>
 </context>
 </TS>

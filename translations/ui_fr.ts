@@ -57,6 +57,10 @@
 <context>
     <name>edits</name>
     <message>
+        <source>correct the start angle</source>
+        <translation>correction de l’angle de départ</translation>
+    </message>
+    <message>
         <source>set the edition of the test</source>
         <translation>définition de l’édition de l’essai</translation>
     </message>
@@ -1386,6 +1390,10 @@
 <context>
     <name>palmer::ui::DiagnosisPage</name>
     <message>
+        <source>Correct the start angle by %1</source>
+        <translation>Corriger l’angle de départ de %1</translation>
+    </message>
+    <message>
         <source>The circle is being diagnosed…</source>
         <translation>Diagnostic du cercle en cours…</translation>
     </message>
@@ -1467,7 +1475,7 @@
     </message>
     <message>
         <source>%1: %2 ± %3 %4</source>
-        <comment>source, value, u, unit</comment>
+        <comment>source, value, half its 95 % interval, unit</comment>
         <translation>%1&#xa0;: %2 ± %3 %4</translation>
     </message>
     <message>

@@ -35,6 +35,15 @@ void editTest(Document &document, std::size_t test, const std::function<void(Tes
     document.tests[test] = std::move(changed);
 }
 
+void turnAngles(CircularMeasurement &circle, double by) {
+    for (Arc &arc : circle.arcs) {
+        for (double &angle : arc.angles)
+            angle += by;
+        if (arc.evaluated)
+            arc.evaluated = Interval{arc.evaluated->from + by, arc.evaluated->to + by};
+    }
+}
+
 std::string freeInstrumentId(const Document &document) {
     const std::string stem = "instrument";
     std::string id = stem;

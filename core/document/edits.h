@@ -25,6 +25,9 @@ void editMeasurement(Document &document, std::size_t test, const std::function<v
         editTest(document, test, [&](Test &changed) { change(std::get<Measurement>(changed.measurement)); });
 }
 
+/// Adds to the angles of all arcs, degrees, and to their evaluated ranges.
+void turnAngles(CircularMeasurement &circle, double by);
+
 /// Returns an id not used by any instrument: "instrument", "instrument2", …
 [[nodiscard]] std::string freeInstrumentId(const Document &document);
 

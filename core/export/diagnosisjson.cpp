@@ -24,6 +24,20 @@ Json number(std::optional<double> value) {
     return value && std::isfinite(*value) ? Json(*value) : Json(nullptr);
 }
 
+Json sentencesJson(const std::vector<Message> &messages, const Language &language) {
+    Json result = Json::array();
+    for (const Message &message : messages)
+        result.push_back(language.sentence(message).toStdString());
+    return result;
+}
+
+/// `shown` converts a value to the unit shown.
+template <class Shown>
+Json intervalJson(const std::optional<Interval> &interval, const Shown &shown) {
+    return interval ? Json{{"from", number(shown(interval->from))}, {"to", number(shown(interval->to))}}
+                    : Json(nullptr);
+}
+
 Json sourceJson(const Diagnosis &diagnosis, const SourceEstimate &source, const Language &language) {
     Json with = Json::array();
     for (const std::size_t other : source.with)
@@ -32,12 +46,15 @@ Json sourceJson(const Diagnosis &diagnosis, const SourceEstimate &source, const 
                 {"axis", source.axis == PlaneAxis::none ? Json(nullptr) : Json(source.axisName)},
                 {"value", number(source.value ? std::optional(shownParameter(source.id, *source.value))
                                               : std::nullopt)},
-                {"u", source.u ? number(shownUncertainty(source)) : Json(nullptr)},
+                {"u", source.interval() ? number(shownUncertainty(source)) : Json(nullptr)},
+                {"interval",
+                 intervalJson(source.interval(), [&](double end) { return shownParameter(source.id, end); })},
                 {"unit", influence(source.id).unit},
                 {"contribution", number(source.contribution)},
                 {"separable", source.separable},
-                {"with", std::move(with)}};
-    if (source.separable)
+                {"with", std::move(with)},
+                {"reasons", sentencesJson(source.reasons, language)}};
+    if (source.interval())
         result["degreesOfFreedom"] = number(source.degreesOfFreedom);
     if (source.pitch)
         result["pitch"] = *source.pitch;
@@ -64,7 +81,8 @@ Json sumJson(const Diagnosis &diagnosis, const SourceSum &sum) {
     return {{"id", "sum"},
             {"of", std::move(of)},
             {"value", number(sum.value)},
-            {"u", number(sum.u)},
+            {"u", sum.indication ? Json(nullptr) : number(sum.u)},
+            {"interval", intervalJson(sum.interval(), [](double end) { return end; })},
             {"unit", influence(diagnosis.sources[sum.of.front().source].id).unit},
             {"contribution", number(sum.contribution)}};
 }
@@ -77,18 +95,23 @@ Json toJson(const Diagnosis &diagnosis, const Language &language) {
         sources.push_back(sourceJson(diagnosis, source, language));
     for (const SourceSum &sum : diagnosis.sums)
         sources.push_back(sumJson(diagnosis, sum));
-    Json remarks = Json::array();
-    for (const Message &remark : diagnosis.remarks)
-        remarks.push_back(language.sentence(remark).toStdString());
+    const Rotation &rotation = diagnosis.rotation;
     return {{"rank", diagnosis.rank},
             {"of", diagnosis.of},
             {"condition", number(diagnosis.condition)},
             {"residual", number(diagnosis.residual)},
             {"points", diagnosis.points},
             {"readingsPerIndependent", number(diagnosis.readingsPerIndependent)},
+            {"modelFits", diagnosis.modelFits},
+            {"reasons", sentencesJson(diagnosis.reasons, language)},
+            {"rotation", rotation.angle ? Json{{"angle", number(rotation.angle)},
+                                               {"u", number(rotation.u)},
+                                               {"bound", number(rotation.bound)},
+                                               {"stated", rotation.isStated()}}
+                                        : Json(nullptr)},
             {"lagAngle", number(diagnosis.lagAngle)},
             {"sources", std::move(sources)},
-            {"remarks", std::move(remarks)}};
+            {"remarks", sentencesJson(diagnosis.remarks, language)}};
 }
 
 Json noiseJson(const SynthesizedNoise &noise) {

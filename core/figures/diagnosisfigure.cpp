@@ -312,16 +312,16 @@ LineFigure overFeedFigure(std::span<const DiagnosedTest> tests, InfluenceId sour
         if (!estimate->value || !estimate->u)
             continue;
         const double shown = shownParameter(id, *estimate->value) * scale;
-        const double twice = 2 * shownUncertainty(*estimate) * scale;
+        const double half = shownExpanded(*estimate).value_or(0) * scale;
         value.points.emplace_back(feed, shown);
-        lower.points.emplace_back(feed, shown - twice);
-        upper.points.emplace_back(feed, shown + twice);
-        for (const double edge : {shown - twice, shown + twice})
+        lower.points.emplace_back(feed, shown - half);
+        upper.points.emplace_back(feed, shown + half);
+        for (const double edge : {shown - half, shown + half})
             values.include(edge);
     }
     if (!value.points.empty()) {
         value.name = figure.title;
-        upper.name = language.text(REPORT_TEXT("report", "± 2 u"));
+        upper.name = language.text(REPORT_TEXT("report", "95 % interval"));
         figure.lines = {value, upper, lower};
     }
     figure.x.quantity = language.text(REPORT_TEXT_FOR("report", "Feed", "contouring"));

@@ -49,8 +49,9 @@ struct DiagnosisFigureOptions {
                                        const CircleFigureOptions &options);
 
 /// A source over the feed (mm/min), as the circle at each feed shows it, in the unit of the source: its
-/// values, and value ± 2 u as separate lines. Feeds that do not determine it are left out. A lag, which only
-/// several feeds determine, is shown by what it looks like in each of them: radius or scale mismatch.
+/// values, and the ends of their 95 % intervals as separate lines. Feeds that do not determine it are left
+/// out. A lag, which only several feeds determine, is shown by what it looks like in each of them: radius or
+/// scale mismatch.
 [[nodiscard]] LineFigure overFeedFigure(std::span<const DiagnosedTest> tests, InfluenceId source,
                                         PlaneAxis axis, const Language &language);
 

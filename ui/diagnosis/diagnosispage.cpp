@@ -35,7 +35,7 @@ constexpr int tickWidth = 26;
 constexpr int leastBar = 90;
 constexpr int chartHeight = 150;
 
-enum TableColumn { ticks, source, value, u, unit, bar, part, columns };
+enum TableColumn { ticks, source, value, expanded, unit, bar, part, columns };
 
 /// A checkbox in the middle of a cell.
 QCheckBox *tickBox(QTableWidget &table, int row) {
@@ -67,13 +67,15 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
     m_table = new RowTable("diagnosisTable", TableColumn::columns, m_content);
     m_table->setFocusPolicy(Qt::StrongFocus);
     m_table->installEventFilter(this);
+    m_warnings = made<QLabel>("diagnosisWarnings", trait::plainText, trait::wrapped, m_content);
+    m_correct = made<QToolButton>("correctStartAngle", trait::strongFocus, m_content);
     m_title = made<QLabel>("sourceTitle", trait::plainText, trait::wrapped, m_content);
     m_text = made<QLabel>("sourceText", trait::plainText, trait::wrapped, m_content);
     m_remarks = made<QLabel>("diagnosisRemarks", trait::plainText, trait::wrapped, m_content);
     for (QLabel *label : {m_title, m_text, m_remarks})
         label->setProperty("secondary", label != m_title);
     inColumn(m_content, {pageMargin, 0, pageMargin, 8}, 4,
-             {m_table, Placed::gap(6), m_title, m_text, m_remarks, {makeBelow(), 1}});
+             {m_warnings, m_correct, m_table, Placed::gap(6), m_title, m_text, m_remarks, {makeBelow(), 1}});
     m_area->setWidget(m_content);
     m_empty->setAlignment(Qt::AlignCenter);
     inColumn(this, noMargins, 0, {head, bar, {m_area, 1}, {m_empty, 1}});
@@ -85,6 +87,8 @@ DiagnosisPage::DiagnosisPage(QWidget *parent)
         if (isVisible())
             emit pathsWanted(paths);
     });
+    connect(m_correct, &QToolButton::clicked, this,
+            [this] { emit startAngleCorrected(diagnosis()->rotation.removed()); });
     connect(m_table, &QTableWidget::currentCellChanged, this, [this](int row) { showRow(row); });
     retranslate();
 }
@@ -257,7 +261,8 @@ void DiagnosisPage::fillTable() {
         const QString dash = QStringLiteral("–");
         m_table->setCell(at, source, row.name, false);
         m_table->setCell(at, value, row.value.isEmpty() ? dash : row.value, true);
-        m_table->setCell(at, TableColumn::u, row.u.isEmpty() ? dash : row.u, true)->setForeground(grey);
+        m_table->setCell(at, expanded, row.expanded.isEmpty() ? dash : row.expanded, true)
+            ->setForeground(grey);
         m_table->setCell(at, unit, row.unit, false)->setForeground(grey);
         auto *picture = m_table->setCell(at, TableColumn::bar, QString(), false);
         if (row.contribution) {
@@ -276,7 +281,7 @@ void DiagnosisPage::fillTable() {
     m_table->setHead(ticks, QString(), false);
     m_table->setHead(source, tr("Source"), false);
     m_table->setHead(value, tr("value"), true);
-    m_table->setHead(TableColumn::u, QStringLiteral("± u"), true);
+    m_table->setHead(expanded, QStringLiteral("± 95\u00A0%"), true);
     m_table->setHead(unit, QString(), false);
     m_table->setHead(TableColumn::bar, tr("part of G(b), %1").arg(m_language.unit(Quantity::deviation)),
                      false);
@@ -302,10 +307,10 @@ void DiagnosisPage::showRow(int at) {
     const DiagnosisRow &row = m_rows[static_cast<std::size_t>(at)];
     m_current = idOf(row.sources.front());
     m_title->setFont(themeFont(TextSize::head));
-    m_title->setText(
-        row.value.isEmpty()
-            ? row.name
-            : tr("%1: %2 ± %3 %4", "source, value, u, unit").arg(row.name, row.value, row.u, row.unit));
+    m_title->setText(row.expanded.isEmpty()
+                         ? row.name
+                         : tr("%1: %2 ± %3 %4", "source, value, half its 95 % interval, unit")
+                               .arg(row.name, row.value, row.expanded, row.unit));
     m_text->setText(row.advice.isEmpty() ? row.meaning : row.meaning + u' ' + row.advice);
     if (isOfFeeds())
         fillChart();
@@ -316,8 +321,9 @@ QStringList DiagnosisPage::statedTexts() const {
     QStringList texts;
     const DiagnosedTest &test = *m_diagnoser.shown()->test;
     for (const StatedSource &row : statedSources(*test.test, test.diagnosis, m_language)) {
-        const QString here = row.here.isEmpty() ? QStringLiteral("–")
-                                                : QStringLiteral("%1 ± %2 %3").arg(row.here, row.u, row.unit);
+        const QString here = row.expanded.isEmpty()
+                                 ? QStringLiteral("–")
+                                 : QStringLiteral("%1 ± %2 %3").arg(row.here, row.expanded, row.unit);
         texts << tr("The instrument’s program states %1 = %2 %3; here: %4. Positive here: %5")
                      .arg(row.name, row.stated, row.statedUnit, here, row.positive);
     }
@@ -329,6 +335,13 @@ QStringList DiagnosisPage::statedTexts() const {
 
 void DiagnosisPage::fillBelow() {
     const ShownDiagnosis &shown = *m_diagnoser.shown();
+    const QStringList warnings = diagnosisWarnings(*diagnosis(), m_language);
+    m_warnings->setText(warnings.join(u'\n'));
+    m_warnings->setVisible(!warnings.isEmpty());
+    const Rotation &rotation = diagnosis()->rotation;
+    m_correct->setVisible(!isOfFeeds() && rotation.commanded && rotation.isStated());
+    m_correct->setText(tr("Correct the start angle by %1")
+                           .arg(m_language.quantity(-rotation.removed(), Quantity::angle, 2)));
     QStringList remarks;
     for (const Message &remark : diagnosis()->remarks)
         remarks << m_language.sentence(remark);

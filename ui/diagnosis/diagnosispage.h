@@ -41,6 +41,8 @@ public:
 signals:
     /// Paths to draw over the measured one; none while the page is out of view.
     void pathsWanted(const palmer::ui::SyntheticPaths &paths);
+    /// The commanded angles of the test in view are too large by that, degrees.
+    void startAngleCorrected(double by);
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -88,6 +90,8 @@ private:
     QScrollArea *m_area = nullptr;
     QWidget *m_content = nullptr;
     RowTable *m_table = nullptr;
+    QLabel *m_warnings = nullptr; ///< what has to be known before any source
+    QToolButton *m_correct = nullptr;
     QLabel *m_title = nullptr;
     QLabel *m_text = nullptr;
     QToolButton *m_rest = nullptr;

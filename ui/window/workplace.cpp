@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/workplace.h"
 
+#include "document/edits.h"
 #include "editing/editreadings.h"
 #include "editing/measuringcycle.h"
 #include "kernel/measurement/readingsaside.h"
@@ -329,6 +330,12 @@ void Workplace::connectParts() {
         m_figure->setSynthetic(paths);
         if (m_detachedFigure)
             m_detachedFigure->setSynthetic(paths);
+    });
+    connect(m_diagnosis, &DiagnosisPage::startAngleCorrected, this, [this](double by) {
+        m_model.edit(QT_TRANSLATE_NOOP("edits", "correct the start angle"), [&](Document &document) {
+            editMeasurement<CircularMeasurement>(
+                document, m_selection.test(), [&](CircularMeasurement &circle) { turnAngles(circle, -by); });
+        });
     });
     connect(m_right, &RightSide::turned, this, &Workplace::presentTurn);
     connect(m_figure, &FigureView::said, this, &Workplace::hintChanged);

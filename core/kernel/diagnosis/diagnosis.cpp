@@ -2,10 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/diagnosis/diagnosis.h"
 
+#include "kernel/diagnosis/agreement.h"
 #include "kernel/diagnosis/influencefit.h"
+#include "kernel/diagnosis/residualtest.h"
 #include "kernel/diagnosis/sourcewords.h"
+#include "kernel/diagnosis/stepoffsets.h"
 #include "kernel/diagnosis/traces.h"
 #include "kernel/evaluation/iso230_4/circles.h"
+#include "kernel/numerics/angles.h"
 #include "kernel/numerics/minimumzone.h"
 #include "kernel/numerics/studentt.h"
 
@@ -68,95 +72,6 @@ std::vector<FitTerm> basicTerms(std::size_t circles, bool severalFeeds, const Di
     return terms;
 }
 
-bool makesStep(InfluenceId id) {
-    return id == InfluenceId::backlash || id == InfluenceId::lateralPlay;
-}
-
-/// A reading near a reversal, and its residual from the smooth columns.
-struct NearReversal {
-    PathPosition position;
-    double rest = 0;
-};
-
-bool hasSteps(const InfluenceFit &fit) {
-    constexpr double least = 1e-4; // mm
-    for (std::size_t j = 0; j < fit.terms.size(); ++j) {
-        const double height = std::abs(fit.factor(j));
-        if (makesStep(fit.terms[j].id) && height > 5 * fit.u(j) && height > least && fit.isSeparable(j))
-            return true;
-    }
-    return false;
-}
-
-constexpr double lagReach = 3.5; ///< degrees from a reversal
-
-std::vector<NearReversal> nearReversals(std::span<const DiagnosedCircle> circles, const PathRows &rows,
-                                        const InfluenceFit &fit) {
-    const double reach = std::sin(lagReach * std::numbers::pi / 180);
-    std::vector<NearReversal> near;
-    for (Eigen::Index i = 0; i < rows.size(); ++i) {
-        const PathPosition &p = rows.positions()[std::size_t(i)];
-        const std::size_t circle = rows.circleOf(i);
-        if (!rows.counts(i) || std::min(std::abs(p.sine), std::abs(p.cosine)) > reach ||
-            !circles[circle].arcs.front().commanded)
-            continue;
-        double rest = rows.deviations()[i];
-        for (std::size_t j = 0; j < fit.terms.size(); ++j) {
-            const FitTerm &term = fit.terms[j];
-            if (!makesStep(term.id) && (term.id != InfluenceId::centre || term.circle == circle))
-                rest -= fit.factor(j) * columnValue(term, p);
-        }
-        near.push_back({p, rest});
-    }
-    return near;
-}
-
-/// Returns the sum of squares with the steps delayed by `degrees`.
-double sumOfSquares(const std::vector<NearReversal> &near, const InfluenceFit &fit, double degrees) {
-    double sum = 0;
-    for (const NearReversal &point : near) {
-        const double angle = degrees * std::numbers::pi / 180 * point.position.sense;
-        PathPosition p = point.position;
-        p.cosine = point.position.cosine * std::cos(angle) + point.position.sine * std::sin(angle);
-        p.sine = point.position.sine * std::cos(angle) - point.position.cosine * std::sin(angle);
-        double rest = point.rest;
-        for (std::size_t j = 0; j < fit.terms.size(); ++j) {
-            if (makesStep(fit.terms[j].id))
-                rest -= fit.factor(j) * columnValue(fit.terms[j], p);
-        }
-        sum += rest * rest;
-    }
-    return sum;
-}
-
-/// Returns the lag of the steps of commanded angles behind the reversals, degrees. The columns are fitted far
-/// from the reversals; the lag is the one at which the fitted steps match the readings near them best.
-double lagOfSteps(std::span<const DiagnosedCircle> circles, const PathRows &rows, const InfluenceFit &fit) {
-    if (!hasSteps(fit))
-        return 0;
-    constexpr double finest = 0.02;
-    constexpr int least = -10;
-    constexpr int most = 160; // −0.2° … 3.2°
-    const std::vector<NearReversal> near = nearReversals(circles, rows, fit);
-    const double without = sumOfSquares(near, fit, 0);
-    // All lags between two readings are equivalent: take the middle of the best, or none.
-    double best = without;
-    std::vector<double> alike{0};
-    for (int k = least; k <= most; ++k) {
-        const double degrees = k * finest;
-        const double sum = sumOfSquares(near, fit, degrees);
-        if (sum < best * (1 - 1e-3)) {
-            best = sum;
-            alike.clear();
-        }
-        if (sum <= best * (1 + 1e-3))
-            alike.push_back(degrees);
-    }
-    // Spikes, not fitted at this stage, look slightly like a lag; steps in the wrong place look far worse.
-    const bool none = (alike.front() <= 0 && alike.back() >= 0) || best > without / 2;
-    return none ? 0 : (alike.front() + alike.back()) / 2;
-}
-
 std::string planeName(const DiagnosedCircle &circle) {
     return circle.first + "–" + circle.second;
 }
@@ -195,13 +110,20 @@ double restOf(const DiagnosedCircle &circle, const Diagnosis &diagnosis) {
 class Assembly {
 public:
     Assembly(std::span<const DiagnosedCircle> circles, const PathRows &rows, const InfluenceFit &fit,
-             std::vector<Point> centres)
+             std::vector<Point> centres, const Agreement &agreement)
         : m_circles(circles)
         , m_rows(rows)
         , m_fit(fit)
-        , m_centres(std::move(centres)) {}
+        , m_centres(std::move(centres))
+        , m_agreement(agreement) {}
 
     Diagnosis diagnosis(const std::vector<FoundInfluence> &found) {
+        m_diagnosis.first = m_circles.front().first;
+        m_diagnosis.second = m_circles.front().second;
+        m_diagnosis.reasons = misfits(m_rows, m_fit);
+        if (m_agreement.stepBetweenSenses)
+            m_diagnosis.reasons.push_back({REPORT_TEXT("report", "a step of the radius between the senses")});
+        m_diagnosis.modelFits = m_diagnosis.reasons.empty();
         m_diagnosis.rank = m_fit.fit.rank;
         m_diagnosis.of = static_cast<int>(m_fit.terms.size());
         m_diagnosis.condition = m_fit.fit.condition;
@@ -261,8 +183,12 @@ private:
             if (one.id == term.id && one.axis == term.axis) {
                 source.proposed = true;
                 source.significance = one.significance;
+                addAlternatives(source, one);
             }
         }
+        const std::vector<Message> &objections = m_agreement.objections[j];
+        source.reasons.insert(source.reasons.end(), objections.begin(), objections.end());
+        source.indication = !m_diagnosis.modelFits || !source.reasons.empty();
         if (source.separable) {
             const bool needsFeed = term.id == InfluenceId::servoMismatch;
             if (!needsFeed || m_circles.front().feed) {
@@ -271,10 +197,23 @@ private:
             }
             source.degreesOfFreedom = m_fit.degreesOfFreedom(weights);
             source.contribution = contribution({j});
+            if (source.u && *source.contribution > 0)
+                source.u = std::max(*source.u, byResolution() * std::abs(value) / *source.contribution);
         }
         m_terms.push_back(j);
         m_diagnosis.sources.push_back(std::move(source));
     }
+
+    void addAlternatives(SourceEstimate &source, const FoundInfluence &found) const {
+        for (const FitTerm &other : found.alternatives)
+            source.reasons.push_back(
+                {REPORT_TEXT("report", "A periodic deviation of %1 with a pitch of %2 explains it as well."),
+                 {other.axis == PlaneAxis::first ? m_circles.front().first : m_circles.front().second,
+                  Number{other.shape, Quantity::position, 1}}});
+    }
+
+    /// Returns what the resolution leaves open of a height that four reversals, or quarters, show, mm.
+    [[nodiscard]] double byResolution() const { return m_circles.front().resolution / std::sqrt(12.0 * 4); }
 
     /// Returns the contribution to G(b) of the circle where it is largest; G excludes centre and radius.
     [[nodiscard]] double contribution(const std::vector<std::size_t> &terms) const {
@@ -403,6 +342,8 @@ private:
             value += weights[Eigen::Index(j)] * m_fit.factor(j);
         sum.value = value * shownUnit(leading);
         sum.u = m_fit.u(weights) * shownUnit(leading);
+        sum.degreesOfFreedom = m_fit.degreesOfFreedom(weights);
+        sum.indication = !m_diagnosis.modelFits;
         sum.contribution = contribution(terms);
         m_diagnosis.sums.push_back(std::move(sum));
     }
@@ -434,18 +375,43 @@ private:
     const PathRows &m_rows;
     const InfluenceFit &m_fit;
     std::vector<Point> m_centres;
+    const Agreement &m_agreement;
     std::vector<std::size_t> m_terms; ///< per source
     Diagnosis m_diagnosis;
 };
 
 } // namespace
 
-std::optional<Interval> SourceEstimate::interval() const {
-    if (!value || !u)
-        return std::nullopt;
+namespace {
+
+double coverageFactor(double degreesOfFreedom, double probability) {
     constexpr double most = 1e6;
-    const double k = studentQuantile975(static_cast<int>(std::min(degreesOfFreedom, most)));
+    return studentQuantile(probability, static_cast<int>(std::min(degreesOfFreedom, most)));
+}
+
+} // namespace
+
+std::optional<Interval> SourceEstimate::interval() const {
+    if (!value || !u || indication)
+        return std::nullopt;
+    const double k = coverageFactor(degreesOfFreedom, 0.975);
     return Interval{*value - k * *u, *value + k * *u};
+}
+
+bool SourceEstimate::isSeen() const {
+    return interval() && std::abs(*value) > coverageFactor(degreesOfFreedom, 0.9995) * *u;
+}
+
+std::optional<Interval> SourceSum::interval() const {
+    if (indication)
+        return std::nullopt;
+    const double k = coverageFactor(degreesOfFreedom, 0.975);
+    return Interval{value - k * u, value + k * u};
+}
+
+bool Rotation::isStated() const {
+    constexpr double least = 0.05; // degrees
+    return angle && std::abs(*angle) > std::max(least, bound);
 }
 
 double shownUncertainty(const SourceEstimate &source) {
@@ -457,11 +423,44 @@ double shownUncertainty(const SourceEstimate &source) {
     return u / (2 * std::max(root, std::sqrt(u) / 2)) * unit;
 }
 
+std::optional<double> shownExpanded(const SourceEstimate &source) {
+    if (!source.interval())
+        return std::nullopt;
+    return coverageFactor(source.degreesOfFreedom, 0.975) * shownUncertainty(source);
+}
+
 const SourceEstimate *Diagnosis::find(InfluenceId id, PlaneAxis axis) const {
     const auto found =
         std::ranges::find_if(sources, [&](const SourceEstimate &s) { return s.id == id && s.axis == axis; });
     return found == sources.end() ? nullptr : &*found;
 }
+
+namespace {
+
+/// Returns the step of a lattice on which the first readings of all arcs lie, mm; 0 if there is none.
+double resolutionOf(const std::vector<Arc> &arcs) {
+    constexpr std::size_t most = 4000;
+    constexpr double finest = 1e-8;
+    std::vector<double> readings;
+    for (const Arc &arc : arcs)
+        readings.insert(readings.end(), arc.radialDeviations.begin(),
+                        arc.radialDeviations.begin() +
+                            std::ptrdiff_t(std::min(most, arc.radialDeviations.size())));
+    std::ranges::sort(readings);
+    double step = 0;
+    for (std::size_t i = 1; i < readings.size(); ++i) {
+        const double difference = readings[i] - readings[i - 1];
+        if (difference > finest && (step == 0 || difference < step))
+            step = difference;
+    }
+    const auto isOn = [&](double reading) {
+        constexpr double alike = 1e-3;
+        return std::abs(std::remainder(reading - readings.front(), step)) < alike * step;
+    };
+    return step > 0 && std::ranges::all_of(readings, isOn) ? step : 0;
+}
+
+} // namespace
 
 DiagnosedCircle diagnosedCircle(const CircularMeasurement &measurement, const CircularResults &results) {
     DiagnosedCircle circle;
@@ -472,6 +471,7 @@ DiagnosedCircle diagnosedCircle(const CircularMeasurement &measurement, const Ci
     if (measurement.feed)
         circle.feed = *measurement.feed / secondsPerMinute;
     circle.feedback = measurement.source == SignalSource::feedback;
+    circle.resolution = resolutionOf(measurement.arcs);
     for (const EvaluatedPath &path : results.paths) {
         const Arc &arc = measurement.arcs[path.arc];
         DiagnosedArc one{path.sense, path.points.view(), {}, arc.angleReference == AngleReference::commanded};
@@ -501,6 +501,36 @@ bool areSeveralFeeds(std::span<const DiagnosedCircle> circles) {
     return std::ranges::all_of(circles, same) && std::ranges::any_of(circles, other);
 }
 
+namespace {
+
+constexpr double leastLag = 0.05;         ///< degrees
+constexpr double usualRegistration = 0.1; ///< u of the angles where no step shows it, degrees
+constexpr double leastLeftOut = 0.1;      ///< degrees from a reversal
+constexpr double mostLeftOut = 1;
+
+/// Takes spikes out of a fit that its reversals contradict. Returns true if there were any.
+bool dropContradicted(const PathRows &rows, InfluenceFit &fit, const Agreement &agreed,
+                      std::vector<FoundInfluence> &found) {
+    std::vector<FitTerm> kept;
+    for (std::size_t j = 0; j < fit.terms.size(); ++j) {
+        const FitTerm &term = fit.terms[j];
+        const bool dropped = term.id == InfluenceId::reversalSpike && !agreed.reversals[j - term.second];
+        const auto same = [&](const FoundInfluence &one) {
+            return one.id == term.id && one.axis == term.axis;
+        };
+        if (!dropped || std::ranges::none_of(found, same))
+            kept.push_back(term);
+        else if (term.second)
+            std::erase_if(found, same);
+    }
+    if (kept.size() == fit.terms.size())
+        return false;
+    fit = InfluenceFit(rows, std::move(kept));
+    return true;
+}
+
+} // namespace
+
 Diagnosis diagnose(const DiagnosedCircle &circle, const DiagnosisOptions &options) {
     return diagnose(std::span(&circle, 1), options);
 }
@@ -528,21 +558,27 @@ Diagnosis diagnose(std::span<const DiagnosedCircle> circles, const DiagnosisOpti
     const std::vector<FitTerm> terms = basicTerms(circles.size(), severalFeeds, options, bothSenses);
     if (rows.used() < std::max(fewestPoints, 2 * terms.size()) || !rows.deviations().allFinite())
         return {};
-    double lagAngle = 0;
-    if (commanded) {
-        const PathRows far(circles, centres, 0, pause, lagReach);
-        if (far.used() >= std::max(fewestPoints, 2 * terms.size()))
-            lagAngle = lagOfSteps(circles, rows, InfluenceFit(far, terms));
-        if (lagAngle != 0)
-            rows = PathRows(circles, centres, lagAngle, pause);
-    }
+    StepOffsets steps;
+    const PathRows far(circles, centres, 0, pause, stepReach);
+    if (far.used() >= std::max(fewestPoints, 2 * terms.size()))
+        steps = stepOffsets(rows, InfluenceFit(far, terms), commanded);
+    const double lagAngle =
+        commanded && std::abs(steps.lag) > std::max(leastLag, steps.lagBound) ? steps.lag : 0;
+    // As far as the steps show it; nearer readings may lie on the other side.
+    const double turnedBy = steps.rotation.angle ? steps.rotation.u : usualRegistration;
+    if (steps.seen)
+        rows = PathRows(circles, centres, lagAngle, pause,
+                        std::clamp(2 * turnedBy, leastLeftOut, mostLeftOut), steps.rotation.removed());
     InfluenceFit fit(rows, terms);
     std::vector<FoundInfluence> found;
     if (options.search)
-        found = searchInfluences(rows, options, fit);
-    Diagnosis result = Assembly(circles, rows, fit, centres).diagnosis(found);
-    result.first = circles.front().first;
-    result.second = circles.front().second;
+        found = searchInfluences(rows, options, fit, steps.rotation.isStated());
+    Agreement agreed = agreement(rows, fit);
+    if (dropContradicted(rows, fit, agreed, found))
+        agreed = agreement(rows, fit);
+    fit.turnBy(rows, turnedBy * degree);
+    Diagnosis result = Assembly(circles, rows, fit, centres, agreed).diagnosis(found);
+    result.rotation = steps.rotation;
     result.lagAngle = lagAngle;
     result.pause = pause;
     const bool fittedMeans =

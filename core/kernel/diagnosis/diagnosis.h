@@ -30,6 +30,7 @@ struct DiagnosedCircle {
     double nominalRadius = 0;   ///< mm
     std::optional<double> feed; ///< mm/s
     bool feedback = false;      ///< the position was read from the scales of the machine
+    double resolution = 0;      ///< of the readings, mm; 0: finer than can be told
     std::vector<DiagnosedArc> arcs;
     std::optional<Point> centre; ///< least squares centre, if already known
 };
@@ -72,14 +73,21 @@ struct SourceEstimate {
     std::optional<double> significance; ///< if so: probability that noise alone looks as much like it
     double shape = 0;                   ///< of the columns
     std::array<double, 2> fitted{};     ///< factors of both columns, which give the trace
+    bool indication = false;            ///< u is not valid, so there is no interval
+    std::vector<Message> reasons;       ///< what speaks against this source
 
-    /// Returns the 95 % interval, base units; null without value.
+    /// Returns the 95 % interval (Student), base units; null without value and for an indication.
     [[nodiscard]] std::optional<Interval> interval() const;
+    /// True if the interval of 99.9 % excludes zero: one circle in a hundred shows one of ten by chance.
+    [[nodiscard]] bool isSeen() const;
 };
 
 /// Returns u of a source in the unit shown; 0 without u. A lag is shown as the root of the fitted parameter:
 /// near 0 its u is the root of u.
 [[nodiscard]] double shownUncertainty(const SourceEstimate &source);
+
+/// Returns half the 95 % interval in the unit shown; null without interval.
+[[nodiscard]] std::optional<double> shownExpanded(const SourceEstimate &source);
 
 /// Known combination of inseparable sources: Σ factor·value.
 struct SourceSum {
@@ -90,7 +98,24 @@ struct SourceSum {
     std::vector<Part> of;
     double value = 0; ///< in the unit shown for the first source
     double u = 0;
+    double degreesOfFreedom = 0;
+    bool indication = false;
     double contribution = 0; ///< to G(b), of all together, mm
+
+    [[nodiscard]] std::optional<Interval> interval() const;
+};
+
+/// How the angles of the file lie to the axes of the machine, as the steps at the reversals show it.
+struct Rotation {
+    std::optional<double> angle; ///< degrees, by which the angles are too large; null: there are no steps
+    double u = 0;                ///< degrees
+    double bound = 0;            ///< the angle cannot be off by more (99.7 %), degrees
+    bool commanded = false; ///< angles of the program: their start is wrong; else the instrument is turned
+
+    /// True if the angle counts: more than 0.05° and certain. Spikes and periodic deviations are not looked
+    /// for then, and all else is fitted to corrected angles.
+    [[nodiscard]] bool isStated() const;
+    [[nodiscard]] double removed() const { return isStated() ? *angle : 0; }
 };
 
 /// Interpretation of one circle, or several in one plane at different feeds: findings about the machine, not
@@ -98,12 +123,15 @@ struct SourceSum {
 struct Diagnosis {
     std::string first; ///< axes of the plane
     std::string second;
-    int rank = 0;                        ///< parameters that the circle determines
-    int of = 0;                          ///< parameters fitted
-    double condition = 0;                ///< of the scaled columns
-    double residual = 0;                 ///< standard deviation not explained by any source, mm
-    double readingsPerIndependent = 1;   ///< neighbouring readings worth one independent reading
-    std::size_t points = 0;              ///< used by the fit
+    int rank = 0;                      ///< parameters that the circle determines
+    int of = 0;                        ///< parameters fitted
+    double condition = 0;              ///< of the scaled columns
+    double residual = 0;               ///< standard deviation not explained by any source, mm
+    double readingsPerIndependent = 1; ///< neighbouring readings worth one independent reading
+    std::size_t points = 0;            ///< used by the fit
+    bool modelFits = true;             ///< the residual is noise as modelled; otherwise no interval is valid
+    std::vector<Message> reasons;      ///< why not: what was seen in the residual, parts of a sentence
+    Rotation rotation;
     double lagAngle = 0;                 ///< with commanded angles: lag of the pattern behind them, degrees
     double pause = 0;                    ///< between the arcs, turns, as stated
     std::vector<SourceEstimate> sources; ///< by contribution, centre and radius last
@@ -115,13 +143,14 @@ struct Diagnosis {
 };
 
 /// Fits the influences to a circle: one linear least-squares fit over both senses, of the rebuilt points
-/// about the least squares centre. Readings within 0.1° (or the angle of the largest deviation) of a reversal
-/// are omitted, as it is unknown to which side a step there belongs. A source is separable if it has no part
-/// in the null space and at most ten times the uncertainty of its column alone. Inseparable sources have no
-/// value, only their sum has.
-/// Uncertainties allow for the correlation of neighbouring readings (numerics/correlatednoise.h).
-/// Beyond 7 200 readings per arc, means of neighbours are fitted, for columns and deviations alike.
-/// Not valid (rank 0) with fewer than 30 used points.
+/// about the least squares centre. Readings within 0.1° (or the angle of the largest deviation) of a
+/// reversal are omitted, as it is unknown to which side a step there belongs. A source is separable if it
+/// has no part in the null space and at most ten times the uncertainty of its column alone. Inseparable
+/// sources have no value, only their sum has. Uncertainties allow for the correlation of neighbouring
+/// readings (numerics/correlatednoise.h), for the resolution of the readings and for how well the reversals
+/// show that angles and axes agree. The residual is tested (residualtest.h), and each source compared with
+/// what parts of the circle say (agreement.h). Beyond 7 200 readings per arc, means of neighbours are
+/// fitted, for columns and deviations alike. Not valid (rank 0) with fewer than 30 used points.
 [[nodiscard]] Diagnosis diagnose(const DiagnosedCircle &circle, const DiagnosisOptions &options = {});
 
 /// The same for several circles in one plane and radius at different feeds: separates the lag, which grows

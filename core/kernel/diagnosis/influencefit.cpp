@@ -3,6 +3,7 @@
 #include "kernel/diagnosis/influencefit.h"
 
 #include "kernel/diagnosis/pitchscan.h"
+#include "kernel/diagnosis/residualtest.h"
 
 #include <algorithm>
 #include <array>
@@ -30,7 +31,12 @@ constexpr std::array plausibleWidths{8.0, 4.0, 2.0, 1.0, 0.5};
 struct Candidate {
     std::vector<FitTerm> terms;
     double score = 0; ///< explained part of the sum of squares / noise variance in its band
+    double explained = 0;
 };
+
+/// Bound of what else explains as much, in noise variances: 95 % of χ² with one degree of freedom.
+constexpr double asGood = 3.84;
+constexpr double widestSpike = 20; ///< degrees
 
 bool has(const std::vector<FitTerm> &terms, InfluenceId id, PlaneAxis axis) {
     return std::ranges::any_of(terms, [&](const FitTerm &t) { return t.id == id && t.axis == axis; });
@@ -52,15 +58,19 @@ double stated(const DiagnosisOptions &options, PlaneAxis axis) {
 /// Candidates of the search, with the part of the residual each would explain.
 class Search {
 public:
-    Search(const PathRows &rows, const DiagnosisOptions &options)
+    Search(const PathRows &rows, const DiagnosisOptions &options, bool onlyDrift)
         : m_rows(rows)
         , m_options(options)
+        , m_onlyDrift(onlyDrift)
+        , m_radius(rows.positions().empty() ? 0 : rows.positions().front().radius)
         , m_bothSenses(std::ranges::any_of(rows.positions(), [](const auto &p) { return p.sense > 0; }) &&
                        std::ranges::any_of(rows.positions(), [](const auto &p) { return p.sense < 0; })) {}
 
-    /// Returns the best candidate; score 0 if there is none.
-    Candidate best(const InfluenceFit &fit) {
+    /// Returns the best candidate; score 0 if there is none. `quiet`: against the noise of the fastest
+    /// waves alone, for what is taken for slow noise as long as it is not fitted.
+    Candidate best(const InfluenceFit &fit, bool quiet) {
         m_trials = 0;
+        m_quiet = quiet;
         Candidate result;
         const auto keep = [&](Candidate candidate) {
             ++m_trials;
@@ -68,6 +78,8 @@ public:
                 result = std::move(candidate);
         };
         for (const PlaneAxis axis : axes) {
+            if (m_onlyDrift)
+                break;
             if (!m_options.spikeWidth && !has(fit.terms, InfluenceId::reversalSpike, axis))
                 addSpikes(fit, axis, keep);
             if (stated(m_options, axis) == 0 && !has(fit.terms, InfluenceId::cyclic, axis))
@@ -78,12 +90,27 @@ public:
         return result;
     }
 
+    /// Returns other periodic deviations, on either axis, that explain within the bound as much.
+    [[nodiscard]] std::vector<FitTerm> asGoodAs(const Candidate &chosen) const {
+        std::vector<FitTerm> result;
+        const FitTerm &mine = chosen.terms.front();
+        for (const Peak &peak : m_peaks) {
+            constexpr double apart = 0.75; // periods over the radius: half a period
+                                           // over the circle, and more
+            const bool same =
+                peak.axis == mine.axis && std::abs(m_radius / peak.pitch - m_radius / mine.shape) < apart;
+            if (!same && peak.explained > chosen.explained - asGood * peak.noise)
+                result.push_back({InfluenceId::cyclic, peak.axis, false, peak.pitch});
+        }
+        return result;
+    }
+
     [[nodiscard]] int trials() const { return m_trials; }
 
 private:
     /// Returns the noise in the band of a feature whose wave takes `angle` (rad).
     [[nodiscard]] double noiseOf(const InfluenceFit &fit, double angle) const {
-        return fit.noise.variance(m_rows.step() / angle);
+        return m_quiet ? fit.noise.fastest() : fit.noise.variance(m_rows.step() / angle);
     }
     /// Like noiseOf(), in a band four times as wide: a feature not yet fitted counts as noise, and one only a
     /// few waves per turn long would otherwise hide itself.
@@ -119,34 +146,30 @@ private:
             const double angle = width * std::numbers::pi / 180;
             if (width >= narrowestSpike(m_rows))
                 keep({spikeTerms(axis, width, false),
-                      scores[k] / noiseAround(fit, 2 * std::numbers::pi * angle)});
+                      scores[k] / noiseAround(fit, 2 * std::numbers::pi * angle), scores[k]});
         }
     }
 
     template <class Keep>
-    void addPitches(const InfluenceFit &fit, PlaneAxis axis, const Keep &keep) const {
-        const std::size_t n = m_rows.positions().size();
-        std::vector<double> along(n);
-        std::vector<double> curve(n);
-        std::vector<double> squares(n);
-        double radius = 0;
-        for (std::size_t i = 0; i < n; ++i) {
-            if (!m_rows.counts(Eigen::Index(i)))
-                continue;
-            const PathPosition &p = m_rows.positions()[i];
-            radius = p.radius;
-            along[i] = axis == PlaneAxis::first ? p.cosine : p.sine;
-            curve[i] = fit.fit.residual[Eigen::Index(i)] * along[i];
-            squares[i] = along[i] * along[i];
+    void addPitches(const InfluenceFit &fit, PlaneAxis axis, const Keep &keep) {
+        std::erase_if(m_peaks, [&](const Peak &peak) { return peak.axis == axis; });
+        const PitchScan scan(m_rows, fit, axis);
+        Peak best;
+        const std::vector<double> scores = scan.explained();
+        for (std::size_t k = 1; k + 1 < scores.size(); ++k) {
+            const double pitch = m_radius / scan.periods(k);
+            const double noise = noiseOf(fit, pitch / m_radius);
+            if (scores[k] / noise > best.explained / best.noise)
+                best = {axis, pitch, scores[k], noise};
+            if (scores[k] > scores[k - 1] && scores[k] >= scores[k + 1] && scores[k] > 2 * asGood * noise)
+                m_peaks.push_back({axis, pitch, scores[k], noise});
         }
-        for (const double pitch : plausiblePitches) {
-            // Longer pitches, with fewer than four periods over the circle, look like the shape of the
-            // guideway; shorter ones fall between the readings.
-            if (pitch > radius / 2 || radius * m_rows.step() > pitch / 3)
-                continue;
-            const double noise = noiseOf(fit, pitch / radius);
-            keep({cyclicTerms(axis, pitch), explainedByPitch(along, curve, squares, radius / pitch) / noise});
-        }
+        m_trials += static_cast<int>(scores.size() / 2);
+        // Fewer than two periods over the circle look like the shape of the guideway: the end of the range.
+        if (!(best.pitch > 0) || best.pitch > m_radius)
+            return;
+        const double pitch = scan.refined(best.pitch, plausiblePitches, asGood * best.noise);
+        keep({cyclicTerms(axis, pitch), best.explained / best.noise, best.explained});
     }
 
     template <class Keep>
@@ -158,13 +181,25 @@ private:
         }
         const std::vector<FitTerm> terms = driftTerms(m_options, m_bothSenses);
         constexpr double eighth = std::numbers::pi / 4; // of a turn
-        keep({terms, explained(fit, column)[0] / noiseAround(fit, eighth)});
+        const double score = explained(fit, column)[0];
+        keep({terms, score / noiseAround(fit, eighth), score});
     }
+
+    struct Peak {
+        PlaneAxis axis = PlaneAxis::none;
+        double pitch = 0;
+        double explained = 0;
+        double noise = 1;
+    };
 
     const PathRows &m_rows;
     const DiagnosisOptions &m_options;
+    bool m_onlyDrift;
+    double m_radius;
     bool m_bothSenses;
+    bool m_quiet = false;
     int m_trials = 0;
+    std::vector<Peak> m_peaks;
 };
 
 /// Iterates the width of each free spike until it converges.
@@ -181,9 +216,9 @@ void refineWidths(const PathRows &rows, InfluenceFit &fit) {
             if (height == 0)
                 continue;
             const double narrowest = narrowestSpike(rows);
-            constexpr double widest = 20;
             const double wanted = width + fit.factor(j + 1) / height;
-            const double next = std::clamp(std::clamp(wanted, width * 0.7, width * 1.4), narrowest, widest);
+            const double next =
+                std::clamp(std::clamp(wanted, width * 0.7, width * 1.4), narrowest, widestSpike);
             moved |= std::abs(next - width) > 1e-4 * width;
             terms[j].shape = terms[j + 1].shape = next;
         }
@@ -205,6 +240,16 @@ double byChance(const InfluenceFit &fit, std::size_t firstTerm, int trials) {
         square = std::pow(fit.factor(firstTerm) / fit.u(firstTerm), 2);
     }
     return std::min(1.0, trials * std::exp(-square / 2));
+}
+
+/// True if a width stayed where its range ends, or its last step is not small against the height.
+bool isAtEnd(const PathRows &rows, const InfluenceFit &fit, std::size_t term) {
+    const FitTerm &spike = fit.terms[term];
+    constexpr double close = 1.001;
+    constexpr double small = 0.1;
+    return spike.id == InfluenceId::reversalSpike &&
+           (spike.shape <= narrowestSpike(rows) * close || spike.shape >= widestSpike / close ||
+            std::abs(fit.factor(term + 1)) > small * spike.shape * std::abs(fit.factor(term)));
 }
 
 double amplitude(const InfluenceFit &fit, std::size_t firstTerm) {
@@ -229,11 +274,33 @@ Vector InfluenceFit::basisWeights(const Vector &weights) const {
 }
 
 double InfluenceFit::u(const Vector &weights) const {
-    return noise.standardUncertainty(basisWeights(weights));
+    const Vector ofBasis = basisWeights(weights);
+    return std::hypot(noise.standardUncertainty(ofBasis), m_turned.size() > 0 ? ofBasis.dot(m_turned) : 0);
 }
 
 double InfluenceFit::degreesOfFreedom(const Vector &weights) const {
-    return noise.degreesOfFreedom(basisWeights(weights));
+    const Vector ofBasis = basisWeights(weights);
+    const double part = noise.standardUncertainty(ofBasis) / u(weights);
+    const double freedom = noise.degreesOfFreedom(ofBasis);
+    return part > 0 ? freedom / std::pow(part, 4) : freedom; // Welch–Satterthwaite; the angle counts as known
+}
+
+void InfluenceFit::turnBy(const PathRows &rows, double uncertainty) {
+    constexpr double little = 1e-4; // rad
+    Vector change = Vector::Zero(rows.size());
+    for (Eigen::Index i = 0; i < rows.size(); ++i) {
+        if (!rows.counts(i))
+            continue;
+        const PathPosition &p = rows.positions()[std::size_t(i)];
+        PathPosition turned = p;
+        turned.cosine = p.cosine - little * p.sine;
+        turned.sine = p.sine + little * p.cosine;
+        for (std::size_t j = 0; j < terms.size(); ++j) {
+            if (terms[j].id != InfluenceId::centre && terms[j].id != InfluenceId::cyclic)
+                change[i] += factor(j) * (columnValue(terms[j], turned) - columnValue(terms[j], p));
+        }
+    }
+    m_turned = fit.basis.transpose() * change * (uncertainty / little);
 }
 
 double InfluenceFit::u(std::size_t term) const {
@@ -264,27 +331,34 @@ std::vector<FitTerm> driftTerms(const DiagnosisOptions &options, bool bothSenses
 }
 
 std::vector<FoundInfluence> searchInfluences(const PathRows &rows, const DiagnosisOptions &options,
-                                             InfluenceFit &fit) {
+                                             InfluenceFit &fit, bool onlyDrift) {
     std::vector<FoundInfluence> result;
-    Search search(rows, options);
-    constexpr int most = 5; // both spikes, both screws, a drift
-    while (static_cast<int>(result.size()) < most && fit.residual > 0) {
-        const Candidate candidate = search.best(fit);
+    Search search(rows, options, onlyDrift);
+    const auto tryOne = [&](bool quiet) {
+        const Candidate candidate = search.best(fit, quiet);
         const int trials = search.trials();
         if (candidate.terms.empty() || trials * std::exp(-candidate.score / 2) > worthATrial)
-            break;
+            return false;
         std::vector<FitTerm> terms = fit.terms;
         const std::size_t place = terms.size();
         terms.insert(terms.end(), candidate.terms.begin(), candidate.terms.end());
         InfluenceFit more(rows, std::move(terms));
         refineWidths(rows, more);
         const double chance = byChance(more, place, trials);
-        const bool significant =
-            chance <= mostByChance && amplitude(more, place) >= leastAmplitude && more.isSeparable(place);
-        if (!significant)
-            break;
-        result.push_back({more.terms[place].id, more.terms[place].axis, chance});
+        const bool significant = chance <= mostByChance && amplitude(more, place) >= leastAmplitude &&
+                                 more.isSeparable(place) && !isAtEnd(rows, more, place);
+        if (!significant || (quiet && !misfits(rows, more).empty()))
+            return false;
+        const bool periodic = more.terms[place].id == InfluenceId::cyclic;
+        result.push_back({more.terms[place].id, more.terms[place].axis, chance,
+                          periodic ? search.asGoodAs(candidate) : std::vector<FitTerm>()});
         fit = std::move(more);
+        return true;
+    };
+    constexpr std::size_t most = 5; // both spikes, both screws, a drift
+    while (result.size() < most && fit.residual > 0) {
+        if (!tryOne(false) && (misfits(rows, fit).empty() || !tryOne(true)))
+            break;
     }
     return result;
 }

@@ -33,17 +33,16 @@ std::optional<Point> centreOf(const DiagnosedCircle &circle) {
     return fit.valid() ? std::optional(fit.centre) : std::nullopt;
 }
 
-ArcWalk::ArcWalk(const DiagnosedCircle &circle, std::size_t arc, Point centre, double lagAngle, double pause)
+ArcWalk::ArcWalk(const DiagnosedCircle &circle, std::size_t arc, Point centre, double lagAngle, double pause,
+                 double rotation)
     : m_arc(circle.arcs[arc])
     , m_centre(centre) {
     m_position.sense = m_arc.sense == Sense::counterclockwise ? 1 : -1;
     m_position.radius = circle.nominalRadius;
     m_position.feed = circle.feed.value_or(1);
-    if (m_arc.commanded) {
-        const double lag = m_position.sense * lagAngle * degree;
-        m_lagCosine = std::cos(lag);
-        m_lagSine = std::sin(lag);
-    }
+    const double lag = (m_arc.commanded ? m_position.sense * lagAngle : 0) + rotation;
+    m_lagCosine = std::cos(lag * degree);
+    m_lagSine = std::sin(lag * degree);
     double whole = 0;
     for (std::size_t k = 0; k < circle.arcs.size(); ++k) {
         if (k == arc)
@@ -54,11 +53,12 @@ ArcWalk::ArcWalk(const DiagnosedCircle &circle, std::size_t arc, Point centre, d
 }
 
 PathRows::PathRows(std::span<const DiagnosedCircle> circles, std::span<const Point> centres, double lagAngle,
-                   double pause, double reach)
+                   double pause, double reach, double rotation)
     : m_circles(circles)
     , m_centres(centres.begin(), centres.end())
     , m_lagAngle(lagAngle)
-    , m_pause(pause) {
+    , m_pause(pause)
+    , m_rotation(rotation) {
     std::size_t rows = 0;
     for (std::size_t k = 0; k < circles.size(); ++k) {
         const double angle = largestDeviation(k) / circles[k].nominalRadius;
@@ -85,7 +85,7 @@ PathRows::PathRows(std::span<const DiagnosedCircle> circles, std::span<const Poi
 double PathRows::largestDeviation(std::size_t circle) const {
     double largest = 0;
     for (std::size_t a = 0; a < m_circles[circle].arcs.size(); ++a) {
-        const ArcWalk walk(m_circles[circle], a, m_centres[circle], m_lagAngle, m_pause);
+        const ArcWalk walk(m_circles[circle], a, m_centres[circle], m_lagAngle, m_pause, m_rotation);
         PathPosition position;
         double sum = 0;
         double low = 0;
@@ -103,7 +103,8 @@ double PathRows::largestDeviation(std::size_t circle) const {
 }
 
 void PathRows::fill(ArcRows &arc) {
-    const ArcWalk walk(m_circles[arc.circle], arc.arc, m_centres[arc.circle], m_lagAngle, m_pause);
+    const ArcWalk walk(m_circles[arc.circle], arc.arc, m_centres[arc.circle], m_lagAngle, m_pause,
+                       m_rotation);
     PathPosition position;
     for (std::size_t i = 0; i < walk.size(); ++i) {
         const double r = walk.at(i, position);
@@ -157,7 +158,7 @@ Eigen::MatrixXd PathRows::columns(std::span<const FitTerm> terms) const {
             const FitTerm &term = terms[j];
             const Influence &row = influence(term.id);
             if (term.id != InfluenceId::centre || term.circle == arc.circle)
-                columns.push_back({term.second ? row.second : row.column, term.axis, term.shape,
+                columns.push_back({&term, term.second ? row.second : row.column,
                                    result.col(Eigen::Index(j)).data() + arc.record.begin});
         }
         addMeans(arc, columns);
@@ -166,15 +167,18 @@ Eigen::MatrixXd PathRows::columns(std::span<const FitTerm> terms) const {
 }
 
 void PathRows::addMeans(const ArcRows &arc, std::vector<Column> &columns) const {
-    const ArcWalk walk(m_circles[arc.circle], arc.arc, m_centres[arc.circle], m_lagAngle, m_pause);
+    const ArcWalk walk(m_circles[arc.circle], arc.arc, m_centres[arc.circle], m_lagAngle, m_pause,
+                       m_rotation);
     PathPosition position;
     for (std::size_t i = 0, row = arc.record.begin; i < walk.size(); ++row) {
         for (const std::size_t end = std::min(i + arc.perRow, walk.size()); i < end; ++i) {
             walk.at(i, position);
             if (isReversal(position, arc.circle))
                 continue;
-            for (Column &column : columns)
-                column.sum += column.value(position, column.axis, column.shape);
+            for (Column &column : columns) {
+                if (isInPart(*column.term, position))
+                    column.sum += column.value(position, column.term->axis, column.term->shape);
+            }
         }
         const double weight = m_weights[Eigen::Index(row)];
         for (Column &column : columns) {

@@ -18,11 +18,23 @@ struct FitTerm {
     bool second = false;    ///< the second column of the influence
     double shape = 0;       ///< pitch or width
     std::size_t circle = 0; ///< for a centre: its circle
+    int part = 0;           ///< 1 … 4: only what belongs to one of the reversals of the axis in one sense
 };
+
+/// True if a position belongs to the part of a term: for a spike to the reversal before it, otherwise to
+/// the nearest one.
+[[nodiscard]] inline bool isInPart(const FitTerm &term, const PathPosition &p) {
+    const bool first = term.axis == PlaneAxis::first;
+    const double side = term.id == InfluenceId::reversalSpike ? p.sense * (first ? p.sine : -p.cosine)
+                        : first                               ? p.cosine
+                                                              : p.sine;
+    return term.part == 0 || term.part == 1 + (p.sense < 0 ? 1 : 0) + (side < 0 ? 2 : 0);
+}
 
 [[nodiscard]] inline double columnValue(const FitTerm &term, const PathPosition &position) {
     const Influence &row = influence(term.id);
-    return (term.second ? row.second : row.column)(position, term.axis, term.shape);
+    return isInPart(term, position) ? (term.second ? row.second : row.column)(position, term.axis, term.shape)
+                                    : 0;
 }
 
 /// Returns the least squares centre of all arcs together, each with equal weight; null if there is none.
@@ -39,7 +51,8 @@ struct ArcRows {
 /// Iterates over the points of an arc as fitted.
 class ArcWalk {
 public:
-    ArcWalk(const DiagnosedCircle &circle, std::size_t arc, Point centre, double lagAngle, double pause);
+    ArcWalk(const DiagnosedCircle &circle, std::size_t arc, Point centre, double lagAngle, double pause,
+            double rotation = 0);
 
     [[nodiscard]] std::size_t size() const { return m_arc.points.size(); }
     /// Returns the distance from the centre, mm, and sets the inputs of the columns.
@@ -68,10 +81,11 @@ private:
 /// The rows of a fit: all arcs of all circles, in order.
 class PathRows {
 public:
-    /// `centres`: least squares centre of each circle. Points nearer to a reversal than `reach` (degrees, at
-    /// least 0.1° and the angle of the largest deviation) are omitted.
+    /// `centres`: least squares centre of each circle. Points nearer to a reversal than `reach` (degrees,
+    /// at least 0.1° and the angle of the largest deviation) are omitted. `lagAngle` is taken off commanded
+    /// angles in the direction of travel, `rotation` off all; degrees.
     PathRows(std::span<const DiagnosedCircle> circles, std::span<const Point> centres, double lagAngle,
-             double pause, double reach = 0.1);
+             double pause, double reach = 0.1, double rotation = 0);
 
     [[nodiscard]] Eigen::Index size() const { return m_deviations.size(); }
     [[nodiscard]] const std::vector<ArcRows> &arcs() const { return m_arcs; }
@@ -94,9 +108,8 @@ public:
 private:
     /// A column while its means are computed.
     struct Column {
+        const FitTerm *term = nullptr;
         Influence::Column value = nullptr;
-        PlaneAxis axis = PlaneAxis::none;
-        double shape = 0;
         double *row = nullptr; ///< position of the next mean
         double sum = 0;
     };
@@ -110,6 +123,7 @@ private:
     std::vector<Point> m_centres;
     double m_lagAngle;
     double m_pause;
+    double m_rotation;
     std::vector<double>
         m_reversal; ///< per circle: points with a smaller sine of the angle from a reversal are omitted
     std::vector<ArcRows> m_arcs;

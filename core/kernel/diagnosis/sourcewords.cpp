@@ -116,6 +116,10 @@ Message sourceMeaning(const Diagnosis &diagnosis, const SourceEstimate &source) 
     const auto interval = source.interval();
     if (interval && interval->from <= 0 && interval->to >= 0)
         return {REPORT_TEXT("report", "Not seen: its 95 % interval contains zero.")};
+    if (interval && !source.isSeen())
+        return {REPORT_TEXT("report", "Not certain: its 99.9 % interval contains zero.")};
+    if (source.indication && !isKnown(&source))
+        return {REPORT_TEXT("report", "Not seen: too small to be told from the rest.")};
     const bool negative = source.fitted[0] < 0 && !row->negative.empty();
     return {negative ? row->negative : row->positive, axesOf(diagnosis.first, diagnosis.second, source.axis)};
 }
@@ -139,6 +143,21 @@ Message sourceAdvice(const Diagnosis &diagnosis, const SourceEstimate &source) {
 std::string sourceId(const SourceEstimate &source) {
     return std::string(influence(source.id).word) +
            (source.axis == PlaneAxis::none ? std::string() : ":" + source.axisName);
+}
+
+std::optional<Message> rotationStatement(const Rotation &rotation) {
+    if (!rotation.isStated())
+        return std::nullopt;
+    return Message{
+        rotation.commanded
+            ? REPORT_TEXT("report",
+                          "The reversal steps lie %1 ± %2 off the axes: check the start angle. Spikes "
+                          "and periodic deviations are not shown until this is settled.")
+            : REPORT_TEXT("report",
+                          "The reversal steps lie %1 ± %2 off the axes: the measuring system is turned "
+                          "against them. Spikes and periodic deviations are not shown until this is "
+                          "settled."),
+        {Number{*rotation.angle, Quantity::angle, 2}, Number{rotation.bound, Quantity::angle, 2}}};
 }
 
 std::vector<Message> diagnosisRemarks(std::span<const DiagnosedCircle> circles,

@@ -17,6 +17,9 @@ namespace palmer {
 /// Returns the id used by scripts: "squareness", "backlash:X".
 [[nodiscard]] std::string sourceId(const SourceEstimate &source);
 
+/// Returns what a rotation that counts means; null for any other.
+[[nodiscard]] std::optional<Message> rotationStatement(const Rotation &rotation);
+
 /// Returns remarks on the diagnosis as a whole.
 [[nodiscard]] std::vector<Message> diagnosisRemarks(std::span<const DiagnosedCircle> circles,
                                                     const DiagnosisOptions &options,

@@ -39,7 +39,8 @@ void forEachPoint(const DiagnosedCircle &circle, const Diagnosis &diagnosis, con
                   std::size_t stride = 1) {
     const Point centre = centreOf(circle).value_or(Point{});
     for (std::size_t a = 0; a < circle.arcs.size(); ++a) {
-        const ArcWalk walk(circle, a, centre, diagnosis.lagAngle, diagnosis.pause);
+        const ArcWalk walk(circle, a, centre, diagnosis.lagAngle, diagnosis.pause,
+                           diagnosis.rotation.removed());
         PathPosition position;
         for (std::size_t i = 0; i < walk.size(); i += stride) {
             const double r = walk.at(i, position);

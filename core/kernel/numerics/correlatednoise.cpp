@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/numerics/correlatednoise.h"
 
+#include "kernel/numerics/chisquare.h"
+
 #include <Eigen/Dense>
 #include <unsupported/Eigen/FFT>
 
@@ -20,7 +22,8 @@ namespace {
 using Vector = Eigen::VectorXd;
 using Spectra = Eigen::MatrixXcd; ///< frequencies × columns
 
-constexpr int steps = 16; ///< φ = 1 − 2^(−k/2), k = 0 … 15: up to 0.994
+constexpr int steps = 16;      ///< φ = 1 − 2^(−k/2), k = 0 … 15: up to 0.994
+constexpr int flicker = steps; ///< index of the shape 1/ω
 /// A coloured part adds two parameters: twice the chance gain of each, plus a half for the choice.
 constexpr double leastGain = 3;
 
@@ -29,6 +32,8 @@ double correlation(int step) {
 }
 
 double shape(int step, double angle) {
+    if (step == flicker)
+        return 1 / std::max(angle, 1e-3);
     const double phi = correlation(step);
     return (1 - phi) * (1 - phi) / (1 + phi * phi - 2 * phi * std::cos(angle));
 }
@@ -188,6 +193,7 @@ CorrelatedNoise::CorrelatedNoise(const Eigen::MatrixXd &basis, const Vector &res
     m_covariance = Eigen::MatrixXd::Zero(basis.cols(), basis.cols());
     if (spectrum.power.sum() > 0 && spectrum.left.sum() > 0) {
         choose(spectrum);
+        judge(spectrum);
         deriveCovariance(spectrum);
     }
 }
@@ -202,11 +208,20 @@ void CorrelatedNoise::choose(const Spectrum &spectrum) {
             left[b] = power[b] = 0;
     }
     double best = 0;
-    for (int step = 0; step < steps; ++step) {
+    double ofWhite = 0;
+    for (int step = 0; step <= flicker; ++step) {
         Vector bandShape = spectrum.banded(spectrum.shapeOf(step).cwiseProduct(spectrum.left));
         for (Eigen::Index b = 0; b < left.size(); ++b)
             bandShape[b] = left[b] > 0 ? bandShape[b] / left[b] : 0;
         const Model model = fitModel(power, left, bandShape, step > 0);
+        if (step == 0)
+            ofWhite = model.loss;
+        if (step == flicker) {
+            constexpr double alike = 6; // first-order noise loses at least this much as 1/ω
+            m_judgement.flicker =
+                ofWhite - model.loss > leastGain && (m_correlation == 0 || model.loss < best + alike);
+            break;
+        }
         const double needed = step > 0 && m_correlation == 0 ? leastGain : 0;
         if (step > 0 && !(model.loss < best - needed))
             continue;
@@ -215,6 +230,67 @@ void CorrelatedNoise::choose(const Spectrum &spectrum) {
         m_coloured = model.coloured;
         m_correlation = step;
     }
+}
+
+void CorrelatedNoise::judge(const Spectrum &spectrum) {
+    constexpr double least = 0.5; // complex numbers left in a band, or at a frequency
+    Vector s = Vector::Constant(spectrum.power.size(), m_white);
+    if (m_correlation > 0)
+        s += m_coloured * spectrum.shapeOf(m_correlation);
+    const Vector ratio = spectrum.power.cwiseQuotient(s.cwiseMax(1e-300));
+    const Vector banded = spectrum.banded(ratio);
+    const Vector left = spectrum.banded(spectrum.left);
+    double deviance = 0;
+    double freedom = m_correlation > 0 ? -3 : -1;
+    for (Eigen::Index b = 0; b < left.size(); ++b) {
+        if (left[b] < least || !(banded[b] > 0))
+            continue;
+        const double r = banded[b] / left[b];
+        deviance += 2 * left[b] * (r - 1 - std::log(r));
+        freedom += 1 + 1 / (6 * left[b]); // expectation of a band
+    }
+    m_judgement.bands = chiSquareExceeded(deviance, freedom);
+    double count = 0;
+    for (Eigen::Index f = 1; f < ratio.size(); ++f) {
+        if (spectrum.left[f] < least)
+            continue;
+        ++count;
+        const double chance = chiSquareExceeded(2 * ratio[f], 2 * spectrum.left[f]);
+        if (chance < m_judgement.line) {
+            m_judgement.line = chance;
+            m_judgement.frequency = double(f) / double(spectrum.length);
+        }
+    }
+    m_judgement.line = std::min(1.0, m_judgement.line * count);
+    constexpr double mostOfRecord = 1.0 / 16;
+    m_judgement.slow = std::exp2(m_correlation / 2.0) > mostOfRecord * double(spectrum.length);
+}
+
+double CorrelatedNoise::fastest() const {
+    return m_white + m_coloured * shape(m_correlation, std::numbers::pi);
+}
+
+Vector CorrelatedNoise::whitened(const Vector &residual, std::span<const Record> records) const {
+    Vector result = Vector::Zero(residual.size());
+    Eigen::FFT<double> fft;
+    for (const Record &record : records) {
+        const Eigen::Index length = smoothLength(record.size);
+        const auto place = [&](auto &vector) -> decltype(auto) {
+            return vector.segment(Eigen::Index(record.begin), Eigen::Index(record.size));
+        };
+        Eigen::VectorXcd values = Eigen::VectorXcd::Zero(length);
+        values.head(Eigen::Index(record.size)) = place(residual).template cast<std::complex<double>>();
+        Eigen::VectorXcd waves;
+        fft.fwd(waves, values);
+        for (Eigen::Index f = 0; f < length; ++f) {
+            const double angle = 2 * std::numbers::pi * double(f) / double(length);
+            const double s = m_white + (m_correlation > 0 ? m_coloured * shape(m_correlation, angle) : 0);
+            waves[f] = s > 0 ? waves[f] / std::sqrt(s) : 0;
+        }
+        fft.inv(values, waves);
+        place(result) = values.head(Eigen::Index(record.size)).real();
+    }
+    return result;
 }
 
 void CorrelatedNoise::deriveCovariance(const Spectrum &spectrum) {

@@ -48,15 +48,33 @@ public:
     [[nodiscard]] double variance(double highest) const;
     /// Returns the readings worth one independent reading in a slowly varying estimate: S(0) / variance.
     [[nodiscard]] double readingsPerIndependent() const;
+    /// Returns S of the fastest waves.
+    [[nodiscard]] double fastest() const;
+    /// Returns the residual divided by the root of S at each frequency: white, variance 1, if the model
+    /// fits.
+    [[nodiscard]] Eigen::VectorXd whitened(const Eigen::VectorXd &residual,
+                                           std::span<const Record> records) const;
+
+    /// How well the model describes the periodogram. Probabilities are those of a model that fits.
+    struct Judgement {
+        double bands = 1;     ///< that the bands deviate as much: deviance of I/(h·S), χ²
+        double line = 1;      ///< that any frequency stands out as much: I/S against a gamma distribution
+        double frequency = 0; ///< of that line, cycles per row
+        bool flicker = false; ///< a spectrum ~ 1/ω explains the bands about as well: no plateau is seen
+        bool slow = false;    ///< the correlation is longer than a sixteenth of a record
+    };
+    [[nodiscard]] const Judgement &judgement() const { return m_judgement; }
 
 private:
     struct Spectrum;
     void choose(const Spectrum &spectrum);
+    void judge(const Spectrum &spectrum);
     void deriveCovariance(const Spectrum &spectrum);
 
     double m_white = 0;
     double m_coloured = 0;
     int m_correlation = 0; ///< index of φ
+    Judgement m_judgement;
     Eigen::MatrixXd m_covariance;
     Eigen::MatrixXd m_ofParameters;             ///< covariance of white, coloured and φ
     std::vector<Eigen::MatrixXd> m_derivatives; ///< of m_covariance with respect to each of them

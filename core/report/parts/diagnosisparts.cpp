@@ -20,6 +20,7 @@ namespace {
 
 constexpr double micrometres = 1000; ///< per millimetre
 constexpr int decimalsOfParts = 2;
+const QString intervalHead = QStringLiteral("± 95\u00A0%");
 
 QString ofAll(const Diagnosis &diagnosis, const Language &language) {
     return language.sentence(REPORT_TEXT("report", "%1 of %2"), {language.count(diagnosis.rank).toStdString(),
@@ -44,8 +45,10 @@ public:
         m_blocks.emplace_back(Paragraph{text(REPORT_TEXT(
             "report",
             "Not a result of ISO 230-4, and no part of the verdict: the path taken apart into known "
-            "faults of machines. u is the standard uncertainty of the fit alone. The part of "
+            "faults of machines. ± is the 95 % interval of the fit alone. The part of "
             "G(b) is what the source would make alone; parts do not add up."))});
+        for (const QString &warning : diagnosisWarnings(m_diagnosis, m_language))
+            m_blocks.emplace_back(Paragraph{warning});
         addFit();
         addSources();
         for (const Message &remark : m_diagnosis.remarks)
@@ -70,7 +73,7 @@ private:
         table.columns = {
             {text(REPORT_TEXT_FOR("report", "Source", "diagnosis")), {}, Alignment::left, false},
             {text(REPORT_TEXT("report", "Value")), {}, Alignment::decimal, false},
-            {QStringLiteral("u"), {}, Alignment::decimal, false},
+            {intervalHead, {}, Alignment::decimal, false},
             {},
             {text(REPORT_TEXT("report", "Part of G(b)")), QStringLiteral("µm"), Alignment::decimal, false},
             {text(REPORT_TEXT("report", "Meaning")), {}, Alignment::left, true}};
@@ -78,11 +81,11 @@ private:
         for (const DiagnosisRow &row : diagnosisRows(m_diagnosis, m_language)) {
             if (row.kind == DiagnosisRowKind::sum)
                 sums.emplace_back(Paragraph{m_language.sentence(
-                    REPORT_TEXT("report", "Known of these sources is their sum: %1 = %2 %4, u = %3 %4."),
-                    {row.name.toStdString(), row.value.toStdString(), row.u.toStdString(),
-                     row.unit.toStdString()})});
+                    REPORT_TEXT("report", "Known of these sources is their sum: %1 = %2 ± %3 %4."),
+                    {row.name.toStdString(), row.value.toStdString(),
+                     row.expanded.isEmpty() ? "–" : row.expanded.toStdString(), row.unit.toStdString()})});
             else
-                table.rows.push_back({row.name, row.value, row.u, row.unit,
+                table.rows.push_back({row.name, row.value, row.expanded, row.unit,
                                       contributionCell(row, m_language, decimalsOfParts), row.meaning});
         }
         m_blocks.emplace_back(std::move(table));
@@ -130,7 +133,7 @@ Table sourcesTable(const Writer &write, const std::vector<DiagnosisRow> &rows, c
     table.columns = {columnOf(QString(), 6.5, Alignment::right),
                      write.column(REPORT_TEXT_FOR("report", "Source", "diagnosis"), 38),
                      write.column(REPORT_TEXT("report", "Value"), 14, Alignment::decimal),
-                     columnOf(Phrase({{QStringLiteral("u"), false, true}}), 13.5, Alignment::decimal),
+                     columnOf(intervalHead, 13.5, Alignment::decimal),
                      columnOf(QString(), 10.5),
                      columnOf(page.zone, 8.5, Alignment::decimal, language.unit(Quantity::deviation)),
                      columnOf(QString(), barColumn),
@@ -158,7 +161,7 @@ Table sourcesTable(const Writer &write, const std::vector<DiagnosisRow> &rows, c
         Cell unit(row.unit);
         Cell words(traced && !row.advice.isEmpty() ? row.meaning + u' ' + row.advice : row.meaning);
         words.pale = name.pale = unit.pale = row.kind == DiagnosisRowKind::notTold;
-        table.rows.push_back({std::move(number), std::move(name), row.value, row.u, std::move(unit),
+        table.rows.push_back({std::move(number), std::move(name), row.value, row.expanded, std::move(unit),
                               contributionCell(row, language, decimalsOfWidths), std::move(bar),
                               std::move(words)});
     }
@@ -204,6 +207,8 @@ public:
         , m_chosen(prevailingSources(test)) {}
 
     void add(std::vector<Block> &blocks) const {
+        for (const QString &warning : diagnosisWarnings(m_test.diagnosis, language()))
+            blocks.emplace_back(Paragraph{warning});
         addFigure(blocks);
         addSources(blocks);
         addStated(blocks);
@@ -329,11 +334,11 @@ private:
             m_write.column(REPORT_TEXT("report", "Value"), 13, Alignment::decimal),
             columnOf(QString(), 11),
             m_write.column(REPORT_TEXT("report", "Value here"), 19, Alignment::decimal),
-            columnOf(Phrase({{QStringLiteral("u"), false, true}}), 11, Alignment::decimal),
+            columnOf(intervalHead, 11, Alignment::decimal),
             columnOf(QString(), 10.5),
             {m_write.text(REPORT_TEXT("report", "Positive here means")), {}, Alignment::left, true}};
         for (const StatedSource &row : stated)
-            table.rows.push_back({row.name, row.stated, row.statedUnit, row.here, row.u, row.unit,
+            table.rows.push_back({row.name, row.stated, row.statedUnit, row.here, row.expanded, row.unit,
                                   QString(row.source + colon() + row.positive)});
         addHeading(blocks, m_write.text(REPORT_TEXT("report", "Beside the instrument’s own diagnosis")),
                    m_write.text(REPORT_TEXT("report", "its file states no sign convention: opposite signs "
@@ -394,6 +399,8 @@ public:
         , m_rows(diagnosisRows(together, write.language())) {}
 
     void add(std::vector<Block> &blocks) const {
+        for (const QString &warning : diagnosisWarnings(m_together, language()))
+            blocks.emplace_back(Paragraph{warning});
         addFigure(blocks);
         addHeading(blocks, m_write.text(REPORT_TEXT("report", "Sources")),
                    m_write.text(REPORT_TEXT("report", "the part of G(b) is what the source would make alone, "
@@ -446,7 +453,7 @@ private:
         for (const DiagnosisRow &row : m_rows) { // lags, which only several feeds determine
             const SourceEstimate &source = m_together.sources[row.sources.front()];
             const bool isLag = source.id == InfluenceId::commonLag || source.id == InfluenceId::lagMismatch;
-            if (isLag && source.value && source.u && std::abs(*source.value) > 2 * *source.u)
+            if (isLag && source.isSeen())
                 add(row);
         }
         std::ranges::for_each(m_rows, add);
@@ -457,8 +464,9 @@ private:
         both.gap = figureGap;
         for (std::size_t i = 0; i < figures.size(); ++i) {
             std::vector<Part> &half = i == 0 ? both.left : both.right;
-            half.emplace_back(Heading{2, figures[i].title,
-                                      m_write.text(REPORT_TEXT("report", "each circle by itself, ± 2 u"))});
+            half.emplace_back(Heading{
+                2, figures[i].title,
+                m_write.text(REPORT_TEXT("report", "each circle by itself, with its 95 % interval"))});
             for (FigureLine &line : figures[i].lines)
                 line.name.clear();
             half.emplace_back(FigureBlock{std::move(figures[i]), width, height});
@@ -517,9 +525,10 @@ void addDiagnosis(std::vector<Block> &blocks, const CircularPart &part) {
                                 write.text(REPORT_TEXT("report", "Diagnosis of the circle (interpretation)")),
                                 write.text(REPORT_TEXT("report", "not a result of ISO 230-4"))});
     blocks.emplace_back(Paragraph{write.text(REPORT_TEXT(
-        "report", "This diagnosis is no result of the test and no part of the verdict. It takes the measured "
-                  "path apart into known faults of machines; u is the standard uncertainty of the fit alone, "
-                  "without that of the instrument."))});
+        "report",
+        "This diagnosis is no result of the test and no part of the verdict. It takes the measured "
+        "path apart into known faults of machines; ± is the 95 % interval of the fit alone, without "
+        "the uncertainty of the instrument."))});
     const auto test = diagnosedTest(part.evaluated, part.index);
     if (test)
         DiagnosisPage(part, *test).add(blocks);

@@ -5,7 +5,6 @@
 #include "kernel/diagnosis/sourcewords.h"
 #include "kernel/diagnosis/traces.h"
 
-#include <QStringList>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -32,10 +31,15 @@ public:
         row.name = nameOf(source);
         setUnit(row, source.id);
         if (source.value && source.u)
-            setNumbers(row, shownParameter(source.id, *source.value), shownUncertainty(source));
+            setNumbers(row, shownParameter(source.id, *source.value), shownUncertainty(source),
+                       shownExpanded(source));
         row.contribution = source.contribution;
         row.meaning =
             source.separable ? m_language.sentence(sourceMeaning(m_diagnosis, source)) : reasonOf(source);
+        if (source.separable && !frame && !source.reasons.empty())
+            row.meaning += u' ' +
+                           m_language.text(REPORT_TEXT("report", "An indication, without an interval:")) +
+                           u' ' + sentences(source.reasons).join(u' ');
         if (source.separable)
             row.advice = adviceOf(source);
         return row;
@@ -59,7 +63,8 @@ public:
             row.name += m_language.sentence(sourceName(m_diagnosis.sources[one.source]));
         }
         setUnit(row, m_diagnosis.sources[sum.of.front().source].id);
-        setNumbers(row, sum.value, sum.u);
+        const auto interval = sum.interval();
+        setNumbers(row, sum.value, sum.u, interval ? std::optional(interval->to - sum.value) : std::nullopt);
         row.contribution = part.contribution;
         row.meaning = m_language.text(
             REPORT_TEXT("report", "These arcs tell the sum alone, not how it is shared out."));
@@ -77,12 +82,21 @@ private:
                                                          : QString::fromUtf8(influence(id).unit);
     }
 
-    void setNumbers(DiagnosisRow &row, double value, double u) const {
-        const int decimals = decimalsOfEstimate(u);
+    void setNumbers(DiagnosisRow &row, double value, double u, std::optional<double> half) const {
+        const int decimals = decimalsOfEstimate(half.value_or(2 * u));
         row.value = m_language.number(value, row.quantity, decimals);
         const double last = std::pow(10.0, -decimals);
-        row.u = u < last / 2 ? QStringLiteral("<\u00A0") + m_language.number(last, row.quantity, decimals)
-                             : m_language.number(u, row.quantity, decimals);
+        if (half)
+            row.expanded = *half < last / 2
+                               ? QStringLiteral("<\u00A0") + m_language.number(last, row.quantity, decimals)
+                               : m_language.number(*half, row.quantity, decimals);
+    }
+
+    [[nodiscard]] QStringList sentences(const std::vector<Message> &messages) const {
+        QStringList result;
+        for (const Message &message : messages)
+            result << m_language.sentence(message);
+        return result;
     }
 
     [[nodiscard]] QString nameOf(const SourceEstimate &source) const {
@@ -104,10 +118,9 @@ private:
                                    {others.join(QStringLiteral(", ")).toStdString()});
     }
 
-    /// Advice for the machine; empty if the value could be zero.
+    /// Advice for the machine; empty if the value could be zero, or is an indication.
     [[nodiscard]] QString adviceOf(const SourceEstimate &source) const {
-        const auto interval = source.interval();
-        if (interval && interval->from <= 0 && interval->to >= 0)
+        if (source.u && !source.isSeen())
             return {};
         const Message advice = sourceAdvice(m_diagnosis, source);
         return advice.text.empty() ? QString() : m_language.sentence(advice);
@@ -118,6 +131,22 @@ private:
 };
 
 } // namespace
+
+QStringList diagnosisWarnings(const Diagnosis &diagnosis, const Language &language) {
+    QStringList result;
+    if (const auto rotation = rotationStatement(diagnosis.rotation))
+        result << language.sentence(*rotation);
+    if (!diagnosis.modelFits) {
+        QStringList seen;
+        for (const Message &reason : diagnosis.reasons)
+            seen << language.sentence(reason);
+        result << language.sentence(
+            REPORT_TEXT("report", "The noise model does not fit: intervals are not valid, and values are "
+                                  "indications. Seen in the rest: %1."),
+            {seen.join(QStringLiteral(", ")).toStdString()});
+    }
+    return result;
+}
 
 std::vector<DiagnosisRow> diagnosisRows(const Diagnosis &diagnosis, const Language &language) {
     const RowMaker make(diagnosis, language);
@@ -204,11 +233,12 @@ std::vector<StatedSource> statedSources(const Test &test, const Diagnosis &diagn
             row.statedUnit = QString::fromStdString(stated.unit);
             row.source = language.sentence(sourceName(*source));
             if (source->value && source->u) {
-                const double u = shownUncertainty(*source);
-                const int digits = decimalsOfEstimate(u);
+                const auto half = shownExpanded(*source);
+                const int digits = decimalsOfEstimate(half.value_or(2 * shownUncertainty(*source)));
                 row.here =
                     language.number(shownParameter(source->id, *source->value), Quantity::number, digits);
-                row.u = language.number(u, Quantity::number, digits);
+                if (half)
+                    row.expanded = language.number(*half, Quantity::number, digits);
             }
             row.unit = QString::fromUtf8(influence(source->id).unit);
             row.positive = language.sentence(positiveMeaning(diagnosis, *source));

@@ -6,7 +6,7 @@
 #include "kernel/measurement/test.h"
 #include "language/language.h"
 
-#include <QString>
+#include <QStringList>
 #include <optional>
 #include <vector>
 
@@ -22,16 +22,19 @@ enum class DiagnosisRowKind {
 /// A source as shown in the window, on paper and in a terminal.
 struct DiagnosisRow {
     DiagnosisRowKind kind = DiagnosisRowKind::source;
-    std::vector<std::size_t> sources; ///< indices in the diagnosis: all that contribute to its trace
-    QString name;                     ///< "Backlash X", "Lateral play X + Backlash Y"
-    QString value;                    ///< with the digits that u allows; may be empty
-    QString u;
-    Quantity quantity = Quantity::number; ///< quantity of value and u
+    std::vector<std::size_t> sources;     ///< indices in the diagnosis: all that contribute to its trace
+    QString name;                         ///< "Backlash X", "Lateral play X + Backlash Y"
+    QString value;                        ///< with the digits that u allows; may be empty
+    QString expanded;                     ///< half its 95 % interval; empty for an indication
+    Quantity quantity = Quantity::number; ///< of value and interval
     QString unit;
     std::optional<double> contribution; ///< to G(b), of this source alone, mm
     QString meaning;                    ///< a sentence: what it is, or why it has no value
     QString advice;                     ///< a sentence: what to check on the machine; may be empty
 };
+
+/// Returns what has to be said before any source: a rotation, and what in the rest no noise explains.
+[[nodiscard]] QStringList diagnosisWarnings(const Diagnosis &diagnosis, const Language &language);
 
 /// Sources and sums, the largest contribution first; then those without a value; centre and radius last.
 [[nodiscard]] std::vector<DiagnosisRow> diagnosisRows(const Diagnosis &diagnosis, const Language &language);
@@ -44,9 +47,9 @@ struct StatedSource {
     QString name; ///< as in its file: "AF_SQUARENESS"
     QString stated;
     QString statedUnit;
-    QString source; ///< "Squareness X–Y"
-    QString here;   ///< empty if the circle does not determine it
-    QString u;
+    QString source;   ///< "Squareness X–Y"
+    QString here;     ///< empty if the circle does not determine it
+    QString expanded; ///< half its 95 % interval; empty for an indication
     QString unit;
     QString positive; ///< a sentence: meaning of a positive value of ours
 };

@@ -286,11 +286,11 @@ private slots:
         });
         QVERIFY(known != diagnosis.sources.end());
         const auto source = static_cast<std::size_t>(known - diagnosis.sources.begin());
-        QVERIFY2(!rowOf(source).u.contains('<') && rowOf(source).u.toDouble() > 0,
-                 qPrintable(rowOf(source).u));
+        QVERIFY2(!rowOf(source).expanded.contains('<') && rowOf(source).expanded.toDouble() > 0,
+                 qPrintable(rowOf(source).expanded));
         known->u = 1e-15;
-        QVERIFY2(rowOf(source).u.startsWith("<\u00A0"), qPrintable(rowOf(source).u));
-        QVERIFY(rowOf(source).u.mid(2).toDouble() > 0);
+        QVERIFY2(rowOf(source).expanded.startsWith("<\u00A0"), qPrintable(rowOf(source).expanded));
+        QVERIFY(rowOf(source).expanded.mid(2).toDouble() > 0);
         known->width = 1.25;
         known->pitch = 10;
         QVERIFY2(rowOf(source).name.endsWith(", 10\u00A0mm, 1.3°") ||

@@ -121,7 +121,7 @@ inline Point reached(const Axes &axes, const Moment &at, double windUp) {
     const double toX = -at.sense * std::sin(at.angle) >= 0 ? 1 : -1; // direction of travel
     const double toY = at.sense * std::cos(at.angle) >= 0 ? 1 : -1;
     const auto taken = [&](int axis) { // part of the backlash taken up: −1 at the reversal, 1 after it
-        return windUp > 0 ? 1 - 2 * std::exp(-travelledSince(at, axis) / windUp) : 1.0;
+        return windUp > 0 ? 1 - 2 * std::max(0.0, 1 - travelledSince(at, axis) / windUp) : 1.0;
     };
     const auto bow = [](double along) { return along * along / (zooRadius * zooRadius) - 0.5; };
     Point p{x * (1 + axes.scale / 2), y * (1 - axes.scale / 2)};
@@ -405,6 +405,8 @@ inline const std::array animals{
            [](Disturbance &d, Axes &a, Draws &) {
                a.backlash = {5e-3, -3e-3};
                d.windUp = 2;
+               d.has.insert({InfluenceId::reversalSpike, PlaneAxis::first});
+               d.has.insert({InfluenceId::reversalSpike, PlaneAxis::second});
            }},
     Animal{"bend of the guideway, cubic",
            [](Disturbance &d, Axes &, Draws &) {
@@ -439,7 +441,8 @@ struct ZooCounts {
 };
 
 /// Returns the true value of a source; null for centre and radius, which also take up what the bows leave.
-inline std::optional<double> truthOf(const Axes &axes, const SourceEstimate &source) {
+inline std::optional<double> truthOf(const ZooCircle &circle, const SourceEstimate &source) {
+    const Axes &axes = circle.axes;
     const std::size_t k = source.axis == PlaneAxis::second;
     switch (source.id) {
     case InfluenceId::scaleMismatch:
@@ -455,7 +458,7 @@ inline std::optional<double> truthOf(const Axes &axes, const SourceEstimate &sou
     case InfluenceId::straightness:
         return axes.bow[k];
     case InfluenceId::reversalSpike:
-        return axes.spike[k];
+        return circle.by.windUp > 0 ? std::nullopt : std::optional(axes.spike[k]); // a dent that comes back
     default:
         return std::nullopt;
     }
@@ -467,7 +470,7 @@ inline bool isFalseClaim(const ZooCircle &circle, const SourceEstimate &source) 
     const auto interval = source.interval();
     if (!interval)
         return false;
-    const auto truth = truthOf(circle.axes, source);
+    const auto truth = truthOf(circle, source);
     if (truth) {
         const double half = (interval->to - interval->from) / 2;
         return *truth == 0 && (interval->from > half || interval->to < -half);
@@ -488,7 +491,7 @@ inline void count(ZooCounts &counts, const ZooCircle &circle, const Diagnosis &d
     }
     bool wrong = false;
     for (const SourceEstimate &source : diagnosis.sources) {
-        const auto truth = truthOf(circle.axes, source);
+        const auto truth = truthOf(circle, source);
         if (isFalseClaim(circle, source)) {
             wrong = true;
             ++counts.claimed[std::string(influence(source.id).word) +

@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/diagnosis/influencefit.h"
+
+namespace palmer {
+
+/// What speaks against single terms of a fit.
+struct Agreement {
+    std::vector<std::vector<Message>> objections; ///< per term
+    std::vector<bool> reversals;    ///< per term: false if its reversals, each alone, contradict each other
+    bool stepBetweenSenses = false; ///< radii that differ between the senses explain more than lateral play
+};
+
+/// Compares what should say the same within 3 u: the reversals of an axis in each sense (backlash, spikes),
+/// even and odd sectors of 15°, plain weights and Huber's (1.345), and lateral play with radii that differ
+/// between the senses.
+[[nodiscard]] Agreement agreement(const PathRows &rows, const InfluenceFit &fit);
+
+} // namespace palmer

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "kernel/diagnosis/influencefit.h"
+
+namespace palmer {
+
+/// Returns what in the residual of a fit contradicts its model of the noise, the most telling first; empty
+/// if nothing does. The whitened residual is tested for single values, for the variance in sectors of 15°,
+/// for runs of signs, its spectrum for lines, for its shape and for a plateau towards slow waves: without
+/// one, the noise of the estimates is not known. Together they object to 1 % of fits that hold.
+[[nodiscard]] std::vector<Message> misfits(const PathRows &rows, const InfluenceFit &fit);
+
+} // namespace palmer
