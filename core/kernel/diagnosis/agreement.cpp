@@ -126,7 +126,7 @@ int stepInsteadOfPlay(const PathRows &rows, const InfluenceFit &fit) {
 Agreement agreement(const PathRows &rows, const InfluenceFit &fit) {
     Agreement result{std::vector<std::vector<Message>>(fit.terms.size()),
                      std::vector<bool>(fit.terms.size(), true), false};
-    if (!(slowVariance(fit) > 0))
+    if (!(fit.residual > leastAmplitude))
         return result;
     const Vector sectors = bySectors(rows, fit);
     const Vector robust = byRobustWeights(fit);

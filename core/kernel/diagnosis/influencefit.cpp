@@ -18,7 +18,6 @@ using Vector = Eigen::VectorXd;
 
 constexpr double mostHidden = 1e-6;
 constexpr double mostInflated = 10;
-constexpr double leastAmplitude = 2e-5; ///< mm: no circular test instrument resolves less
 constexpr double mostByChance = 1e-3;   ///< probability
 constexpr double worthATrial = 1e-2;    ///< probability, from the quick test
 
@@ -95,8 +94,7 @@ public:
         std::vector<FitTerm> result;
         const FitTerm &mine = chosen.terms.front();
         for (const Peak &peak : m_peaks) {
-            constexpr double apart = 0.75; // periods over the radius: half a period
-                                           // over the circle, and more
+            constexpr double apart = 0.75; // periods over the radius; neighbours explain each other
             const bool same =
                 peak.axis == mine.axis && std::abs(m_radius / peak.pitch - m_radius / mine.shape) < apart;
             if (!same && peak.explained > chosen.explained - asGood * peak.noise)

@@ -9,6 +9,8 @@
 
 namespace palmer {
 
+constexpr double leastAmplitude = 2e-5; ///< mm: no circular test instrument resolves less
+
 /// The columns of a diagnosis fitted to its rows, with the noise derived from the residual.
 struct InfluenceFit {
     InfluenceFit(const PathRows &rows, std::vector<FitTerm> fitted);

@@ -70,7 +70,7 @@ struct WhiteSums {
 
 std::vector<Message> misfits(const PathRows &rows, const InfluenceFit &fit) {
     std::vector<Message> result;
-    if (!(fit.noise.variance(0.5) > 0))
+    if (!(fit.residual > leastAmplitude))
         return result;
     const CorrelatedNoise::Judgement &spectrum = fit.noise.judgement();
     const Eigen::VectorXd white = fit.noise.whitened(fit.fit.residual, rows.records());
