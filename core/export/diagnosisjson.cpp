@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <cmath>
+#include <functional>
 
 namespace palmer {
 
@@ -81,8 +82,8 @@ Json sumJson(const Diagnosis &diagnosis, const SourceSum &sum) {
     return {{"id", "sum"},
             {"of", std::move(of)},
             {"value", number(sum.value)},
-            {"u", sum.indication ? Json(nullptr) : number(sum.u)},
-            {"interval", intervalJson(sum.interval(), [](double end) { return end; })},
+            {"u", sum.interval ? number(sum.u) : Json(nullptr)},
+            {"interval", intervalJson(sum.interval, std::identity())},
             {"unit", influence(diagnosis.sources[sum.of.front().source].id).unit},
             {"contribution", number(sum.contribution)}};
 }

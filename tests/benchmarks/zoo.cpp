@@ -30,6 +30,8 @@ int main(int argc, char **argv) {
                     percent(counts.falseClaims, counts.circles));
         for (const auto &[word, times] : counts.claimed)
             std::printf(" %s %d", word.c_str(), times);
+        for (const auto &[word, times] : counts.seen)
+            std::printf(" | %s %d", word.c_str(), times);
         std::printf("\n");
         std::fflush(stdout);
     }

@@ -64,8 +64,29 @@ Vector byRobustWeights(const InfluenceFit &fit) {
     return (fit.fit.toScaled * moved).cwiseQuotient(fit.fit.lengths);
 }
 
-/// Returns how many reversals of a term are in the data, negative if those fitted alone contradict each
-/// other: with the whole fitted, columns of all but one give the differences from that one.
+/// Compares lateral play with a step of the radius between the senses: 0 the play explains more, 1 they
+/// cannot be told apart, 2 the step explains more.
+int stepInsteadOfPlay(const PathRows &rows, const InfluenceFit &fit) {
+    std::vector<FitTerm> terms{{InfluenceId::radiusDrift, PlaneAxis::none, true}};
+    for (std::size_t j = 0; j < fit.terms.size(); ++j) {
+        const FitTerm &term = fit.terms[j];
+        const bool isPlay = term.id == InfluenceId::lateralPlay;
+        if ((isPlay && !(fit.isSeparable(j) && std::abs(fit.factor(j)) > mostU * fit.u(j))) ||
+            (term.id == InfluenceId::radiusDrift && term.second))
+            return 0;
+        if (!isPlay)
+            terms.push_back(term);
+    }
+    const InfluenceFit other(rows, std::move(terms));
+    constexpr double quantile95 = 3.84;
+    const double more = other.fit.residual.squaredNorm() - fit.fit.residual.squaredNorm();
+    const double bound = quantile95 * slowVariance(fit);
+    return more < -bound ? 2 : more < bound ? 1 : 0;
+}
+
+} // namespace
+
+// With the whole fitted, columns of all reversals but one give the differences from that one.
 int reversals(const PathRows &rows, const InfluenceFit &fit, const FitTerm &term) {
     std::vector<FitTerm> parts(4, term);
     for (std::size_t k = 0; k < parts.size(); ++k)
@@ -101,31 +122,8 @@ int reversals(const PathRows &rows, const InfluenceFit &fit, const FitTerm &term
     return count;
 }
 
-/// Compares lateral play with a step of the radius between the senses: 0 the play explains more, 1 they
-/// cannot be told apart, 2 the step explains more.
-int stepInsteadOfPlay(const PathRows &rows, const InfluenceFit &fit) {
-    std::vector<FitTerm> terms{{InfluenceId::radiusDrift, PlaneAxis::none, true}};
-    for (std::size_t j = 0; j < fit.terms.size(); ++j) {
-        const FitTerm &term = fit.terms[j];
-        const bool isPlay = term.id == InfluenceId::lateralPlay;
-        if ((isPlay && !(fit.isSeparable(j) && std::abs(fit.factor(j)) > mostU * fit.u(j))) ||
-            (term.id == InfluenceId::radiusDrift && term.second))
-            return 0;
-        if (!isPlay)
-            terms.push_back(term);
-    }
-    const InfluenceFit other(rows, std::move(terms));
-    constexpr double quantile95 = 3.84;
-    const double more = other.fit.residual.squaredNorm() - fit.fit.residual.squaredNorm();
-    const double bound = quantile95 * slowVariance(fit);
-    return more < -bound ? 2 : more < bound ? 1 : 0;
-}
-
-} // namespace
-
 Agreement agreement(const PathRows &rows, const InfluenceFit &fit) {
-    Agreement result{std::vector<std::vector<Message>>(fit.terms.size()),
-                     std::vector<bool>(fit.terms.size(), true), false};
+    Agreement result{std::vector<std::vector<Message>>(fit.terms.size()), false};
     if (!(fit.residual > leastAmplitude))
         return result;
     const Vector sectors = bySectors(rows, fit);
@@ -140,7 +138,6 @@ Agreement agreement(const PathRows &rows, const InfluenceFit &fit) {
         const auto i = Eigen::Index(j);
         if (term.id == InfluenceId::backlash || (term.id == InfluenceId::reversalSpike && !term.second)) {
             const int count = reversals(rows, fit, term);
-            result.reversals[j] = count > 0;
             if (count < 0)
                 object(REPORT_TEXT("report", "The reversals, each fitted alone, contradict each other."));
             if (std::abs(count) == 1)

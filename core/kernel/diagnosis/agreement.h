@@ -9,7 +9,6 @@ namespace palmer {
 /// What speaks against single terms of a fit.
 struct Agreement {
     std::vector<std::vector<Message>> objections; ///< per term
-    std::vector<bool> reversals;    ///< per term: false if its reversals, each alone, contradict each other
     bool stepBetweenSenses = false; ///< radii that differ between the senses explain more than lateral play
 };
 
@@ -17,5 +16,9 @@ struct Agreement {
 /// even and odd sectors of 15°, plain weights and Huber's (1.345), and lateral play with radii that differ
 /// between the senses.
 [[nodiscard]] Agreement agreement(const PathRows &rows, const InfluenceFit &fit);
+
+/// Returns how many reversals of a term are in the data, negative if those fitted alone contradict each
+/// other.
+[[nodiscard]] int reversals(const PathRows &rows, const InfluenceFit &fit, const FitTerm &term);
 
 } // namespace palmer

@@ -72,6 +72,11 @@ std::vector<FitTerm> basicTerms(std::size_t circles, bool severalFeeds, const Di
     return terms;
 }
 
+double coverageFactor(double degreesOfFreedom, double probability) {
+    constexpr double most = 1e6;
+    return studentQuantile(probability, static_cast<int>(std::min(degreesOfFreedom, most)));
+}
+
 std::string planeName(const DiagnosedCircle &circle) {
     return circle.first + "–" + circle.second;
 }
@@ -342,8 +347,9 @@ private:
             value += weights[Eigen::Index(j)] * m_fit.factor(j);
         sum.value = value * shownUnit(leading);
         sum.u = m_fit.u(weights) * shownUnit(leading);
-        sum.degreesOfFreedom = m_fit.degreesOfFreedom(weights);
-        sum.indication = !m_diagnosis.modelFits;
+        const double half = coverageFactor(m_fit.degreesOfFreedom(weights), 0.975) * sum.u;
+        if (m_diagnosis.modelFits)
+            sum.interval = {sum.value - half, sum.value + half};
         sum.contribution = contribution(terms);
         m_diagnosis.sums.push_back(std::move(sum));
     }
@@ -382,15 +388,6 @@ private:
 
 } // namespace
 
-namespace {
-
-double coverageFactor(double degreesOfFreedom, double probability) {
-    constexpr double most = 1e6;
-    return studentQuantile(probability, static_cast<int>(std::min(degreesOfFreedom, most)));
-}
-
-} // namespace
-
 std::optional<Interval> SourceEstimate::interval() const {
     if (!value || !u || indication)
         return std::nullopt;
@@ -400,13 +397,6 @@ std::optional<Interval> SourceEstimate::interval() const {
 
 bool SourceEstimate::isSeen() const {
     return interval() && std::abs(*value) > coverageFactor(degreesOfFreedom, 0.9995) * *u;
-}
-
-std::optional<Interval> SourceSum::interval() const {
-    if (indication)
-        return std::nullopt;
-    const double k = coverageFactor(degreesOfFreedom, 0.975);
-    return Interval{value - k * u, value + k * u};
 }
 
 bool Rotation::isStated() const {
@@ -508,27 +498,6 @@ constexpr double usualRegistration = 0.1; ///< u of the angles where no step sho
 constexpr double leastLeftOut = 0.1;      ///< degrees from a reversal
 constexpr double mostLeftOut = 1;
 
-/// Takes spikes out of a fit that its reversals contradict. Returns true if there were any.
-bool dropContradicted(const PathRows &rows, InfluenceFit &fit, const Agreement &agreed,
-                      std::vector<FoundInfluence> &found) {
-    std::vector<FitTerm> kept;
-    for (std::size_t j = 0; j < fit.terms.size(); ++j) {
-        const FitTerm &term = fit.terms[j];
-        const bool dropped = term.id == InfluenceId::reversalSpike && !agreed.reversals[j - term.second];
-        const auto same = [&](const FoundInfluence &one) {
-            return one.id == term.id && one.axis == term.axis;
-        };
-        if (!dropped || std::ranges::none_of(found, same))
-            kept.push_back(term);
-        else if (term.second)
-            std::erase_if(found, same);
-    }
-    if (kept.size() == fit.terms.size())
-        return false;
-    fit = InfluenceFit(rows, std::move(kept));
-    return true;
-}
-
 } // namespace
 
 Diagnosis diagnose(const DiagnosedCircle &circle, const DiagnosisOptions &options) {
@@ -573,9 +542,7 @@ Diagnosis diagnose(std::span<const DiagnosedCircle> circles, const DiagnosisOpti
     std::vector<FoundInfluence> found;
     if (options.search)
         found = searchInfluences(rows, options, fit, steps.rotation.isStated());
-    Agreement agreed = agreement(rows, fit);
-    if (dropContradicted(rows, fit, agreed, found))
-        agreed = agreement(rows, fit);
+    const Agreement agreed = agreement(rows, fit);
     fit.turnBy(rows, turnedBy * degree);
     Diagnosis result = Assembly(circles, rows, fit, centres, agreed).diagnosis(found);
     result.rotation = steps.rotation;

@@ -98,11 +98,8 @@ struct SourceSum {
     std::vector<Part> of;
     double value = 0; ///< in the unit shown for the first source
     double u = 0;
-    double degreesOfFreedom = 0;
-    bool indication = false;
-    double contribution = 0; ///< to G(b), of all together, mm
-
-    [[nodiscard]] std::optional<Interval> interval() const;
+    std::optional<Interval> interval; ///< 95 %; null if u is not valid
+    double contribution = 0;          ///< to G(b), of all together, mm
 };
 
 /// How the angles of the file lie to the axes of the machine, as the steps at the reversals show it.

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/diagnosis/influencefit.h"
 
+#include "kernel/diagnosis/agreement.h"
 #include "kernel/diagnosis/pitchscan.h"
 #include "kernel/diagnosis/residualtest.h"
 
@@ -18,8 +19,8 @@ using Vector = Eigen::VectorXd;
 
 constexpr double mostHidden = 1e-6;
 constexpr double mostInflated = 10;
-constexpr double mostByChance = 1e-3;   ///< probability
-constexpr double worthATrial = 1e-2;    ///< probability, from the quick test
+constexpr double mostByChance = 1e-3; ///< probability
+constexpr double worthATrial = 1e-2;  ///< probability, from the quick test
 
 /// Pitches of screws and racks, mm, including inch sizes.
 constexpr std::array plausiblePitches{1.0,  2.0,  2.5,  3.0,  4.0,  5.0,  5.08, 6.0,  6.35, 8.0,  10.0,
@@ -345,11 +346,13 @@ std::vector<FoundInfluence> searchInfluences(const PathRows &rows, const Diagnos
         const double chance = byChance(more, place, trials);
         const bool significant = chance <= mostByChance && amplitude(more, place) >= leastAmplitude &&
                                  more.isSeparable(place) && !isAtEnd(rows, more, place);
-        if (!significant || (quiet && !misfits(rows, more).empty()))
+        const FitTerm &term = more.terms[place];
+        if (!significant || (quiet && !misfits(rows, more).empty()) ||
+            (term.id == InfluenceId::reversalSpike && reversals(rows, more, term) < 0))
             return false;
-        const bool periodic = more.terms[place].id == InfluenceId::cyclic;
-        result.push_back({more.terms[place].id, more.terms[place].axis, chance,
-                          periodic ? search.asGoodAs(candidate) : std::vector<FitTerm>()});
+        result.push_back(
+            {term.id, term.axis, chance,
+             term.id == InfluenceId::cyclic ? search.asGoodAs(candidate) : std::vector<FitTerm>()});
         fit = std::move(more);
         return true;
     };

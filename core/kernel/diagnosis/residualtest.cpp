@@ -3,7 +3,7 @@
 #include "kernel/diagnosis/residualtest.h"
 
 #include "kernel/numerics/angles.h"
-#include "kernel/numerics/chisquare.h"
+#include "kernel/numerics/studentt.h"
 
 #include <array>
 #include <cmath>

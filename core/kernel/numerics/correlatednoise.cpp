@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/numerics/correlatednoise.h"
 
-#include "kernel/numerics/chisquare.h"
+#include "kernel/numerics/studentt.h"
 
 #include <Eigen/Dense>
 #include <unsupported/Eigen/FFT>

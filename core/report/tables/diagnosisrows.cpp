@@ -63,8 +63,8 @@ public:
             row.name += m_language.sentence(sourceName(m_diagnosis.sources[one.source]));
         }
         setUnit(row, m_diagnosis.sources[sum.of.front().source].id);
-        const auto interval = sum.interval();
-        setNumbers(row, sum.value, sum.u, interval ? std::optional(interval->to - sum.value) : std::nullopt);
+        setNumbers(row, sum.value, sum.u,
+                   sum.interval ? std::optional(sum.interval->to - sum.value) : std::nullopt);
         row.contribution = part.contribution;
         row.meaning = m_language.text(
             REPORT_TEXT("report", "These arcs tell the sum alone, not how it is shared out."));

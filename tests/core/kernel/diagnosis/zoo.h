@@ -434,6 +434,8 @@ struct ZooCounts {
     int falseClaims = 0;                ///< circles that state with certainty what is not there
     std::map<std::string, int> claimed; ///< which, wrongly
 
+    std::map<std::string, int> seen; ///< why not valid
+
     /// Sources whose interval covers the truth, or that are said to have none.
     [[nodiscard]] double held() const {
         return sources > 0 ? double(sources - intervals + hits) / sources : 1;
@@ -485,10 +487,10 @@ inline bool isFalseClaim(const ZooCircle &circle, const SourceEstimate &source) 
 
 inline void count(ZooCounts &counts, const ZooCircle &circle, const Diagnosis &diagnosis) {
     ++counts.circles;
-    if constexpr (requires { diagnosis.modelFits; }) {
-        counts.notValid += !diagnosis.modelFits;
-        counts.turned += diagnosis.rotation.isStated();
-    }
+    counts.notValid += !diagnosis.modelFits;
+    counts.turned += diagnosis.rotation.isStated();
+    for (const Message &reason : diagnosis.reasons)
+        ++counts.seen[reason.text.source];
     bool wrong = false;
     for (const SourceEstimate &source : diagnosis.sources) {
         const auto truth = truthOf(circle, source);
