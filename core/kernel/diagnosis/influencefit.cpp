@@ -32,6 +32,7 @@ struct Candidate {
     std::vector<FitTerm> terms;
     double score = 0; ///< explained part of the sum of squares / noise variance in its band
     double explained = 0;
+    double noise = 0;
 };
 
 /// Bound of what else explains as much, in noise variances: 95 % of χ² with one degree of freedom.
@@ -167,8 +168,7 @@ private:
         // Fewer than two periods over the circle look like the shape of the guideway: the end of the range.
         if (!(best.pitch > 0) || best.pitch > m_radius)
             return;
-        const double pitch = scan.refined(best.pitch, plausiblePitches, asGood * best.noise);
-        keep({cyclicTerms(axis, pitch), best.explained / best.noise, best.explained});
+        keep({cyclicTerms(axis, best.pitch), best.explained / best.noise, best.explained, best.noise});
     }
 
     template <class Keep>
@@ -334,10 +334,14 @@ std::vector<FoundInfluence> searchInfluences(const PathRows &rows, const Diagnos
     std::vector<FoundInfluence> result;
     Search search(rows, options, onlyDrift);
     const auto tryOne = [&](bool quiet) {
-        const Candidate candidate = search.best(fit, quiet);
+        Candidate candidate = search.best(fit, quiet);
         const int trials = search.trials();
         if (candidate.terms.empty() || trials * std::exp(-candidate.score / 2) > worthATrial)
             return false;
+        if (const FitTerm &first = candidate.terms.front(); first.id == InfluenceId::cyclic)
+            candidate.terms = cyclicTerms(
+                first.axis, PitchScan(rows, fit, first.axis)
+                                .refined(first.shape, plausiblePitches, asGood * candidate.noise));
         std::vector<FitTerm> terms = fit.terms;
         const std::size_t place = terms.size();
         terms.insert(terms.end(), candidate.terms.begin(), candidate.terms.end());

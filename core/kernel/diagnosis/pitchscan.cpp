@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/diagnosis/pitchscan.h"
 
-#include "kernel/numerics/lanes.h"
-
 #include <unsupported/Eigen/FFT>
 
 #include <algorithm>
@@ -11,32 +9,11 @@
 #include <cmath>
 #include <complex>
 #include <cstddef>
+#include <numbers>
 
 namespace palmer {
 
 namespace {
-
-struct SineCosine {
-    Lanes sine;
-    Lanes cosine;
-};
-
-/// Sine and cosine of an angle in turns: whole turns subtracted, series of half the angle, doubled.
-SineCosine ofTurns(Lanes turns) {
-    const Lanes round(0x1.8p52);
-    const Lanes x = (turns - ((turns + round) - round)) * 3.141592653589793;
-    const Lanes q = x * x;
-    const Lanes s =
-        x * (Lanes(1.0) +
-             q * (Lanes(-1.0 / 6) + q * (Lanes(1.0 / 120) + q * (Lanes(-1.0 / 5040) + q * (1.0 / 362880)))));
-    const Lanes c = Lanes(1.0) + q * (Lanes(-1.0 / 2) +
-                                      q * (Lanes(1.0 / 24) + q * (Lanes(-1.0 / 720) + q * (1.0 / 40320))));
-    return {Lanes(2.0) * s * c, (c - s) * (c + s)};
-}
-
-double sum(const Lanes &lanes) {
-    return (lanes[0] + lanes[1]) + (lanes[2] + lanes[3]);
-}
 
 /// Returns the part of Σ v² within two columns, by their products with v and with each other.
 double withinColumns(double s, double c, double ss, double sc, double cc) {
@@ -71,27 +48,20 @@ std::vector<std::complex<double>> transformed(const std::vector<double> &along,
 
 double explainedByPitch(std::span<const double> along, std::span<const double> curve,
                         std::span<const double> squares, double periods) {
-    Lanes b1(0.0);
-    Lanes b2(0.0);
-    Lanes a11(0.0);
-    Lanes a12(0.0);
-    Lanes all(0.0);
-    // The remainder beyond multiples of four is too small to affect the choice of a pitch.
-    for (std::size_t i = 0; i + Lanes::count <= along.size(); i += Lanes::count) {
-        const SineCosine wave = ofTurns(Lanes::from(&along[i]) * periods);
-        const Lanes v = Lanes::from(&curve[i]);
-        const Lanes w = Lanes::from(&squares[i]);
-        b1 += v * wave.sine;
-        b2 += v * wave.cosine;
-        a11 += w * wave.sine * wave.sine;
-        a12 += w * wave.sine * wave.cosine;
-        all += w;
+    double s = 0;
+    double c = 0;
+    double ss = 0;
+    double sc = 0;
+    double cc = 0;
+    for (std::size_t i = 0; i < along.size(); ++i) {
+        const double sine = std::sin(2 * std::numbers::pi * periods * along[i]);
+        const double cosine = std::cos(2 * std::numbers::pi * periods * along[i]);
+        s += curve[i] * sine;
+        c += curve[i] * cosine;
+        ss += squares[i] * sine * sine;
+        sc += squares[i] * sine * cosine;
+        cc += squares[i] * cosine * cosine;
     }
-    const double s = sum(b1);
-    const double c = sum(b2);
-    const double ss = sum(a11);
-    const double sc = sum(a12);
-    const double cc = sum(all) - ss;
     return withinColumns(s, c, ss, sc, cc);
 }
 
