@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "kernel/diagnosis/pitchscan.h"
 
+#include "core/kernel/diagnosis/coverage.h"
+
 #include <QTest>
 
 #include <cmath>
@@ -38,7 +40,6 @@ class PitchScanTest : public QObject {
     Q_OBJECT
 
 private slots:
-    /// The sines of the scan are good to 1e-4: each term of their series is more than that at its end.
     void anyCurveAgainstTheSinesOfTheLibrary() {
         std::mt19937 random(7);
         std::uniform_real_distribution<double> position(-1, 1);
@@ -54,9 +55,7 @@ private slots:
             }
             const double periods = 3 + 20 * std::abs(position(random));
             const double expected = explained(along, curve, squares, periods);
-            // 400 readings of ±1: their sum with a sine that is 1e-4 off is 2e-3 off (1e-4 times the root of
-            // 400).
-            const double tolerance = 1e-3 + 4e-4 * std::sqrt(expected);
+            const double tolerance = 1e-10 * (1 + expected);
             const double found = explainedByPitch(along, curve, squares, periods);
             QVERIFY2(std::abs(found - expected) < tolerance,
                      qPrintable(QString("%1 for %2").arg(found).arg(expected)));
@@ -78,6 +77,33 @@ private slots:
         }
         QVERIFY(std::abs(explainedByPitch(along, curve, squares, 15) - all) < 1e-3 * all);
         QVERIFY(explainedByPitch(along, curve, squares, 12) < 0.2 * all);
+    }
+
+    /// The scan by Fourier transforms finds what a sum over all readings finds.
+    void theScanFindsThePitch() {
+        CircularSynthesis asked;
+        asked.points = 720;
+        asked.sources = {{InfluenceId::cyclic, PlaneAxis::second, 2e-3, 23.7, 0.4}};
+        const testdata::MadeCircle made(synthesizeCircular(asked));
+        const DiagnosedCircle circle = made.circle();
+        const Point centre{};
+        const PathRows rows({&circle, 1}, {&centre, 1}, 0, 0);
+        const InfluenceFit fit(rows, {{InfluenceId::radius}});
+        const PitchScan scan(rows, fit, PlaneAxis::second);
+        const std::vector<double> found = scan.explained();
+        const auto best = std::size_t(std::ranges::max_element(found) - found.begin());
+        QVERIFY2(std::abs(scan.periods(best) - 150 / 23.7) <= 1.0 / 8,
+                 qPrintable(QString::number(scan.periods(best))));
+        // Within twice the step of the largest: R/p from 0.5 to 1/(2·0.5°).
+        QCOMPARE(scan.periods(0), 0.5);
+        QVERIFY(scan.periods(found.size()) <= 180 / std::numbers::pi + 0.13);
+        // Its neighbour in the list of usual pitches is not as good; a list that holds it is.
+        QVERIFY(std::abs(scan.refined(150 / scan.periods(best), std::array{24.0}, 0) / 23.7 - 1) < 5e-3);
+        QCOMPARE(scan.refined(150 / scan.periods(best), std::array{23.7}, 1e-12), 23.7);
+        const double all = fit.fit.residual.squaredNorm();
+        QVERIFY(found[best] > 0.8 * all && found[best] < 1.05 * all);
+        const auto other = PitchScan(rows, fit, PlaneAxis::first).explained();
+        QVERIFY(*std::ranges::max_element(other) < 0.5 * all);
     }
 
     void rowsThatDoNotCountSayNothing() {

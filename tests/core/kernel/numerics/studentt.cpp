@@ -16,6 +16,8 @@ private slots:
     void agreesWithTables();
     void fallsTowardsTheNormalDistribution();
     void hasNoBoundWithoutDegreesOfFreedom();
+    void chiSquare_data();
+    void chiSquare();
 };
 
 void StudentT::agreesWithTables_data() {
@@ -50,6 +52,28 @@ void StudentT::fallsTowardsTheNormalDistribution() {
 
 void StudentT::hasNoBoundWithoutDegreesOfFreedom() {
     QVERIFY(std::isinf(studentQuantile975(0)));
+}
+
+void StudentT::chiSquare_data() {
+    QTest::addColumn<double>("value");
+    QTest::addColumn<double>("degrees");
+    QTest::addColumn<double>("probability");
+    // NIST/SEMATECH e-Handbook of Statistical Methods, 1.3.6.7.4
+    QTest::newRow("2, 1 %") << 9.210 << 2. << 0.01;
+    QTest::newRow("10, 5 %") << 18.307 << 10. << 0.05;
+    QTest::newRow("10, 1 %") << 23.209 << 10. << 0.01;
+    QTest::newRow("48, 5 %") << 65.171 << 48. << 0.05;
+}
+
+void StudentT::chiSquare() {
+    QFETCH(double, value);
+    QFETCH(double, degrees);
+    QFETCH(double, probability);
+    const double found = chiSquareExceeded(value, degrees);
+    QVERIFY2(std::abs(found / probability - 1) < 0.02, qPrintable(QString::number(found)));
+    QCOMPARE(chiSquareExceeded(value, 0), 1.0);
+    QCOMPARE(chiSquareExceeded(0, degrees), 1.0);
+    QVERIFY(std::abs(normalExceeded(-1.959964) - 0.05) < 1e-7);
 }
 
 QTEST_GUILESS_MAIN(StudentT)
