@@ -108,7 +108,7 @@ void TrendChart::rebuild() {
     };
     m_x = axis(Qt::AlignBottom, m_panel.x);
     m_y = axis(Qt::AlignLeft, m_panel.y);
-    takeWhole();
+    showWhole();
     for (QCategoryAxis *one : {m_x, m_y})
         one->setVisible(!m_panel.values.empty());
     if (!m_panel.band.empty())
