@@ -4,9 +4,11 @@
 
 #include "commandline/optionvalues.h"
 #include "commandline/outputfile.h"
+#include "commandline/simulations.h"
 #include "commandline/streams.h"
 #include "document/savedocument.h"
 #include "export/compensation.h"
+#include "export/dcc.h"
 #include "export/resultsjson.h"
 #include "kernel/evaluation/evaluatetest.h"
 #include "kernel/evaluation/surroundings.h"
@@ -21,8 +23,10 @@ constexpr const char *tables = "as=linuxcnc|as=siemens|as=weihong|as=compensatio
 constexpr const char *notJson = "as=csv|as=linuxcnc|as=siemens|as=weihong|as=compensation-csv";
 
 constexpr auto exportOptions = optionList(
-    Option{"as", "csv|json|linuxcnc|siemens|weihong|compensation-csv",
-           REPORT_TEXT("report", "what to write: readings and results, or a compensation table")},
+    Option{"as", "csv|json|dcc|linuxcnc|siemens|weihong|compensation-csv",
+           REPORT_TEXT("report",
+                       "what to write: readings and results, a digital calibration certificate, or a "
+                       "compensation table")},
     Option{"o", "OUT", REPORT_TEXT("report", "the file to write")},
     Option{"test", "N", REPORT_TEXT("report", "which test of the file, from 1; without it the first"), false,
            notJson},
@@ -83,6 +87,8 @@ int encoder(const Invocation &invocation) {
 void requireEnding(const Invocation &invocation, const QString &output, const QString &form) {
     if (form == QLatin1StringView("json"))
         requireOutput(invocation, output, {"json"});
+    else if (form == QLatin1StringView("dcc"))
+        requireOutput(invocation, output, {"xml"});
     else if (form == QLatin1StringView("linuxcnc"))
         requireOutput(invocation, output, {"comp", "txt"});
     else if (form == QLatin1StringView("siemens"))
@@ -228,7 +234,10 @@ int runExport(const Invocation &invocation) {
         QByteArray bytes;
         CompensationTable made;
         std::size_t index = 0;
-        if (form == QLatin1StringView("json")) {
+        if (form == QLatin1StringView("dcc")) {
+            requireForDcc(*evaluated.document, invocation.language);
+            bytes = dcc(simulated(evaluated, SimulateWhich::monteCarloOnly, 0, invocation.language));
+        } else if (form == QLatin1StringView("json")) {
             bytes = readingsJson(evaluated, file, names);
         } else {
             index = testIndex(invocation, evaluated.tests.size());
@@ -257,7 +266,9 @@ int runExport(const Invocation &invocation) {
 
 Command exportCommand() {
     return {"export", "FILE",
-            REPORT_TEXT("report", "readings and results, or a compensation table with what it would bring"),
+            REPORT_TEXT("report",
+                        "readings and results, a digital calibration certificate, or a compensation "
+                        "table with what it would bring"),
             exportOptions, runExport};
 }
 

@@ -9,6 +9,7 @@
 #include "commandline/simulations.h"
 #include "commandline/streams.h"
 #include "document/testsofverdict.h"
+#include "export/dcc.h"
 #include "export/resultsjson.h"
 #include "kernel/numerics/runinbackground.h"
 #include "print/pdf/logo.h"
@@ -30,6 +31,7 @@ namespace palmer {
 namespace {
 
 constexpr const char *originalsOption = "with-originals";
+constexpr const char *dccOption = "with-dcc";
 
 constexpr auto reportOptions = optionList(
     Option{"o", "OUT.pdf|FOLDER",
@@ -41,6 +43,8 @@ constexpr auto reportOptions = optionList(
     Option{originalsOption, "",
            REPORT_TEXT("report", "the test file inside the PDF keeps the bytes of the instrument files that "
                                  "it was imported from; without it only their names and fingerprints")},
+    Option{dccOption, "",
+           REPORT_TEXT("report", "the PDF also carries the results as a digital calibration certificate")},
     Option{
         "edition", "E",
         REPORT_TEXT("report", "evaluate the tests of its kind under another edition (a view: no verdicts)")},
@@ -134,6 +138,9 @@ private:
         if (!m_inputs.several && !m_edition.empty())
             requireTestOf(*findEdition(m_edition), document);
         warnOfLength(document);
+        const bool certified = m_invocation.has(dccOption);
+        if (certified)
+            requireForDcc(document, m_invocation.language);
         const auto whole = std::make_shared<const Document>(std::move(document));
         const Originals originals =
             m_invocation.has(originalsOption) ? Originals::include : Originals::leaveOut;
@@ -155,7 +162,10 @@ private:
         };
         for (const QString &name : languages)
             requireOutput(m_invocation, targetOf(name), {"pdf"});
-        auto results = runInBackground(true, [&evaluated] { return attachedResults(evaluated); });
+        auto results = runInBackground(true, [&evaluated, certified] {
+            return attachmentsOf({}, {}, attachedResults(evaluated),
+                                 certified ? dcc(evaluated) : QByteArray());
+        });
         auto [testFile, attachments] = carried.get();
         const ReportOptions stated{QStringLiteral("Palmer " PALMER_VERSION), m_selfTest.get(), originals,
                                    testFile};
@@ -163,7 +173,7 @@ private:
         for (const QString &name : languages) {
             const Report report = composeReport(evaluated, Language::fromName(name).value(), stated);
             if (results.valid()) // once for all languages
-                std::ranges::move(attachmentsOf({}, {}, results.get()), std::back_inserter(attachments));
+                std::ranges::copy(results.get(), std::back_inserter(attachments));
             QBuffer pdf;
             pdf.open(QIODevice::WriteOnly);
             writePdf(report, pdf, attachments);

@@ -34,11 +34,16 @@ enum class ReportExtra {
     diagnosis    ///< a page with the interpretation of circles
 };
 enum class CircleFigures { combined, separate };
+enum class Rounding {
+    palmer,   ///< U to two digits, but never coarser than 0.1 µm nor finer than the instrument
+    twoDigits ///< U to two significant digits, the value likewise
+};
 
 struct Laboratory {
     std::string name;
     std::string address;
     std::string accreditation;
+    std::string country = {};        ///< ISO 3166-1 alpha-2
     std::optional<std::string> logo; ///< base64, PNG or SVG picture
     std::optional<std::string> mark; ///< base64, mark of the accreditation body
 
@@ -48,6 +53,7 @@ struct Laboratory {
 struct Party {
     std::string name;
     std::string address;
+    std::string contact = {}; ///< person, telephone, e-mail
 
     bool operator==(const Party &) const = default;
 };
@@ -65,6 +71,7 @@ struct ReportHead {
     std::string number;
     std::string revision;
     std::string replaces;
+    std::string revisionReason = {}; ///< why it was revised and what changed
     std::optional<std::string> date;
     std::optional<std::string> performedFrom;
     std::optional<std::string> performedTo;
@@ -74,6 +81,7 @@ struct ReportHead {
     Party supplier;
     std::string order;
     std::string procedure;
+    std::string deviationsFromMethod = {}; ///< additions to, deviations and exclusions from the method
     std::string operatorName;
     Authorisation authorisedBy;
     std::vector<Signer> signatures{Signer::operatorSigns, Signer::supplier, Signer::customer};
@@ -83,6 +91,7 @@ struct ReportHead {
     std::vector<ReportExtra> include{ReportExtra::readingMarks};
     std::vector<std::string> editions; ///< printed next to each other, without verdict
     CircleFigures figures = CircleFigures::combined;
+    Rounding rounding = Rounding::palmer;
     std::string adjustments;
     std::string remarks;
 

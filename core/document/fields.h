@@ -29,6 +29,8 @@ enum Demand : unsigned {
     declared = 1U << 13U,    ///< the same for every test at a site: part of a conditions template
     shared = 1U << 14U,      ///< the same for all tests of a machine: copied from another test
     alike = 1U << 15U,       ///< likewise, for tests of one kind on axes of one motion
+    latest = 1U << 16U,      ///< new in version 3: null or left out if empty, written only if not
+    countryCode = 1U << 17U, ///< ISO 3166-1 alpha-2
 };
 
 // Fields of the test file: one function per struct, shared by reader and writer, so that each key exists
@@ -43,6 +45,7 @@ void fields(Visit &visit, T &laboratory) {
     visit("name", laboratory.name);
     visit("address", laboratory.address, longText);
     visit("accreditation", laboratory.accreditation);
+    visit("country", laboratory.country, latest | countryCode);
     visit("logo", laboratory.logo, base64);
     visit("mark", laboratory.mark, base64);
 }
@@ -51,6 +54,7 @@ template <class Visit, Like<Party> T>
 void fields(Visit &visit, T &party) {
     visit("name", party.name);
     visit("address", party.address, longText);
+    visit("contact", party.contact, latest);
 }
 
 template <class Visit, Like<Authorisation> T>
@@ -65,6 +69,7 @@ void fields(Visit &visit, T &report) {
     visit("number", report.number);
     visit("revision", report.revision);
     visit("replaces", report.replaces);
+    visit("revisionReason", report.revisionReason, latest);
     visit("date", report.date, date);
     visit("performedFrom", report.performedFrom, date);
     visit("performedTo", report.performedTo, date);
@@ -74,6 +79,7 @@ void fields(Visit &visit, T &report) {
     visit("supplier", report.supplier);
     visit("order", report.order);
     visit("procedure", report.procedure);
+    visit("deviationsFromMethod", report.deviationsFromMethod, longText | latest);
     visit("operator", report.operatorName);
     visit("authorisedBy", report.authorisedBy);
     visit("signatures", report.signatures);
@@ -83,6 +89,7 @@ void fields(Visit &visit, T &report) {
     visit("include", report.include);
     visit("editions", report.editions);
     visit("figures", report.figures);
+    visit("rounding", report.rounding, latest);
     visit("adjustments", report.adjustments);
     visit("remarks", report.remarks, longText);
 }
@@ -111,6 +118,14 @@ void fields(Visit &visit, T &instrument) {
     visit("calibrationDate", instrument.calibrationDate, date);
     visit("calibrationDue", instrument.calibrationDue, date);
     visit("resolution", instrument.resolution, notNegative);
+    visit("traceability", instrument.traceability, latest);
+}
+
+template <class Visit, Like<Traceability> T>
+void fields(Visit &visit, T &traceability) {
+    visit("laboratory", traceability.laboratory, latest);
+    visit("accreditation", traceability.accreditation, latest);
+    visit("certificate", traceability.certificate, latest);
 }
 
 template <class Visit, Like<Interval> T>

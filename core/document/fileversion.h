@@ -14,13 +14,17 @@ inline constexpr const char *fileFormat = "palmer test report";
 // 1  first version.
 // 2  requirements of the texts of the editions: purpose, role, declared accordance, further conditions,
 //    agreed numbers; the state of an agreed point is obligatory; a diagnosis is requested, not omitted.
+// 3  what an accredited laboratory states: traceability, reason of a revision, country, contact, rounding.
 
 /// The step at index v − 1 converts the JSON of version v to version v + 1.
 using Migration = void (*)(nlohmann::json &file);
 /// 1 → 2: a point without a state was not agreed; an omitted diagnosis has no meaning.
 void stateAgreements(nlohmann::json &file);
 
-inline constexpr std::array<Migration, 1> migrations{stateAgreements};
+/// 2 → 3: keys were only added.
+inline void keepAll(nlohmann::json & /*file*/) {}
+
+inline constexpr std::array<Migration, 2> migrations{stateAgreements, keepAll};
 
 inline constexpr long long firstVersion = 1;
 inline constexpr long long fileVersion = static_cast<long long>(migrations.size()) + 1;

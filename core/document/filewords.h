@@ -94,6 +94,8 @@ inline constexpr auto fileWords<DriftModel> = wordsInOrder<DriftModel>("independ
 template <>
 inline constexpr auto fileWords<CircleFigures> = wordsInOrder<CircleFigures>("combined", "separate");
 template <>
+inline constexpr auto fileWords<Rounding> = wordsInOrder<Rounding>("palmer", "twoDigits");
+template <>
 inline constexpr auto fileWords<Paper> = wordsInOrder<Paper>("A4", "Letter");
 template <>
 inline constexpr auto fileWords<ReportLanguage> = wordsInOrder<ReportLanguage>("fr", "en");

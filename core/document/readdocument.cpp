@@ -291,7 +291,8 @@ public:
     template <class T>
     void operator()(const char *key, T &member, unsigned demands = nothing) {
         const auto entry = m_object.find(key);
-        if (entry != m_object.end())
+        const bool unsaid = entry != m_object.end() && (demands & latest) != 0 && entry->is_null();
+        if (entry != m_object.end() && !unsaid)
             read(*entry, member, Place(m_place, key), demands);
         else if ((demands & obligatory) != 0)
             refuseAt(m_place, REPORT_TEXT("report", "the key “%1” is missing"), {std::string(key)});
@@ -438,6 +439,11 @@ private:
                 REPORT_TEXT("report", "expected a time of day, written HH:MM"));
         require((demands & base64) == 0 || isBase64(*text), place,
                 REPORT_TEXT("report", "expected bytes in base64"));
+        const auto isCapital = [](char c) { return c >= 'A' && c <= 'Z'; };
+        require((demands & countryCode) == 0 || text->empty() ||
+                    (text->size() == 2 && std::ranges::all_of(*text, isCapital)),
+                place,
+                REPORT_TEXT("report", "expected a country as two capital letters (ISO 3166-1), as FR"));
         member = *text;
     }
 

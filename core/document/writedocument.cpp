@@ -35,7 +35,7 @@ class ObjectWriter {
 public:
     template <class T>
     void operator()(std::string_view key, const T &member, unsigned demands = nothing) {
-        if ((demands & (added | leftOut)) != 0 && member == T{})
+        if ((demands & (added | latest | leftOut)) != 0 && member == T{})
             return; // older programs then read as much as they can
         m_members.push_back({key, isSmall(member), [&member](JsonPrinter &printer, const Place &place) {
                                  print(printer, member, place);
@@ -152,21 +152,25 @@ private:
     const Test *m_test = nullptr; ///< the test whose members these are, or null
 };
 
-/// True if a field of version 2 has a value anywhere.
-class NewFields {
+/// The oldest version that has all fields with a value.
+class NeededVersion {
 public:
     template <class T>
     void operator()(std::string_view, const T &member, unsigned demands = nothing) {
-        if ((demands & added) != 0)
-            m_found = m_found || !(member == T{});
+        if ((demands & (added | latest)) != 0)
+            need(!(member == T{}), (demands & latest) != 0 ? 3 : 2);
         else
             look(member);
     }
     void object(const char *, const auto &members) { members(*this); }
     void extensions(const char *, const std::string &) {}
-    [[nodiscard]] bool found() const { return m_found; }
+    [[nodiscard]] long long version() const { return m_version; }
 
 private:
+    void need(bool used, long long version) {
+        m_version = std::max(m_version, used ? version : firstVersion);
+    }
+
     template <class T>
     void look(const T &value) {
         if constexpr (std::same_as<T, TestPointer>)
@@ -193,10 +197,10 @@ private:
     }
     void look(const Point3 &) {}
     void look(const std::vector<ReportExtra> &extras) {
-        m_found = m_found || std::ranges::find(extras, ReportExtra::diagnosis) != extras.end();
+        need(std::ranges::find(extras, ReportExtra::diagnosis) != extras.end(), 2);
     }
 
-    bool m_found = false;
+    long long m_version = firstVersion;
 };
 
 } // namespace
@@ -205,9 +209,9 @@ QByteArray writeDocument(const Document &document) {
     ObjectWriter file;
     fields(file, document);
     file.word("format", fileFormat);
-    NewFields added;
-    fields(added, document);
-    const auto version = added.found() ? fileVersion : firstVersion;
+    NeededVersion needed;
+    fields(needed, document);
+    const long long version = needed.version();
     file("version", version);
     JsonPrinter printer(JsonPrinter::Form::lines);
     std::size_t readings = 0;

@@ -170,14 +170,18 @@ bool operator<(const Decimal &a, const Decimal &b) {
     return a.m_negative ? smaller(b, a) : smaller(a, b);
 }
 
-int decimalsWithUncertainty(double expanded, Quantity quantity, std::optional<double> resolution) {
+int decimalsOfTwoDigits(double expanded, Quantity quantity) {
     if (!(expanded > 0) || !std::isfinite(expanded))
         return decimalsWithoutUncertainty;
     const Decimal shown(expanded, quantity);
     int decimals = 2 - shown.m_point;
     if (shown.uncertaintyTo(decimals).m_point > shown.m_point) // 0.0996 is 0.10, not 0.100
         --decimals;
-    decimals = std::min(decimals, finestDecimals);
+    return std::clamp(decimals, 0, finestDecimals);
+}
+
+int decimalsWithUncertainty(double expanded, Quantity quantity, std::optional<double> resolution) {
+    int decimals = decimalsOfTwoDigits(expanded, quantity);
     if (resolution && *resolution > 0 && std::isfinite(*resolution)) {
         const Decimal step(*resolution, quantity);
         decimals = std::min(decimals, (step.m_digits == "1" ? 1 : 0) - step.m_point);

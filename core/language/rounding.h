@@ -40,6 +40,7 @@ public:
     bool operator==(const Decimal &) const = default;
 
 private:
+    friend int decimalsOfTwoDigits(double expanded, Quantity quantity);
     friend int decimalsWithUncertainty(double expanded, Quantity quantity, std::optional<double> resolution);
 
     void read(const char *begin, const char *end, int shift);
@@ -60,6 +61,10 @@ private:
 /// zero, negative or not finite is ignored: 1, as without U.
 [[nodiscard]] int decimalsWithUncertainty(double expanded, Quantity quantity,
                                           std::optional<double> resolution = std::nullopt);
+
+/// Returns the decimals for a result and its expanded uncertainty that leave U two significant digits, above
+/// 99 more: from 0 to 4.
+[[nodiscard]] int decimalsOfTwoDigits(double expanded, Quantity quantity);
 
 /// Returns the decimals for a limit, in the default unit of the quantity: as entered. Only digits that a
 /// double holds reliably count, so that a limit converted from another unit is not shown as

@@ -50,6 +50,11 @@ Difference otherFileName(const QString &name) {
     return said(0, REPORT_TEXT("report", "the attached test file has another name"), name);
 }
 
+Difference otherCertificate() {
+    return said(0, REPORT_TEXT("report", "the digital calibration certificate in the PDF is not the one that "
+                                         "follows from the data"));
+}
+
 Difference otherBeside(const QString &shown) {
     return said(0,
                 REPORT_TEXT("report",

@@ -10,6 +10,9 @@ namespace palmer {
 
 // Faults of a report other than in its words and results, each as one difference.
 
+/// For an attached digital calibration certificate that does not follow from the data.
+[[nodiscard]] Difference otherCertificate();
+
 [[nodiscard]] Difference differenceOf(const PdfAddition &addition);
 [[nodiscard]] Difference otherPageCount(int printed, int follows);
 [[nodiscard]] Difference otherPageSize(int page);

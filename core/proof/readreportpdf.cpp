@@ -55,6 +55,8 @@ int sortFiles(ReportPdf &result, const std::vector<EmbeddedFile> &files) {
             ++testFiles;
         } else if (name == QLatin1StringView("results.json") && result.results.isEmpty()) {
             result.results = bytes;
+        } else if (name == QLatin1StringView("dcc.xml") && result.certificate.isEmpty()) {
+            result.certificate = bytes;
         } else {
             result.additions.push_back({PdfAddition::Kind::attachment, 0, file.name});
         }

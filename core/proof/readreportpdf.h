@@ -26,7 +26,8 @@ struct ReportPdf {
     ReportMetadata metadata; ///< as read by readXmp()
     QByteArray testFile;
     QString testFileName;
-    QByteArray results; ///< results.json; may be empty
+    QByteArray results;     ///< results.json; may be empty
+    QByteArray certificate; ///< dcc.xml; may be empty
     std::vector<PdfAddition> additions;
     std::vector<SignatureField> signatureFields; ///< visible ones
     QStringList beside;                          ///< shown besides the pages: titles, author, bookmarks

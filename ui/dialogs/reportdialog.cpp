@@ -4,6 +4,7 @@
 
 #include "document/savefiles.h"
 #include "document/testfile.h"
+#include "export/dcc.h"
 #include "export/resultsjson.h"
 #include "print/pdf/writepdf.h"
 #include "report/composereport.h"
@@ -251,6 +252,8 @@ void ReportDialog::makeNotes(QVBoxLayout &whole) {
     m_originals = made<QCheckBox>("withOriginals", this);
     connect(m_originals, &QCheckBox::clicked, this, &ReportDialog::showDocument);
     whole.addWidget(m_originals);
+    m_certificate = made<QCheckBox>("withDcc", this);
+    whole.addWidget(m_certificate);
     m_attached = made<QLabel>("attachedNote", TextSize::small, trait::secondary, trait::wrapped, this);
     whole.addWidget(m_attached);
     m_missing = made<QLabel>("missingNote", trait::wrapped, this);
@@ -304,6 +307,10 @@ void ReportDialog::addChoices(QVBoxLayout *column) {
     extra("extraReadingMarks", QT_TR_NOOP("Single readings in the figure"), ReportExtra::readingMarks);
     extra("extraAllReadings", QT_TR_NOOP("All readings (over 2000 rows)"), ReportExtra::allReadings);
     m_allReadings = m_choices.back().box;
+    add(
+        "roundTwoDigits", QT_TR_NOOP("U to two significant digits"),
+        [](const ReportHead &head) { return head.rounding == Rounding::twoDigits; },
+        [](ReportHead &head, bool on) { head.rounding = on ? Rounding::twoDigits : Rounding::palmer; });
     extra("extraDiagnosis", QT_TR_NOOP("Diagnosis of circles"), ReportExtra::diagnosis);
     extra("extraMeanRepeatability", QT_TR_NOOP("Mean repeatability (1988)"), ReportExtra::meanRepeatability);
     m_signaturesTitle = made<QLabel>(TextSize::small, trait::secondary, this);
@@ -502,9 +509,14 @@ QStringList ReportDialog::saveTo(const QString &path) {
     QString file; // being written
     try {
         std::vector<PdfAttachment> attachments;
+        const bool certified = m_certificate->isChecked();
+        file = files.constFirst();
+        if (certified)
+            requireForDcc(*m_evaluated.document, windowLanguage());
         if (!m_reports.empty())
-            attachments = attachmentsOf(m_reports.front().testFileName, m_reports.front().testFile,
-                                        attachedResults(m_evaluated));
+            attachments =
+                attachmentsOf(m_reports.front().testFileName, m_reports.front().testFile,
+                              attachedResults(m_evaluated), certified ? dcc(m_evaluated) : QByteArray());
         for (std::size_t i = 0; i < m_reports.size(); ++i) {
             file = files[static_cast<qsizetype>(i)];
             requireNoTestFileName(file);
@@ -611,6 +623,7 @@ void ReportDialog::retranslate() {
         choice.box->setText(tr(choice.text));
     showLength();
     m_originals->setText(tr("Attach the instrument files, too"));
+    m_certificate->setText(tr("Attach a digital calibration certificate (DCC)"));
     m_simulationCancel->setText(tr("Cancel"));
     m_save->setText(tr("&Save PDF…"));
     m_print->setText(tr("&Print…"));

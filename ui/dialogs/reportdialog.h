@@ -114,6 +114,7 @@ private:
     QPushButton *m_simulationCancel = nullptr;
     QCheckBox *m_allReadings = nullptr;
     QCheckBox *m_originals = nullptr;
+    QCheckBox *m_certificate = nullptr;
     QLabel *m_attached = nullptr;
     QLabel *m_missing = nullptr;
     QPushButton *m_save = nullptr;

@@ -17,19 +17,19 @@ namespace {
 constexpr const char *instrumentsContext = "palmer::ui::InstrumentsPage";
 
 /// A member of the instrument of that index; the first statement creates a missing instrument.
-template <auto member>
+template <auto... member>
 auto ofInstrument(std::size_t index) {
-    using T = std::remove_cvref_t<decltype(std::declval<Instrument &>().*member)>;
+    using T = std::remove_cvref_t<decltype(reach(std::declval<Instrument &>(), member...))>;
     return Member<T>{[index](const FormSource &source) {
                          const auto &instruments = source.document.instruments;
-                         return index < instruments.size() ? instruments[index].*member : T();
+                         return index < instruments.size() ? reach(instruments[index], member...) : T();
                      },
                      [index](Document &document, std::size_t, const T &value) {
                          if (index < document.instruments.size()) {
-                             document.instruments[index].*member = value;
+                             reach(document.instruments[index], member...) = value;
                          } else if (value != T()) {
                              Instrument instrument;
-                             instrument.*member = value;
+                             reach(instrument, member...) = value;
                              addInstrument(document, std::move(instrument));
                          }
                      }};
@@ -123,6 +123,13 @@ void InstrumentsPage::addFields(std::size_t k) {
     beginRow();
     addText("certificate", ofInstrument<&Instrument::certificate>(k));
     addText({"", QT_TR_NOOP("Calibrated by")}, ofInstrument<&Instrument::calibratedBy>(k));
+    beginRow();
+    addText({"", QT_TR_NOOP("Traceable to")},
+            ofInstrument<&Instrument::traceability, &Traceability::laboratory>(k));
+    addText({"", QT_TR_NOOP("Its accreditation")},
+            ofInstrument<&Instrument::traceability, &Traceability::accreditation>(k));
+    addText({"", QT_TR_NOOP("Its certificate")},
+            ofInstrument<&Instrument::traceability, &Traceability::certificate>(k));
     beginRow();
     addDate("calibrationDate", ofInstrument<&Instrument::calibrationDate>(k));
     addDate("calibrationDue", ofInstrument<&Instrument::calibrationDue>(k));

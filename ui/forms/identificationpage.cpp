@@ -14,6 +14,7 @@
 #include <QMessageBox>
 #include <QPainter>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <algorithm>
 #include <array>
 
@@ -60,6 +61,7 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
     addText({"", QT_TR_NOOP("Number")}, ofReport<&ReportHead::number>());
     addText({"", QT_TR_NOOP("Revision")}, ofReport<&ReportHead::revision>());
     addText({"", QT_TR_NOOP("Replaces")}, ofReport<&ReportHead::replaces>());
+    addText({"", QT_TR_NOOP("Reason of the revision")}, ofReport<&ReportHead::revisionReason>());
     beginRow();
     addDate({"", QT_TR_NOOP("Date of issue")}, ofReport<&ReportHead::date>());
     addDate({"", QT_TR_NOOP("Performed from")}, ofReport<&ReportHead::performedFrom>());
@@ -70,6 +72,7 @@ IdentificationPage::IdentificationPage(DocumentModel &model, Selection &selectio
     beginRow();
     addText({"", QT_TR_NOOP("Order")}, ofReport<&ReportHead::order>());
     addText({"", QT_TR_NOOP("Procedure")}, ofReport<&ReportHead::procedure>());
+    addText({"", QT_TR_NOOP("Deviations from the method")}, ofReport<&ReportHead::deviationsFromMethod>());
     addLaboratory();
     addParties();
     addRemarks();
@@ -82,6 +85,14 @@ void IdentificationPage::addLaboratory() {
     beginRow();
     addText({"", QT_TR_NOOP("Name")}, within<&ReportHead::laboratory, &Laboratory::name>());
     addText({"", QT_TR_NOOP("Accreditation")}, within<&ReportHead::laboratory, &Laboratory::accreditation>());
+    addText({"", QT_TR_NOOP("Country")}, within<&ReportHead::laboratory, &Laboratory::country>())
+        ->setReader([](const QString &typed) -> Field::Reading {
+            const QString code = typed.trimmed().toUpper();
+            static const QRegularExpression letters(QStringLiteral("^([A-Z]{2})?$"));
+            if (!letters.match(code).hasMatch())
+                return {{}, tr("two letters (ISO 3166-1), as FR")};
+            return {code, {}};
+        });
     beginRow();
     addLongText({"", QT_TR_NOOP("Address")}, within<&ReportHead::laboratory, &Laboratory::address>());
     beginRow();
@@ -100,6 +111,7 @@ void IdentificationPage::addParties() {
     addText({"", QT_TR_NOOP("Customer")}, within<&ReportHead::customer, &Party::name>());
     addLongText({"", QT_TR_NOOP("Address of the customer")},
                 within<&ReportHead::customer, &Party::address>());
+    addText({"", QT_TR_NOOP("Contact")}, within<&ReportHead::customer, &Party::contact>());
     beginRow();
     addText({"", QT_TR_NOOP("Supplier")}, within<&ReportHead::supplier, &Party::name>());
     addLongText({"", QT_TR_NOOP("Address of the supplier")},

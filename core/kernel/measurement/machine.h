@@ -21,6 +21,15 @@ struct Machine {
     bool operator==(const Machine &) const = default;
 };
 
+/// The calibration that an instrument is traceable to; empty: not stated.
+struct Traceability {
+    std::string laboratory; ///< that calibrated it; empty: `Instrument::calibratedBy`
+    std::string accreditation;
+    std::string certificate; ///< empty: `Instrument::certificate`
+
+    bool operator==(const Traceability &) const = default;
+};
+
 /// A measuring instrument and its traceability; tests name instruments by `id`.
 struct Instrument {
     std::string id;
@@ -33,6 +42,7 @@ struct Instrument {
     std::optional<std::string> calibrationDate; ///< YYYY-MM-DD
     std::optional<std::string> calibrationDue;  ///< YYYY-MM-DD
     std::optional<double> resolution;           ///< mm; angular instruments: degrees
+    Traceability traceability;
 
     bool operator==(const Instrument &) const = default;
 };

@@ -3,6 +3,7 @@
 #include "print/pdf/writepdf.h"
 
 #include "document/documenterror.h"
+#include "export/dcc.h"
 #include "print/pdf/pages.h"
 
 #include <QBuffer>
@@ -75,19 +76,24 @@ void addNavigation(PdfProperties &properties, const Pages &pages) {
 } // namespace
 
 std::vector<PdfAttachment> attachmentsOf(const QString &testFileName, const QByteArray &testFile,
-                                         const QByteArray &results) {
+                                         const QByteArray &results, const QByteArray &certificate) {
     std::vector<PdfAttachment> attachments;
-    if (!testFile.isEmpty())
-        attachments.push_back({testFileName, "application/vnd.palmer+json", "/Source",
-                               QStringLiteral("Test file"), testFile.size(), packed(testFile)});
-    if (!results.isEmpty())
-        attachments.push_back({QStringLiteral("results.json"), "application/json", "/Data",
-                               QStringLiteral("Results"), results.size(), packed(results)});
+    const auto add = [&](const QString &name, const char *type, const char *relationship,
+                         const char *description, const QByteArray &bytes) {
+        if (!bytes.isEmpty())
+            attachments.push_back(
+                {name, type, relationship, QString::fromLatin1(description), bytes.size(), packed(bytes)});
+    };
+    add(testFileName, "application/vnd.palmer+json", "/Source", "Test file", testFile);
+    add(QStringLiteral("results.json"), "application/json", "/Data", "Results", results);
+    add(QString::fromLatin1(dccFileName), "application/xml", "/Data", "Digital calibration certificate",
+        certificate);
     return attachments;
 }
 
-void writePdf(const Report &report, QIODevice &device, const QByteArray &results) {
-    writePdf(report, device, attachmentsOf(report.testFileName, report.testFile, results));
+void writePdf(const Report &report, QIODevice &device, const QByteArray &results,
+              const QByteArray &certificate) {
+    writePdf(report, device, attachmentsOf(report.testFileName, report.testFile, results, certificate));
 }
 
 void writePdf(const Report &report, QIODevice &device, const std::vector<PdfAttachment> &attachments) {

@@ -11,15 +11,18 @@
 namespace palmer {
 
 /// Writes the report as a PDF/A-3b: vectors and text, embedded fonts, with title, language, bookmarks and
-/// links; its test file and the `results` (of attachedResults; may be empty) as associated files. The same
+/// links; its test file, the `results` (of attachedResults) and the `certificate` (of dcc; both may be empty)
+/// as associated files. The same
 /// report gives the same bytes at any time, place and locale, provided
 /// QHashSeed::setDeterministicGlobalSeed() was called before the QApplication. Throws Error(unwritable) if
 /// the device does not accept all bytes.
-void writePdf(const Report &report, QIODevice &device, const QByteArray &results = {});
+void writePdf(const Report &report, QIODevice &device, const QByteArray &results = {},
+              const QByteArray &certificate = {});
 
 /// Attachments of a report; compression starts here.
 [[nodiscard]] std::vector<PdfAttachment> attachmentsOf(const QString &testFileName,
-                                                       const QByteArray &testFile, const QByteArray &results);
+                                                       const QByteArray &testFile, const QByteArray &results,
+                                                       const QByteArray &certificate = {});
 
 /// The same with compressed attachments: compressed in the background, and once for the reports of both
 /// languages.

@@ -3,6 +3,7 @@
 #include "print/proof/verifyreport.h"
 
 #include "document/readdocument.h"
+#include "export/dcc.h"
 #include "export/resultsjson.h"
 #include "language/papercharacters.h"
 #include "print/pdf/pages.h"
@@ -161,6 +162,16 @@ std::vector<PrintedRow> rowsOf(const EvaluatedDocument &evaluated, const Report 
     return rows;
 }
 
+/// The values, units and uncertainties of a digital calibration certificate.
+QByteArrayList numbersOf(const QByteArray &certificate) {
+    QByteArrayList result;
+    for (const QByteArray &line : certificate.split('\n')) {
+        if (line.trimmed().startsWith("<si:"))
+            result << line.trimmed();
+    }
+    return result;
+}
+
 class PageComparison {
 public:
     PageComparison(const OpenedReport &report, const Report &composed, const Language &language,
@@ -313,7 +324,10 @@ Verification verifyReport(const OpenedReport &report) {
     const QByteArray results = attachedResults(report.evaluated);
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
-    writePdf(composed, buffer, results);
+    const bool certified =
+        !report.parts.certificate.isEmpty() && missingForDcc(*report.evaluated.document).empty();
+    const QByteArray certificate = certified ? dcc(report.evaluated) : QByteArray();
+    writePdf(composed, buffer, results, certificate);
 
     Verification result;
     result.madeBy = metadata.making.program;
@@ -326,6 +340,10 @@ Verification verifyReport(const OpenedReport &report) {
     result.otherVersion = !sameProgram;
     for (const PdfAddition &addition : report.parts.additions)
         result.differences.push_back(differenceOf(addition));
+    if (report.parts.certificate != certificate) {
+        const bool sameNumbers = numbersOf(report.parts.certificate) == numbersOf(certificate);
+        (sameProgram || !sameNumbers ? result.differences : result.wording).push_back(otherCertificate());
+    }
     if (report.parts.testFileName != composed.testFileName)
         result.differences.push_back(otherFileName(report.parts.testFileName));
     if (sameProgram) {

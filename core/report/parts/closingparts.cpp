@@ -70,6 +70,19 @@ QString knownName(Signer signer, const ReportHead &head) {
 
 } // namespace
 
+QString traceabilityText(const Writer &write, const Instrument &instrument) {
+    const Traceability &traced = instrument.traceability;
+    const auto named = [&](const Text &words, const std::string &name) {
+        return name.empty() ? QString() : write.say(words, {name});
+    };
+    return joined({named(REPORT_TEXT("report", "calibrated by %1"),
+                         traced.laboratory.empty() ? instrument.calibratedBy : traced.laboratory),
+                   named(REPORT_TEXT("report", "accreditation %1"), traced.accreditation),
+                   named(REPORT_TEXT("report", "certificate %1"),
+                         traced.certificate.empty() ? instrument.certificate : traced.certificate),
+                   dateText(write, instrument.calibrationDate)});
+}
+
 void addTraceability(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated) {
     const std::vector<Instrument> &instruments = evaluated.document->instruments;
     if (instruments.empty())
@@ -97,6 +110,10 @@ void addTraceability(std::vector<Block> &blocks, const Writer &write, const Eval
              QString::fromStdString(instrument.calibratedBy), shortDate(instrument.calibrationDate),
              shortDate(instrument.calibrationDue),
              write.quantity(instrument.resolution, resolutionQuantity(*evaluated.document, instrument))});
+    for (std::size_t i = 0; i < instruments.size(); ++i) {
+        if (instruments[i].traceability != Traceability())
+            table.rows[i].front().notes.push_back({traceabilityText(write, instruments[i])});
+    }
     addHeading(blocks, write.text(REPORT_TEXT("report", "Traceability of the instruments")));
     blocks.emplace_back(std::move(table));
 }
@@ -168,6 +185,7 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
     LabelledRows rows(write);
     rows.add(REPORT_TEXT("report", "Order"), head.order, false);
     rows.add(REPORT_TEXT("report", "Procedure"), head.procedure, false);
+    rows.add(REPORT_TEXT("report", "Deviations from the method"), head.deviationsFromMethod, false);
     rows.add(REPORT_TEXT("report", "Tests carried out"),
              periodText(write, head.performedFrom, head.performedTo), false);
     rows.add(REPORT_TEXT("report", "Details of the machine"), machineDetails(write, document.machine), false);
@@ -177,6 +195,7 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
     if (!head.replaces.empty())
         revision = joined({revision, write.say(REPORT_TEXT("report", "replaces %1"), {head.replaces})});
     rows.add(REPORT_TEXT("report", "Revision"), revision);
+    rows.add(REPORT_TEXT("report", "Reason of the revision"), head.revisionReason, false);
     rows.add(REPORT_TEXT("report", "Authorised by"), authorisedText(head));
     rows.add(REPORT_TEXT("report", "Program"),
              joined({making.program, selfTestText(write, making.selfTestPassed)}));
@@ -187,13 +206,27 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
                                        "not in the font of the report: %1; drawn from another font where one "
                                        "is installed, else as boxes"),
                            foreign));
+    const bool evaluatesUncertainty = std::ranges::any_of(document.tests, [](const TestPointer &test) {
+        const UncertaintyMethod *method = methodOf(*test);
+        return method && *method != UncertaintyMethod::none;
+    });
     blocks.emplace_back(Heading{level, write.text(REPORT_TEXT("report", "Statements"))});
     addStated(blocks, rows.take().rows);
     blocks.emplace_back(Paragraph{
-        scopeText(write) + u' ' +
+        joined({scopeText(write), evaluatesUncertainty ? coverageText(write) : QString()},
+               QStringLiteral(" ")) +
+            u' ' +
             write.text(REPORT_TEXT(
                 "report", "The fingerprint is that of the test file attached to the PDF of this report.")),
         TextSize::small});
+}
+
+QString coverageText(const Writer &write) {
+    return write.text(REPORT_TEXT(
+        "report",
+        "Expanded uncertainties are evaluated according to the GUM (JCGM 100) and stated with the coverage "
+        "factor k = 2, a coverage probability of about 95 %; simulated ones (JCGM 101) are half of the "
+        "shortest interval that holds 95.45 %."));
 }
 
 void addResponsibility(std::vector<Block> &blocks, const Writer &write, const ReportHead &head) {

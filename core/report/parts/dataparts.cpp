@@ -512,9 +512,10 @@ std::optional<Table> editionsTable(const TestPart &part, bool narrow) {
             const auto found = std::ranges::find_if(
                 parameters, [&](const Parameter &p) { return parameterId(p) == parameterId(*row); });
             const bool known = found != parameters.end() && found->value;
-            cells.emplace_back(
-                known ? printedNumbers(*found, part.test.decisionRule, resolution, write.language()).value
-                      : QString());
+            cells.emplace_back(known ? printedNumbers(*found, part.test.decisionRule, resolution,
+                                                      write.language(), part.head().rounding)
+                                           .value
+                                     : QString());
         }
         table.rows.push_back(std::move(cells));
     }

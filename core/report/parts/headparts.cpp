@@ -23,7 +23,9 @@ QString machineText(const Machine &machine) {
 TestHead letterHead(const Writer &write, const ReportHead &head) {
     TestHead result;
     result.laboratory = QString::fromStdString(head.laboratory.name);
-    result.address = QString::fromStdString(head.laboratory.address);
+    result.address = joined(
+        {QString::fromStdString(head.laboratory.address), QString::fromStdString(head.laboratory.country)},
+        QStringLiteral("\n"));
     result.accreditation = QString::fromStdString(head.laboratory.accreditation);
     result.logo = QByteArray::fromBase64(QByteArray::fromStdString(head.laboratory.logo.value_or("")));
     result.mark = QByteArray::fromBase64(QByteArray::fromStdString(head.laboratory.mark.value_or("")));

@@ -227,6 +227,9 @@ void addComparisonsOfTests(std::vector<Block> &blocks, const std::vector<TestPar
 /// test by test. Tests as found are only informative if there are others.
 void addSummary(std::vector<Block> &blocks, const std::vector<TestPart> &parts);
 
+/// "calibrated by …, accreditation …, certificate …, 20 November 2026"; empty if nothing is stated.
+[[nodiscard]] QString traceabilityText(const Writer &write, const Instrument &instrument);
+
 /// Adds the instruments of all tests with their traceability.
 void addTraceability(std::vector<Block> &blocks, const Writer &write, const EvaluatedDocument &evaluated);
 
@@ -241,6 +244,9 @@ void addStatements(std::vector<Block> &blocks, const Writer &write, const Docume
 
 /// States what the results relate to, and that the report is reproduced only in full.
 [[nodiscard]] QString scopeText(const Writer &write);
+
+/// States the coverage of all U, and how they were evaluated.
+[[nodiscard]] QString coverageText(const Writer &write);
 
 /// Adds the person responsible for the report: name, date and signature on one line.
 void addResponsibility(std::vector<Block> &blocks, const Writer &write, const ReportHead &head);

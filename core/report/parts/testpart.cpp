@@ -68,7 +68,8 @@ QString periodText(const Writer &write, const std::optional<std::string> &from,
 
 QString partyText(const Party &party) {
     QString address = QString::fromStdString(party.address);
-    return joined({QString::fromStdString(party.name), address.replace(u'\n', QStringLiteral(", "))});
+    return joined({QString::fromStdString(party.name), address.replace(u'\n', QStringLiteral(", ")),
+                   QString::fromStdString(party.contact)});
 }
 
 void leaveOutEmptyColumns(Table &table, std::size_t first, std::size_t last) {

@@ -155,7 +155,7 @@ auto withKind(const TestPart &part, Use use) {
 [[nodiscard]] QString periodText(const Writer &write, const std::optional<std::string> &from,
                                  const std::optional<std::string> &to);
 
-/// Name and address on one line.
+/// Name, address and contact on one line.
 [[nodiscard]] QString partyText(const Party &party);
 
 /// Removes the empty columns from `first` to `last` of a table without spanners.

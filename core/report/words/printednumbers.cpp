@@ -85,10 +85,12 @@ QString printedReach(const Parameter &p, const DecisionRule &rule, Digits shown,
 
 /// The fewest decimals that give the verdict of the unrounded numbers.
 Digits digitsOf(const Parameter &parameter, const DecisionRule &rule, std::optional<double> resolution,
-                const DisplayUnits &units) {
+                const DisplayUnits &units, Rounding rounding) {
     int least = decimalsWithoutUncertainty;
-    if (parameter.expandedUncertainty)
-        least = decimalsWithUncertainty(*parameter.expandedUncertainty, parameter.term.quantity, resolution);
+    const Quantity quantity = parameter.term.quantity;
+    if (const auto &expanded = parameter.expandedUncertainty)
+        least = rounding == Rounding::twoDigits ? decimalsOfTwoDigits(*expanded, quantity)
+                                                : decimalsWithUncertainty(*expanded, quantity, resolution);
     if (!isComparable(parameter))
         return {least, least};
     const ComparedNumbers exact{
@@ -106,10 +108,10 @@ Digits digitsOf(const Parameter &parameter, const DecisionRule &rule, std::optio
 } // namespace
 
 PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &rule,
-                              std::optional<double> resolution, const Language &language) {
+                              std::optional<double> resolution, const Language &language, Rounding rounding) {
     const Quantity quantity = parameter.term.quantity;
     PrintedNumbers result;
-    const Digits digits = digitsOf(parameter, rule, resolution, language.units());
+    const Digits digits = digitsOf(parameter, rule, resolution, language.units(), rounding);
     result.decimals = digits.value;
     result.uncertaintyDecimals = digits.uncertainty;
     if (parameter.value)
@@ -130,7 +132,8 @@ PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &ru
 
 PrintedNumbers printedNumbers(const Parameter &parameter, const Test &test, const Document &document,
                               const Language &language) {
-    return printedNumbers(parameter, test.decisionRule, finestResolution(document, test), language);
+    return printedNumbers(parameter, test.decisionRule, finestResolution(document, test), language,
+                          document.report.rounding);
 }
 
 QString withUnit(const QString &number, Quantity quantity, const Language &language) {

@@ -26,9 +26,10 @@ struct PrintedNumbers {
 };
 
 [[nodiscard]] PrintedNumbers printedNumbers(const Parameter &parameter, const DecisionRule &rule,
-                                            std::optional<double> resolution, const Language &language);
+                                            std::optional<double> resolution, const Language &language,
+                                            Rounding rounding = Rounding::palmer);
 
-/// Uses the decision rule of the test and its finest instrument.
+/// Uses the decision rule of the test, its finest instrument and the rounding of the report.
 [[nodiscard]] PrintedNumbers printedNumbers(const Parameter &parameter, const Test &test,
                                             const Document &document, const Language &language);
 

@@ -1,0 +1,606 @@
+// SPDX-FileCopyrightText: 2026 the Palmer authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "export/dcc.h"
+
+#include "document/fieldvalue.h"
+#include "document/filewords.h"
+#include "document/visibletexts.h"
+#include "document/writedocument.h"
+#include "kernel/evaluation/conformity.h"
+#include "kernel/evaluation/resultsof.h"
+#include "kernel/evaluation/targetvalue.h"
+#include "language/rounding.h"
+#include "report/parts/parts.h"
+#include "report/words/accordancetext.h"
+#include "report/words/wording.h"
+
+#include <QXmlStreamWriter>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace palmer {
+
+namespace {
+
+constexpr double usualCoverage = 0.95; ///< of k = 2
+
+/// First and last day of the tests: as stated in the head, otherwise of the tests that state theirs.
+std::optional<std::string> dayOf(const Document &document, bool last) {
+    const ReportHead &head = document.report;
+    std::optional<std::string> day = last ? head.performedTo : head.performedFrom;
+    if (day)
+        return day;
+    for (const TestPointer &test : document.tests) {
+        if (test->date && (!day || (last ? *day < *test->date : *test->date < *day)))
+            day = test->date;
+    }
+    return day ? day : last ? head.performedFrom : head.performedTo;
+}
+
+/// What a certificate is obliged to state, with its name.
+struct Obliged {
+    Text name;
+    std::string (*value)(const Document &);
+};
+
+constexpr std::array obliged{
+    Obliged{REPORT_TEXT("report", "the number of the report"),
+            [](const Document &d) { return d.report.number; }},
+    Obliged{REPORT_TEXT("report", "the laboratory"),
+            [](const Document &d) { return d.report.laboratory.name; }},
+    Obliged{REPORT_TEXT("report", "its country"),
+            [](const Document &d) { return d.report.laboratory.country; }},
+    Obliged{REPORT_TEXT("report", "who authorises the report"),
+            [](const Document &d) { return d.report.authorisedBy.name; }},
+    Obliged{REPORT_TEXT("report", "the customer"), [](const Document &d) { return d.report.customer.name; }},
+    Obliged{REPORT_TEXT("report", "the address of the customer"),
+            [](const Document &d) { return d.report.customer.address; }},
+    Obliged{REPORT_TEXT("report", "the place of the tests"),
+            [](const Document &d) { return d.report.place; }},
+    Obliged{REPORT_TEXT("report", "the date of the tests"),
+            [](const Document &d) { return dayOf(d, false).value_or(std::string()); }},
+    Obliged{REPORT_TEXT("report", "the machine"),
+            [](const Document &d) { return d.machine.name.empty() ? d.machine.model : d.machine.name; }},
+    Obliged{REPORT_TEXT("report", "its manufacturer"),
+            [](const Document &d) { return d.machine.manufacturer; }},
+    Obliged{REPORT_TEXT("report", "its serial number"),
+            [](const Document &d) { return d.machine.serialNumber; }},
+    Obliged{REPORT_TEXT("report", "a test"),
+            [](const Document &d) { return std::string(d.tests.empty() ? "" : "1"); }},
+};
+
+/// Between pass and fail the guard band decides; see dcc.h for tests.
+const char *conformityOf(const Parameter &parameter) {
+    if (*parameter.verdict == Verdict::notProven) {
+        const bool met = judgedValue(*parameter.value, parameter.bound) <=
+                         judgedLimit(*parameter.limit->value, parameter.bound);
+        return met ? "conditionalPass" : "conditionalFail";
+    }
+    return *parameter.verdict == Verdict::conforms ? "pass" : "fail";
+}
+
+/// The same text in French and in English.
+struct Both {
+    QString french;
+    QString english;
+};
+
+/// Writes elements by their qualified names: a certificate has two namespaces, both declared at its root.
+class DccWriter {
+public:
+    DccWriter(QByteArray &bytes, const EvaluatedDocument &evaluated)
+        : m_xml(&bytes)
+        , m_evaluated(evaluated) {
+        m_xml.setAutoFormatting(true);
+        m_xml.setAutoFormattingIndent(1);
+    }
+
+    void write() {
+        m_xml.writeStartDocument();
+        m_xml.writeStartElement(QStringLiteral("dcc:digitalCalibrationCertificate"));
+        m_xml.writeAttribute(QStringLiteral("xmlns:dcc"), QStringLiteral("https://ptb.de/dcc"));
+        m_xml.writeAttribute(QStringLiteral("xmlns:si"), QStringLiteral("https://ptb.de/si"));
+        m_xml.writeAttribute(QStringLiteral("schemaVersion"), QStringLiteral("3.2.0"));
+        within("dcc:administrativeData", [&] { writeAdministration(); });
+        within("dcc:measurementResults", [&] {
+            for (std::size_t i = 0; i < document().tests.size(); ++i)
+                within("dcc:measurementResult", [&] { writeTest(i); });
+        });
+        m_xml.writeEndDocument();
+    }
+
+private:
+    [[nodiscard]] const Document &document() const { return *m_evaluated.document; }
+    [[nodiscard]] const ReportHead &head() const { return document().report; }
+
+    // ---- Elements ----
+
+    void within(const char *name, const auto &content) {
+        m_xml.writeStartElement(QString::fromLatin1(name));
+        content();
+        m_xml.writeEndElement();
+    }
+    void leaf(const char *name, const QString &text) {
+        m_xml.writeTextElement(QString::fromLatin1(name), text.trimmed());
+    }
+    void leaf(const char *name, const std::string &text) { leaf(name, QString::fromStdString(text)); }
+    void leafIfStated(const char *name, const std::string &text) {
+        if (!QString::fromStdString(text).trimmed().isEmpty())
+            leaf(name, text);
+    }
+
+    void content(const QString &text, const char *language = nullptr) {
+        m_xml.writeStartElement(QStringLiteral("dcc:content"));
+        if (language)
+            m_xml.writeAttribute(QStringLiteral("lang"), QString::fromLatin1(language));
+        m_xml.writeCharacters(text.trimmed());
+        m_xml.writeEndElement();
+    }
+    /// A text that the user entered, or one in both languages.
+    void said(const char *name, const std::string &text) {
+        within(name, [&] { content(QString::fromStdString(text)); });
+    }
+    void said(const char *name, const Both &text) {
+        within(name, [&] {
+            content(text.french, "fr");
+            content(text.english, "en");
+        });
+    }
+    void said(const char *name, const Text &words) { said(name, both(words)); }
+
+    [[nodiscard]] Both both(const auto &textOf) const { return {textOf(m_french), textOf(m_english)}; }
+    [[nodiscard]] Both both(const Text &words) const { return {m_french.text(words), m_english.text(words)}; }
+
+    /// A number in its base unit, with its uncertainty if there is one.
+    void real(
+        double value, Quantity quantity, const QString &label = {}, const auto &uncertainty = [] {}) {
+        within("si:real", [&] {
+            if (!label.isEmpty())
+                leaf("si:label", label);
+            leaf("si:value", Decimal(value, quantity).shortest());
+            leaf("si:unit", std::string(dsiUnit(quantity)));
+            uncertainty();
+        });
+    }
+    void real(double value, Quantity quantity, const QString &label = {}) {
+        real(value, quantity, label, [] {});
+    }
+    void numberWithin(const char *name, const Text &words, double value, Quantity quantity) {
+        within(name, [&] {
+            within("dcc:quantity", [&] {
+                said("dcc:name", words);
+                real(value, quantity);
+            });
+        });
+    }
+    void textWithin(const char *name, const auto &text) {
+        within(name, [&] { said("dcc:text", text); });
+    }
+
+    // ---- Administrative data ----
+
+    void writeAdministration() {
+        within("dcc:dccSoftware", [&] {
+            within("dcc:software", [&] {
+                said("dcc:name", std::string("Palmer"));
+                leaf("dcc:release", QStringLiteral(PALMER_VERSION));
+                leaf("dcc:type", QStringLiteral("application"));
+            });
+        });
+        within("dcc:coreData", [&] { writeCore(); });
+        within("dcc:items", [&] { within("dcc:item", [&] { writeMachine(); }); });
+        within("dcc:calibrationLaboratory", [&] {
+            const Laboratory &laboratory = head().laboratory;
+            leafIfStated("dcc:calibrationLaboratoryCode", laboratory.accreditation);
+            contact("dcc:contact", laboratory.name, laboratory.country, {laboratory.address});
+        });
+        within("dcc:respPersons", [&] {
+            person(head().authorisedBy.name, head().authorisedBy.function, true);
+            if (!head().operatorName.empty())
+                person(head().operatorName, m_english.text(REPORT_TEXT("report", "Operator")).toStdString(),
+                       false);
+        });
+        contact("dcc:customer", head().customer.name, {}, {head().customer.address, head().customer.contact});
+        within("dcc:statements", [&] { writeStatements(); });
+    }
+
+    void writeCore() {
+        leaf("dcc:countryCodeISO3166_1", head().laboratory.country);
+        for (const char *element : {"dcc:usedLangCodeISO639_1", "dcc:mandatoryLangCodeISO639_1"}) {
+            for (const char *language : {"fr", "en"})
+                leaf(element, std::string(language));
+        }
+        leaf("dcc:uniqueIdentifier", head().number + (head().revision.empty() ? "" : "-" + head().revision));
+        leaf("dcc:beginPerformanceDate", *dayOf(document(), false));
+        leaf("dcc:endPerformanceDate", *dayOf(document(), true));
+        leaf("dcc:performanceLocation", QStringLiteral("other")); // named among the statements
+        if (head().date)
+            leaf("dcc:issueDate", *head().date);
+    }
+
+    void identification(const char *issuer, const std::string &value, const Text &name) {
+        within("dcc:identifications", [&] {
+            within("dcc:identification", [&] {
+                leaf("dcc:issuer", std::string(issuer));
+                leaf("dcc:value", value);
+                said("dcc:name", name);
+            });
+        });
+    }
+
+    /// What machines and instruments have in common.
+    void writeMake(const std::string &manufacturer, const std::string &model,
+                   const std::string &serialNumber) {
+        if (!manufacturer.empty())
+            within("dcc:manufacturer", [&] { said("dcc:name", manufacturer); });
+        leafIfStated("dcc:model", model);
+        if (!serialNumber.empty())
+            identification("manufacturer", serialNumber, REPORT_TEXT("report", "Serial number"));
+    }
+
+    void writeMachine() {
+        const Machine &machine = document().machine;
+        said("dcc:name", machine.name.empty() ? machine.model : machine.name);
+        if (!machine.condition.empty())
+            said("dcc:description", machine.condition);
+        writeMake(machine.manufacturer, machine.model, machine.serialNumber);
+    }
+
+    void contact(const char *element, const std::string &name, const std::string &country,
+                 std::initializer_list<std::string> further) {
+        within(element, [&] {
+            said("dcc:name", name);
+            within("dcc:location", [&] {
+                leafIfStated("dcc:countryCode", country);
+                for (const std::string &text : further) {
+                    if (!text.empty())
+                        said("dcc:further", text);
+                }
+            });
+        });
+    }
+
+    void person(const std::string &name, const std::string &role, bool signs) {
+        within("dcc:respPerson", [&] {
+            within("dcc:person", [&] { said("dcc:name", name); });
+            leafIfStated("dcc:role", role);
+            leaf("dcc:mainSigner", std::string(signs ? "true" : "false"));
+        });
+    }
+
+    void statement(const Text &name, const auto &text) {
+        within("dcc:statement", [&] {
+            said("dcc:name", name);
+            said("dcc:declaration", text);
+        });
+    }
+
+    void writeStatements() {
+        statement(REPORT_TEXT("report", "Scope"),
+                  both([](const Language &language) { return scopeText(Writer(language)); }));
+        statement(REPORT_TEXT("report", "Uncertainty"),
+                  both([](const Language &language) { return coverageText(Writer(language)); }));
+        const std::array stated{
+            std::pair{REPORT_TEXT("report", "Place"), head().place},
+            std::pair{REPORT_TEXT("report", "Order"), head().order},
+            std::pair{REPORT_TEXT("report", "Procedure"), head().procedure},
+            std::pair{REPORT_TEXT("report", "Deviations from the method"), head().deviationsFromMethod},
+            std::pair{REPORT_TEXT("report", "Adjustments made"), head().adjustments},
+            std::pair{REPORT_TEXT("report", "Replaces"), head().replaces},
+            std::pair{REPORT_TEXT("report", "Reason of the revision"), head().revisionReason},
+            std::pair{REPORT_TEXT("report", "Remarks"), head().remarks},
+        };
+        for (const auto &[name, text] : stated) {
+            if (!QString::fromStdString(text).trimmed().isEmpty())
+                statement(name, text);
+        }
+    }
+
+    // ---- A test ----
+
+    void writeTest(std::size_t index) {
+        const Test &test = *document().tests[index];
+        const TestEvaluation &evaluation = *m_evaluated.tests[index];
+        said("dcc:name", both([&](const Language &language) { return testName(Writer(language), test); }));
+        if (!test.title.empty())
+            said("dcc:description", test.title);
+        if (evaluation.edition)
+            within("dcc:usedMethods", [&] { writeMethod(test, *evaluation.edition); });
+        writeInstruments(test);
+        writeConditions(index);
+        within("dcc:results", [&] { writeResults(test, evaluation); });
+        if (evaluation.edition)
+            within("dcc:measurementMetaData", [&] { writeConformity(test, evaluation); });
+    }
+
+    void writeMethod(const Test &test, const Edition &edition) {
+        within("dcc:usedMethod", [&] {
+            said("dcc:name", both([&](const Language &language) {
+                     return language.text(edition.title.empty() ? kindWords(test).listed : edition.title)
+                         .replace(QLatin1StringView("%1"), QString::fromStdString(axesOf(test)));
+                 }));
+            leaf("dcc:norm", std::string(edition.word));
+            leafIfStated("dcc:reference", head().procedure);
+        });
+    }
+
+    void writeInstruments(const Test &test) {
+        std::vector<const Instrument *> used;
+        for (const Instrument &instrument : document().instruments) {
+            if (std::ranges::find(test.instruments, instrument.id) != test.instruments.end())
+                used.push_back(&instrument);
+        }
+        if (used.empty())
+            return;
+        within("dcc:measuringEquipments", [&] {
+            for (const Instrument *instrument : used)
+                within("dcc:measuringEquipment", [&] { writeInstrument(*instrument); });
+        });
+    }
+
+    void writeInstrument(const Instrument &instrument) {
+        said("dcc:name", !instrument.description.empty() ? instrument.description
+                         : !instrument.model.empty()     ? instrument.model
+                                                         : instrument.id);
+        const QString traced = traceabilityText(Writer(m_english), instrument);
+        if (!traced.isEmpty())
+            said("dcc:description", both([&](const Language &language) {
+                     return traceabilityText(Writer(language), instrument);
+                 }));
+        writeMake(instrument.manufacturer, instrument.model, instrument.serialNumber);
+    }
+
+    void condition(const Both &name, const auto &data) {
+        within("dcc:influenceCondition", [&] {
+            said("dcc:name", name);
+            within("dcc:data", data);
+        });
+    }
+
+    void writeTemperature(const Conditions &conditions, SensorMeasures what) {
+        const Temperatures of = temperaturesOf(conditions, what);
+        if (!of.start && !of.end)
+            return;
+        const auto name = [what](const Language &language) {
+            return language.text(REPORT_TEXT("report", "Temperature")) + QStringLiteral(": ") +
+                   language.text(sensorText(what));
+        };
+        condition(both(name), [&] {
+            for (const auto &[words, value] : {std::pair{REPORT_TEXT("report", "Start"), of.start},
+                                               std::pair{REPORT_TEXT("report", "End"), of.end}}) {
+                if (value)
+                    within("dcc:quantity", [&, &words = words, &value = value] {
+                        said("dcc:name", words);
+                        real(*value, Quantity::temperature);
+                    });
+            }
+        });
+    }
+
+    /// Numbers as such; all other conditions in the words of the report.
+    void writeConditions(std::size_t index) {
+        const Test &test = *document().tests[index];
+        const TestEvaluation &evaluation = *m_evaluated.tests[index];
+        const Conditions *conditions = conditionsOf(test);
+        if (!conditions || !evaluation.edition)
+            return;
+        within("dcc:influenceConditions", [&] {
+            for (const SensorMeasures what :
+                 {SensorMeasures::machine, SensorMeasures::instrument, SensorMeasures::air})
+                writeTemperature(*conditions, what);
+            QStringList numbers;
+            for (const std::string_view key : conditionKeys(test)) {
+                const FieldValue value = fieldValue(test, key);
+                const auto *number = std::get_if<std::optional<double>>(&value);
+                const StatedThing *thing = statedThing(key);
+                if (!number || !*number || !thing || !thing->form.quantity)
+                    continue;
+                numbers << m_english.text(thing->name);
+                condition(both(thing->name), [&] {
+                    within("dcc:quantity", [&] { real(**number, quantityOf(*thing, motionOf(test))); });
+                });
+            }
+            const Writer french(m_french);
+            const Writer english(m_english);
+            const auto rowsIn = [&](const Writer &write) {
+                return conditionRows({write, m_evaluated, test, evaluation, index}).rows;
+            };
+            const std::vector<KeyValue> there = rowsIn(french);
+            const std::vector<KeyValue> here = rowsIn(english);
+            condition(both(REPORT_TEXT("report", "Correction to 20 °C")),
+                      [&] { said("dcc:text", correctionText(conditions->correctionTo20)); });
+            for (std::size_t i = 0; i < std::min(there.size(), here.size()); ++i) {
+                if (!here[i].value.isEmpty() && !numbers.contains(here[i].key))
+                    condition({there[i].key, here[i].key}, [&] {
+                        said("dcc:text", Both{there[i].value, here[i].value});
+                    });
+            }
+        });
+    }
+
+    // ---- Results ----
+
+    void writeResults(const Test &test, const TestEvaluation &evaluation) {
+        within("dcc:result", [&] {
+            said("dcc:name", REPORT_TEXT("report", "Results"));
+            within("dcc:data", [&] {
+                for (const Parameter &parameter : evaluation.parameters)
+                    within("dcc:quantity", [&] { writeParameter(parameter, test, evaluation); });
+                const auto range = rangeAtRest(test);
+                if (range)
+                    within("dcc:quantity", [&] {
+                        said("dcc:name", REPORT_TEXT("report", "Environmental variation E_VE"));
+                        real(*range, deviationQuantity(test));
+                    });
+                if (!range && evaluation.parameters.empty())
+                    said("dcc:text", REPORT_TEXT("report", "no results"));
+            });
+        });
+        const auto *measurement = std::get_if<PositioningMeasurement>(&test.measurement);
+        if (measurement && !measurement->targets.empty())
+            within("dcc:result", [&] { writeTargets(*measurement, evaluation); });
+    }
+
+    void writeParameter(const Parameter &parameter, const Test &test, const TestEvaluation &evaluation) {
+        said("dcc:name", parameter.term.name);
+        const QString symbol = QString::fromStdString(plainSymbol(parameter));
+        if (!parameter.value || !std::isfinite(*parameter.value)) {
+            said("dcc:noQuantity", both([&](const Language &language) {
+                     return symbol + QStringLiteral(": ") + language.text(REPORT_TEXT("report", "no value"));
+                 }));
+        } else {
+            real(*parameter.value, parameter.term.quantity, symbol, [&] { writeUncertainty(parameter); });
+        }
+        if (parameter.limit && parameter.limit->value)
+            within("dcc:measurementMetaData", [&] {
+                within("dcc:metaData", [&] {
+                    said("dcc:name", REPORT_TEXT("report", "Limit"));
+                    leaf("dcc:convention", std::string(fileWord(test.decisionRule.rule)));
+                    leaf("dcc:norm", parameter.limit->edition.value_or(evaluation.edition->word));
+                    leafIfStated("dcc:reference", parameter.limit->source);
+                    if (parameter.verdict && parameter.value)
+                        leaf("dcc:conformity", std::string(conformityOf(parameter)));
+                    numberWithin("dcc:data", REPORT_TEXT("report", "Limit"), *parameter.limit->value,
+                                 parameter.term.quantity);
+                });
+            });
+    }
+
+    /// U of a simulation is half of its 95.45 % interval; its factor is that of its own distribution.
+    void writeUncertainty(const Parameter &parameter) {
+        if (!parameter.expandedUncertainty || !std::isfinite(*parameter.expandedUncertainty))
+            return;
+        const bool simulated = parameter.decidedBy == UncertaintyMethod::monteCarlo && parameter.simulated;
+        double factor = 2;
+        if (simulated && parameter.simulated->u > 0)
+            factor = std::max(1.0, *parameter.expandedUncertainty / parameter.simulated->u);
+        within("si:expandedUnc", [&] {
+            leaf("si:uncertainty",
+                 Decimal(*parameter.expandedUncertainty, parameter.term.quantity).shortest());
+            leaf("si:coverageFactor", Decimal(factor).rounded(factor == 2 ? 0 : 4));
+            leaf("si:coverageProbability",
+                 Decimal(simulated ? coverageProbability : usualCoverage).shortest());
+        });
+    }
+
+    void writeTargets(const PositioningMeasurement &measurement, const TestEvaluation &evaluation) {
+        const auto &results = std::get<PositioningResults>(evaluation.results);
+        const auto list = [&](const Text &name, const QString &label, Quantity quantity,
+                              const auto &valueOf) {
+            QStringList values;
+            for (std::size_t i = 0; i < measurement.targets.size(); ++i) {
+                const std::optional<double> value = valueOf(i);
+                if (!value || !std::isfinite(*value))
+                    return; // lists have no gaps
+                values << QString::fromStdString(Decimal(*value, quantity).shortest());
+            }
+            within("dcc:quantity", [&] {
+                said("dcc:name", both([&](const Language &language) {
+                         return joined({language.text(name), label}, QStringLiteral(" "));
+                     }));
+                within("si:realListXMLList", [&] {
+                    leaf("si:valueXMLList", values.join(u' '));
+                    leaf("si:unitXMLList", std::string(dsiUnit(quantity)));
+                });
+            });
+        };
+        said("dcc:name", REPORT_TEXT("report", "Results per target position"));
+        within("dcc:data", [&] {
+            within("dcc:list", [&] {
+                list(REPORT_TEXT("report", "Target positions"), {}, positionQuantity(measurement.axis),
+                     [&](std::size_t i) { return std::optional(measurement.targets[i]); });
+                for (const TargetTerm &term : evaluation.edition->targetTerms) {
+                    if (isShown(term, results))
+                        list(term.name, symbolPhrase(term.symbol).plain(),
+                             deviationQuantity(measurement.axis), [&](std::size_t i) {
+                                 return targetValue(term.id, results.targets[i], evaluation.edition->c);
+                             });
+                }
+            });
+        });
+    }
+
+    // ---- Conformity ----
+
+    void writeConformity(const Test &test, const TestEvaluation &evaluation) {
+        const Accordance accordance = evaluation.accordance();
+        const bool judged = accordance == Accordance::yes || accordance == Accordance::partly;
+        const LargeWord word = largeWord(evaluation.verdict, !evaluation.limits.empty(), accordance);
+        within("dcc:metaData", [&] {
+            said("dcc:name", REPORT_TEXT("report", "Verdict of the test"));
+            leaf("dcc:convention", std::string(fileWord(test.decisionRule.rule)));
+            leaf("dcc:norm", std::string(evaluation.edition->word));
+            said("dcc:declaration", both([&](const Language &language) {
+                     return language.text(word.word) + QStringLiteral(". ") +
+                            accordanceText(test, evaluation, language, false);
+                 }));
+            if (judged && evaluation.verdict)
+                leaf("dcc:conformity",
+                     std::string(*evaluation.verdict == Verdict::conforms         ? "pass"
+                                 : *evaluation.verdict == Verdict::doesNotConform ? "fail"
+                                                                                  : "noPass"));
+        });
+        for (const AgreedLimit &limit : evaluation.limits) {
+            if (limit.state != LimitState::notEvaluable)
+                continue; // stands with its result
+            within("dcc:metaData", [&] {
+                said("dcc:name", both([&](const Language &language) {
+                         return language.text(REPORT_TEXT("report", "Limit")) + u' ' +
+                                QString::fromStdString(limit.symbol);
+                     }));
+                said("dcc:declaration", both([&](const Language &language) {
+                         return notEvaluableSentence(evaluation, language);
+                     }));
+                leaf("dcc:conformity", std::string("noPass"));
+                numberWithin("dcc:data", REPORT_TEXT("report", "Limit"), *limit.limit.value,
+                             deviationQuantity(test));
+            });
+        }
+    }
+
+    QXmlStreamWriter m_xml;
+    const EvaluatedDocument &m_evaluated;
+    Language m_french{Language::Id::french};
+    Language m_english{Language::Id::english};
+};
+
+} // namespace
+
+std::vector<Text> missingForDcc(const Document &document) {
+    std::vector<Text> result;
+    for (const Obliged &one : obliged) {
+        if (QString::fromStdString(one.value(document)).trimmed().isEmpty())
+            result.push_back(one.name);
+    }
+    return result;
+}
+
+void requireForDcc(const Document &document, const Language &language) {
+    QStringList names;
+    for (const Text &name : missingForDcc(document))
+        names << language.text(name);
+    if (!names.isEmpty())
+        throw Error(Error::Kind::content,
+                    {REPORT_TEXT("report", "a digital calibration certificate must also state: %1"),
+                     {names.join(QStringLiteral(", ")).toStdString()},
+                     {}});
+}
+
+const char *dsiUnit(Quantity quantity) {
+    return inOrder(
+        quantity, {"\\one", "\\one", "\\milli\\metre", "\\degree", "\\micro\\metre", "\\arcsecond",
+                   "\\micro\\metre", "\\arcsecond", "\\degreecelsius", "\\degreecelsius\\hour\\tothe{-1}",
+                   "\\micro\\metre\\metre\\tothe{-1}\\kelvin\\tothe{-1}", "\\milli\\metre\\minute\\tothe{-1}",
+                   "\\degree\\minute\\tothe{-1}", "\\second", "\\hecto\\pascal", "\\percent"});
+}
+
+QByteArray dcc(const EvaluatedDocument &given) {
+    EvaluatedDocument evaluated = given;
+    evaluated.document = withVisibleTexts(given.document, writeDocument(*given.document));
+    QByteArray bytes;
+    DccWriter(bytes, evaluated).write();
+    return bytes;
+}
+
+} // namespace palmer
